@@ -1,0 +1,15 @@
+# Everything comes from the system's packages; scripts/setup.sh installs it.
+find_package(NLopt 2.7 CONFIG REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(TBB 2021 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+
+if(COILWRIGHT_TESTS)
+  find_package(GTest 1.12 REQUIRED)
+endif()
+if(COILWRIGHT_BENCHMARKS)
+  find_package(benchmark 1.7 REQUIRED)
+endif()

@@ -1,0 +1,39 @@
+# coilwright_room(<name> SOURCES <file>... [PUBLIC <target>...] [PRIVATE <target>...])
+#
+# One library a room. Its link list is the architecture: a room may link only rooms that stand above it
+# (tests/layering_test.py checks the includes against the same order).
+function(coilwright_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target coilwright_${name})
+  add_library(${target} STATIC ${ROOM_SOURCES})
+  add_library(coilwright::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
+  coilwright_warnings(${target})
+  install(TARGETS ${target} EXPORT coilwright-targets)
+endfunction()
+
+# Warnings are ours, never a consumer's: private, and errors only where COILWRIGHT_WERROR says so (CI).
+option(COILWRIGHT_WERROR "Treat warnings as errors" OFF)
+function(coilwright_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    $<$<BOOL:${COILWRIGHT_WERROR}>:-Werror>)
+endfunction()
+
+# coilwright_test(<name> SOURCES <file>... LINK <target>...)
+function(coilwright_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE ${TEST_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE
+    COILWRIGHT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+    COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  coilwright_warnings(${name})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
+endfunction()

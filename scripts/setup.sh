@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Installs what building and testing Coilwright needs on Debian 12. Idempotent: does nothing when all is there.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build make git python3
+  libnlopt-dev libeigen3-dev libboost-dev nlohmann-json3-dev libtbb-dev
+  libfmt-dev libcli11-dev libcsv-dev libhwy-dev
+  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
+  clang-format
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+  as_root=(sudo)
+fi
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"

@@ -1,0 +1,48 @@
+#pragma once
+
+namespace coilwright::mechanics {
+
+/// Two segment faces that meet when their joint closes: a unilateral rotary spring and damper.
+///
+/// The faces push and never pull. Penetration p = closing_angle - theta; for p > 0 the opening torque is
+/// max(0, stiffness p - damping theta'), N m. The damper makes a bounce lossy without a separate restitution law; the
+/// torque jumps at first touch only if the faces meet at speed.
+struct FaceContact {
+  double closing_angle{};  ///< joint angle at which the faces meet, rad; <= 0 for faces that are apart at rest
+  double stiffness{};      ///< N m/rad; >= 0, 0 for no contact
+  double damping{};        ///< N m s/rad; >= 0
+
+  /// Opening torque, N m, >= 0.
+  [[nodiscard]] double torque(double angle, double rate) const noexcept {
+    const double penetration = closing_angle - angle;
+    if (penetration <= 0.0) return 0.0;
+    const double push = stiffness * penetration - damping * rate;
+    return push > 0.0 ? push : 0.0;
+  }
+
+  /// -d(torque)/d(angle) of the spring alone, N m/rad.
+  [[nodiscard]] double tangent_stiffness(double angle) const noexcept {
+    return angle < closing_angle ? stiffness : 0.0;
+  }
+
+  /// Energy in the spring, J.
+  [[nodiscard]] double energy(double angle) const noexcept {
+    const double penetration = closing_angle - angle;
+    return penetration > 0.0 ? 0.5 * stiffness * penetration * penetration : 0.0;
+  }
+};
+
+/// Silicone walls pressed between two stiff faces that turn about a hinge at their lower edge.
+struct FaceWalls {
+  double width{};          ///< of the face, m
+  double height{};         ///< from the hinge to the top edge, m
+  double thickness{};      ///< of both walls together, m
+  double young_modulus{};  ///< Pa
+};
+
+/// Rotary stiffness of the pressed walls, N m/rad: every strip at height y is a column strained by y theta / t, so
+/// k = E w H^3 / (3 t). Bulging is free (no lateral confinement), strain small; both err by tens of per cent, and what
+/// matters is only that the wall is thousands of times stiffer than the hinge (prototype: 6e3).
+[[nodiscard]] double wall_stiffness(const FaceWalls& walls);
+
+}  // namespace coilwright::mechanics

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+
+#include "coilwright/mechanics/joint_vector.hpp"
+
+namespace coilwright::mechanics {
+
+/// A rigid segment of the chain. Along: from its own joint to the next along the hinge line. Offset: across it, towards
+/// the side on which the chain's joints open.
+struct Link {
+  double length{};      ///< own joint to next joint, m; finite, >= 0
+  double com_along{};   ///< centre of mass along the link, m; finite
+  double com_offset{};  ///< centre of mass across the link, m; finite (the paper's h)
+  double mass{};        ///< kg; finite, > 0
+  double inertia{};     ///< about the centre of mass, kg m^2; finite, >= 0
+};
+
+/// A point fixed to a link, in the link's own along and offset coordinates, m.
+struct LinkPoint {
+  int link{};       ///< index of the link, 0 is the first that moves; -1 is the fixed base
+  double along{};   ///< m
+  double offset{};  ///< m
+};
+
+/// d(x, y)/dtheta of a point, (2, n), m/rad.
+using PointJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, max_joints>;
+
+/// n rigid links in a vertical plane, joined by hinges, hanging from a fixed base joint at the origin.
+///
+/// Joint angles are relative, rad, all zero where the chain hangs along gravity (-y). A point at (along, offset) of a
+/// link with absolute angle phi lies at its joint + along (sin phi, -cos phi) + offset (-cos phi, -sin phi). For two
+/// links of equal com_offset h this is (1)-(12) of the paper without the spring and damper terms of (11) and (12),
+/// which belong to the hinge. Immutable; copies are cheap; no heap.
+class PlanarChain {
+ public:
+  /// Throws std::invalid_argument naming link, field, rule and value.
+  /// `gravity` in m/s^2, finite, >= 0. `base_tilt` in rad, finite: the whole chain is turned by it towards opening, so
+  /// link j makes the angle phi_j + base_tilt with gravity; positions stay in the frame of the base.
+  explicit PlanarChain(std::span<const Link> links, double gravity = 9.81, double base_tilt = 0.0);
+
+  [[nodiscard]] int joints() const noexcept { return joints_; }
+  [[nodiscard]] const Link& link(int index) const noexcept { return links_[index]; }
+  [[nodiscard]] double gravity() const noexcept { return gravity_; }
+  [[nodiscard]] double base_tilt() const noexcept { return base_tilt_; }
+
+  /// Mass matrix over the relative joint angles, (n, n), kg m^2: (10) of the paper.
+  [[nodiscard]] JointMatrix mass_matrix(const JointVector& angles) const;
+
+  /// Centrifugal and Coriolis torques c with M theta'' + c + g = tau, N m: (11) of the paper without b.
+  [[nodiscard]] JointVector velocity_torques(const JointVector& angles, const JointVector& rates) const;
+
+  /// Gravity torques g = dV/dtheta, N m: (12) of the paper without k.
+  [[nodiscard]] JointVector gravity_torques(const JointVector& angles) const;
+
+  /// dg/dtheta, (n, n), N m/rad, symmetric: gravity's part of the stiffness.
+  [[nodiscard]] JointMatrix gravity_stiffness(const JointVector& angles) const;
+
+  /// theta'' = M^-1 (tau - c - g), rad/s^2, for joint torques tau (magnetics, springs, dampers, contact), N m.
+  [[nodiscard]] JointVector accelerations(const JointVector& angles, const JointVector& rates,
+                                          const JointVector& torques) const;
+
+  /// Kinetic energy, J.
+  [[nodiscard]] double kinetic_energy(const JointVector& angles, const JointVector& rates) const;
+
+  /// Gravitational potential energy, J, zero with every centre of mass at the height of the base joint.
+  [[nodiscard]] double potential_energy(const JointVector& angles) const;
+
+  /// Position (x, y) of a point, m.
+  [[nodiscard]] Eigen::Vector2d position(const LinkPoint& point, const JointVector& angles) const;
+
+  /// d(position)/dtheta, (2, n), m/rad.
+  [[nodiscard]] PointJacobian jacobian(const LinkPoint& point, const JointVector& angles) const;
+
+ private:
+  struct Directions;  // sines and cosines of the absolute link angles
+
+  [[nodiscard]] Directions directions(const JointVector& angles, double tilt) const;
+  [[nodiscard]] JointMatrix absolute_mass_matrix(const Directions& d) const;
+  [[nodiscard]] JointVector absolute_velocity_torques(const Directions& d, const JointVector& rates) const;
+  [[nodiscard]] JointVector absolute_gravity_torques(const Directions& tilted) const;
+
+  int joints_;
+  double gravity_;
+  double base_tilt_;
+  std::array<Link, max_joints> links_{};
+  std::array<double, max_joints> outboard_mass_{};  // mass of all links beyond this one
+  std::array<double, max_joints> along_moment_{};   // length * outboard mass + mass * com_along
+  std::array<double, max_joints> offset_moment_{};  // mass * com_offset
+};
+
+}  // namespace coilwright::mechanics

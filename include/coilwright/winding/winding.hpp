@@ -1,0 +1,73 @@
+#pragma once
+
+#include "coilwright/winding/packing.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
+
+namespace coilwright::winding {
+
+/// Smallest inner radius of a winding, in insulated wire diameters. The film of 0.14 to 1.6 mm wire must survive being
+/// wound on its own diameter (IEC 60317, mandrel test: radius 0.5 d); three times that is our margin for tension, kinks
+/// at the crossovers and the finer gauges, whose test is wider. A choice, not a standard.
+inline constexpr double smallest_mandrel_radius = 1.5;
+
+/// A thick circular coil of round enamelled copper wire: turns in, dimensions and electrical data out. Immutable.
+class Winding {
+ public:
+  /// Inputs of a Winding. Name every field at the call site.
+  struct Spec {
+    double inner_radius{};  ///< radius of the bore, m; finite, >= smallest_mandrel_radius insulated diameters
+    int turns_radial{};     ///< number of layers; >= 1
+    int turns_axial{};      ///< turns in a layer; >= 1
+    int awg{};              ///< wire gauge; AWG 20 to 40
+    Packing packing{};      ///< pitches; as the prototype's unless given
+  };
+  /// Throws std::invalid_argument naming the field, the rule and the value received.
+  explicit Winding(const Spec& spec);
+
+  [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
+  [[nodiscard]] const WireGauge& wire() const noexcept { return wire_; }
+  [[nodiscard]] int turns() const noexcept;               ///< all turns
+  [[nodiscard]] double axial_pitch() const noexcept;      ///< between turns of a layer, m
+  [[nodiscard]] double radial_pitch() const noexcept;     ///< between layers, m
+  [[nodiscard]] double inner_radius() const noexcept;     ///< m
+  [[nodiscard]] double outer_radius() const noexcept;     ///< m; no wire stands out of it
+  [[nodiscard]] double length() const noexcept;           ///< along the axis, m; no wire stands out of it
+  [[nodiscard]] double mean_radius() const noexcept;      ///< of the inner and outer one, m
+  [[nodiscard]] double wire_length() const noexcept;      ///< of all turns, m; leads not included
+  [[nodiscard]] double copper_mass() const noexcept;      ///< kg; enamel (2 to 4 % more) not included
+  [[nodiscard]] double copper_fraction() const noexcept;  ///< copper section of all turns over (outer - inner) * length
+
+  /// Resistance of the whole wire at `temperature` (degC), ohm. See copper_resistance_ratio for range and throws.
+  [[nodiscard]] double resistance(double temperature) const;
+  /// Self-inductance, H: see `inductance()` of the same section with uniform current density.
+  [[nodiscard]] double inductance() const;
+
+ private:
+  Spec spec_;
+  WireGauge wire_;
+};
+
+/// Room that a winding may take. Both are lengths in m, > 0; infinity means that there is no limit.
+struct Room {
+  double outer_radius{};
+  double length{};
+};
+
+/// By how much a winding is larger than its room, m: positive does not fit, negative is the space left.
+struct Fit {
+  double radial_excess{};
+  double axial_excess{};
+  /// Whether the winding fits. One that fills its room exactly does, so an excess below a picometre (rounding of the
+  /// sums of pitches, far below any tolerance of manufacture) counts as none.
+  [[nodiscard]] bool fits() const noexcept { return radial_excess <= 1e-12 && axial_excess <= 1e-12; }
+};
+
+/// Compares a winding with the room given. Never changes the winding: one that does not fit is infeasible, and the
+/// answer says by how much. Throws std::invalid_argument for a room that is not > 0 (infinity is legal).
+[[nodiscard]] Fit fit(const Winding& winding, const Room& room);
+
+/// Radius of the wire's centre in layer `layer` (0 is the innermost), m. Throws std::invalid_argument outside
+/// 0 <= layer < turns_radial.
+[[nodiscard]] double layer_radius(const Winding& winding, int layer);
+
+}  // namespace coilwright::winding

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace coilwright::thermal {
+
+/// Most lumps a network may have; keeps every matrix on the stack, so that a steady state allocates nothing.
+inline constexpr int most_nodes = 32;
+
+/// One value a node, in the order of the chain.
+using NodeVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_nodes, 1>;
+/// Symmetric matrix over the nodes.
+using NodeMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_nodes, most_nodes>;
+
+enum class NodeKind { coil, magnet };
+
+/// One lump of a chain: a segment at one temperature.
+struct Node {
+  NodeKind kind{};
+  double ambient_conductance{};  ///< to ambient, W/K; finite, >= 0
+  double heat_capacity{};        ///< J/K; finite, > 0 (only transients use it)
+  double resistance{};           ///< of the coil at 20 degC, ohm; > 0 for a coil, 0 for a magnet
+  double temperature_limit{};    ///< degC; finite
+};
+
+/// A chain of lumps, each linked to its neighbours and to ambient. Temperatures are in degC throughout (only
+/// differences enter: all conductances are constants, so radiation and natural convection are linearised in them).
+///
+/// A coil makes heat I^2 R20 (1 + alpha (T - 20)): it grows with temperature, which is what makes a runaway possible.
+class Network {
+ public:
+  struct Spec {
+    std::vector<Node> nodes;           ///< in order along the actuator; 1 to most_nodes
+    std::vector<double> links;         ///< conductance between node i and i + 1, W/K; finite, >= 0; one less than nodes
+    double ambient{};                  ///< degC; finite, and such that copper's linear law holds (> 20 - 1/alpha)
+    double temperature_coefficient{};  ///< alpha of the coils' resistance about 20 degC, 1/K; finite, > 0
+  };
+  /// Throws std::invalid_argument naming the field, the rule and the value received; also when some node has no path to
+  /// ambient, for its temperature would have no steady value.
+  explicit Network(Spec spec);
+
+  [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return spec_.nodes; }
+  [[nodiscard]] Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(spec_.nodes.size()); }
+  [[nodiscard]] double ambient() const noexcept { return spec_.ambient; }                                  ///< degC
+  [[nodiscard]] double temperature_coefficient() const noexcept { return spec_.temperature_coefficient; }  ///< 1/K
+  /// Conductance matrix (n, n), W/K: symmetric, positive definite. Heat leaving the nodes is G (T - ambient).
+  [[nodiscard]] const NodeMatrix& conductance() const noexcept { return conductance_; }
+  /// Heat of each node at ambient temperature per mean square current, ohm: R20 (1 + alpha (ambient - 20)).
+  [[nodiscard]] NodeVector ambient_resistance() const;
+  /// Growth of that heat per kelvin, ohm/K: alpha R20.
+  [[nodiscard]] NodeVector resistance_slope() const;
+
+ private:
+  Spec spec_;
+  NodeMatrix conductance_;
+};
+
+/// A current that is on for a fraction of each period and off for the rest.
+struct DutyCycle {
+  double current{};  ///< while on, A; finite
+  double duty{};     ///< fraction of the period, dimensionless; 0 to 1
+};
+
+/// Mean square of a duty cycle, A^2: current^2 duty. Stands for the cycle as far as temperatures go when the period is
+/// much shorter than the shortest thermal time constant (1 / the last of Transient::rates); the ripple about the mean
+/// is then of the order period / time constant. Throws std::invalid_argument naming the field, the rule and the value.
+[[nodiscard]] double mean_square(const DutyCycle& cycle);
+
+/// The same mean square current (A^2, >= 0) in every coil of `network`, nothing in the magnets.
+[[nodiscard]] NodeVector same_in_every_coil(const Network& network, double mean_square_current);
+
+}  // namespace coilwright::thermal

@@ -1,0 +1,104 @@
+#include "coilwright/thermal/network.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "thermal/error_text.hpp"
+#include "thermal/sample_networks.hpp"
+
+namespace coilwright::thermal {
+namespace {
+
+Network::Spec two_nodes() {
+  return {.nodes = {{.kind = NodeKind::coil,
+                     .ambient_conductance = 0.03,
+                     .heat_capacity = 9.0,
+                     .resistance = 3.1,
+                     .temperature_limit = 150.0},
+                    {.kind = NodeKind::magnet,
+                     .ambient_conductance = 0.02,
+                     .heat_capacity = 7.0,
+                     .resistance = 0.0,
+                     .temperature_limit = 80.0}},
+          .links = {0.05},
+          .ambient = 24.0,
+          .temperature_coefficient = alpha};
+}
+
+TEST(Network, HeatLeavingIsWhatItsLinksAndSurfacesCarry) {
+  const Network network = five_nodes();
+  NodeVector temperatures(5);
+  temperatures << 81.0, 44.0, 97.0, 36.0, 62.0;
+  const NodeVector rise = (temperatures.array() - network.ambient()).matrix();
+  const NodeVector leaving = network.conductance() * rise;
+  const NodeVector expected = -net_heat(network, five_links, NodeVector::Zero(5), temperatures);
+  for (Eigen::Index i = 0; i < 5; ++i) EXPECT_NEAR(leaving(i), expected(i), 1e-14);  // rounding of about 5 W
+}
+
+TEST(Network, ResistancesAreThoseOfTheCoilsAtAmbient) {
+  const Network network = five_nodes();
+  EXPECT_NEAR(network.ambient_resistance()(2), 4.2 * (1.0 + alpha * 7.0), 1e-14);
+  EXPECT_NEAR(network.resistance_slope()(4), 2.6 * alpha, 1e-16);
+  EXPECT_EQ(network.ambient_resistance()(1), 0.0);
+}
+
+TEST(Network, DutyScalesTheMeanSquareOnce) {
+  EXPECT_DOUBLE_EQ(mean_square({.current = 1.4, .duty = 0.35}), 1.4 * 1.4 * 0.35);
+  EXPECT_DOUBLE_EQ(mean_square({.current = -1.4, .duty = 0.35}), mean_square({.current = 1.4, .duty = 0.35}));
+  EXPECT_EQ(error_text([] { (void)mean_square({.current = 1.4, .duty = 1.2}); }), "duty: must be from 0 to 1; got 1.2");
+  EXPECT_EQ(error_text([] { (void)mean_square({.current = NAN, .duty = 0.5}); }), "current: must be finite; got nan");
+}
+
+TEST(Network, LoadsEveryCoilAndNoMagnet) {
+  const NodeVector load = same_in_every_coil(five_nodes(), 0.83);
+  NodeVector expected(5);
+  expected << 0.83, 0.0, 0.83, 0.0, 0.83;
+  EXPECT_EQ(load, expected);
+  EXPECT_EQ(error_text([] { (void)same_in_every_coil(five_nodes(), -0.1); }),
+            "mean_square_current: must be finite and >= 0; got -0.1");
+}
+
+TEST(Network, RejectsNodesOutsideTheirRules) {
+  const auto text = [](auto change) {
+    Network::Spec spec = two_nodes();
+    change(spec);
+    return error_text([&] { Network{spec}; });
+  };
+  EXPECT_EQ(text([](auto& s) { s.nodes[1].ambient_conductance = -0.1; }),
+            "nodes[1].ambient_conductance: must be finite and >= 0; got -0.1");
+  EXPECT_EQ(text([](auto& s) { s.nodes[0].heat_capacity = 0.0; }),
+            "nodes[0].heat_capacity: must be finite and > 0; got 0");
+  EXPECT_EQ(text([](auto& s) { s.nodes[0].resistance = 0.0; }), "nodes[0].resistance: must be finite and > 0; got 0");
+  EXPECT_EQ(text([](auto& s) { s.nodes[1].resistance = 2.0; }), "nodes[1].resistance: must be 0 for a magnet; got 2");
+  EXPECT_EQ(text([](auto& s) { s.nodes[1].temperature_limit = INFINITY; }),
+            "nodes[1].temperature_limit: must be finite; got inf");
+}
+
+TEST(Network, RejectsChainsOutsideTheirRules) {
+  const auto text = [](auto change) {
+    Network::Spec spec = two_nodes();
+    change(spec);
+    return error_text([&] { Network{spec}; });
+  };
+  EXPECT_EQ(text([](auto& s) { s.nodes.clear(); }), "nodes: must be 1 to 32 in number; got 0");
+  EXPECT_EQ(text([](auto& s) { s.nodes.resize(33, s.nodes[0]); }), "nodes: must be 1 to 32 in number; got 33");
+  EXPECT_EQ(text([](auto& s) { s.links.push_back(0.1); }), "links: must be 1 in number; got 2");
+  EXPECT_EQ(text([](auto& s) { s.links[0] = -1.0; }), "links[0]: must be finite and >= 0; got -1");
+  EXPECT_EQ(text([](auto& s) { s.temperature_coefficient = 0.0; }),
+            "temperature_coefficient: must be finite and > 0; got 0");
+  EXPECT_EQ(text([](auto& s) { s.ambient = -240.0; }),
+            "ambient: must be finite and above -234.453 degC, where the resistance law ends; got -240");
+}
+
+TEST(Network, RejectsNodesWithoutAPathToAmbient) {
+  Network::Spec spec = two_nodes();
+  spec.nodes[0].ambient_conductance = 0.0;
+  EXPECT_NO_THROW(Network{spec});  // through its neighbour
+  spec.links[0] = 0.0;
+  EXPECT_EQ(error_text([&] { Network{spec}; }),
+            "nodes[0..0].ambient_conductance: must be > 0 in at least one of these linked nodes; got 0");
+}
+
+}  // namespace
+}  // namespace coilwright::thermal

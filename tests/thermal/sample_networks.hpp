@@ -1,0 +1,62 @@
+#pragma once
+
+#include "coilwright/thermal/network.hpp"
+
+namespace coilwright::thermal {
+
+/// Copper, 1/K.
+inline constexpr double alpha = 3.93e-3;
+
+/// Coil, magnet, coil, magnet, coil: every number different.
+inline Network five_nodes(double temperature_coefficient = alpha) {
+  const auto coil = [](double conductance, double capacity, double resistance, double limit) {
+    return Node{.kind = NodeKind::coil,
+                .ambient_conductance = conductance,
+                .heat_capacity = capacity,
+                .resistance = resistance,
+                .temperature_limit = limit};
+  };
+  const auto magnet = [](double conductance, double capacity, double limit) {
+    return Node{.kind = NodeKind::magnet,
+                .ambient_conductance = conductance,
+                .heat_capacity = capacity,
+                .resistance = 0.0,
+                .temperature_limit = limit};
+  };
+  return Network({.nodes = {coil(0.041, 8.1, 3.3, 155.0), magnet(0.013, 6.7, 80.0), coil(0.023, 9.4, 4.2, 140.0),
+                            magnet(0.017, 5.2, 95.0), coil(0.052, 7.7, 2.6, 155.0)},
+                  .links = {0.031, 0.012, 0.044, 0.019},
+                  .ambient = 27.0,
+                  .temperature_coefficient = temperature_coefficient});
+}
+
+/// One coil on its own.
+inline Network one_coil() {
+  return Network({.nodes = {{.kind = NodeKind::coil,
+                             .ambient_conductance = 0.037,
+                             .heat_capacity = 11.3,
+                             .resistance = 3.6,
+                             .temperature_limit = 148.0}},
+                  .links = {},
+                  .ambient = 31.0,
+                  .temperature_coefficient = alpha});
+}
+
+/// Heat that node i takes up at these temperatures, W: what the network's equations say, written out node by node.
+inline NodeVector net_heat(const Network& network, const std::vector<double>& links, const NodeVector& mean_square,
+                           const NodeVector& temperatures) {
+  NodeVector net(network.size());
+  for (Eigen::Index i = 0; i < network.size(); ++i) {
+    const Node& node = network.nodes()[static_cast<std::size_t>(i)];
+    net(i) = mean_square(i) * node.resistance * (1.0 + network.temperature_coefficient() * (temperatures(i) - 20.0)) -
+             node.ambient_conductance * (temperatures(i) - network.ambient());
+    if (i > 0) net(i) += links[static_cast<std::size_t>(i - 1)] * (temperatures(i - 1) - temperatures(i));
+    if (i + 1 < network.size()) net(i) += links[static_cast<std::size_t>(i)] * (temperatures(i + 1) - temperatures(i));
+  }
+  return net;
+}
+
+/// Links of five_nodes, for net_heat.
+inline const std::vector<double> five_links{0.031, 0.012, 0.044, 0.019};
+
+}  // namespace coilwright::thermal

@@ -5,6 +5,7 @@ find_package(Boost 1.74 CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(TBB 2021 REQUIRED)
 find_package(fmt 9 REQUIRED)
+find_package(hwy 1.0.3 CONFIG REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 
 if(COILWRIGHT_TESTS)

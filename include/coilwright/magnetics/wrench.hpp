@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "coilwright/magnetics/cylinder_magnet.hpp"
+#include "coilwright/magnetics/thick_coil.hpp"
+
+namespace coilwright::magnetics {
+
+/// Where the second body is, seen from the first: the first sits at the origin with its axis along +z.
+struct Pose {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre of the second body, m
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< its axis; finite, not zero, any length (it is normalised)
+};
+
+/// Force and torque on the second body.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< N m, about the centre of the second body
+};
+
+/// Exact force and torque on the second body in any pose, displaced and tilted, the magnet partly or wholly in the
+/// bore included. Positive current and positive remanence give moments along each body's +axis.
+/// Bodies apart (no point in common): error below 1e-7 of the largest component, with lengths measured in the second
+/// body's radius for the torque. Bodies that overlap (copper in magnet): the result is that of the two current
+/// distributions in the same place, finite, but only good to about 1e-3; it serves to continue a curve a little past
+/// touching, not to design with. Theory and sources: docs/theory-magnetics.md.
+/// Throws std::invalid_argument when a current or a pose is not finite or the axis is zero.
+[[nodiscard]] Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magnet, const Pose& pose);
+/// The same for two magnets.
+[[nodiscard]] Wrench wrench(const CylinderMagnet& first, const CylinderMagnet& second, const Pose& pose);
+/// The same for two coils.
+[[nodiscard]] Wrench wrench(const ThickCoil& first, double first_current, const ThickCoil& second,
+                            double second_current, const Pose& pose);
+
+}  // namespace coilwright::magnetics

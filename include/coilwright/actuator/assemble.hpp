@@ -1,0 +1,49 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/dimensions.hpp"
+#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/segments.hpp"
+
+namespace coilwright::actuator {
+
+/// Wire data of one coil.
+struct CoilElectrics {
+  double resistance{};     ///< at 20 degC, ohm, calibrated
+  double inductance{};     ///< H
+  double current_limit{};  ///< chassis-wiring ampacity of the gauge, A
+  double wire_length{};    ///< m
+  double copper_mass{};    ///< kg
+};
+
+/// A design that can be built, with all that follows from its geometry.
+struct Assembly {
+  Model model;
+  Dimensions dimensions;
+  std::vector<Segment> segments;  ///< base first
+  CoilElectrics coil;             ///< every coil alike
+  int coils{};
+  int magnets{};
+  double rest_force_per_ampere{};  ///< of one coil on the magnet beside it at angle 0, N/A, positive for repulsion
+
+  /// All segments with the rear part, kg; wires not counted.
+  [[nodiscard]] double mass() const;
+};
+
+/// Why a design cannot be built: never empty.
+using Misfits = std::vector<Misfit>;
+
+/// Geometry in, model out. Pure: the same design gives the same bits.
+///
+/// Every joint between a coil and a magnet gets the torque curve of the chosen fidelity; magnets act on each other and
+/// on further coils along the chain as DistantPair says; coil-coil forces are left out (1.2 % of the coil-magnet force
+/// in the prototype, by the paper's and by our own figure).
+[[nodiscard]] std::variant<Assembly, Misfits> assemble(const Design& design);
+
+/// The same for a design that must be buildable: throws std::invalid_argument with the first misfit.
+[[nodiscard]] Assembly assemble_or_throw(const Design& design);
+
+}  // namespace coilwright::actuator

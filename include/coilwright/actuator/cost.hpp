@@ -1,0 +1,23 @@
+#pragma once
+
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/design.hpp"
+
+namespace coilwright::actuator {
+
+/// Price of what one actuator is made of, US$: the paper's Table III, which lists one gripper of two fingers.
+struct Cost {
+  double silicone_and_moulds{};  ///< 5 a gripper: 2.50 a finger; not scaled, the moulds dominate
+  double coils{};                ///< 4 a gripper of four coils: 1.00 each, scaled with copper mass
+  double magnets{};              ///< 6 a gripper of two magnets: 3.00 each, scaled with volume
+  double wires{};                ///< 1 a gripper: 0.50 a finger
+
+  [[nodiscard]] double total() const { return silicone_and_moulds + coils + magnets + wires; }
+};
+
+/// Driver board (8) and power supply (20), US$, bought once for all fingers.
+inline constexpr double driver_and_supply_cost = 28.0;
+
+[[nodiscard]] Cost cost_of(const Design& design, const Assembly& assembly);
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/simulation/modes.hpp"
+
+namespace coilwright::simulation {
+
+/// How an actuator is driven.
+struct OperatingPoint {
+  double current{};   ///< in every coil while on, A; finite
+  double duty = 1.0;  ///< fraction of the time that it is on, 0 to 1, for heat only; periods short beside thermal ones
+};
+
+/// How a model moves and pulls at one current.
+struct Motion {
+  mechanics::JointVector rest_angles;    ///< hanging without current, rad
+  mechanics::JointVector steady_angles;  ///< where a step from rest ends, rad
+  double peak_bending_speed{};           ///< of that step, rad/s
+  double peak_speed_time{};              ///< s
+  double overshoot{};                    ///< over the change of the bending angle
+  std::optional<double> rise_time;       ///< 10 to 90 %, s
+  std::optional<double> settling_time;   ///< to 2 %, s
+  std::vector<Mode> modes;               ///< at the steady angles, slowest first
+  double grasp_force{};                  ///< tip against a wall, straight finger, N
+  mechanics::JointVector grasp_angles;   ///< of the joints in that grasp, rad
+  double contact_force_no_current{};     ///< the same without current, N
+};
+
+/// What coils and magnets reach when the operating point is held.
+struct Heat {
+  std::optional<double> coil_temperature;    ///< hottest coil, degC; nothing in a thermal runaway
+  std::optional<double> magnet_temperature;  ///< hottest magnet, degC; likewise
+  double continuous_current{};               ///< largest steady current for the coils' limit, A
+  double magnet_continuous_current{};        ///< likewise for the magnets' limit, A
+  double runaway_current{};                  ///< above it there is no steady state, A
+};
+
+/// All that is known of a design at an operating point.
+struct Performance {
+  Motion motion;
+  Heat heat;
+  double axial_force{};      ///< of one coil on a magnet at the rest gap, N, positive for repulsion
+  double mass{};             ///< kg
+  double coil_resistance{};  ///< one coil at 20 degC, ohm
+  double inductance{};       ///< one coil, H
+  double voltage{};          ///< across one coil at 20 degC, V
+  double power{};            ///< of all coils while on, at 20 degC, W
+  double current_limit{};    ///< chassis-wiring ampacity of the gauge, A
+  double cost{};             ///< US$
+};
+
+/// Why a design has no performance: one line.
+struct NoPerformance {
+  std::string reason;
+};
+
+/// Motion of any model, also one that is given by its lumps alone.
+[[nodiscard]] std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, double current);
+
+/// Everything of an assembled design. Pure: the same input gives the same bits.
+[[nodiscard]] std::variant<Performance, NoPerformance> performance_of(const actuator::Design& design,
+                                                                      const actuator::Assembly& assembly,
+                                                                      const OperatingPoint& point);
+
+}  // namespace coilwright::simulation

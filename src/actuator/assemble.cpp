@@ -1,0 +1,145 @@
+#include "coilwright/actuator/assemble.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "coilwright/mechanics/silicone_hinge.hpp"
+#include "pair_curves.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+// A stop this lossy rebounds with about 40 % of its speed: silicone on silicone bounces once and rests. Approximate; it
+// decides how a closing joint rings, not where it stops.
+constexpr double contact_damping_ratio = 0.3;
+
+double half_pitch(const Dimensions& size, ComponentKind kind) {
+  return kind == ComponentKind::magnet ? size.magnet_half_pitch : size.coil_half_pitch;
+}
+
+// Centre of component i: on the base (link -1) behind the first joint, or on link i - 1.
+mechanics::LinkPoint centre(const Design& design, const Dimensions& size, int i) {
+  const double half = half_pitch(size, design.layout[i].kind);
+  return {.link = i - 1, .along = i == 0 ? -half : half, .offset = size.axis_offset};
+}
+
+// Index of component i among the coils before it.
+int coil_index(const Layout& layout, int i) {
+  return static_cast<int>(std::count_if(layout.begin(), layout.begin() + i,
+                                        [](const Component& c) { return c.kind == ComponentKind::coil; }));
+}
+
+mechanics::PlanarChain chain_of(const Design& design, const std::vector<Segment>& segments) {
+  std::vector<mechanics::Link> links;
+  links.reserve(segments.size() - 1);
+  for (std::size_t i = 1; i < segments.size(); ++i)
+    links.push_back({.length = segments[i].length,
+                     .com_along = segments[i].com_along,
+                     .com_offset = segments[i].com_offset,
+                     .mass = segments[i].mass,
+                     .inertia = segments[i].inertia});
+  return mechanics::PlanarChain(links, design.surroundings.gravity, design.surroundings.base_tilt);
+}
+
+std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const mechanics::PlanarChain& chain) {
+  const double modulus = mechanics::young_modulus_from_shore_a(design.body.shore_hardness);
+  const double strip = mechanics::hinge_stiffness(
+      {.width = size.width, .height = design.body.bottom_layer, .length = design.body.hinge_length}, modulus);
+  const double wall = mechanics::wall_stiffness(
+      {.width = size.width, .height = size.face_height, .thickness = design.body.gap, .young_modulus = modulus});
+  const int n = chain.joints();
+  const mechanics::JointMatrix inertia = chain.mass_matrix(mechanics::JointVector::Zero(n));
+  const double closing_angle = design.choices.faces == FaceContact::walls ? 0.0 : -hard_parts_angle(design, size);
+  std::vector<Hinge> hinges(n);
+  for (int j = 0; j < n; ++j) {
+    hinges[j] = {.stiffness = design.calibration.joint_stiffness * strip,
+                 .damping = design.calibration.joint_damping * strip * design.body.loss_time,
+                 .contact = {.closing_angle = closing_angle,
+                             .stiffness = wall,
+                             .damping = 2.0 * contact_damping_ratio * std::sqrt(wall * inertia(j, j))}};
+  }
+  return hinges;
+}
+
+MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCurves& curves) {
+  std::vector<HingePair> hinge_pairs;
+  std::vector<DistantPair> distant_pairs;
+  const int count = static_cast<int>(design.layout.size());
+  for (int i = 0; i < count; ++i) {
+    for (int k = i + 1; k < count; ++k) {
+      const Component& near = design.layout[i];
+      const Component& far = design.layout[k];
+      const bool near_coil = near.kind == ComponentKind::coil;
+      const bool far_coil = far.kind == ComponentKind::coil;
+      if (near_coil && far_coil) continue;
+      const double sense = near.polarity * far.polarity;
+      if (k == i + 1) {
+        hinge_pairs.push_back({.joint = i,
+                               .coil = coil_index(design.layout, near_coil ? i : k),
+                               .sense = sense,
+                               .torque_per_ampere = curves.hinge_torque()});
+        continue;
+      }
+      const bool magnets = !near_coil && !far_coil;
+      const AxialCurves& axial = magnets ? curves.magnet_magnet() : curves.coil_magnet();
+      const bool exact = design.choices.torque == magnetics::Fidelity::exact;
+      distant_pairs.push_back(
+          {.first = centre(design, size, i),
+           .second = centre(design, size, k),
+           .coil = magnets ? -1 : coil_index(design.layout, near_coil ? i : k),
+           // Positive current sets a coil's moment against a magnet's.
+           .sense = magnets ? sense : -sense,
+           .orientation = exact ? DistantPair::Orientation::dipoles : DistantPair::Orientation::ignored,
+           .axial_force = axial.force,
+           .axial_energy = axial.energy});
+    }
+  }
+  return {std::move(hinge_pairs), std::move(distant_pairs)};
+}
+
+CoilElectrics electrics_of(const Design& design, const winding::Winding& coil) {
+  return {.resistance = design.calibration.coil_resistance * coil.resistance(20.0),
+          .inductance = coil.inductance(),
+          .current_limit = coil.wire().chassis_ampacity,
+          .wire_length = coil.wire_length(),
+          .copper_mass = coil.copper_mass()};
+}
+
+}  // namespace
+
+double Assembly::mass() const {
+  double sum = 0.0;
+  for (const Segment& segment : segments) sum += segment.mass;
+  return sum;
+}
+
+std::variant<Assembly, Misfits> assemble(const Design& design) {
+  if (Misfits broken = misfits(design); !broken.empty()) return broken;
+  const winding::Winding coil = winding_of(design);
+  const Dimensions size = dimensions(design);
+  std::vector<Segment> parts = segments(design, size);
+  const mechanics::PlanarChain chain = chain_of(design, parts);
+  PairCurves curves(design, size);
+  Model model({.chain = chain,
+               .hinges = hinges_of(design, size, chain),
+               .magnetics = magnetics_of(design, size, curves),
+               .coils = coil_count(design.layout),
+               .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0}});
+  return Assembly{.model = std::move(model),
+                  .dimensions = size,
+                  .segments = std::move(parts),
+                  .coil = electrics_of(design, coil),
+                  .coils = coil_count(design.layout),
+                  .magnets = magnet_count(design.layout),
+                  .rest_force_per_ampere = curves.rest_force_per_ampere()};
+}
+
+Assembly assemble_or_throw(const Design& design) {
+  std::variant<Assembly, Misfits> result = assemble(design);
+  if (const Misfits* broken = std::get_if<Misfits>(&result)) throw std::invalid_argument(broken->front().rule);
+  return std::get<Assembly>(std::move(result));
+}
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,87 @@
+#include "coilwright/actuator/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/heat.hpp"
+#include "coilwright/winding/winding.hpp"
+#include "heat_chain.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+double ratio(double measured, double derived, const char* name) {
+  if (!std::isfinite(measured) || measured <= 0.0)
+    throw std::invalid_argument(fmt::format("measured {} must be finite and > 0; got {}", name, measured));
+  return measured / derived;
+}
+
+void calibrate_pitches(Design& design, const Measured& measured) {
+  const winding::Winding coil = winding_of(design);
+  if (measured.coil_outer_radius)
+    design.calibration.radial_pitch =
+        ratio(*measured.coil_outer_radius - coil.inner_radius(), coil.outer_radius() - coil.inner_radius(),
+              "coil outer radius beyond the inner one");
+  if (measured.coil_length) design.calibration.axial_pitch = ratio(*measured.coil_length, coil.length(), "coil length");
+}
+
+// A segment of the kind that was weighed; nullptr where the design has none.
+const Segment* inner_magnet_segment(const Design& design, const Assembly& assembly) {
+  for (std::size_t i = 1; i + 1 < design.layout.size(); ++i)
+    if (design.layout[i].kind == ComponentKind::magnet) return &assembly.segments[i];
+  return nullptr;
+}
+
+void calibrate_masses(Design& design, const Measured& measured, const Assembly& derived) {
+  if (measured.magnet_segment_mass) {
+    const Segment* magnet = inner_magnet_segment(design, derived);
+    if (magnet == nullptr)
+      throw std::invalid_argument(
+          "measured magnet segment mass: no magnet of this layout lies between two other parts");
+    design.calibration.magnet_segment_mass = ratio(*measured.magnet_segment_mass, magnet->mass, "magnet segment mass");
+  }
+  if (measured.tip_segment_mass) {
+    if (design.layout.back().kind != ComponentKind::coil)
+      throw std::invalid_argument("measured tip segment mass: the last component of this layout is not a coil");
+    design.calibration.coil_segment_mass =
+        ratio(*measured.tip_segment_mass, derived.segments.back().mass, "tip segment mass");
+  }
+  if (measured.tip_com)
+    design.calibration.tip_com = ratio(*measured.tip_com, derived.segments.back().com_along, "tip centre of mass");
+}
+
+}  // namespace
+
+Calibration calibrate(Design design, const Measured& measured) {
+  design.calibration = {};
+  // Geometry does not depend on forces: the cheap fidelity serves here.
+  design.choices.torque = magnetics::Fidelity::line_of_centres;
+  if (const Misfits broken = misfits(design); !broken.empty()) throw std::invalid_argument(broken.front().rule);
+  calibrate_pitches(design, measured);
+  if (measured.axis_offset)
+    design.calibration.axis_offset = ratio(*measured.axis_offset, dimensions(design).axis_offset, "axis offset");
+
+  const Assembly derived = assemble_or_throw(design);
+  const Hinge& hinge = derived.model.hinges().front();
+  if (measured.joint_stiffness)
+    design.calibration.joint_stiffness = ratio(*measured.joint_stiffness, hinge.stiffness, "joint stiffness");
+  if (measured.joint_damping)
+    design.calibration.joint_damping = ratio(*measured.joint_damping, hinge.damping, "joint damping");
+  calibrate_masses(design, measured, derived);
+  if (measured.coil_resistance)
+    design.calibration.coil_resistance = ratio(*measured.coil_resistance, derived.coil.resistance, "coil resistance");
+  if (measured.continuous_current) {
+    const double current = *measured.continuous_current;
+    (void)ratio(current, 1.0, "continuous current");
+    const Assembly calibrated = assemble_or_throw(design);
+    const thermal::Chain chain = heat_chain(design, calibrated);
+    design.calibration.heat_transfer =
+        thermal::calibrate_heat_transfer(chain, current) / design.surroundings.heat_transfer;
+  }
+  return design.calibration;
+}
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,127 @@
+#include "coilwright/actuator/dimensions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "coilwright/winding/packing.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+// Of the gap's two silicone walls, one third is the coil's and two thirds the magnet's: 0.3 and 0.6 mm of the
+// prototype's 0.9 (Tables I and II: l_0 - l_c / 2 and l_1 - l_m / 2).
+constexpr double coil_wall_share = 1.0 / 3.0;
+
+class MisfitList {
+ public:
+  void require_positive(double value, const char* name, double unit, const char* unit_name) {
+    if (std::isfinite(value) && value > 0.0) return;
+    const double excess = std::isfinite(value) ? 1.0 - value / unit : 1.0;
+    list_.push_back({fmt::format("{} must be > 0; got {} {}", name, value / unit, unit_name), excess});
+  }
+  void require_at_least(int value, int limit, const char* name) {
+    if (value < limit)
+      list_.push_back({fmt::format("{} must be at least {}; got {}", name, limit, value), 1.0 * (limit - value)});
+  }
+  void add(std::string rule, double excess) { list_.push_back({std::move(rule), excess}); }
+  [[nodiscard]] std::vector<Misfit> take() { return std::move(list_); }
+  [[nodiscard]] bool empty() const { return list_.empty(); }
+
+ private:
+  std::vector<Misfit> list_;
+};
+
+void check_sizes(const Design& design, MisfitList& list) {
+  constexpr double mm = 1e-3;
+  list.require_positive(design.coil.inner_radius, "coil inner radius", mm, "mm");
+  list.require_at_least(design.coil.turns_radial, 1, "turns_radial");
+  list.require_at_least(design.coil.turns_axial, 1, "turns_axial");
+  list.require_positive(design.magnet.radius, "magnet radius", mm, "mm");
+  list.require_positive(design.magnet.length, "magnet length", mm, "mm");
+  list.require_positive(design.magnet.remanence, "remanence", 1.0, "T");
+  list.require_positive(design.magnet.density, "magnet density", 1.0, "kg/m3");
+  const BodyDesign& body = design.body;
+  list.require_positive(body.gap, "gap", mm, "mm");
+  list.require_positive(body.bottom_layer, "bottom layer", mm, "mm");
+  list.require_positive(body.side_wall, "side wall", mm, "mm");
+  list.require_positive(body.bottom_wall, "bottom wall", mm, "mm");
+  list.require_positive(body.top_wall, "top wall", mm, "mm");
+  list.require_positive(body.front_length, "front length", mm, "mm");
+  list.require_positive(body.rear_length, "rear length", mm, "mm");
+  list.require_positive(body.hinge_length, "hinge length", mm, "mm");
+  list.require_positive(body.loss_time, "loss time", mm, "ms");
+  list.require_positive(body.density, "silicone density", 1.0, "kg/m3");
+}
+
+void check_wire(const Design& design, MisfitList& list) {
+  const int awg = design.coil.wire_gauge;
+  if (awg < winding::thickest_gauge || awg > winding::thinnest_gauge) {
+    const int outside = std::max(winding::thickest_gauge - awg, awg - winding::thinnest_gauge);
+    list.add(
+        fmt::format("wire gauge must be AWG {} to {}; got {}", winding::thickest_gauge, winding::thinnest_gauge, awg),
+        1.0 * outside);
+    return;
+  }
+  const double smallest = winding::smallest_mandrel_radius * winding::gauge(awg).insulated_diameter;
+  if (design.coil.inner_radius < smallest)
+    list.add(fmt::format("coil inner radius must be at least {:.4g} mm for AWG {}; got {:.4g} mm", smallest * 1e3, awg,
+                         design.coil.inner_radius * 1e3),
+             smallest / design.coil.inner_radius - 1.0);
+}
+
+}  // namespace
+
+std::vector<Misfit> misfits(const Design& design) {
+  MisfitList list;
+  try {
+    check_layout(design.layout);
+  } catch (const std::invalid_argument& error) {
+    list.add(error.what(), 1.0);
+  }
+  check_sizes(design, list);
+  if (list.empty()) check_wire(design, list);
+  const double hardness = design.body.shore_hardness;
+  if (!(hardness >= 20.0 && hardness <= 80.0))
+    list.add(fmt::format("shore hardness must lie in 20 to 80; got {}", hardness), 1.0);
+  return list.take();
+}
+
+winding::Winding winding_of(const Design& design) {
+  const winding::Packing prototype = winding::Packing::prototype();
+  return winding::Winding(
+      {.inner_radius = design.coil.inner_radius,
+       .turns_radial = design.coil.turns_radial,
+       .turns_axial = design.coil.turns_axial,
+       .awg = design.coil.wire_gauge,
+       .packing = winding::Packing({.axial = prototype.axial() * design.calibration.axial_pitch,
+                                    .radial = prototype.radial() * design.calibration.radial_pitch})});
+}
+
+Dimensions dimensions(const Design& design) {
+  const winding::Winding coil = winding_of(design);
+  const BodyDesign& body = design.body;
+  Dimensions out;
+  out.coil_outer_radius = coil.outer_radius();
+  out.coil_length = coil.length();
+  out.body_radius = std::max(out.coil_outer_radius, design.magnet.radius);
+  out.width = 2.0 * (out.body_radius + body.side_wall);
+  out.height = body.bottom_layer + body.bottom_wall + 2.0 * out.body_radius + body.top_wall;
+  // The hinge line is the middle of the bottom layer.
+  out.axis_offset = design.calibration.axis_offset * (out.body_radius + body.bottom_wall + 0.5 * body.bottom_layer);
+  out.coil_half_pitch = 0.5 * out.coil_length + coil_wall_share * body.gap;
+  out.magnet_half_pitch = 0.5 * design.magnet.length + (1.0 - coil_wall_share) * body.gap;
+  const int coils = coil_count(design.layout);
+  const int magnets = magnet_count(design.layout);
+  out.effective_length = 2.0 * (coils * out.coil_half_pitch + magnets * out.magnet_half_pitch) + body.front_length;
+  out.total_length = out.effective_length + body.rear_length;
+  const bool magnet_last = design.layout.back().kind == ComponentKind::magnet;
+  out.tip_length = 2.0 * (magnet_last ? out.magnet_half_pitch : out.coil_half_pitch) + body.front_length;
+  out.face_height = out.axis_offset + std::min(out.coil_outer_radius, design.magnet.radius);
+  return out;
+}
+
+}  // namespace coilwright::actuator

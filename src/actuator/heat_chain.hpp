@@ -1,0 +1,12 @@
+#pragma once
+
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/thermal/chain.hpp"
+
+namespace coilwright::actuator {
+
+/// Geometry and materials of the heat paths of an assembled design.
+[[nodiscard]] thermal::Chain heat_chain(const Design& design, const Assembly& assembly);
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,80 @@
+#include "coilwright/actuator/model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace coilwright::actuator {
+namespace {
+
+using mechanics::JointMatrix;
+using mechanics::JointVector;
+
+void check(const Model::Spec& spec) {
+  const int n = spec.chain.joints();
+  if (static_cast<int>(spec.hinges.size()) != n)
+    throw std::invalid_argument(fmt::format("hinges: one per joint, {} here; got {}", n, spec.hinges.size()));
+  if (spec.coils < 0) throw std::invalid_argument(fmt::format("coils must be >= 0; got {}", spec.coils));
+  for (int j = 0; j < n; ++j) {
+    const auto require = [&](bool valid, const char* field, double value) {
+      if (!valid || !std::isfinite(value))
+        throw std::invalid_argument(fmt::format("joint {}: {} must be finite and >= 0; got {}", j, field, value));
+    };
+    const Hinge& hinge = spec.hinges[j];
+    require(hinge.stiffness >= 0.0, "stiffness", hinge.stiffness);
+    require(hinge.damping >= 0.0, "damping", hinge.damping);
+    require(hinge.contact.stiffness >= 0.0, "contact stiffness", hinge.contact.stiffness);
+    require(hinge.contact.damping >= 0.0, "contact damping", hinge.contact.damping);
+    if (!std::isfinite(hinge.torque_offset))
+      throw std::invalid_argument(
+          fmt::format("joint {}: torque_offset must be finite; got {}", j, hinge.torque_offset));
+  }
+  for (const HingePair& pair : spec.magnetics.hinge_pairs()) {
+    if (pair.joint < 0 || pair.joint >= n || pair.coil < 0 || pair.coil >= spec.coils)
+      throw std::invalid_argument(fmt::format("magnetics: joint {} and coil {} must exist", pair.joint, pair.coil));
+  }
+}
+
+}  // namespace
+
+Model::Model(Spec spec) : spec_(std::move(spec)) {
+  check(spec_);
+}
+
+JointVector Model::torques(const JointVector& angles, const JointVector& rates, const CoilCurrents& currents) const {
+  JointVector torque(joints());
+  for (int j = 0; j < joints(); ++j) {
+    const Hinge& hinge = spec_.hinges[j];
+    torque[j] = hinge.torque_offset - hinge.stiffness * angles[j] - hinge.damping * rates[j] +
+                hinge.contact.torque(angles[j], rates[j]);
+  }
+  spec_.magnetics.add_torques(spec_.chain, angles, currents, torque);
+  return torque;
+}
+
+JointVector Model::accelerations(const JointVector& angles, const JointVector& rates, const CoilCurrents& currents,
+                                 const JointVector& applied) const {
+  return spec_.chain.accelerations(angles, rates, torques(angles, rates, currents) + applied);
+}
+
+JointVector Model::static_residual(const JointVector& angles, const CoilCurrents& currents) const {
+  return torques(angles, JointVector::Zero(joints()), currents) - spec_.chain.gravity_torques(angles);
+}
+
+JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurrents& currents) const {
+  JointMatrix stiffness = spec_.chain.gravity_stiffness(angles);
+  for (int j = 0; j < joints(); ++j)
+    stiffness(j, j) += spec_.hinges[j].stiffness + spec_.hinges[j].contact.tangent_stiffness(angles[j]);
+  spec_.magnetics.add_stiffness(spec_.chain, angles, currents, stiffness);
+  return stiffness;
+}
+
+JointVector Model::damping() const {
+  JointVector damping(joints());
+  for (int j = 0; j < joints(); ++j) damping[j] = spec_.hinges[j].damping;
+  return damping;
+}
+
+}  // namespace coilwright::actuator

@@ -7,6 +7,7 @@ find_package(TBB 2021 REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(hwy 1.0.3 CONFIG REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
+find_package(LibCsv REQUIRED)
 
 if(COILWRIGHT_TESTS)
   find_package(GTest 1.12 REQUIRED)

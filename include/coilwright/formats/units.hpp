@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace coilwright::formats {
+
+/// A unit as it is written at the end of a key or a column name: "mm" in `gap_mm`, "deg_s" in `speed_deg_s`.
+///
+/// SI value = value * numerator / denominator + offset. Millimetres divide by 1000 (rather than multiply by 1e-3),
+/// so that 9.9 mm is the double nearest to 0.0099.
+struct Unit {
+  std::string_view suffix;     ///< without the leading underscore
+  std::string_view dimension;  ///< "length", "angular rate", ...; units of one dimension are interchangeable
+  double numerator{1.0};
+  double denominator{1.0};
+  double offset{0.0};
+};
+
+/// A name taken apart: `gap_mm` is the quantity "gap" in the unit mm.
+struct NameWithUnit {
+  std::string_view quantity;
+  Unit unit;
+};
+
+/// Every unit that a key or a column may carry.
+[[nodiscard]] std::span<const Unit> units() noexcept;
+
+/// Takes the longest unit off the end of `name` (`omega_deg_s` is in deg/s, not in s); nothing when there is none.
+[[nodiscard]] std::optional<NameWithUnit> split_unit(std::string_view name) noexcept;
+
+/// `value`, given in `unit`, in SI (radians, kelvin).
+[[nodiscard]] double to_si(double value, const Unit& unit) noexcept;
+
+/// The SI `value` in `unit`: the decimal with the fewest digits (15 or more) that to_si() turns back into the very
+/// same double, so that 9.9 mm, read and written, is 9.9 again; when none does, the nearest quotient.
+[[nodiscard]] double from_si(double value, const Unit& unit) noexcept;
+
+/// from_si() with the unit taken from the name under which the value is written, `from_si(0.0099, "gap_mm")`; a name
+/// without a unit leaves the value as it is.
+[[nodiscard]] double from_si(double value, std::string_view name) noexcept;
+
+}  // namespace coilwright::formats

@@ -1,0 +1,78 @@
+#include "coilwright/formats/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+#include <string>
+
+namespace coilwright::formats {
+namespace {
+
+Unit unit(std::string_view name) {
+  return split_unit(name).value().unit;
+}
+
+TEST(Units, AreTheLongestEndOfAName) {
+  EXPECT_EQ(split_unit("gap_mm")->quantity, "gap");
+  EXPECT_EQ(split_unit("omega1_deg_s")->quantity, "omega1");
+  EXPECT_EQ(split_unit("omega1_deg_s")->unit.suffix, "deg_s");
+  EXPECT_EQ(split_unit("stiffness_Nmm_rad")->unit.suffix, "Nmm_rad");
+  EXPECT_EQ(split_unit("damping_Nms_rad")->unit.suffix, "Nms_rad");
+}
+
+TEST(Units, AreNotSeenInWordsOrBareSuffixes) {
+  EXPECT_FALSE(split_unit("turns_radial"));
+  EXPECT_FALSE(split_unit("gap"));
+  EXPECT_FALSE(split_unit("mm"));
+  EXPECT_FALSE(split_unit("_mm"));
+  EXPECT_FALSE(split_unit("gap_MM"));
+  EXPECT_FALSE(split_unit(""));
+}
+
+TEST(Units, ConvertToTheNearestDoubleOfTheDecimal) {
+  // Each right side is a decimal literal: the compiler's nearest double. Multiplying by 1e-3 misses several of them.
+  EXPECT_EQ(to_si(9.9, unit("radius_mm")), 0.0099);
+  EXPECT_EQ(to_si(4.35, unit("radius_mm")), 0.00435);
+  EXPECT_EQ(to_si(12.4, unit("stiffness_Nmm_rad")), 0.0124);
+  EXPECT_EQ(to_si(17.3, unit("mass_g")), 0.0173);
+  EXPECT_EQ(to_si(1320.0, unit("remanence_mT")), 1.32);
+  EXPECT_EQ(to_si(0.31, unit("modulus_MPa")), 310000.0);
+  EXPECT_EQ(to_si(1.07, unit("density_g_cm3")), 1070.0);
+  EXPECT_EQ(to_si(35.0, unit("margin_pct")), 0.35);
+}
+
+TEST(Units, ConvertAnglesAndTemperatures) {
+  EXPECT_EQ(to_si(180.0, unit("angle_deg")), std::numbers::pi);
+  EXPECT_EQ(to_si(90.0, unit("speed_deg_s")), std::numbers::pi / 2);
+  EXPECT_EQ(to_si(80.0, unit("limit_degC")), 353.15);
+  EXPECT_EQ(to_si(-273.15, unit("limit_degC")), 0.0);
+  // 1 N mm per degree is 180/pi N mm per radian.
+  EXPECT_NEAR(to_si(1.0, unit("stiffness_Nmm_deg")), 0.05729577951308232, 1e-17);  // one rounding of 0.057
+}
+
+TEST(Units, OfTheMeasuredDataFormatAreAllThere) {
+  for (const std::string suffix :
+       {"s", "A", "V", "Nm", "Nmm", "N", "deg", "rad", "deg_s", "rad_s", "degC", "m", "mm"}) {
+    EXPECT_EQ(unit("x_" + suffix).suffix, suffix);
+  }
+}
+
+TEST(Units, HaveEachSuffixOnce) {
+  std::set<std::string_view> seen;
+  for (const Unit& each : units()) EXPECT_TRUE(seen.insert(each.suffix).second) << each.suffix;
+}
+
+TEST(Units, GiveBackTheDecimalThatWasRead) {
+  for (const double value : {9.9, 4.35, 0.1, 17.3, 123.456, 1e-7, -2.7, 1.4}) {
+    for (const Unit& each : units()) {
+      if (each.offset != 0.0) continue;
+      EXPECT_EQ(from_si(to_si(value, each), each), value) << each.suffix;
+    }
+  }
+  EXPECT_EQ(from_si(353.15, "limit_degC"), 80.0);
+  EXPECT_EQ(from_si(0.25, "no unit"), 0.25);
+}
+
+}  // namespace
+}  // namespace coilwright::formats

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "formats/input_error_text.hpp"
-#include "formats/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -22,8 +22,9 @@ const Type* as(const JsonValue* value) {
 }
 
 std::string length_rule(const Length& length) {
-  if (length.least == length.most) return fmt::format("must have {} elements", length.least);
-  if (length.most == Length{}.most) return fmt::format("must have at least {} elements", length.least);
+  const std::string_view elements = length.least == 1 ? "element" : "elements";
+  if (length.least == length.most) return fmt::format("must have {} {}", length.least, elements);
+  if (length.most == Length{}.most) return fmt::format("must have at least {} {}", length.least, elements);
   return fmt::format("must have {} to {} elements", length.least, length.most);
 }
 

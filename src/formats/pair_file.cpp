@@ -1,0 +1,106 @@
+#include "coilwright/formats/pair_file.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "coilwright/formats/json_document.hpp"
+#include "coilwright/formats/object_reader.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using magnetics::CylinderMagnet;
+using magnetics::Pose;
+using magnetics::ThickCoil;
+using magnetics::Winding;
+
+CylinderMagnet read_magnet(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    return CylinderMagnet({.radius = in.quantity("radius_mm", positive),
+                           .length = in.quantity("length_mm", positive),
+                           .remanence = in.quantity("remanence_T", positive)});
+  });
+}
+
+ThickCoil read_coil(const Node& node, Winding winding) {
+  return read_object(node, [winding](ObjectReader& in) {
+    const double inner = in.number("inner_radius_mm", positive);
+    const Node outer = in.at("outer_radius_mm");
+    if (outer.number(positive) <= inner) throw outer.error(fmt::format("must exceed inner_radius_mm ({})", inner));
+    return ThickCoil({.inner_radius = in.quantity("inner_radius_mm"),
+                      .outer_radius = outer.quantity(),
+                      .length = in.quantity("length_mm", positive),
+                      .turns_radial = in.integer("turns_radial", Rule::at_least(1)),
+                      .turns_axial = in.integer("turns_axial", Rule::at_least(1)),
+                      .winding = winding});
+  });
+}
+
+Pose read_pose(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    const auto position = in.vector("position_mm");
+    const Node axis_node = in.at("axis");
+    const auto axis = axis_node.vector();
+    if (axis == std::array{0.0, 0.0, 0.0})
+      throw axis_node.error_without_value("must not be zero: it gives a direction");
+    return Pose{.position = {position[0], position[1], position[2]}, .axis = {axis[0], axis[1], axis[2]}};
+  });
+}
+
+Winding read_winding(ObjectReader& in) {
+  return in.choice_or("winding", Winding::uniform,
+                      {{"paper_shells", Winding::paper_shells},
+                       {"layer_centres", Winding::layer_centres},
+                       {"uniform", Winding::uniform}});
+}
+
+TwoMagnets read_two_magnets(ObjectReader& in) {
+  const auto magnets = in.elements("magnets", Length::exactly(2));
+  return {.first = read_magnet(magnets[0]), .second = read_magnet(magnets[1])};
+}
+
+TwoCoils read_two_coils(ObjectReader& in) {
+  const Winding winding = read_winding(in);
+  const auto coils = in.elements("coils", Length::exactly(2));
+  const bool one_each = in.one_of({"current_A", "currents_A"}) == "currents_A";
+  const auto currents =
+      one_each ? in.quantities("currents_A", Length::exactly(2)) : std::vector<double>(2, in.quantity("current_A"));
+  return {.first = read_coil(coils[0], winding),
+          .first_current = currents[0],
+          .second = read_coil(coils[1], winding),
+          .second_current = currents[1]};
+}
+
+CoilAndMagnet read_coil_and_magnet(ObjectReader& in) {
+  return {.coil = read_coil(in.at("coil"), read_winding(in)),
+          .current = in.quantity("current_A"),
+          .magnet = read_magnet(in.at("magnet"))};
+}
+
+std::variant<CoilAndMagnet, TwoCoils, TwoMagnets> read_bodies(ObjectReader& in) {
+  const std::string bodies = in.one_of({"coil", "coils", "magnets"});
+  if (bodies == "coils") return read_two_coils(in);
+  if (bodies == "magnets") return read_two_magnets(in);
+  return read_coil_and_magnet(in);
+}
+
+PairFile read_pair_file(const Document& document) {
+  return read_object(document.root(), [](ObjectReader& in) {
+    PairFile file{.bodies = read_bodies(in)};
+    for (const Node& pose : in.elements("poses", Length::at_least(1))) file.poses.push_back(read_pose(pose));
+    return file;
+  });
+}
+
+}  // namespace
+
+PairFile read_pair(const std::filesystem::path& path) {
+  return read_pair_file(read_json(path));
+}
+
+PairFile parse_pair(std::string_view text, std::string file) {
+  return read_pair_file(parse_json(text, std::move(file)));
+}
+
+}  // namespace coilwright::formats

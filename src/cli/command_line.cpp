@@ -1,0 +1,114 @@
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "coilwright/formats/input_error.hpp"
+#include "coilwright/formats/one_line.hpp"
+#include "coilwright/formats/spelling.hpp"
+#include "coilwright/report/output_file.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr std::size_t longest_message = 2000;
+
+ExitCode fail(ExitCode code, std::string_view message) {
+  std::cerr << "coilwright: " << formats::one_line(message, longest_message) << '\n';
+  return code;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+// The command that the arguments chose, or the program itself.
+const CLI::App& chosen(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+std::string unknown_option(const CLI::App& command, std::string_view argument) {
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  const std::string_view name = argument.substr(0, argument.find('='));  // --stpe=3
+  return "unknown option " + formats::in_quotes(name) + formats::did_you_mean(name, options);
+}
+
+std::string unexpected_argument(const CLI::App& app) {
+  const auto left = app.remaining(true);
+  if (left.empty()) return "an argument was not expected";
+  const std::string& argument = left.front();
+  if (argument.starts_with('-')) return unknown_option(chosen(app), argument);
+  return "unexpected argument " + formats::in_quotes(argument);
+}
+
+ExitCode usage_error(const CLI::App& app, std::string_view message) {
+  const CLI::App& command = chosen(app);
+  const std::string prefix = &command == &app ? "" : command.get_name() + ": ";
+  const std::string help = &command == &app ? "coilwright --help" : "coilwright " + command.get_name() + " --help";
+  return fail(ExitCode::bad_input, fmt::format("{}{} (see {})", prefix, message, help));
+}
+
+ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, const Outcome& outcome) {
+  try {
+    app.parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version, std::cout, std::cerr);
+  } catch (const CLI::ExtrasError&) {
+    return usage_error(app, unexpected_argument(app));
+  } catch (const CLI::ParseError& error) {
+    return usage_error(app, error.what());
+  } catch (const formats::InputError& error) {
+    return fail(ExitCode::bad_input, error.what());
+  } catch (const report::OutputError& error) {
+    const bool before_the_work = error.stage() == report::OutputError::Stage::preparing;
+    return fail(before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::failure, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::failure, error.what());
+  }
+  std::cout.flush();
+  if (!std::cout) return fail(ExitCode::failure, "standard output cannot be written");
+  return outcome.code;
+}
+
+}  // namespace
+
+ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand> commands) {
+  CLI::App app("Sizes soft electromagnetic bending actuators.", "coilwright");
+  app.set_version_flag("--version", "coilwright " COILWRIGHT_VERSION, "Print the version and end");
+  app.set_help_flag("-h,--help", "Print this help and end");
+  app.require_subcommand(1);
+  app.footer("coilwright COMMAND --help explains a command and shows an example.");
+  Outcome outcome;
+  for (const AddCommand add : commands) add(app, outcome);
+
+  const auto names = command_names(app);
+  if (arguments.size() <= 1) return usage_error(app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
+  const std::string_view first = arguments[1];
+  if (first.starts_with('-') && app.get_option_no_throw(std::string(first)) == nullptr) {
+    return usage_error(app, unknown_option(app, first));
+  }
+  // CLI11 says of a mistyped command only that it was not expected.
+  if (!first.starts_with('-') && std::find(names.begin(), names.end(), first) == names.end()) {
+    return usage_error(app, "unknown command " + formats::in_quotes(first) + formats::did_you_mean(first, names));
+  }
+  return parse_and_run(app, arguments, outcome);
+}
+
+}  // namespace coilwright::cli

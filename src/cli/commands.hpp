@@ -1,0 +1,17 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace coilwright::cli {
+
+struct Outcome;
+
+/// Adds one command to the program: its options, its help with an example, and what it does, which sets `outcome` when
+/// it ends otherwise than well. `outcome` outlives the parsing.
+using AddCommand = void (*)(CLI::App& app, Outcome& outcome);
+
+void add_force_command(CLI::App& app, Outcome& outcome);
+
+}  // namespace coilwright::cli

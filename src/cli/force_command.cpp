@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coilwright/formats/pair_file.hpp"
+#include "coilwright/formats/units.hpp"
+#include "coilwright/magnetics/wrench.hpp"
+#include "coilwright/report/json.hpp"
+#include "commands.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using formats::from_si;
+using magnetics::Pose;
+using magnetics::Wrench;
+using report::Json;
+
+struct Options {
+  std::string pair;
+  bool json{false};
+};
+
+Wrench wrench_on_second(const formats::CoilAndMagnet& pair, const Pose& pose) {
+  return magnetics::wrench(pair.coil, pair.current, pair.magnet, pose);
+}
+
+Wrench wrench_on_second(const formats::TwoCoils& pair, const Pose& pose) {
+  return magnetics::wrench(pair.first, pair.first_current, pair.second, pair.second_current, pose);
+}
+
+Wrench wrench_on_second(const formats::TwoMagnets& pair, const Pose& pose) {
+  return magnetics::wrench(pair.first, pair.second, pose);
+}
+
+std::array<double, 3> in_unit(const Eigen::Vector3d& vector, std::string_view name) {
+  return {from_si(vector.x(), name), from_si(vector.y(), name), from_si(vector.z(), name)};
+}
+
+Json as_json(const std::vector<Pose>& poses, const std::vector<Wrench>& wrenches) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    rows.add(Json::object({{"position_mm", Json::numbers(in_unit(poses[i].position, "position_mm"))},
+                           {"axis", Json::numbers(in_unit(poses[i].axis, "axis"))},
+                           {"force_N", Json::numbers(in_unit(wrenches[i].force, "force_N"))},
+                           {"torque_Nmm", Json::numbers(in_unit(wrenches[i].torque, "torque_Nmm"))}}));
+  }
+  return Json::object({{"poses", std::move(rows)}});
+}
+
+// Ten digits: one more than the torque and the force of a tilted body are good for.
+std::string as_table(const std::vector<Pose>& poses, const std::vector<Wrench>& wrenches) {
+  std::string text = fmt::format("{:>5} {:>28}", "pose", "position (mm)");
+  for (const auto* name : {"force_x_N", "force_y_N", "force_z_N", "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm"}) {
+    text += fmt::format(" {:>17}", name);
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto position = in_unit(poses[i].position, "position_mm");
+    text +=
+        fmt::format("{:>5} {:>28}", i + 1, fmt::format("{:.6g} {:.6g} {:.6g}", position[0], position[1], position[2]));
+    for (const double force : in_unit(wrenches[i].force, "force_N")) text += fmt::format(" {:>17.9e}", force);
+    for (const double torque : in_unit(wrenches[i].torque, "torque_Nmm")) text += fmt::format(" {:>17.9e}", torque);
+    text += '\n';
+  }
+  return text;
+}
+
+void run_force(const Options& options) {
+  const formats::PairFile file = formats::read_pair(options.pair);
+  std::vector<Wrench> wrenches;
+  wrenches.reserve(file.poses.size());
+  for (const Pose& pose : file.poses) {
+    wrenches.push_back(std::visit([&](const auto& pair) { return wrench_on_second(pair, pose); }, file.bodies));
+  }
+  std::cout << (options.json ? as_json(file.poses, wrenches).text() : as_table(file.poses, wrenches));
+}
+
+}  // namespace
+
+void add_force_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("force", "Force and torque of a coil and a magnet, two coils or two magnets");
+  command->add_option("PAIR.json", options->pair, "The two bodies and the poses of the second one")->required();
+  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  command->footer(
+      "The first body (the coil) is at the origin with its axis along +z. Force and torque are those on the second\n"
+      "body (the magnet), the torque about its centre, both in the axes of the first.\n\n"
+      "Example:\n"
+      "  coilwright force pair.json --json\n\n"
+      "pair.json:\n"
+      "  {\"coil\": {\"inner_radius_mm\": 5, \"outer_radius_mm\": 9, \"length_mm\": 10,\n"
+      "            \"turns_radial\": 8, \"turns_axial\": 20},\n"
+      "   \"magnet\": {\"radius_mm\": 4, \"length_mm\": 6, \"remanence_T\": 1.3},\n"
+      "   \"current_A\": 1.4,\n"
+      "   \"poses\": [{\"position_mm\": [0.5, 0, 12], \"axis\": [0, 0.1, 1]}]}\n\n"
+      "Instead of \"coil\" and \"magnet\": \"coils\": [.., ..] with \"currents_A\": [.., ..], or \"magnets\": [.., "
+      "..].\n"
+      "\"winding\" (paper_shells, layer_centres, uniform) says where in the coil the current flows; uniform if "
+      "absent.");
+  command->callback([options] { run_force(*options); });
+}
+
+}  // namespace coilwright::cli

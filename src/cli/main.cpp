@@ -1,0 +1,16 @@
+#include <array>
+
+#include "command_line.hpp"
+
+namespace {
+
+// In the order of the help.
+constexpr std::array<coilwright::cli::AddCommand, 1> commands = {
+    coilwright::cli::add_force_command,
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return static_cast<int>(coilwright::cli::run({argv, static_cast<std::size_t>(argc)}, commands));
+}

@@ -1,0 +1,38 @@
+#include "stop_signal.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+// A signal handler can reach nothing but a global.
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "only a lock-free atomic may be written in a signal handler");
+
+extern "C" void on_stop_signal(int) {
+  stop_requested = true;
+  struct sigaction end_at_once {};
+  end_at_once.sa_handler = SIG_DFL;
+  sigaction(SIGINT, &end_at_once, nullptr);
+  sigaction(SIGTERM, &end_at_once, nullptr);
+}
+
+}  // namespace
+
+StopSignal::StopSignal() {
+  stop_requested = false;
+  struct sigaction raise_flag {};
+  raise_flag.sa_handler = on_stop_signal;
+  raise_flag.sa_flags = SA_RESTART;  // an interrupted write goes on
+  sigaction(SIGINT, &raise_flag, &interrupt_before_);
+  sigaction(SIGTERM, &raise_flag, &terminate_before_);
+}
+
+StopSignal::~StopSignal() {
+  sigaction(SIGINT, &interrupt_before_, nullptr);
+  sigaction(SIGTERM, &terminate_before_, nullptr);
+}
+
+const std::atomic<bool>& StopSignal::requested() const noexcept {
+  return stop_requested;
+}
+
+}  // namespace coilwright::cli

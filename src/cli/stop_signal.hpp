@@ -1,0 +1,25 @@
+#pragma once
+
+#include <atomic>
+#include <csignal>
+
+namespace coilwright::cli {
+
+/// While it lives, the first SIGINT or SIGTERM only raises a flag, for a long command to look at, write what it has
+/// found and end with ExitCode::interrupted; the second ends the program at once. One at a time.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  /// True once a signal has come. May be read from any thread; the reference is good as long as the program runs.
+  [[nodiscard]] const std::atomic<bool>& requested() const noexcept;
+
+ private:
+  struct sigaction interrupt_before_ {};
+  struct sigaction terminate_before_ {};
+};
+
+}  // namespace coilwright::cli

@@ -1,0 +1,45 @@
+"""Runs the built program the way a user does."""
+
+import os
+import pathlib
+import resource
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["COILWRIGHT"]
+DATA = pathlib.Path(os.environ["COILWRIGHT_TEST_DATA"])
+
+
+def run(*arguments, cwd=None, stdout=subprocess.PIPE):
+    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, stdout=stdout, stderr=subprocess.PIPE,
+                          encoding="utf-8", timeout=60, check=False)
+
+
+class ProgramTest(unittest.TestCase):
+    """Each test runs in an empty folder of its own."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def write(self, name, content):
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+    def files(self):
+        return {path.name: path.read_bytes() for path in self.folder.iterdir()}
+
+    def assert_refused(self, arguments, message, code=2):
+        """One line on standard error, nothing on standard output, no file written or changed."""
+        before = self.files()
+        result = run(*arguments, cwd=self.folder)
+        self.assertEqual(result.stderr, "coilwright: " + message + "\n")
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(result.returncode, code)
+        self.assertEqual(self.files(), before)
+
+
+def peak_memory_of_children():
+    """Bytes; the largest child so far."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024

@@ -1,0 +1,36 @@
+#include "cli/stop_signal.hpp"
+
+#include <gtest/gtest.h>
+
+namespace coilwright::cli {
+namespace {
+
+TEST(StopSignal, RaisesAFlagAtTheFirstSignal) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const StopSignal stop;
+    EXPECT_FALSE(stop.requested());
+    std::raise(signal);
+    EXPECT_TRUE(stop.requested());
+  }
+}
+
+TEST(StopSignalDeathTest, EndsTheProgramAtTheSecondWhicheverItIs) {
+  const auto signalled = [](int first, int second) {
+    const StopSignal stop;
+    std::raise(first);
+    std::raise(second);
+  };
+  EXPECT_EXIT(signalled(SIGINT, SIGINT), ::testing::KilledBySignal(SIGINT), "");
+  EXPECT_EXIT(signalled(SIGINT, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(StopSignalDeathTest, LeavesSignalsAsTheyWereBefore) {
+  const auto signalled = [] {
+    { const StopSignal stop; }
+    std::raise(SIGTERM);
+  };
+  EXPECT_EXIT(signalled(), ::testing::KilledBySignal(SIGTERM), "");
+}
+
+}  // namespace
+}  // namespace coilwright::cli

@@ -24,7 +24,8 @@ Node Document::root() const {
 
 Document parse_json(std::string_view text, std::string file) {
   JsonValue root = parse_json_value(text, file);
-  return Document(std::make_unique<const Document::Content>(std::move(file), std::move(root)));
+  Document::Content content{.file = std::move(file), .root = std::move(root)};
+  return Document(std::make_unique<const Document::Content>(std::move(content)));
 }
 
 Document read_json(const std::filesystem::path& path) {

@@ -3,30 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <mutex>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
 
 #include "sizing/design_space.hpp"
+#include "sizing/point_hash.hpp"
 
 namespace coilwright::sizing {
 namespace {
-
-struct PointHash {
-  std::size_t operator()(const std::vector<double>& point) const noexcept {
-    std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
-    for (const double value : point) {
-      hash ^= std::bit_cast<std::uint64_t>(value);
-      hash *= 0xD6E8FEB86659FD93ULL;
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
 
 // One design: its own lock lets others be evaluated meanwhile, and makes a second request for the same one wait.
 struct Slot {

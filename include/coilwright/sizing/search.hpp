@@ -15,15 +15,15 @@ namespace coilwright::sizing {
 struct SearchResult {
   /// The best feasible design, or, if `feasible` is false, the least infeasible one. One that was evaluated; nothing
   /// was evaluated only if the search was interrupted before its first evaluation.
-  std::optional<Record> best;
+  std::optional<Record> best{};
   bool feasible{};                        ///< whether `best` meets every constraint
   StopReason stop_reason{};               ///< why the search ended
   std::size_t search_evaluations{};       ///< made by the search; at most max_evaluations
   std::size_t sensitivity_evaluations{};  ///< made afterwards for `sensitivity`, beyond max_evaluations
   /// With nothing feasible: constraints `best` violates or, if it failed, its reason; worst first.
-  std::vector<std::string> violated;
-  Sensitivity sensitivity;  ///< around `best`; empty if nothing is feasible or the search was interrupted
-  Archive archive;          ///< every design evaluated
+  std::vector<std::string> violated{};
+  Sensitivity sensitivity{};  ///< around `best`; empty if nothing is feasible or the search was interrupted
+  Archive archive;            ///< every design evaluated
 };
 
 /// Finds the best feasible design of a problem with one objective. Deterministic: same problem, options and any number

@@ -1,0 +1,389 @@
+#include "sizing/engine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "sizing/explorer.hpp"
+#include "sizing/infill.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+// Designs per round. A power of two for the Sobol sequence; small enough to learn often, large enough for 16 threads.
+constexpr std::size_t round_size = 16;
+
+enum class Way : std::size_t { gap, anchor, breed, scatter };
+constexpr std::size_t ways = 4;
+
+// A model task: a goal, where to look, and whom to tell.
+struct Attempt {
+  Goal goal;
+  Region region{};
+  Way way{};
+  std::size_t which{};  // bound of a gap, objective of an anchor
+};
+
+struct Proposal {
+  Candidate candidate;
+  Way way{};
+  std::size_t which{};
+};
+
+class Engine {
+ public:
+  explicit Engine(const EngineRun& run)
+      : run_{run},
+        samples_{run.samples},
+        space_{samples_.space()},
+        explorer_{space_, run.options.seed},
+        random_{run.options.seed ^ 0x5DEECE66DULL},
+        anchor_failures_(samples_.objective_count(), 0) {}
+
+  StopReason run();
+
+ private:
+  [[nodiscard]] std::size_t left() const { return run_.budget - made_; }
+  void evaluate(std::vector<Proposal> proposals);
+  void initial_design();
+  void round();
+  [[nodiscard]] std::vector<Attempt> attempts(std::size_t wanted);
+  void add_gap_attempts(std::vector<Attempt>& list, std::size_t wanted);
+  void add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted);
+  void add_feasibility_attempts(std::vector<Attempt>& list, std::size_t wanted);
+  [[nodiscard]] Region gap_region(const Goal& goal, const UpperBound& bound);
+  [[nodiscard]] std::vector<std::size_t> best_apart(const Goal& goal, std::size_t count, std::uint64_t combination,
+                                                    bool any_combination) const;
+  [[nodiscard]] std::vector<std::size_t> parents() const;
+  void explore(std::vector<Proposal>& batch, std::size_t size);
+  void credit(const std::vector<double>& gains, const std::vector<Proposal>& batch);
+
+  const EngineRun& run_;
+  Samples& samples_;
+  const DesignSpace& space_;
+  Explorer explorer_;
+  std::mt19937_64 random_;
+  std::size_t made_ = 0;
+  std::size_t rounds_ = 0;
+  bool exhausted_ = false;
+  std::vector<int> anchor_failures_;
+  std::array<double, ways> earned_{1, 1, 1, 1};
+};
+
+// Normalised distance below the reference the front has so far; gaps are boxes in this frame.
+double reference_of(const FrontFrame& frame, std::size_t i) {
+  return frame.nadir[i] + 0.1 * (frame.nadir[i] - frame.ideal[i]);
+}
+
+// The box below an upper bound in which points are not dominated by its neighbours; nothing if it has no volume.
+struct Gap {
+  Objectives origin, span;
+  double volume = 1;
+};
+
+Gap gap_below(const Samples& samples, const UpperBound& bound) {
+  const FrontFrame& frame = samples.frame();
+  Gap gap;
+  for (std::size_t i = 0; i < bound.corner.size(); ++i) {
+    double low = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < bound.definers.size(); ++k) {
+      if (k != i && bound.definers[k] != UpperBound::none) low = std::min(low, samples[bound.definers[k]].values[i]);
+    }
+    low = std::max(low, frame.ideal[i]);
+    if (!std::isfinite(low)) low = frame.ideal[i];
+    const double high = std::min(bound.corner[i], reference_of(frame, i));
+    gap.origin.push_back(low);
+    gap.span.push_back(high - low);
+    gap.volume *= std::max(0.0, (high - low) / (frame.nadir[i] - frame.ideal[i]));
+  }
+  return gap;
+}
+
+void Engine::evaluate(std::vector<Proposal> proposals) {
+  if (proposals.size() > left()) proposals.resize(left());
+  std::vector<std::vector<double>> points;
+  for (const Proposal& proposal : proposals) {
+    points.push_back(space_.point(proposal.candidate.unit, proposal.candidate.combination));
+  }
+  const std::vector<Record> records = run_.workers.evaluate(run_.archive, points, run_.options.stop);
+  std::vector<double> gains;
+  for (const Record& record : records) gains.push_back(samples_.add(record));
+  made_ += records.size();
+  credit(gains, proposals);
+  if (run_.options.progress) {
+    run_.options.progress({.evaluations = run_.archive.size(),
+                           .max_evaluations = run_.options.max_evaluations,
+                           .feasible = samples_.feasible_count(),
+                           .front_size = samples_.front().size()});
+  }
+}
+
+void Engine::credit(const std::vector<double>& gains, const std::vector<Proposal>& batch) {
+  std::array<double, ways> sum{}, count{};
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    const auto way = static_cast<std::size_t>(batch[i].way);
+    sum[way] += gains[i];
+    count[way] += 1;
+    if (batch[i].way == Way::anchor && batch[i].which < anchor_failures_.size()) {
+      int& failures = anchor_failures_[batch[i].which];
+      failures = gains[i] > 1e-6 ? 0 : failures + 1;
+    }
+  }
+  for (std::size_t way = 0; way < ways; ++way) {
+    if (count[way] > 0) earned_[way] = 0.8 * earned_[way] + 0.2 * sum[way] / count[way];
+  }
+}
+
+void Engine::initial_design() {
+  const std::size_t n = space_.dimension();
+  const std::uint64_t combinations = std::min<std::uint64_t>(space_.combinations(), 64);
+  // A simplex and a bit for every combination of levels, a fifth of the budget at most.
+  const std::size_t wanted =
+      std::min<std::size_t>((2 * n + 4) * combinations, std::max<std::size_t>(run_.budget / 5, 1));
+  while (samples_.size() < wanted && left() > 0 && !run_.options.stop.stop_requested() && !exhausted_) {
+    std::vector<Proposal> batch;
+    explore(batch, std::min({wanted - samples_.size(), left(), std::size_t{4} * round_size}));
+    evaluate(std::move(batch));
+  }
+}
+
+// Fills `batch` up to `size` with designs from no model, by what breeding and scattering earned lately.
+void Engine::explore(std::vector<Proposal>& batch, std::size_t size) {
+  std::set<std::vector<double>> taken;
+  for (const Proposal& proposal : batch) {
+    taken.insert(space_.point(proposal.candidate.unit, proposal.candidate.combination));
+  }
+  const std::vector<std::size_t> good = parents();
+  int misses = 0;
+  while (batch.size() < size && !exhausted_) {
+    const double breed = earned_[static_cast<std::size_t>(Way::breed)];
+    const double scatter = earned_[static_cast<std::size_t>(Way::scatter)];
+    const double share = std::clamp(breed / std::max(breed + scatter, 1e-300), 0.3, 0.85);
+    Way way = uniform(random_) < share && good.size() >= 3 ? Way::breed : Way::scatter;
+    std::optional<Candidate> candidate;
+    if (space_.dimension() > 0 && misses < 32) {
+      candidate = way == Way::breed ? explorer_.breed(samples_, good) : explorer_.scatter(samples_);
+    } else if (space_.design_count() > 0) {
+      way = Way::scatter;
+      candidate = explorer_.enumerate(samples_);
+      if (!candidate) exhausted_ = true;
+    }
+    if (!candidate || !taken.insert(space_.point(candidate->unit, candidate->combination)).second) {
+      ++misses;
+      continue;
+    }
+    batch.push_back({.candidate = std::move(*candidate), .way = way, .which = 0});
+  }
+}
+
+std::vector<std::size_t> Engine::parents() const {
+  if (samples_.front().size() >= 8) return samples_.front();
+  // Too few: the best by violation, then by the sum of normalised objectives.
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < samples_.size(); ++i) order.push_back(i);
+  const auto rank = [&](std::size_t i) {
+    const Sample& sample = samples_[i];
+    double sum = 0;
+    if (sample.feasible()) {
+      for (std::size_t k = 0; k < sample.values.size(); ++k) {
+        sum += (sample.values[k] - samples_.frame().ideal[k]) / (samples_.frame().nadir[k] - samples_.frame().ideal[k]);
+      }
+    }
+    return std::tuple{!sample.evaluated, sample.violation, sum, i};
+  };
+  const std::size_t kept = std::min<std::size_t>(order.size(), 12);
+  std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(kept), {}, rank);
+  order.resize(kept);
+  return order;
+}
+
+// Evaluated samples with the best scalar (violation priced in), none within 0.1 of a better one in every axis.
+std::vector<std::size_t> Engine::best_apart(const Goal& goal, std::size_t count, std::uint64_t combination,
+                                            bool any_combination) const {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& sample = samples_[i];
+    if (!sample.evaluated || (!any_combination && sample.combination != combination)) continue;
+    const double price = goal.kind == Goal::Kind::feasibility || sample.violation == 0 ? 0 : 1 + 10 * sample.violation;
+    order.emplace_back(goal.scalar(sample) + price, i);
+  }
+  std::ranges::sort(order);
+  std::vector<std::size_t> kept;
+  for (const auto& [scalar, i] : order) {
+    if (kept.size() == count) break;
+    const bool close = std::ranges::any_of(kept, [&](std::size_t k) {
+      if (samples_[k].combination != samples_[i].combination) return false;
+      double distance = 0;
+      for (std::size_t a = 0; a < samples_[k].unit.size(); ++a) {
+        distance = std::max(distance, std::abs(samples_[k].unit[a] - samples_[i].unit[a]));
+      }
+      return distance < 0.1;
+    });
+    if (!close) kept.push_back(i);
+  }
+  return kept;
+}
+
+// First between the gap's own neighbours; after a failure also elsewhere: other levels, other basins.
+Region Engine::gap_region(const Goal& goal, const UpperBound& bound) {
+  std::vector<std::size_t> definers;
+  for (const std::size_t definer : bound.definers) {
+    if (definer != UpperBound::none) definers.push_back(definer);
+  }
+  const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random_() % count); };
+  if (bound.failures > 0 && uniform(random_) < 0.5) {
+    const bool any = space_.combinations() == 1 || uniform(random_) < 0.5;
+    const std::vector<std::size_t> others = best_apart(goal, 3, random_() % space_.combinations(), any);
+    if (!others.empty()) {
+      const std::size_t chosen = others[pick(others.size())];
+      return {.from = chosen, .to = chosen};
+    }
+  }
+  const std::size_t from = definers[pick(definers.size())];
+  std::size_t to = definers[pick(definers.size())];
+  for (const std::size_t other : definers) {
+    if (other != from && samples_[other].combination == samples_[from].combination) to = other;
+  }
+  if (samples_[to].combination != samples_[from].combination) to = from;
+  return {.from = from, .to = to, .margin = bound.failures > 0 ? 1.0 : 0.3};
+}
+
+void Engine::add_gap_attempts(std::vector<Attempt>& list, std::size_t wanted) {
+  if (samples_.objective_count() < 2) return;
+  const std::vector<UpperBound>& bounds = samples_.bounds().all();
+  std::vector<std::pair<double, std::size_t>> order;
+  std::vector<Gap> gaps;
+  for (std::size_t b = 0; b < bounds.size(); ++b) {
+    gaps.push_back(gap_below(samples_, bounds[b]));
+    const double priority = gaps[b].volume * std::pow(0.4, bounds[b].failures);
+    if (priority > 0) order.emplace_back(-priority, b);
+  }
+  const std::size_t kept = std::min(order.size(), wanted);
+  std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(kept));
+  for (std::size_t i = 0; i < kept; ++i) {
+    const std::size_t b = order[i].second;
+    Attempt attempt{.goal = {.kind = Goal::Kind::gap, .origin = gaps[b].origin, .span = gaps[b].span, .to_beat = 0.999},
+                    .way = Way::gap,
+                    .which = b};
+    attempt.region = gap_region(attempt.goal, bounds[b]);
+    list.push_back(std::move(attempt));
+  }
+}
+
+void Engine::add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted) {
+  const FrontFrame& frame = samples_.frame();
+  const std::size_t objectives = samples_.objective_count();
+  for (std::size_t slot = 0; slot < wanted; ++slot) {
+    const std::size_t i = (rounds_ * wanted + slot) % objectives;
+    Goal goal{.kind = Goal::Kind::objective, .origin = frame.ideal, .span = Objectives(objectives)};
+    for (std::size_t k = 0; k < objectives; ++k) {
+      goal.span[k] = (frame.nadir[k] - frame.ideal[k]) * (k == i ? 1.0 : 1e3);
+    }
+    const auto rank = static_cast<std::size_t>(anchor_failures_[i]) + slot / objectives;
+    const std::vector<std::size_t> starts = best_apart(goal, std::min<std::size_t>(rank % 6 + 1, 6), 0, true);
+    const std::size_t start = starts[std::min(rank % 6, starts.size() - 1)];
+    goal.to_beat = std::numeric_limits<double>::infinity();
+    for (const std::size_t member : samples_.front())
+      goal.to_beat = std::min(goal.to_beat, goal.scalar(samples_[member]));
+    goal.to_beat -= 1e-7;
+    list.push_back({.goal = goal,
+                    .region = {.from = start, .to = start, .margin = rank % 2 == 0 ? 0.3 : 1.0},
+                    .way = Way::anchor,
+                    .which = i});
+  }
+}
+
+void Engine::add_feasibility_attempts(std::vector<Attempt>& list, std::size_t wanted) {
+  if (samples_.constraint_count() == 0) return;
+  Goal goal{.kind = Goal::Kind::feasibility};
+  const std::vector<std::size_t> starts = best_apart(goal, wanted, 0, true);
+  for (const std::size_t start : starts) {
+    goal.to_beat = goal.scalar(samples_[start]);
+    list.push_back({.goal = goal,
+                    .region = {.from = start, .to = start, .margin = 0.5},
+                    .way = Way::anchor,
+                    .which = samples_.objective_count()});
+  }
+}
+
+std::vector<Attempt> Engine::attempts(std::size_t wanted) {
+  std::vector<Attempt> list;
+  if (samples_.feasible_count() == 0) {
+    add_feasibility_attempts(list, wanted / 2);
+    return list;
+  }
+  const std::size_t objectives = samples_.objective_count();
+  if (objectives == 1) {
+    add_anchor_attempts(list, wanted);
+    return list;
+  }
+  const int fewest = *std::ranges::min_element(anchor_failures_);
+  const std::size_t anchors = fewest < 4 ? objectives : (rounds_ % 4 == 0 ? 1 : 0);
+  add_anchor_attempts(list, std::min(anchors, wanted));
+  add_gap_attempts(list, wanted - std::min(anchors, wanted));
+  return list;
+}
+
+void Engine::round() {
+  const double model = std::max(earned_[0], earned_[1]);
+  const double free = std::max(earned_[2], earned_[3]);
+  const double share = std::clamp(model / std::max(model + free, 1e-300), 0.5, 0.9);
+  const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(round_size)));
+  const std::vector<Attempt> list = attempts(std::min(wanted, left()));
+  std::vector<std::vector<Candidate>> found(list.size());
+  run_.workers.run(list.size(), [&](std::size_t i) {
+    if (!run_.options.stop.stop_requested()) found[i] = infill(samples_, list[i].goal, list[i].region);
+  });
+  std::vector<Proposal> batch;
+  std::set<std::vector<double>> taken;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i].way == Way::gap) samples_.bounds().count_failure(list[i].which);  // a success replaces the bound
+    bool placed = false;
+    for (Candidate& candidate : found[i]) {
+      if (!taken.insert(space_.point(candidate.unit, candidate.combination)).second) continue;
+      batch.push_back({.candidate = std::move(candidate), .way = list[i].way, .which = list[i].which});
+      placed = true;
+      break;
+    }
+    if (!placed && list[i].way == Way::anchor && list[i].which < anchor_failures_.size()) {
+      ++anchor_failures_[list[i].which];
+    }
+  }
+  explore(batch, std::min(round_size, left()));
+  evaluate(std::move(batch));
+  ++rounds_;
+}
+
+StopReason Engine::run() {
+  if (space_.design_count() > 0 && space_.design_count() <= run_.budget + samples_.size()) {
+    // Fewer designs than evaluations allowed: all of them.
+    while (left() > 0 && !run_.options.stop.stop_requested()) {
+      std::vector<Proposal> batch;
+      while (batch.size() < std::min<std::size_t>(left(), 1024)) {
+        std::optional<Candidate> candidate = explorer_.enumerate(samples_);
+        if (!candidate) break;
+        batch.push_back({.candidate = std::move(*candidate), .way = Way::scatter, .which = 0});
+      }
+      if (batch.empty()) return StopReason::space_exhausted;
+      evaluate(std::move(batch));
+    }
+  } else {
+    initial_design();
+    while (left() > 0 && !run_.options.stop.stop_requested() && !exhausted_) round();
+  }
+  if (run_.options.stop.stop_requested()) return StopReason::interrupted;
+  const bool all = space_.design_count() > 0 && samples_.size() == space_.design_count();
+  return all || exhausted_ ? StopReason::space_exhausted : StopReason::evaluation_limit;
+}
+
+}  // namespace
+
+StopReason run_engine(const EngineRun& run) {
+  return Engine{run}.run();
+}
+
+}  // namespace coilwright::sizing

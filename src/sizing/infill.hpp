@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sizing/samples.hpp"
+
+namespace coilwright::sizing {
+
+/// What a proposal is to achieve, as a scalar to minimise.
+struct Goal {
+  enum class Kind {
+    gap,         ///< largest of (value_i - origin_i) / span_i: below 1 is inside the gap
+    objective,   ///< sum of (value_i - origin_i) / span_i
+    feasibility  ///< largest constraint
+  };
+  Kind kind{};
+  Objectives origin{}, span{};  ///< of `gap` and `objective`; an infinite span leaves an objective out
+  double to_beat{};             ///< a smaller scalar is progress
+
+  /// The scalar at an evaluated sample, its violation not considered.
+  [[nodiscard]] double scalar(const Sample& sample) const;
+};
+
+/// A design not evaluated yet.
+struct Candidate {
+  std::vector<double> unit;
+  std::uint64_t combination{};
+};
+
+/// Where the model is built: around the segment between two samples of one combination of levels.
+struct Region {
+  std::size_t from{}, to{};  ///< samples; may be the same
+  double margin = 0.3;       ///< how far beyond its nodes the model is trusted, over the nodes' range
+};
+
+/// Designs the local model expects to reach the goal, best first, none known already, at most three. Fits the model to
+/// the archive around `region`, minimises the goal on it with NLopt, and on a grid moves to the best unknown grid
+/// points near the optimum. Empty if the model expects no progress. Pure.
+[[nodiscard]] std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Region& region);
+
+}  // namespace coilwright::sizing

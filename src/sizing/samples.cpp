@@ -1,0 +1,104 @@
+#include "sizing/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coilwright::sizing {
+namespace {
+
+double squared_distance_to_segment(std::span<const double> point, std::span<const double> a,
+                                   std::span<const double> b) {
+  double along = 0, length = 0;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    along += (point[i] - a[i]) * (b[i] - a[i]);
+    length += (b[i] - a[i]) * (b[i] - a[i]);
+  }
+  const double fraction = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  double sum = 0;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const double difference = point[i] - a[i] - fraction * (b[i] - a[i]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Samples::Samples(const Problem& problem, std::vector<double> limits)
+    : problem_{problem},
+      limits_{std::move(limits)},
+      objective_count_{problem.objectives.size()},
+      space_{problem.variables},
+      bounds_{objective_count_} {}
+
+bool Samples::knows(std::span<const double> unit, std::uint64_t combination) const {
+  return known_.contains(space_.point(unit, combination));
+}
+
+double Samples::add(const Record& record) {
+  Sample sample;
+  sample.unit = space_.unit(record.point);
+  sample.combination = space_.combination(record.point);
+  if (!known_.insert(record.point).second) return 0;
+  const Evaluation& evaluation = record.evaluation;
+  sample.evaluated = evaluation.failure.empty();
+  if (sample.evaluated) {
+    sample.values = minimised(problem_, evaluation);
+    sample.constraints = evaluation.constraints;
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      sample.constraints[i] -= limits_[i];
+      sample.violation += std::max(sample.constraints[i], 0.0);
+    }
+  } else {
+    sample.violation = evaluation.infeasibility;
+  }
+  samples_.push_back(std::move(sample));
+  if (!samples_.back().feasible()) return 0;
+  ++feasible_count_;
+  const Objectives& values = samples_.back().values;
+  double gain = 0;
+  for (const UpperBound& bound : bounds_.all()) {
+    double product = 1;
+    for (std::size_t i = 0; i < values.size() && product > 0; ++i) {
+      const double range = front_.empty() ? 1.0 : frame_.nadir[i] - frame_.ideal[i];
+      const double reference = front_.empty() ? values[i] + 1.0 : frame_.nadir[i] + 0.1 * range;
+      product *= std::max(0.0, (std::min(bound.corner[i], reference) - values[i]) / range);
+    }
+    gain = std::max(gain, product);
+  }
+  if (bounds_.add(values, samples_.size() - 1)) update_front(samples_.size() - 1);
+  return gain;
+}
+
+void Samples::update_front(std::size_t added) {
+  std::erase_if(front_, [&](std::size_t i) { return dominates(samples_[added].values, samples_[i].values); });
+  front_.push_back(added);
+  frame_ = {.ideal = samples_[added].values, .nadir = samples_[added].values};
+  for (const std::size_t i : front_) {
+    for (std::size_t k = 0; k < objective_count_; ++k) {
+      frame_.ideal[k] = std::min(frame_.ideal[k], samples_[i].values[k]);
+      frame_.nadir[k] = std::max(frame_.nadir[k], samples_[i].values[k]);
+    }
+  }
+  for (std::size_t k = 0; k < objective_count_; ++k) {
+    if (frame_.nadir[k] <= frame_.ideal[k])
+      frame_.nadir[k] = frame_.ideal[k] + std::max(1e-9, 1e-3 * std::abs(frame_.ideal[k]));
+  }
+}
+
+std::vector<std::size_t> Samples::nearest(std::uint64_t combination, std::span<const double> a,
+                                          std::span<const double> b, std::size_t count, Wanted wanted) const {
+  std::vector<std::pair<double, std::size_t>> found;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& sample = samples_[i];
+    if (sample.combination != combination || sample.evaluated != (wanted == Wanted::evaluated)) continue;
+    found.emplace_back(squared_distance_to_segment(sample.unit, a, b), i);
+  }
+  const std::size_t kept = std::min(count, found.size());
+  std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(kept));
+  std::vector<std::size_t> result(kept);
+  for (std::size_t i = 0; i < kept; ++i) result[i] = found[i].second;
+  return result;
+}
+
+}  // namespace coilwright::sizing

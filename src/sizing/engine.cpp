@@ -10,6 +10,7 @@
 
 #include "sizing/explorer.hpp"
 #include "sizing/infill.hpp"
+#include "sizing/random.hpp"
 
 namespace coilwright::sizing {
 namespace {
@@ -33,6 +34,12 @@ struct Proposal {
   Way way{};
   std::size_t which{};
 };
+
+// Nodes of a model after a failure stand this far apart, wider and wider, then near again.
+double apart(int failures) {
+  constexpr std::array<double, 4> distances{0.0, 0.01, 0.03, 0.1};
+  return distances[static_cast<std::size_t>(failures) % distances.size()];
+}
 
 class Engine {
  public:
@@ -67,8 +74,9 @@ class Engine {
   const DesignSpace& space_;
   Explorer explorer_;
   std::mt19937_64 random_;
+  std::size_t known_before_ = run_.archive.size();
   std::size_t made_ = 0;
-  std::size_t rounds_ = 0;
+  std::size_t rounds_ = 0, anchor_turn_ = 0;
   bool exhausted_ = false;
   std::vector<int> anchor_failures_;
   std::array<double, ways> earned_{1, 1, 1, 1};
@@ -112,7 +120,7 @@ void Engine::evaluate(std::vector<Proposal> proposals) {
   const std::vector<Record> records = run_.workers.evaluate(run_.archive, points, run_.options.stop);
   std::vector<double> gains;
   for (const Record& record : records) gains.push_back(samples_.add(record));
-  made_ += records.size();
+  made_ = run_.archive.size() - known_before_;
   credit(gains, proposals);
   if (run_.options.progress) {
     run_.options.progress({.evaluations = run_.archive.size(),
@@ -217,11 +225,7 @@ std::vector<std::size_t> Engine::best_apart(const Goal& goal, std::size_t count,
     if (kept.size() == count) break;
     const bool close = std::ranges::any_of(kept, [&](std::size_t k) {
       if (samples_[k].combination != samples_[i].combination) return false;
-      double distance = 0;
-      for (std::size_t a = 0; a < samples_[k].unit.size(); ++a) {
-        distance = std::max(distance, std::abs(samples_[k].unit[a] - samples_[i].unit[a]));
-      }
-      return distance < 0.1;
+      return largest_difference(samples_[k].unit, samples_[i].unit) < 0.1;
     });
     if (!close) kept.push_back(i);
   }
@@ -240,7 +244,7 @@ Region Engine::gap_region(const Goal& goal, const UpperBound& bound) {
     const std::vector<std::size_t> others = best_apart(goal, 3, random_() % space_.combinations(), any);
     if (!others.empty()) {
       const std::size_t chosen = others[pick(others.size())];
-      return {.from = chosen, .to = chosen};
+      return {.from = chosen, .to = chosen, .margin = 1.0, .apart = apart(bound.failures), .seed = random_()};
     }
   }
   const std::size_t from = definers[pick(definers.size())];
@@ -249,7 +253,8 @@ Region Engine::gap_region(const Goal& goal, const UpperBound& bound) {
     if (other != from && samples_[other].combination == samples_[from].combination) to = other;
   }
   if (samples_[to].combination != samples_[from].combination) to = from;
-  return {.from = from, .to = to, .margin = bound.failures > 0 ? 1.0 : 0.3};
+  if (bound.failures == 0) return {.from = from, .to = to};
+  return {.from = from, .to = to, .margin = 1.0, .apart = apart(bound.failures), .seed = random_()};
 }
 
 void Engine::add_gap_attempts(std::vector<Attempt>& list, std::size_t wanted) {
@@ -278,7 +283,7 @@ void Engine::add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted)
   const FrontFrame& frame = samples_.frame();
   const std::size_t objectives = samples_.objective_count();
   for (std::size_t slot = 0; slot < wanted; ++slot) {
-    const std::size_t i = (rounds_ * wanted + slot) % objectives;
+    const std::size_t i = anchor_turn_++ % objectives;
     Goal goal{.kind = Goal::Kind::objective, .origin = frame.ideal, .span = Objectives(objectives)};
     for (std::size_t k = 0; k < objectives; ++k) {
       goal.span[k] = (frame.nadir[k] - frame.ideal[k]) * (k == i ? 1.0 : 1e3);
@@ -290,8 +295,14 @@ void Engine::add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted)
     for (const std::size_t member : samples_.front())
       goal.to_beat = std::min(goal.to_beat, goal.scalar(samples_[member]));
     goal.to_beat -= 1e-7;
+    Region region{.from = start, .to = start};
+    if (rank > 0) {
+      region.margin = 1.0;
+      region.apart = rank % 2 == 0 ? 0 : apart(static_cast<int>(rank));
+      region.seed = random_();
+    }
     list.push_back({.goal = goal,
-                    .region = {.from = start, .to = start, .margin = rank % 2 == 0 ? 0.3 : 1.0},
+                    .region = region,
                     .way = Way::anchor,
                     .which = i});
   }

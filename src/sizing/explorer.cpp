@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sizing/random.hpp"
+
 namespace coilwright::sizing {
 namespace {
 
@@ -10,9 +12,6 @@ constexpr int patience = 64;
 
 }  // namespace
 
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-53;
-}
 
 Explorer::Explorer(const DesignSpace& space, std::uint64_t seed) : space_{space}, random_{seed} {
   if (space.dimension() == 0) return;

@@ -11,9 +11,6 @@
 
 namespace coilwright::sizing {
 
-/// Uniform in [0, 1), the same on every standard library.
-[[nodiscard]] double uniform(std::mt19937_64& random);
-
 /// Designs proposed without a model: quasi-random over the whole space, or bred from good ones. Unknown ones only.
 class Explorer {
  public:

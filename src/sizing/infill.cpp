@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <random>
 
 #include "sizing/nlopt_run.hpp"
+#include "sizing/random.hpp"
 #include "sizing/surrogate.hpp"
 
 namespace coilwright::sizing {
@@ -17,6 +19,8 @@ namespace {
 constexpr double model_margin = 1e-6;
 // A design nearer than this (unit cube) to a known one would tell nothing new.
 constexpr double same_design = 1e-7;
+// Random starts: ranked by the model (4 us each), only the best two are descended from.
+constexpr std::size_t random_starts = 40;
 
 struct Box {
   Eigen::VectorXd lower, upper;
@@ -43,11 +47,16 @@ class LocalModel {
     const Sample& from = samples[region.from];
     const Sample& to = samples[region.to];
     const std::size_t wanted = node_count(samples.space().dimension());
-    nodes_ = samples.nearest(from.combination, from.unit, to.unit, wanted, Samples::Wanted::evaluated);
+    const Samples::Neighbourhood where{.combination = from.combination,
+                                       .a = from.unit,
+                                       .b = to.unit,
+                                       .count = wanted,
+                                       .apart = region.apart};
+    nodes_ = samples.nearest(where, Samples::Wanted::evaluated);
     if (nodes_.size() < 3) return;
     fit_values();
     set_box(region.margin);
-    fit_failures(from, to, wanted / 2);
+    fit_failures(where);
   }
 
   [[nodiscard]] bool usable() const { return values_.has_value(); }
@@ -97,15 +106,15 @@ class LocalModel {
   }
 
   // Failed designs have no values, only the fact: a field of -1 (evaluated) and +1 (failed) between them.
-  void fit_failures(const Sample& from, const Sample& to, std::size_t wanted) {
-    std::vector<std::size_t> failed =
-        samples_.nearest(from.combination, from.unit, to.unit, wanted, Samples::Wanted::failed);
+  void fit_failures(Samples::Neighbourhood where) {
+    where.count /= 2;
+    std::vector<std::size_t> failed = samples_.nearest(where, Samples::Wanted::failed);
     std::erase_if(failed, [&](std::size_t i) {
       const auto x = as_vector(samples_[i].unit);
       return (x.array() < box_.lower.array()).any() || (x.array() > box_.upper.array()).any();
     });
     if (failed.empty()) return;
-    const std::size_t good = std::min(nodes_.size(), wanted);
+    const std::size_t good = std::min(nodes_.size(), where.count);
     Eigen::MatrixXd at(static_cast<Eigen::Index>(good + failed.size()), box_.lower.size());
     Eigen::MatrixXd label(at.rows(), 1);
     for (std::size_t i = 0; i < good + failed.size(); ++i) {
@@ -250,8 +259,8 @@ Eigen::VectorXd LocalModel::minimise(const Eigen::VectorXd& start, const std::ve
                  .objective = [&](auto z, auto gradient) { return program.objective(z, gradient); },
                  .constraint_count = program.constraints(),
                  .constraints = [&](auto z, auto result, auto jacobian) { program.constraints(z, result, jacobian); },
-                 .max_calls = 40,
-                 .relative_tolerance = 1e-5,
+                 .max_calls = 120,
+                 .relative_tolerance = 1e-8,
                  .seed = 1};
   if (program.has_bound_variable()) {
     const double at_start = std::clamp(goal_scalar(values_->values(start)), -10.0, 10.0);
@@ -387,7 +396,17 @@ std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Re
     starts.emplace_back(as_vector(samples[region.to].unit));
     starts.emplace_back(0.5 * (starts[0] + starts[1]));
   }
-  // One descent from the start the model likes best, one from the middle.
+  if (region.seed != 0) {
+    std::mt19937_64 random{region.seed};
+    for (std::size_t i = 0; i < random_starts; ++i) {
+      Eigen::VectorXd x(starts[0].size());
+      for (Eigen::Index axis = 0; axis < x.size(); ++axis) {
+        x[axis] = std::lerp(model.box().lower[axis], model.box().upper[axis], uniform(random));
+      }
+      starts.push_back(std::move(x));
+    }
+  }
+  // Descents from the two starts the model likes best.
   std::ranges::stable_sort(starts, {}, [&](const Eigen::VectorXd& x) { return model.merit(x); });
   starts.resize(std::min<std::size_t>(starts.size(), 2));
   Eigen::VectorXd best;
@@ -411,6 +430,7 @@ std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Re
   std::vector<Candidate> result;
   for (Ranked& entry : ranked) {
     if (entry.merit >= goal.to_beat || result.size() == 3) break;
+    if (samples.knows(entry.unit, samples[region.from].combination)) continue;
     if (near_known(samples, model.nodes(), entry.unit)) continue;
     result.push_back({.unit = std::move(entry.unit), .combination = samples[region.from].combination});
   }

@@ -32,6 +32,8 @@ struct Candidate {
 struct Region {
   std::size_t from{}, to{};  ///< samples; may be the same
   double margin = 0.3;       ///< how far beyond its nodes the model is trusted, over the nodes' range
+  double apart = 0;          ///< least distance between nodes (largest coordinate): a coarse model of a wide region
+  std::uint64_t seed = 0;    ///< not 0: starts from random points of the region too
 };
 
 /// Designs the local model expects to reach the goal, best first, none known already, at most three. Fits the model to

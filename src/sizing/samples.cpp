@@ -24,6 +24,12 @@ double squared_distance_to_segment(std::span<const double> point, std::span<cons
 
 }  // namespace
 
+double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
 Samples::Samples(const Problem& problem, std::vector<double> limits)
     : problem_{problem},
       limits_{std::move(limits)},
@@ -86,18 +92,27 @@ void Samples::update_front(std::size_t added) {
   }
 }
 
-std::vector<std::size_t> Samples::nearest(std::uint64_t combination, std::span<const double> a,
-                                          std::span<const double> b, std::size_t count, Wanted wanted) const {
+std::vector<std::size_t> Samples::nearest(const Neighbourhood& where, Wanted wanted) const {
   std::vector<std::pair<double, std::size_t>> found;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const Sample& sample = samples_[i];
-    if (sample.combination != combination || sample.evaluated != (wanted == Wanted::evaluated)) continue;
-    found.emplace_back(squared_distance_to_segment(sample.unit, a, b), i);
+    if (sample.combination != where.combination || sample.evaluated != (wanted == Wanted::evaluated)) continue;
+    found.emplace_back(squared_distance_to_segment(sample.unit, where.a, where.b), i);
   }
-  const std::size_t kept = std::min(count, found.size());
-  std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(kept));
-  std::vector<std::size_t> result(kept);
-  for (std::size_t i = 0; i < kept; ++i) result[i] = found[i].second;
+  std::vector<std::size_t> result;
+  if (where.apart == 0) {
+    const std::size_t kept = std::min(where.count, found.size());
+    std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(kept));
+    for (std::size_t i = 0; i < kept; ++i) result.push_back(found[i].second);
+    return result;
+  }
+  std::ranges::sort(found);
+  for (const auto& [distance, i] : found) {
+    if (result.size() == where.count) break;
+    const bool close = std::ranges::any_of(
+        result, [&](std::size_t k) { return largest_difference(samples_[k].unit, samples_[i].unit) < where.apart; });
+    if (!close) result.push_back(i);
+  }
   return result;
 }
 

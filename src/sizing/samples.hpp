@@ -24,6 +24,9 @@ struct Sample {
   [[nodiscard]] bool feasible() const { return evaluated && violation == 0; }
 };
 
+/// Largest difference of a coordinate.
+[[nodiscard]] double largest_difference(std::span<const double> a, std::span<const double> b);
+
 /// Everything a search knows, in the order it learnt it (the same on any number of threads).
 class Samples {
  public:
@@ -50,11 +53,17 @@ class Samples {
   /// Whether the design at legal unit coordinates is known.
   [[nodiscard]] bool knows(std::span<const double> unit, std::uint64_t combination) const;
 
-  /// The `count` samples of a combination nearest to the segment from `a` to `b`, evaluated or failed ones; nearest
-  /// first, ties by index.
+  /// Which samples to look for.
   enum class Wanted { evaluated, failed };
-  [[nodiscard]] std::vector<std::size_t> nearest(std::uint64_t combination, std::span<const double> a,
-                                                 std::span<const double> b, std::size_t count, Wanted wanted) const;
+  /// The surroundings of the segment from `a` to `b`.
+  struct Neighbourhood {
+    std::uint64_t combination{};
+    std::span<const double> a, b;  ///< unit coordinates
+    std::size_t count{};           ///< samples at most
+    double apart{};                ///< none nearer than this to a nearer one, in the largest coordinate
+  };
+  /// The samples of a combination nearest to a segment; nearest first, ties by index.
+  [[nodiscard]] std::vector<std::size_t> nearest(const Neighbourhood& where, Wanted wanted) const;
 
  private:
   void update_front(std::size_t added);

@@ -40,7 +40,8 @@ DesignSpace::DesignSpace(const std::vector<Variable>& variables) : variables_{va
     design_count_ = times(design_count_, levels);
     if (variable.kind == VariableKind::categorical) {
       categorical_.push_back(i);
-      combinations_ *= static_cast<std::uint64_t>(levels);
+      level_counts_.push_back(static_cast<std::uint64_t>(levels));
+      combinations_ *= level_counts_.back();
       continue;
     }
     ordered_.push_back(i);

@@ -19,6 +19,8 @@ class DesignSpace {
   [[nodiscard]] std::size_t dimension() const { return ordered_.size(); }
   /// Number of combinations of the free categorical variables; 1 if there is none.
   [[nodiscard]] std::uint64_t combinations() const { return combinations_; }
+  /// Levels of each free categorical variable; the first one runs fastest in a combination.
+  [[nodiscard]] const std::vector<std::uint64_t>& level_counts() const { return level_counts_; }
   /// Number of designs if every free variable has a grid, otherwise (or if it overflows) 0.
   [[nodiscard]] std::uint64_t design_count() const { return design_count_; }
   /// Grid spacing of unit coordinate `axis`; 0: no grid.
@@ -47,6 +49,7 @@ class DesignSpace {
   std::vector<Variable> variables_;
   std::vector<std::size_t> ordered_, categorical_;
   std::vector<Axis> axes_;
+  std::vector<std::uint64_t> level_counts_;
   std::uint64_t combinations_ = 1, design_count_ = 1;
   bool has_grid_ = false;
 };

@@ -8,15 +8,19 @@
 #include <set>
 #include <tuple>
 
+#include "sizing/direct.hpp"
 #include "sizing/explorer.hpp"
 #include "sizing/infill.hpp"
+#include "sizing/neighbours.hpp"
 #include "sizing/random.hpp"
 
 namespace coilwright::sizing {
 namespace {
 
 // Designs per round. A power of two for the Sobol sequence; small enough to learn often, large enough for 16 threads.
-constexpr std::size_t round_size = 16;
+constexpr std::size_t largest_round = 16;
+// One objective means one place to improve: learning sooner is worth more than company.
+constexpr std::size_t round_of_one_objective = 8;
 
 enum class Way : std::size_t { gap, anchor, breed, scatter };
 constexpr std::size_t ways = 4;
@@ -54,12 +58,17 @@ class Engine {
   StopReason run();
 
  private:
+  [[nodiscard]] std::size_t round_size() const {
+    return samples_.objective_count() == 1 ? round_of_one_objective : largest_round;
+  }
   [[nodiscard]] std::size_t left() const { return run_.budget - made_; }
   void evaluate(std::vector<Proposal> proposals);
   void initial_design();
   void round();
+  void direct_round(const std::vector<Attempt>& list);
   [[nodiscard]] std::vector<Attempt> attempts(std::size_t wanted);
   void add_gap_attempts(std::vector<Attempt>& list, std::size_t wanted);
+  [[nodiscard]] double single_span() const;
   void add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted);
   void add_feasibility_attempts(std::vector<Attempt>& list, std::size_t wanted);
   [[nodiscard]] Region gap_region(const Goal& goal, const UpperBound& bound);
@@ -154,7 +163,7 @@ void Engine::initial_design() {
       std::min<std::size_t>((2 * n + 4) * combinations, std::max<std::size_t>(run_.budget / 5, 1));
   while (samples_.size() < wanted && left() > 0 && !run_.options.stop.stop_requested() && !exhausted_) {
     std::vector<Proposal> batch;
-    explore(batch, std::min({wanted - samples_.size(), left(), std::size_t{4} * round_size}));
+    explore(batch, std::min({wanted - samples_.size(), left(), 4 * round_size()}));
     evaluate(std::move(batch));
   }
 }
@@ -279,6 +288,18 @@ void Engine::add_gap_attempts(std::vector<Attempt>& list, std::size_t wanted) {
   }
 }
 
+// The scale of a single objective: from the best to the median of all designs. (A front of one design has no range.)
+double Engine::single_span() const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (samples_[i].evaluated) values.push_back(samples_[i].values[0]);
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  const double least = std::max(1e-9, 1e-6 * std::abs(samples_.frame().ideal[0]));
+  return std::max(std::abs(*middle - samples_.frame().ideal[0]), least);
+}
+
 void Engine::add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted) {
   const FrontFrame& frame = samples_.frame();
   const std::size_t objectives = samples_.objective_count();
@@ -288,23 +309,25 @@ void Engine::add_anchor_attempts(std::vector<Attempt>& list, std::size_t wanted)
     for (std::size_t k = 0; k < objectives; ++k) {
       goal.span[k] = (frame.nadir[k] - frame.ideal[k]) * (k == i ? 1.0 : 1e3);
     }
-    const auto rank = static_cast<std::size_t>(anchor_failures_[i]) + slot / objectives;
-    const std::vector<std::size_t> starts = best_apart(goal, std::min<std::size_t>(rank % 6 + 1, 6), 0, true);
-    const std::size_t start = starts[std::min(rank % 6, starts.size() - 1)];
+    if (objectives == 1) goal.span = {single_span()};
+    // Half of the attempts of one objective start from the best design, each with another reach; the others, and
+    // those after failures, from further basins.
+    const auto turn = static_cast<std::size_t>(anchor_failures_[i]) + slot / objectives;
+    const std::size_t rank = objectives == 1 ? (slot < wanted / 2 ? 0 : slot - wanted / 2 + 1) : turn % 6;
+    const std::vector<std::size_t> starts = best_apart(goal, rank + 1, 0, true);
+    const std::size_t start = starts[std::min(rank, starts.size() - 1)];
     goal.to_beat = std::numeric_limits<double>::infinity();
     for (const std::size_t member : samples_.front())
       goal.to_beat = std::min(goal.to_beat, goal.scalar(samples_[member]));
     goal.to_beat -= 1e-7;
     Region region{.from = start, .to = start};
-    if (rank > 0) {
-      region.margin = 1.0;
-      region.apart = rank % 2 == 0 ? 0 : apart(static_cast<int>(rank));
+    if (turn > 0) {
+      constexpr std::array<double, 4> margins{0.3, 1.0, 0.1, 1.0};
+      region.margin = margins[turn % margins.size()];
+      region.apart = apart(static_cast<int>(turn / 2));
       region.seed = random_();
     }
-    list.push_back({.goal = goal,
-                    .region = region,
-                    .way = Way::anchor,
-                    .which = i});
+    list.push_back({.goal = goal, .region = region, .way = Way::anchor, .which = i});
   }
 }
 
@@ -343,15 +366,24 @@ void Engine::round() {
   const double model = std::max(earned_[0], earned_[1]);
   const double free = std::max(earned_[2], earned_[3]);
   const double share = std::clamp(model / std::max(model + free, 1e-300), 0.5, 0.9);
-  const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(round_size)));
+  const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(round_size())));
   const std::vector<Attempt> list = attempts(std::min(wanted, left()));
+  if (run_.options.algorithm != Algorithm::automatic) return direct_round(list);
   std::vector<std::vector<Candidate>> found(list.size());
   run_.workers.run(list.size(), [&](std::size_t i) {
     if (!run_.options.stop.stop_requested()) found[i] = infill(samples_, list[i].goal, list[i].region);
   });
   std::vector<Proposal> batch;
   std::set<std::vector<double>> taken;
-  for (std::size_t i = 0; i < list.size(); ++i) {
+  if (samples_.objective_count() == 1 && !samples_.front().empty()) {
+    // The answer must be the best of its grid neighbourhood.
+    for (Candidate& candidate : unknown_neighbours(samples_, samples_.front().front())) {
+      if (batch.size() >= round_size() / 2) break;
+      taken.insert(space_.point(candidate.unit, candidate.combination));
+      batch.push_back({.candidate = std::move(candidate), .way = Way::breed, .which = 0});
+    }
+  }
+  for (std::size_t i = 0; i < list.size() && batch.size() < round_size(); ++i) {
     if (list[i].way == Way::gap) samples_.bounds().count_failure(list[i].which);  // a success replaces the bound
     bool placed = false;
     for (Candidate& candidate : found[i]) {
@@ -364,8 +396,47 @@ void Engine::round() {
       ++anchor_failures_[list[i].which];
     }
   }
-  explore(batch, std::min(round_size, left()));
+  explore(batch, std::min(round_size(), left()));
   evaluate(std::move(batch));
+  ++rounds_;
+}
+
+// The same goals, each pursued by an NLopt run on the problem itself.
+void Engine::direct_round(const std::vector<Attempt>& list) {
+  const std::size_t n = space_.dimension();
+  const std::size_t share = std::max<std::size_t>(left() / std::max<std::size_t>(list.size(), 1), 1);
+  const std::size_t budget = std::min<std::size_t>(share, 15 * (n + 1));
+  std::vector<std::vector<Record>> found(list.size());
+  const std::uint64_t seed = random_();
+  const std::size_t tasks = std::min(list.size(), left());
+  run_.workers.run(tasks, [&](std::size_t i) {
+    const Attempt& attempt = list[i];
+    const Sample& start = samples_[attempt.region.from];
+    Box box{.lower = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)),
+            .upper = Eigen::VectorXd(static_cast<Eigen::Index>(n))};
+    for (std::size_t axis = 0; axis < n; ++axis) box.upper[static_cast<Eigen::Index>(axis)] = space_.ceiling(axis);
+    found[i] = run_direct(run_.archive, samples_,
+                          {.algorithm = run_.options.algorithm,
+                           .goal = attempt.goal,
+                           .start = {.unit = start.unit, .combination = start.combination},
+                           .box = box,
+                           .budget = budget,
+                           .seed = seed + i},
+                          run_.options.stop);
+  });
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i].way == Way::gap) samples_.bounds().count_failure(list[i].which);
+    if (list[i].way == Way::anchor && list[i].which < anchor_failures_.size()) ++anchor_failures_[list[i].which];
+  }
+  for (const std::vector<Record>& records : found) {
+    for (const Record& record : records) samples_.add(record);
+  }
+  made_ = run_.archive.size() - known_before_;
+  if (left() > 0) {
+    std::vector<Proposal> batch;
+    explore(batch, std::min<std::size_t>(left(), 2));
+    evaluate(std::move(batch));
+  }
   ++rounds_;
 }
 

@@ -12,7 +12,6 @@ constexpr int patience = 64;
 
 }  // namespace
 
-
 Explorer::Explorer(const DesignSpace& space, std::uint64_t seed) : space_{space}, random_{seed} {
   if (space.dimension() == 0) return;
   sobol_.emplace(space.dimension());

@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "sizing/nlopt_run.hpp"
+#include "sizing/goal_program.hpp"
 #include "sizing/random.hpp"
 #include "sizing/surrogate.hpp"
 
@@ -19,12 +19,10 @@ namespace {
 constexpr double model_margin = 1e-6;
 // A design nearer than this (unit cube) to a known one would tell nothing new.
 constexpr double same_design = 1e-7;
+// Range of a constraint over a model's nodes from which on it is compressed; constraints are scaled to order 1.
+constexpr double steep = 4.0;
 // Random starts: ranked by the model (4 us each), only the best two are descended from.
 constexpr std::size_t random_starts = 40;
-
-struct Box {
-  Eigen::VectorXd lower, upper;
-};
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -47,11 +45,8 @@ class LocalModel {
     const Sample& from = samples[region.from];
     const Sample& to = samples[region.to];
     const std::size_t wanted = node_count(samples.space().dimension());
-    const Samples::Neighbourhood where{.combination = from.combination,
-                                       .a = from.unit,
-                                       .b = to.unit,
-                                       .count = wanted,
-                                       .apart = region.apart};
+    const Samples::Neighbourhood where{
+        .combination = from.combination, .a = from.unit, .b = to.unit, .count = wanted, .apart = region.apart};
     nodes_ = samples.nearest(where, Samples::Wanted::evaluated);
     if (nodes_.size() < 3) return;
     fit_values();
@@ -66,12 +61,10 @@ class LocalModel {
   /// Goal plus a steep price on predicted violation: for ranking.
   [[nodiscard]] double merit(const Eigen::VectorXd& x) const {
     const Eigen::VectorXd y = values_->values(x);
-    double scalar = goal_scalar(y), worst = 0;
-    if (goal_.kind != Goal::Kind::feasibility) {
-      for (Eigen::Index j = objectives(); j < y.size(); ++j) worst = std::max(worst, y[j]);
-    }
+    const Eigen::VectorXd limits = y.tail(constraints());
+    double worst = goal_.kind == Goal::Kind::feasibility || limits.size() == 0 ? 0.0 : limits.maxCoeff();
     if (failure_) worst = std::max(worst, failure_->values(x)[0]);
-    return scalar + (worst > 0 ? 1.0 + 10 * worst : 0.0);
+    return priced(goal_.scalar(y.head(objectives()), limits), worst);
   }
 
   /// Minimises the goal over the box, from `start`, moving only the axes in `free`.
@@ -79,19 +72,29 @@ class LocalModel {
 
  private:
   [[nodiscard]] Eigen::Index objectives() const { return static_cast<Eigen::Index>(samples_.objective_count()); }
+  [[nodiscard]] Eigen::Index constraints() const { return static_cast<Eigen::Index>(samples_.constraint_count()); }
 
   void fit_values() {
     const auto count = static_cast<Eigen::Index>(nodes_.size());
     const auto dimension = static_cast<Eigen::Index>(samples_.space().dimension());
-    const auto constraints = static_cast<Eigen::Index>(samples_.constraint_count());
-    Eigen::MatrixXd at(count, dimension), outputs(count, objectives() + constraints);
+    Eigen::MatrixXd at(count, dimension), outputs(count, objectives() + constraints());
     for (Eigen::Index i = 0; i < count; ++i) {
       const Sample& sample = samples_[nodes_[static_cast<std::size_t>(i)]];
       at.row(i) = as_vector(sample.unit).transpose();
       outputs.row(i) << as_vector(sample.values).transpose(), as_vector(sample.constraints).transpose();
     }
+    compress_steep_constraints(outputs.rightCols(constraints()));
     values_.emplace(at, outputs);
     box_ = {.lower = at.colwise().minCoeff().transpose(), .upper = at.colwise().maxCoeff().transpose()};
+  }
+
+  // A constraint that runs over decades would drown its own limit: beyond order 1 only its logarithm is modelled. The
+  // limit stays where it is, and what is within order 1 all over (as near the answer) stays itself.
+  static void compress_steep_constraints(Eigen::Ref<Eigen::MatrixXd> values) {
+    for (auto column : values.colwise()) {
+      if (column.maxCoeff() - column.minCoeff() > steep)
+        column = column.unaryExpr([](double v) { return std::asinh(v); });
+    }
   }
 
   void set_box(double margin) {
@@ -125,16 +128,7 @@ class LocalModel {
     failure_.emplace(at, label);
   }
 
-  [[nodiscard]] double goal_scalar(const Eigen::VectorXd& y) const {
-    double scalar = goal_.kind == Goal::Kind::objective ? 0.0 : -std::numeric_limits<double>::infinity();
-    if (goal_.kind == Goal::Kind::feasibility) return y.tail(y.size() - objectives()).maxCoeff();
-    for (Eigen::Index i = 0; i < objectives(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const double term = (y[i] - goal_.origin[k]) / goal_.span[k];
-      scalar = goal_.kind == Goal::Kind::objective ? scalar + term : std::max(scalar, term);
-    }
-    return scalar;
-  }
+  [[nodiscard]] Surrogate::Linearisation linearised(const Eigen::VectorXd& x) const;
 
   const Goal& goal_;
   const Samples& samples_;
@@ -143,134 +137,26 @@ class LocalModel {
   Box box_;
 };
 
-// The minimisation as NLopt sees it: the free axes over the box as [0, 1], and, for a min-max goal, its value t as one
-// more variable with every term of the maximum a constraint term - t <= 0.
-class ModelProgram {
- public:
-  ModelProgram(const Surrogate& values, const Surrogate* failure, const Goal& goal, Eigen::Index objectives,
-               const Box& box, const Eigen::VectorXd& start, const std::vector<Eigen::Index>& free)
-      : values_{values}, failure_{failure}, goal_{goal}, objectives_{objectives}, box_{box}, x_{start}, free_{free} {
-    constraint_rows_ = values_.values(x_).size() - objectives_;
-  }
-
-  [[nodiscard]] bool has_bound_variable() const { return goal_.kind != Goal::Kind::objective; }
-  [[nodiscard]] std::size_t variables() const { return free_.size() + (has_bound_variable() ? 1 : 0); }
-  [[nodiscard]] std::size_t constraints() const {
-    const Eigen::Index terms = goal_.kind == Goal::Kind::gap ? objectives_ : 0;
-    return static_cast<std::size_t>(terms + constraint_rows_ + (failure_ ? 1 : 0));
-  }
-
-  double objective(std::span<const double> z, std::span<double> gradient) {
-    if (has_bound_variable()) {
-      std::ranges::fill(gradient, 0.0);
-      if (!gradient.empty()) gradient.back() = 1.0;
-      return z.back();
-    }
-    refresh(z);
-    double sum = 0;
-    std::ranges::fill(gradient, 0.0);
-    for (Eigen::Index i = 0; i < objectives_; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      sum += (at_.values[i] - goal_.origin[k]) / goal_.span[k];
-      for (std::size_t a = 0; a < gradient.size(); ++a) gradient[a] += slope(at_, i, a) / goal_.span[k];
-    }
-    return sum;
-  }
-
-  void constraints(std::span<const double> z, std::span<double> result, std::span<double> jacobian) {
-    refresh(z);
-    const std::size_t width = variables();
-    std::size_t row = 0;
-    const auto put = [&](const Surrogate::Linearisation& from, Eigen::Index output, double scale, double shift,
-                         double bound_slope) {
-      result[row] = from.values[output] * scale + shift;
-      if (!jacobian.empty()) {
-        for (std::size_t a = 0; a < free_.size(); ++a) jacobian[row * width + a] = slope(from, output, a) * scale;
-        if (has_bound_variable()) jacobian[row * width + width - 1] = bound_slope;
-      }
-      ++row;
-    };
-    const double bound = has_bound_variable() ? z.back() : 0.0;
-    if (goal_.kind == Goal::Kind::gap) {
-      for (Eigen::Index i = 0; i < objectives_; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        put(at_, i, 1 / goal_.span[k], -goal_.origin[k] / goal_.span[k] - bound, -1.0);
-      }
-    }
-    const bool slack = goal_.kind == Goal::Kind::feasibility;
-    for (Eigen::Index j = 0; j < constraint_rows_; ++j) {
-      put(at_, objectives_ + j, 1.0, slack ? -bound : model_margin, slack ? -1.0 : 0.0);
-    }
-    if (failure_) put(failed_, 0, 1.0, 0.0, 0.0);
-  }
-
-  [[nodiscard]] Eigen::VectorXd design(std::span<const double> z) const {
-    Eigen::VectorXd x = x_;
-    for (std::size_t a = 0; a < free_.size(); ++a) {
-      x[free_[a]] = std::lerp(box_.lower[free_[a]], box_.upper[free_[a]], z[a]);
-    }
-    return x;
-  }
-
-  [[nodiscard]] std::vector<double> position(const Eigen::VectorXd& x) const {
-    std::vector<double> z(free_.size());
-    for (std::size_t a = 0; a < free_.size(); ++a) {
-      const double width = box_.upper[free_[a]] - box_.lower[free_[a]];
-      z[a] = std::clamp((x[free_[a]] - box_.lower[free_[a]]) / width, 0.0, 1.0);
-    }
-    return z;
-  }
-
- private:
-  // NLopt asks for objective and constraints at the same point one after the other.
-  void refresh(std::span<const double> z) {
-    const std::span<const double> axes = z.first(free_.size());
-    if (fresh_ && std::ranges::equal(axes, last_)) return;
-    last_.assign(axes.begin(), axes.end());
-    const Eigen::VectorXd x = design(axes);
-    at_ = values_.linearised(x);
-    if (failure_) failed_ = failure_->linearised(x);
-    fresh_ = true;
-  }
-
-  [[nodiscard]] double slope(const Surrogate::Linearisation& of, Eigen::Index output, std::size_t axis) const {
-    return of.jacobian(output, free_[axis]) * (box_.upper[free_[axis]] - box_.lower[free_[axis]]);
-  }
-
-  const Surrogate& values_;
-  const Surrogate* failure_;
-  const Goal& goal_;
-  Eigen::Index objectives_, constraint_rows_ = 0;
-  const Box& box_;
-  Eigen::VectorXd x_;
-  const std::vector<Eigen::Index>& free_;
-  Surrogate::Linearisation at_, failed_;
-  std::vector<double> last_;
-  bool fresh_ = false;
-};
-
 Eigen::VectorXd LocalModel::minimise(const Eigen::VectorXd& start, const std::vector<Eigen::Index>& free) const {
-  if (free.empty()) return start;
-  ModelProgram program{*values_, failure_ ? &*failure_ : nullptr, goal_, objectives(), box_, start, free};
-  NloptTask task{.algorithm = Algorithm::slsqp,
-                 .lower = std::vector<double>(program.variables(), 0.0),
-                 .upper = std::vector<double>(program.variables(), 1.0),
-                 .start = program.position(start),
-                 .objective = [&](auto z, auto gradient) { return program.objective(z, gradient); },
-                 .constraint_count = program.constraints(),
-                 .constraints = [&](auto z, auto result, auto jacobian) { program.constraints(z, result, jacobian); },
-                 .max_calls = 120,
-                 .relative_tolerance = 1e-8,
-                 .seed = 1};
-  if (program.has_bound_variable()) {
-    const double at_start = std::clamp(goal_scalar(values_->values(start)), -10.0, 10.0);
-    task.lower.back() = -10.0;
-    task.upper.back() = 10.0;
-    task.start.push_back(at_start);
-  }
-  std::vector<double> z = run_nlopt(task);
-  z.resize(free.size());
-  return program.design(z);
+  const Field field{.at = [this](const Eigen::VectorXd& x, Field::Wanted) { return linearised(x); },
+                    .objectives = objectives(),
+                    .constraints = constraints() + (failure_ ? 1 : 0),
+                    .margin = model_margin};
+  // SLSQP needs tens of steps; on the 30 variables of ZDT1 a looser tolerance stopped it half way.
+  return sizing::minimise(field, goal_, box_, start, free,
+                          {.algorithm = Algorithm::slsqp, .max_calls = 120, .relative_tolerance = 1e-8});
+}
+
+Surrogate::Linearisation LocalModel::linearised(const Eigen::VectorXd& x) const {
+  Surrogate::Linearisation all = values_->linearised(x);
+  if (!failure_) return all;
+  const Surrogate::Linearisation failure = failure_->linearised(x);
+  const Eigen::Index last = all.values.size();
+  all.values.conservativeResize(last + 1);
+  all.jacobian.conservativeResize(last + 1, Eigen::NoChange);
+  all.values[last] = failure.values[0];
+  all.jacobian.row(last) = failure.jacobian.row(0);
+  return all;
 }
 
 std::vector<Eigen::Index> axes_where(const DesignSpace& space, bool (*wanted)(double spacing)) {
@@ -374,16 +260,6 @@ bool near_known(const Samples& samples, const std::vector<std::size_t>& nodes, c
 }
 
 }  // namespace
-
-double Goal::scalar(const Sample& sample) const {
-  double result = kind == Kind::objective ? 0.0 : -std::numeric_limits<double>::infinity();
-  if (kind == Kind::feasibility) return *std::ranges::max_element(sample.constraints);
-  for (std::size_t i = 0; i < sample.values.size(); ++i) {
-    const double term = (sample.values[i] - origin[i]) / span[i];
-    result = kind == Kind::objective ? result + term : std::max(result, term);
-  }
-  return result;
-}
 
 std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Region& region) {
   const DesignSpace& space = samples.space();

@@ -3,24 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "sizing/goal.hpp"
 #include "sizing/samples.hpp"
 
 namespace coilwright::sizing {
-
-/// What a proposal is to achieve, as a scalar to minimise.
-struct Goal {
-  enum class Kind {
-    gap,         ///< largest of (value_i - origin_i) / span_i: below 1 is inside the gap
-    objective,   ///< sum of (value_i - origin_i) / span_i
-    feasibility  ///< largest constraint
-  };
-  Kind kind{};
-  Objectives origin{}, span{};  ///< of `gap` and `objective`; an infinite span leaves an objective out
-  double to_beat{};             ///< a smaller scalar is progress
-
-  /// The scalar at an evaluated sample, its violation not considered.
-  [[nodiscard]] double scalar(const Sample& sample) const;
-};
 
 /// A design not evaluated yet.
 struct Candidate {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sizing/direct.hpp"
 #include "sizing/engine.hpp"
 
 namespace coilwright::sizing {
@@ -11,11 +12,15 @@ StopReason run_search(Archive& archive, const SearchOptions& options) {
   if (options.max_evaluations == 0) throw std::invalid_argument("max_evaluations: must be >= 1; got 0");
   Workers workers{options.threads};
   Samples samples{archive.problem(), std::vector<double>(archive.problem().constraints.size(), 0.0)};
-  return run_engine({.archive = archive,
-                     .samples = samples,
-                     .workers = workers,
-                     .options = options,
-                     .budget = options.max_evaluations});
+  const EngineRun run{.archive = archive,
+                      .samples = samples,
+                      .workers = workers,
+                      .options = options,
+                      .budget = options.max_evaluations};
+  const std::uint64_t designs = samples.space().design_count();
+  const bool enumerable = samples.space().dimension() == 0 || (designs > 0 && designs <= options.max_evaluations);
+  if (samples.objective_count() > 1 || options.algorithm == Algorithm::automatic || enumerable) return run_engine(run);
+  return search_directly(run);
 }
 
 std::vector<std::string> violated_by(const Problem& problem, const Evaluation& evaluation) {

@@ -41,24 +41,25 @@ bool Samples::knows(std::span<const double> unit, std::uint64_t combination) con
   return known_.contains(space_.point(unit, combination));
 }
 
-double Samples::add(const Record& record) {
-  Sample sample;
-  sample.unit = space_.unit(record.point);
-  sample.combination = space_.combination(record.point);
-  if (!known_.insert(record.point).second) return 0;
+Sample Samples::as_sample(const Record& record) const {
   const Evaluation& evaluation = record.evaluation;
-  sample.evaluated = evaluation.failure.empty();
-  if (sample.evaluated) {
-    sample.values = minimised(problem_, evaluation);
-    sample.constraints = evaluation.constraints;
-    for (std::size_t i = 0; i < limits_.size(); ++i) {
-      sample.constraints[i] -= limits_[i];
-      sample.violation += std::max(sample.constraints[i], 0.0);
-    }
-  } else {
-    sample.violation = evaluation.infeasibility;
+  Sample sample{.point = record.point,
+                .unit = space_.unit(record.point),
+                .combination = space_.combination(record.point),
+                .evaluated = evaluation.failure.empty(),
+                .values = minimised(problem_, evaluation),
+                .constraints = evaluation.constraints,
+                .violation = evaluation.infeasibility};
+  for (std::size_t i = 0; i < sample.constraints.size(); ++i) {
+    sample.constraints[i] -= limits_[i];
+    sample.violation += std::max(sample.constraints[i], 0.0);
   }
-  samples_.push_back(std::move(sample));
+  return sample;
+}
+
+double Samples::add(const Record& record) {
+  if (!known_.insert(record.point).second) return 0;
+  samples_.push_back(as_sample(record));
   if (!samples_.back().feasible()) return 0;
   ++feasible_count_;
   const Objectives& values = samples_.back().values;

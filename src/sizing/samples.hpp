@@ -15,6 +15,7 @@ namespace coilwright::sizing {
 
 /// One evaluated design as the search sees it.
 struct Sample {
+  std::vector<double> point;        ///< as it was evaluated
   std::vector<double> unit;         ///< coordinates in the unit cube
   std::uint64_t combination{};      ///< of categorical levels
   bool evaluated{};                 ///< false: failed
@@ -36,6 +37,9 @@ class Samples {
   /// Learns one design. Returns how much it improved on the front: the largest product of normalised distances below a
   /// former upper bound (the hypervolume gained, where that is one box); 0 if nothing.
   double add(const Record& record);
+
+  /// A record in the search's terms, learnt or not.
+  [[nodiscard]] Sample as_sample(const Record& record) const;
 
   [[nodiscard]] const DesignSpace& space() const { return space_; }
   [[nodiscard]] const Sample& operator[](std::size_t index) const { return samples_[index]; }

@@ -44,12 +44,19 @@ struct Progress {
   std::size_t front_size{};       ///< designs on the front (1 or 0 for one objective)
 };
 
+/// What `search` does once it has an answer.
+enum class Afterwards {
+  sensitivity,  ///< evaluates the surroundings of the answer, see sensitivity.hpp
+  nothing       ///< returns at once
+};
+
 /// Limits and seeds of a search. The answer depends on `algorithm`, `max_evaluations`, `seed`, not on `threads`.
 struct SearchOptions {
   Algorithm algorithm = Algorithm::automatic;       ///< how to search
   std::size_t max_evaluations = 2000;               ///< designs evaluated at most, all counted; >= 1
   std::uint64_t seed = 1;                           ///< of everything random
   unsigned threads = 0;                             ///< evaluations at once; 0: one per core
+  Afterwards afterwards = Afterwards::sensitivity;  ///< `search` only
   std::stop_token stop{};                           ///< asks for an early end; what was found is returned
   std::function<void(const Progress&)> progress{};  ///< called between batches, on the caller's thread; may be empty
 };

@@ -16,32 +16,31 @@
 namespace coilwright::magnetics {
 namespace {
 
-/// exp(-26) = 5e-12 is the share of a corner's own size that a radial rule may leave out.
-constexpr double digits = 26.0;
+/// Share of a pair of faces' own size that a radial rule may leave out.
+constexpr double rule_error = 5e-12;
 
 /// Below this share of its terms the sum of the closed form has lost too many digits (4e-16 / 2e-3 = 2e-13).
 constexpr double cancellation = 2e-3;
 
 int steps_for(const SheetBody& body, double radius, double offset) {
   const double r = std::clamp(radius, body.inner_radius, body.outer_radius);
-  return landen_steps_needed(std::hypot(radius - r, offset), std::hypot(radius + r, offset));
+  const double square = offset * offset;
+  return landen_steps_needed((radius - r) * (radius - r) + square, (radius + r) * (radius + r) + square);
 }
 
 FacePair face_pair(const SheetBody& source, double radius, double offset, double sign) {
   return {{{}, source.mean_radius(), source.half_width()}, offset, sign, steps_for(source, radius, offset)};
 }
 
-/// Gauss-Legendre nodes that a uniform source needs for a face `offset` away from a sheet of `radius`: the integrand
-/// is singular at radius +- i offset, with a strength that goes to zero with the offset.
-double radial_nodes_needed(const SheetBody& body, double radius, double offset) {
-  const double width = body.outer_radius - body.inner_radius;
-  const double reach =
-      (std::hypot(radius - body.inner_radius, offset) + std::hypot(radius - body.outer_radius, offset)) / width;
-  return gauss_nodes_needed(reach, digits);
+double length_of(double x, double y) {
+  return std::sqrt(x * x + y * y);
 }
 
-QuadratureRule gauss_of_whole_blocks(double nodes_needed) {
-  return gauss_legendre(std::min(max_gauss_order, 8 * static_cast<int>(std::ceil(nodes_needed / 8.0))));
+/// Order of the Gauss-Legendre rule that a uniform source needs for a face `offset` away from a sheet of `radius`: the
+/// integrand is singular at radius +- i offset. Above max_gauss_order: none is enough.
+int radial_order(const SheetBody& body, double radius, double offset) {
+  const double to_ends = length_of(radius - body.inner_radius, offset) + length_of(radius - body.outer_radius, offset);
+  return gauss_order_of_blocks(gauss_rate(to_ends, body.outer_radius - body.inner_radius), rule_error);
 }
 
 /// Phi(s) holds sgn(s) pi/2 min(r, R)^2, the whole flux of a half-infinite sheet, whose kink at r = R a rule through
@@ -66,9 +65,9 @@ double uniform_difference(const SheetBody& source, double radius, std::span<Face
   double graded = 0.0;
   double corrections = 0.0;
   for (FacePair& pair : pairs) {
-    const double needed = radial_nodes_needed(source, radius, pair.offset);
-    pair.nodes.rule = gauss_of_whole_blocks(needed);
-    if (needed > max_gauss_order && pair.offset != 0.0) {
+    const int order = radial_order(source, radius, pair.offset);
+    pair.nodes.rule = gauss_legendre(std::min(order, max_gauss_order));
+    if (order > max_gauss_order && pair.offset != 0.0) {
       const RadialSet set = RadialSet::graded(source, radius, pair.offset);
       FacePair near = pair;
       near.nodes.rule = set.rule();
@@ -106,9 +105,8 @@ double far_nodes_needed(const SheetBody& source, double radius, double half_leng
   const double shorter = std::min(half_length, source.half_length);
   const double nearest = std::abs(distance) - longer;
   const double across = radius - std::clamp(radius, source.inner_radius, source.outer_radius);
-  const double reach =
-      (std::hypot(nearest - shorter, across) + std::hypot(nearest + shorter, across)) / (2.0 * shorter);
-  return gauss_nodes_needed(reach, digits);
+  const double to_ends = length_of(nearest - shorter, across) + length_of(nearest + shorter, across);
+  return gauss_nodes_needed(gauss_rate(to_ends, 2.0 * shorter), rule_error);
 }
 
 /// The same as closed_form without its cancellation: one of the two integrals over length by Gauss-Legendre, which
@@ -129,7 +127,7 @@ double far_form(const SheetBody& source, double radius, double half_length, doub
       const RadialSet set = RadialSet::shells(source, first);
       for (FacePair& pair : pairs)
         pair.nodes.rule =
-            uniform ? gauss_of_whole_blocks(radial_nodes_needed(source, radius, pair.offset)) : set.rule();
+            uniform ? gauss_legendre(std::min(radial_order(source, radius, pair.offset), max_gauss_order)) : set.rule();
       total += sum_of_inductances(pairs, radius);
     }
   }

@@ -1,5 +1,6 @@
 #include "magnetics/gauss_legendre.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -70,10 +71,23 @@ QuadratureRule gauss_legendre(int order) {
   return table.rule(order);
 }
 
-double gauss_nodes_needed(double reach, double digits) {
-  const double excess = reach - 1.0;
-  if (excess <= 1e-12) return 1e6;
-  return digits / (2.0 * std::log1p(excess + std::sqrt(excess * (reach + 1.0))));
+double gauss_rate(double to_ends, double length) {
+  const double reach = std::max(to_ends / length, 1.0);
+  return reach + std::sqrt((reach - 1.0) * (reach + 1.0));
+}
+
+int gauss_order_of_blocks(double rate, double error) {
+  const double square = rate * rate;
+  const double fourth = square * square;
+  const double gain = fourth * fourth * fourth * fourth;  // rate^16: of eight nodes
+  const double wanted = 1.0 / error;
+  int order = 8;
+  for (double reached = gain; reached < wanted && order <= max_gauss_order; reached *= gain) order += 8;
+  return order;
+}
+
+double gauss_nodes_needed(double rate, double error) {
+  return -std::log(error) / (2.0 * std::log(rate));
 }
 
 }  // namespace coilwright::magnetics

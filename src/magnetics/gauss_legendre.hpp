@@ -18,10 +18,15 @@ inline constexpr int max_gauss_order = 64;
 /// Gauss-Legendre rule of 1 to max_gauss_order nodes; lives as long as the program.
 [[nodiscard]] QuadratureRule gauss_legendre(int order);
 
-/// Nodes that integrate to a relative error of about exp(-digits) a function analytic inside the ellipse with foci at
-/// the ends of the interval that passes the nearest singularity: `reach` = (sum of the distances from the singularity
-/// to the two ends) / (length of the interval), >= 1. The error of n nodes falls as rho^(-2n) with
-/// rho = reach + sqrt(reach^2 - 1) (Trefethen, Approximation Theory and Approximation Practice, th. 19.3). Not capped.
-[[nodiscard]] double gauss_nodes_needed(double reach, double digits);
+/// How fast Gauss-Legendre converges on a function analytic inside the ellipse with foci at the ends of the interval
+/// that passes the nearest singularity: n nodes err by about rate^(-2n) (Trefethen, Approximation Theory and
+/// Approximation Practice, th. 19.3). `to_ends` is the sum of the distances from the singularity to the two ends.
+[[nodiscard]] double gauss_rate(double to_ends, double length);
+
+/// Least multiple of 8 with rate^(-2n) <= error, at most max_gauss_order + 8, which says that no rule is enough.
+[[nodiscard]] int gauss_order_of_blocks(double rate, double error);
+
+/// Least n with rate^(-2n) <= error, not capped.
+[[nodiscard]] double gauss_nodes_needed(double rate, double error);
 
 }  // namespace coilwright::magnetics

@@ -22,9 +22,9 @@ struct FacePair {
   int landen_steps;   ///< square roots spent on the arithmetic-geometric mean, from landen_steps_needed
 };
 
-/// Steps after which the kernels are good to about 1e-13, for sheets or loops whose nearest distance is `near` and
-/// farthest `far` (m): their ratio is the complementary modulus k'.
-[[nodiscard]] int landen_steps_needed(double near, double far);
+/// Steps after which the kernels are good to about 1e-14, for loops whose nearest distance squared is `near_squared`
+/// and farthest `far_squared` (m^2): the root of their ratio is the complementary modulus k'.
+[[nodiscard]] int landen_steps_needed(double near_squared, double far_squared);
 
 /// Sum over pairs of sign * mean over nodes of Phi(radius, other_radius, offset) / mu0, m^2 ... the mutual inductance
 /// of two coaxial loops integrated over their offset; the force of two sheets is a second difference of it.

@@ -42,7 +42,7 @@ Wrench wrench_on_sheet(const SheetBody& source, double radius, double half_lengt
       near = std::min(near, std::hypot(rho[j] - r, std::abs(height[j]) - source.half_length));
     }
     const double far = source.outer_radius + pose.position.norm() + radius + half_length + source.half_length;
-    const int steps = landen_steps_needed(near, far);
+    const int steps = landen_steps_needed(near * near, far * far);
     const RadialNodes nodes{gauss_legendre(64), source.mean_radius(), source.half_width()};
     if (source.spread == Spread::uniform) {
       field_of_sheets(nodes, source.half_length, steps, {rho, height}, {radial, axial});

@@ -8,6 +8,7 @@
 
 #include "coilwright/magnetics/constants.hpp"
 #include "magnetics/gauss_legendre.hpp"
+#include "magnetics/landen_steps.hpp"
 #include "magnetics/radial_nodes.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheet_kernels.hpp"
@@ -25,7 +26,7 @@ constexpr double cancellation = 2e-3;
 int steps_for(const SheetBody& body, double radius, double offset) {
   const double r = std::clamp(radius, body.inner_radius, body.outer_radius);
   const double square = offset * offset;
-  return landen_steps_needed((radius - r) * (radius - r) + square, (radius + r) * (radius + r) + square);
+  return landen_steps_needed(((radius - r) * (radius - r) + square) / ((radius + r) * (radius + r) + square));
 }
 
 FacePair face_pair(const SheetBody& source, double radius, double offset, double sign) {
@@ -148,19 +149,11 @@ double sheet_force(const SheetBody& source, double radius, double half_length, d
 
 double force(const SheetBody& first, const SheetBody& second, double distance) {
   require_finite("distance", distance);
+  // TODO order
+  const SheetNodes sheets(second, gauss_legendre(48));
   double mean = 0.0;
-  if (second.spread == Spread::uniform) {
-    const QuadratureRule rule = gauss_legendre(48);
-    for (std::size_t i = 0; i < rule.count; ++i)
-      mean += rule.weight[i] * sheet_force(first, second.mean_radius() + second.half_width() * rule.node[i],
-                                           second.half_length, distance);
-  } else {
-    for (int shell = 0; shell < second.shells; ++shell) {
-      const double x = second.shells == 1 ? 0.0 : -1.0 + 2.0 * shell / (second.shells - 1);
-      mean += sheet_force(first, second.mean_radius() + second.half_width() * x, second.half_length, distance) /
-              second.shells;
-    }
-  }
+  for (int i = 0; i < sheets.count(); ++i)
+    mean += sheets.weight(i) * sheet_force(first, sheets.radius(i), second.half_length, distance);
   return vacuum_permeability * first.surface_current * second.surface_current * mean;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "magnetics/gauss_legendre.hpp"
@@ -30,5 +32,34 @@ class RadialSet {
   std::size_t count_;
   std::size_t padded_;
 };
+
+/// Sheets of a body one by one, for any number of them: its own shells, or Gauss-Legendre nodes of a uniform winding.
+class SheetNodes {
+ public:
+  SheetNodes(const SheetBody& body, const QuadratureRule& rule) noexcept : body_(body), rule_(rule) {}
+
+  [[nodiscard]] int count() const noexcept {
+    return body_.spread == Spread::uniform ? static_cast<int>(rule_.count) : body_.shells;
+  }
+  [[nodiscard]] double radius(int i) const noexcept { return body_.mean_radius() + body_.half_width() * place(i); }
+  [[nodiscard]] double weight(int i) const noexcept {
+    return body_.spread == Spread::uniform ? rule_.weight[i] : 1.0 / body_.shells;
+  }
+
+ private:
+  [[nodiscard]] double place(int i) const noexcept {
+    if (body_.spread == Spread::uniform) return rule_.node[i];
+    return body_.shells == 1 ? 0.0 : -1.0 + 2.0 * i / (body_.shells - 1);
+  }
+
+  const SheetBody& body_;
+  QuadratureRule rule_;
+};
+
+/// Sheets that stand for a body where Gauss-Legendre over its radius converges at `rate` and may err by `error`.
+[[nodiscard]] inline SheetNodes sheet_nodes(const SheetBody& body, double rate, double error) {
+  const double needed = body.spread == Spread::uniform ? gauss_nodes_needed(rate, error) : 1.0;
+  return {body, gauss_legendre(static_cast<int>(std::clamp(std::ceil(needed), 2.0, 1.0 * max_gauss_order)))};
+}
 
 }  // namespace coilwright::magnetics

@@ -28,11 +28,11 @@ class MisfitList {
       list_.push_back({fmt::format("{} must be at least {}; got {}", name, limit, value), 1.0 * (limit - value)});
   }
   void add(std::string rule, double excess) { list_.push_back({std::move(rule), excess}); }
-  [[nodiscard]] std::vector<Misfit> take() { return std::move(list_); }
+  [[nodiscard]] Misfits take() { return std::move(list_); }
   [[nodiscard]] bool empty() const { return list_.empty(); }
 
  private:
-  std::vector<Misfit> list_;
+  Misfits list_;
 };
 
 void check_sizes(const Design& design, MisfitList& list) {
@@ -75,7 +75,7 @@ void check_wire(const Design& design, MisfitList& list) {
 
 }  // namespace
 
-std::vector<Misfit> misfits(const Design& design) {
+Misfits misfits(const Design& design) {
   MisfitList list;
   try {
     check_layout(design.layout);

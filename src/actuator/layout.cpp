@@ -9,6 +9,20 @@
 
 namespace coilwright::actuator {
 
+std::string_view name_of(Configuration configuration) {
+  switch (configuration) {
+    case Configuration::A:
+      return "A";
+    case Configuration::B:
+      return "B";
+    case Configuration::C:
+      return "C";
+    case Configuration::D:
+      return "D";
+  }
+  return "";
+}
+
 Layout layout_of(Configuration configuration) {
   constexpr Component coil{.kind = ComponentKind::coil};
   constexpr Component magnet{.kind = ComponentKind::magnet};

@@ -5,8 +5,10 @@
 namespace {
 
 // In the order of the help.
-constexpr std::array<coilwright::cli::AddCommand, 1> commands = {
-    coilwright::cli::add_force_command,
+constexpr std::array commands = {
+    &coilwright::cli::add_evaluate_command,
+    &coilwright::cli::add_simulate_command,
+    &coilwright::cli::add_force_command,
 };
 
 }  // namespace

@@ -1,11 +1,10 @@
 #include "coilwright/formats/pair_file.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "coilwright/formats/json_document.hpp"
 #include "coilwright/formats/object_reader.hpp"
+#include "magnetic_parts.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -14,28 +13,6 @@ using magnetics::CylinderMagnet;
 using magnetics::Pose;
 using magnetics::ThickCoil;
 using magnetics::Winding;
-
-CylinderMagnet read_magnet(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    return CylinderMagnet({.radius = in.quantity("radius_mm", positive),
-                           .length = in.quantity("length_mm", positive),
-                           .remanence = in.quantity("remanence_T", positive)});
-  });
-}
-
-ThickCoil read_coil(const Node& node, Winding winding) {
-  return read_object(node, [winding](ObjectReader& in) {
-    const double inner = in.number("inner_radius_mm", positive);
-    const Node outer = in.at("outer_radius_mm");
-    if (outer.number(positive) <= inner) throw outer.error(fmt::format("must exceed inner_radius_mm ({})", inner));
-    return ThickCoil({.inner_radius = in.quantity("inner_radius_mm"),
-                      .outer_radius = outer.quantity(),
-                      .length = in.quantity("length_mm", positive),
-                      .turns_radial = in.integer("turns_radial", Rule::at_least(1)),
-                      .turns_axial = in.integer("turns_axial", Rule::at_least(1)),
-                      .winding = winding});
-  });
-}
 
 Pose read_pose(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
@@ -46,13 +23,6 @@ Pose read_pose(const Node& node) {
       throw axis_node.error_without_value("must not be zero: it gives a direction");
     return Pose{.position = {position[0], position[1], position[2]}, .axis = {axis[0], axis[1], axis[2]}};
   });
-}
-
-Winding read_winding(ObjectReader& in) {
-  return in.choice_or("winding", Winding::uniform,
-                      {{"paper_shells", Winding::paper_shells},
-                       {"layer_centres", Winding::layer_centres},
-                       {"uniform", Winding::uniform}});
 }
 
 TwoMagnets read_two_magnets(ObjectReader& in) {

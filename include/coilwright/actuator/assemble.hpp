@@ -33,9 +33,6 @@ struct Assembly {
   [[nodiscard]] double mass() const;
 };
 
-/// Why a design cannot be built: never empty.
-using Misfits = std::vector<Misfit>;
-
 /// Geometry in, model out. Pure: the same design gives the same bits.
 ///
 /// Every joint between a coil and a magnet gets the torque curve of the chosen fidelity; magnets act on each other and

@@ -16,7 +16,8 @@ struct Misfit {
 
 /// All rules that `design` breaks: sizes that are not finite and positive, gauges outside the table, a bore too tight
 /// for its wire, hardness outside Gent's relation, a layout that is none. Empty for a design that can be built.
-[[nodiscard]] std::vector<Misfit> misfits(const Design& design);
+using Misfits = std::vector<Misfit>;
+[[nodiscard]] Misfits misfits(const Design& design);
 
 /// Geometry that follows from a design, SI; the names of the paper's Tables I and II in brackets.
 struct Dimensions {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 namespace coilwright::actuator {
@@ -23,6 +24,9 @@ enum class Configuration {
   C,  ///< coil, magnet, coil, magnet, coil: magnets share the middle coil
   D   ///< coil, magnet, coil, coil, magnet, coil: two B in a row, with a joint between their coils
 };
+
+/// "A" to "D".
+[[nodiscard]] std::string_view name_of(Configuration configuration);
 
 /// Layout of a configuration, every polarity +1.
 [[nodiscard]] Layout layout_of(Configuration configuration);

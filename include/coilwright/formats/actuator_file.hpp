@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/model.hpp"
+
+namespace coilwright::formats {
+
+/// What an actuator file describes.
+struct ActuatorFile {
+  std::string name;
+  std::variant<actuator::Design, actuator::Model> content;  ///< `actuator/1` or `lumped-model/1`
+};
+
+/// Reads an actuator: a design (`"format": "actuator/1"`) or a lumped model (`"format": "lumped-model/1"`). Keys, units
+/// and defaults are in docs/formats.md. Measured values become calibration factors here. Throws InputError.
+[[nodiscard]] ActuatorFile read_actuator(const std::filesystem::path& path);
+
+/// The same for a text in memory; `file` is the name its errors carry.
+[[nodiscard]] ActuatorFile parse_actuator(std::string_view text, std::string file);
+
+}  // namespace coilwright::formats

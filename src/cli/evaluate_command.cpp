@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/report/performance_report.hpp"
+#include "coilwright/simulation/performance.hpp"
+#include "commands.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+struct Options {
+  std::string actuator;
+  double current{};
+  double duty = 1.0;
+  bool json{false};
+};
+
+std::runtime_error no_performance(const std::string& file, const simulation::NoPerformance& why) {
+  return std::runtime_error(fmt::format("{}: {}", file, why.reason));
+}
+
+void evaluate(const actuator::Design& design, const Options& options) {
+  const actuator::Assembly assembly = actuator::assemble_or_throw(design);
+  const simulation::OperatingPoint point{.current = options.current, .duty = options.duty};
+  const auto result = simulation::performance_of(design, assembly, point);
+  if (const auto* why = std::get_if<simulation::NoPerformance>(&result)) throw no_performance(options.actuator, *why);
+  const sizing::Candidate candidate{
+      .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
+  std::cout << (options.json ? report::to_json(candidate).text() : report::to_text(candidate));
+}
+
+void evaluate(const actuator::Model& model, const Options& options) {
+  const auto result = simulation::motion_of(model, options.current);
+  if (const auto* why = std::get_if<simulation::NoPerformance>(&result)) throw no_performance(options.actuator, *why);
+  const simulation::Motion& motion = std::get<simulation::Motion>(result);
+  std::cout << (options.json ? report::to_json(motion, options.current).text()
+                             : report::to_text(motion, options.current));
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("evaluate", "What an actuator does at one current");
+  command->add_option("ACTUATOR.json", options->actuator, "A design (actuator/1) or a lumped model (lumped-model/1)")
+      ->required();
+  command->add_option("--current", options->current, "Current in every coil, A; positive bends")
+      ->required()
+      ->check(number_rule(formats::finite));
+  command->add_option("--duty", options->duty, "Fraction of the time that the current is on, for temperatures; 1")
+      ->check(number_rule(formats::Rule::between(0.0, 1.0)));
+  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  command->footer(
+      "Motion is that of a step from rest; temperatures are those of holding the current at that duty for ever.\n\n"
+      "Example:\n"
+      "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --json");
+  command->callback([options] {
+    const formats::ActuatorFile file = formats::read_actuator(options->actuator);
+    std::visit([&](const auto& content) { evaluate(content, *options); }, file.content);
+  });
+}
+
+}  // namespace coilwright::cli

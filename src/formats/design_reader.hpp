@@ -1,0 +1,18 @@
+#pragma once
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/formats/object_reader.hpp"
+
+namespace coilwright::formats {
+
+/// The keys of `actuator/1` but format and name.
+[[nodiscard]] actuator::Design read_design(ObjectReader& in);
+
+/// One of "A" to "D".
+[[nodiscard]] actuator::Configuration read_configuration(const Node& node);
+
+/// The rule of a parameter of a Design in the terms of an input file.
+[[nodiscard]] Rule rule_of(const actuator::Parameter& parameter);
+
+}  // namespace coilwright::formats

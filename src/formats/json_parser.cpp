@@ -56,17 +56,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   [[nodiscard]] JsonValue take() { return std::move(root_); }
 
-  bool null() override { return add({nullptr}); }
-  bool boolean(bool value) override { return add({value}); }
-  bool number_integer(number_integer_t value) override { return add({static_cast<double>(value)}); }
-  bool number_unsigned(number_unsigned_t value) override { return add({static_cast<double>(value)}); }
-  bool number_float(number_float_t value, const string_t&) override { return add({value}); }
-  bool string(string_t& value) override { return add({std::move(value)}); }
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return add(static_cast<double>(value)); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t&) override { throw fail("must be JSON text"); }
 
-  bool start_object(std::size_t) override { return open({JsonValue::Object{}}); }
+  bool start_object(std::size_t) override { return open(JsonValue::Object{}); }
   bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open({JsonValue::Array{}}); }
+  bool start_array(std::size_t) override { return open(JsonValue::Array{}); }
   bool end_array() override { return close(); }
 
   bool key(string_t& value) override {
@@ -118,27 +118,30 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     return InputError({.file = file_, .place = next_pointer(), .rule = std::move(rule)});
   }
 
-  JsonValue& place(JsonValue value) {
+  // Makes room for the next value, null as yet.
+  JsonValue& next() {
     if (++count_ > json_value_limit) throw fail(fmt::format("must hold at most {} values", json_value_limit));
-    if (levels_.empty()) return root_ = std::move(value);
+    if (levels_.empty()) return root_;
     Level& level = levels_.back();
-    if (auto* array = std::get_if<JsonValue::Array>(&level.value->content)) {
-      return array->emplace_back(std::move(value));
-    }
-    return std::get<JsonValue::Object>(level.value->content).emplace_back(level.key, std::move(value)).second;
+    if (auto* array = std::get_if<JsonValue::Array>(&level.value->content)) return array->emplace_back();
+    return std::get<JsonValue::Object>(level.value->content).emplace_back(level.key, JsonValue()).second;
   }
 
-  bool add(JsonValue value) {
-    place(std::move(value));
+  template <class Value>
+  bool add(Value value) {
+    next().content = std::move(value);
     return true;
   }
 
-  bool open(JsonValue value) {
+  template <class Container>
+  bool open(Container empty) {
     if (levels_.size() == json_depth_limit) {
       throw fail(fmt::format("must be nested at most {} deep", json_depth_limit));
     }
     // The address stays good: the container around it grows only after this one is closed.
-    levels_.push_back({.value = &place(std::move(value))});
+    JsonValue& value = next();
+    value.content = std::move(empty);
+    levels_.push_back({.value = &value});
     return true;
   }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -72,13 +73,22 @@ std::string as_table(const std::vector<Pose>& poses, const std::vector<Wrench>& 
   return text;
 }
 
-void run_force(const Options& options) {
-  const formats::PairFile file = formats::read_pair(options.pair);
+std::vector<Wrench> wrenches_of(const formats::PairFile& file) {
   std::vector<Wrench> wrenches;
   wrenches.reserve(file.poses.size());
   for (const Pose& pose : file.poses) {
     wrenches.push_back(std::visit([&](const auto& pair) { return wrench_on_second(pair, pose); }, file.bodies));
+    const Wrench& last = wrenches.back();
+    if (!last.force.allFinite() || !last.torque.allFinite()) {
+      throw std::domain_error(fmt::format("pose {}: the force is beyond what can be computed", wrenches.size()));
+    }
   }
+  return wrenches;
+}
+
+void run_force(const Options& options) {
+  const formats::PairFile file = formats::read_pair(options.pair);
+  const std::vector<Wrench> wrenches = wrenches_of(file);
   std::cout << (options.json ? as_json(file.poses, wrenches).text() : as_table(file.poses, wrenches));
 }
 

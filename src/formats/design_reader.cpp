@@ -8,6 +8,10 @@
 namespace coilwright::formats {
 namespace {
 
+// Far beyond any hardware, and near enough that nothing overflows or takes for ever.
+constexpr double largest_number = 1e6;
+constexpr double most_turns = 10'000.0;
+
 using actuator::Component;
 using actuator::ComponentKind;
 using actuator::Design;
@@ -91,15 +95,15 @@ actuator::Measured read_measured(const Node& node) {
 Rule rule_of(const actuator::Parameter& parameter) {
   switch (parameter.rule) {
     case actuator::ParameterRule::positive:
-      return positive;
+      return positive.and_also(Rule::at_most(largest_number));
     case actuator::ParameterRule::not_negative:
-      return non_negative;
+      return Rule::between(0.0, largest_number);
     case actuator::ParameterRule::at_least_one:
-      return Rule::at_least(1.0);
+      return Rule::between(1.0, most_turns);
     case actuator::ParameterRule::any:
       break;
   }
-  return finite;
+  return Rule::between(-largest_number, largest_number);
 }
 
 actuator::Configuration read_configuration(const Node& node) {

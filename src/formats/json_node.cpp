@@ -53,7 +53,11 @@ double Node::quantity(const Rule& rule) const {
   const auto name = split_unit(key_);
   assert(name && "a quantity's key must end in a unit");
   if (!name) return number(rule);
-  return to_si(number(rule), name->unit);
+  return quantity_in(name->unit, rule);
+}
+
+double Node::quantity_in(const Unit& unit, const Rule& rule) const {
+  return to_si(number(rule), unit);
 }
 
 double Node::whole_number(const Rule& rule, double lowest, double highest) const {
@@ -128,6 +132,13 @@ std::vector<std::string> Node::keys() const {
   std::vector<std::string> keys;
   for (const auto& [key, value] : *as<JsonValue::Object>(value_)) keys.push_back(key);
   return keys;
+}
+
+std::vector<Node> Node::members() const {
+  expect_object();
+  std::vector<Node> nodes;
+  for (const auto& [key, value] : *as<JsonValue::Object>(value_)) nodes.push_back(child(value, key, key));
+  return nodes;
 }
 
 std::optional<Node> Node::find(std::string_view key) const {

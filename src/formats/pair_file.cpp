@@ -1,5 +1,8 @@
 #include "coilwright/formats/pair_file.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 #include "coilwright/formats/json_document.hpp"
@@ -14,13 +17,20 @@ using magnetics::Pose;
 using magnetics::ThickCoil;
 using magnetics::Winding;
 
+// Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows.
+constexpr Rule coordinate = Rule::between(-1e6, 1e6);  // mm
+constexpr Rule current = Rule::between(-1e6, 1e6);     // A
+constexpr Rule direction = Rule::between(-1e6, 1e6);
+
 Pose read_pose(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    const auto position = in.vector("position_mm");
+    const auto position = in.vector("position_mm", coordinate);
     const Node axis_node = in.at("axis");
-    const auto axis = axis_node.vector();
-    if (axis == std::array{0.0, 0.0, 0.0})
-      throw axis_node.error_without_value("must not be zero: it gives a direction");
+    const auto axis = axis_node.vector(direction);
+    constexpr double shortest = 1e-6;
+    if (std::hypot(axis[0], axis[1], axis[2]) < shortest) {
+      throw axis_node.error_without_value(fmt::format("must be at least {} long, to give a direction", shortest));
+    }
     return Pose{.position = {position[0], position[1], position[2]}, .axis = {axis[0], axis[1], axis[2]}};
   });
 }
@@ -34,8 +44,8 @@ TwoCoils read_two_coils(ObjectReader& in) {
   const Winding winding = read_winding(in);
   const auto coils = in.elements("coils", Length::exactly(2));
   const bool one_each = in.one_of({"current_A", "currents_A"}) == "currents_A";
-  const auto currents =
-      one_each ? in.quantities("currents_A", Length::exactly(2)) : std::vector<double>(2, in.quantity("current_A"));
+  const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), current)
+                                 : std::vector<double>(2, in.quantity("current_A", current));
   return {.first = read_coil(coils[0], winding),
           .first_current = currents[0],
           .second = read_coil(coils[1], winding),
@@ -44,7 +54,7 @@ TwoCoils read_two_coils(ObjectReader& in) {
 
 CoilAndMagnet read_coil_and_magnet(ObjectReader& in) {
   return {.coil = read_coil(in.at("coil"), read_winding(in)),
-          .current = in.quantity("current_A"),
+          .current = in.quantity("current_A", current),
           .magnet = read_magnet(in.at("magnet"))};
 }
 

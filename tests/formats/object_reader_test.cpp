@@ -147,6 +147,27 @@ TEST(Node, ConvertsEveryElementOfAnArrayByItsKeysUnit) {
   EXPECT_EQ(document.root().find("axis")->vector(), (std::array{0.6, 0.0, 0.8}));
 }
 
+TEST(Node, GivesMembersByNameAndNumbersInTheUnitOfThatName) {
+  const Document document = parse_json(R"({"gap_mm": {"lower": 9.9}, "base_tilt_deg": {"lower": 90}})", "x.json");
+  const auto members = document.root().members();
+  ASSERT_EQ(members.size(), 2u);
+  EXPECT_EQ(members[0].key(), "gap_mm");
+  EXPECT_EQ(members[1].pointer(), "/base_tilt_deg");
+  EXPECT_EQ(members[0].find("lower")->quantity_in(split_unit(members[0].key())->unit), 0.0099);
+}
+
+TEST(ObjectReader, ReadsTruthValuesAndTextsOrTheirDefaults) {
+  const Document document = parse_json(R"({"on": true, "name": "B", "bad": 1})", "x.json");
+  ObjectReader reader(document.root());
+  EXPECT_TRUE(reader.boolean_or("on", false));
+  EXPECT_FALSE(reader.boolean_or("absent", false));
+  EXPECT_EQ(reader.text_or("name", "A"), "B");
+  EXPECT_EQ(reader.text_or("absent", "A"), "A");
+  EXPECT_EQ(testing::error_of([&] { (void)reader.boolean_or("bad", false); }),
+            "x.json: /bad: must be true or false; got 1");
+  EXPECT_EQ(testing::error_of([&] { (void)reader.text("bad"); }), "x.json: /bad: must be a text; got 1");
+}
+
 TEST(Node, StatesEveryKindOfInterval) {
   const auto refused = [](const Rule& rule) {
     return refusal_of_value("7.25", [&](const Node& v) { return v.number(rule); });

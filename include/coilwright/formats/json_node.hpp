@@ -13,6 +13,7 @@
 
 #include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/rule.hpp"
+#include "coilwright/formats/units.hpp"
 
 namespace coilwright::formats {
 
@@ -49,6 +50,9 @@ class Node {
   [[nodiscard]] double number(const Rule& rule = finite) const;
   /// A number in the unit at the end of key(), given back in SI. The key must end in a unit of units().
   [[nodiscard]] double quantity(const Rule& rule = finite) const;
+  /// A number in `unit`, given back in SI: for values whose unit stands in a key above them, such as
+  /// {"gap_mm": {"lower": 2, "upper": 5}}.
+  [[nodiscard]] double quantity_in(const Unit& unit, const Rule& rule = finite) const;
   /// A whole number (10 and 10.0 are, 10.5 is not) that fits the type.
   template <class Integer = int>
   [[nodiscard]] Integer integer(const Rule& rule = finite) const {
@@ -79,6 +83,8 @@ class Node {
 
   /// The keys of an object, in the order of the file.
   [[nodiscard]] std::vector<std::string> keys() const;
+  /// The values of an object, in the order of the file: for objects whose keys are names.
+  [[nodiscard]] std::vector<Node> members() const;
   /// The value under `key` of an object; nothing when it is not there.
   [[nodiscard]] std::optional<Node> find(std::string_view key) const;
   /// Throws when the value is not an object.

@@ -6,7 +6,7 @@ namespace coilwright::actuator {
 namespace {
 
 // What the paper's coil and magnet are made of, by which its prices scale.
-constexpr double prototype_copper_mass = 12.73e-3;                                   // kg
+constexpr double prototype_copper_mass = 12.82e-3;                                   // kg
 constexpr double prototype_magnet_volume = std::numbers::pi * 10e-3 * 10e-3 * 6e-3;  // m^3
 
 }  // namespace

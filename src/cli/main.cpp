@@ -9,6 +9,7 @@ constexpr std::array commands = {
     &coilwright::cli::add_evaluate_command,
     &coilwright::cli::add_simulate_command,
     &coilwright::cli::add_force_command,
+    &coilwright::cli::add_validate_command,
 };
 
 }  // namespace

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace coilwright::systems {
+
+/// One number of the paper (or of its checked errata) beside the model's.
+struct Comparison {
+  std::string quantity;  ///< name, with the unit of both values at its end
+  std::string source;    ///< where the reference stands
+  double reference{};    ///< in that unit
+  double model{};        ///< in that unit
+  double band_low{};     ///< model over reference may lie between band_low
+  double band_high{};    ///< and band_high
+  std::string because;   ///< where the difference comes from
+
+  [[nodiscard]] double ratio() const { return model / reference; }
+  [[nodiscard]] bool holds() const { return ratio() >= band_low && ratio() <= band_high; }
+};
+
+/// Every figure of the paper that the model can be held against: Tables I and II from geometry alone, then forces,
+/// angles, speeds and grasps of the calibrated finger, then what closing a known gap of the model changes.
+[[nodiscard]] std::vector<Comparison> compare_with_paper();
+
+}  // namespace coilwright::systems

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "coilwright/report/json.hpp"
+#include "coilwright/systems/paper_comparison.hpp"
+#include "commands.hpp"
+#include "outcome.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using report::Json;
+using systems::Comparison;
+
+Json as_json(const std::vector<Comparison>& rows, bool all_hold) {
+  Json list = Json::array();
+  for (const Comparison& row : rows)
+    list.add(Json::object({{"quantity", row.quantity},
+                           {"source", row.source},
+                           {"reference", row.reference},
+                           {"model", row.model},
+                           {"difference_pct", 100.0 * (row.ratio() - 1.0)},
+                           {"band_pct", Json::array({100.0 * (row.band_low - 1.0), 100.0 * (row.band_high - 1.0)})},
+                           {"holds", row.holds()},
+                           {"because", row.because}}));
+  return Json::object({{"holds", all_hold}, {"rows", std::move(list)}});
+}
+
+std::string as_table(const std::vector<Comparison>& rows) {
+  std::string text = fmt::format("{:<42} {:>9} {:>9} {:>8} {:>15}    {:<32} {}\n", "quantity", "reference", "model",
+                                 "diff %", "band %", "reference from", "the difference");
+  for (const Comparison& row : rows)
+    text += fmt::format("{:<42} {:>9.4g} {:>9.4g} {:>+8.2f} {:>+6.2f} .. {:>+5.2f} {:>2} {:<32} {}\n", row.quantity,
+                        row.reference, row.model, 100.0 * (row.ratio() - 1.0), 100.0 * (row.band_low - 1.0),
+                        100.0 * (row.band_high - 1.0), row.holds() ? "" : "!!", row.source, row.because);
+  return text;
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& app, Outcome& outcome) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("validate", "The paper's numbers beside the model's");
+  command->add_flag("--json", *json, "Print JSON instead of a table")->disable_flag_override();
+  command->footer(
+      "Ends with 1 if a difference leaves its stated band.\n\n"
+      "Example:\n"
+      "  coilwright validate");
+  command->callback([json, &outcome] {
+    const std::vector<Comparison> rows = systems::compare_with_paper();
+    const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
+    if (*json)
+      std::cout << as_json(rows, outside == 0).text();
+    else
+      std::cout << as_table(rows) << fmt::format("{} of {} within their bands\n", rows.size() - outside, rows.size());
+    if (outside > 0) outcome.code = ExitCode::failure;
+  });
+}
+
+}  // namespace coilwright::cli

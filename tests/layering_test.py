@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Checks that every room includes only what stands above it, and that third-party libraries stay in their places."""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# What each room may include, besides itself. The same as the CMake link lists, written out so that neither can drift.
+PHYSICS = {"magnetics", "winding", "mechanics", "thermal"}
+ALLOWED = {
+    "magnetics": set(),
+    "winding": set(),
+    "mechanics": set(),
+    "thermal": set(),
+    "actuator": PHYSICS,
+    "simulation": PHYSICS | {"actuator"},
+    "systems": PHYSICS | {"actuator", "simulation"},
+    "sizing": PHYSICS | {"actuator", "simulation"},
+    "formats": PHYSICS | {"actuator", "simulation", "sizing"},
+    "report": PHYSICS | {"actuator", "simulation", "sizing", "formats"},
+    "cli": PHYSICS | {"actuator", "simulation", "systems", "sizing", "formats", "report"},
+}
+
+# Libraries that only the .cpp files of the named rooms may see (a private header of such a room counts as its source).
+HIDDEN = {
+    "nlopt": {"sizing"},
+    "tbb/": {"sizing"},
+    "oneapi/": {"sizing"},
+    "nlohmann/": {"formats", "report"},
+    "csv.h": {"formats", "report"},
+    "CLI/": {"cli"},
+    "hwy/": {"magnetics"},
+    "boost/": {"magnetics", "winding", "thermal", "actuator", "simulation", "sizing", "formats"},
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def faults_of(path: pathlib.Path, room: str, public: bool) -> list[str]:
+    found = []
+    for target in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        where = f"{path.relative_to(ROOT)}: includes {target}"
+        if match := re.match(r"coilwright/([a-z]+)/", target):
+            other = match.group(1)
+            if other != room and other not in ALLOWED[room]:
+                found.append(f"{where}: {room} stands above {other}")
+        for prefix, rooms in HIDDEN.items():
+            if target.startswith(prefix) and (public or room not in rooms):
+                found.append(f"{where}: only the sources of {', '.join(sorted(rooms))} may")
+    return found
+
+
+def main() -> int:
+    faults, files = [], 0
+    for room in ALLOWED:
+        for base, public in ((ROOT / "include/coilwright" / room, True), (ROOT / "src" / room, False)):
+            for path in sorted(base.rglob("*.?pp")):
+                files += 1
+                faults += faults_of(path, room, public)
+    known = {path.name for path in (ROOT / "src").iterdir() if path.is_dir()}
+    faults += [f"src/{room}: is not in the order of the house" for room in sorted(known - set(ALLOWED))]
+    print("\n".join(faults) if faults else f"{files} files keep to the order of the house")
+    return 1 if faults or files == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

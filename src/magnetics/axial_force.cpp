@@ -26,7 +26,8 @@ constexpr double cancellation = 2e-3;
 int steps_for(const SheetBody& body, double radius, double offset) {
   const double r = std::clamp(radius, body.inner_radius, body.outer_radius);
   const double square = offset * offset;
-  return landen_steps_needed(((radius - r) * (radius - r) + square) / ((radius + r) * (radius + r) + square));
+  return landen_steps_needed(((radius - r) * (radius - r) + square) / ((radius + r) * (radius + r) + square),
+                             exact_moduli);
 }
 
 FacePair face_pair(const SheetBody& source, double radius, double offset, double sign) {
@@ -150,7 +151,7 @@ double sheet_force(const SheetBody& source, double radius, double half_length, d
 double force(const SheetBody& first, const SheetBody& second, double distance) {
   require_finite("distance", distance);
   // TODO order
-  const SheetNodes sheets(second, gauss_legendre(48));
+  const SheetNodes sheets(second, 48.0);
   double mean = 0.0;
   for (int i = 0; i < sheets.count(); ++i)
     mean += sheets.weight(i) * sheet_force(first, sheets.radius(i), second.half_length, distance);

@@ -26,45 +26,35 @@ struct Field {
   Vector axial;
 };
 
-/// What one end of a sheet of radius r adds to the field at radius rho, s above it. Only the difference of two ends
-/// is a field: the constant that would make each a half-infinite solenoid is left out.
+/// What one end of a sheet of radius r adds to the field at radius rho, s above it; the radial part is times rho. Only
+/// the difference of two ends is a field: the constant that would make each a half-infinite solenoid is left out.
 HWY_INLINE Field field_of_end(Tag d, Vector r, Vector rho, Vector s, int steps) {
   const Circles c = circles(d, r, rho, s);
+  const Vector first = hn::Mul(c.first_c, hn::Add(c.first_c, c.first_c));
   const Vector two_r = hn::Add(r, r);
   const Vector sine = hn::MulAdd(c.difference, c.far, hn::Mul(c.near, c.sum));
   const Vector cosine = hn::CopySign(two_r, c.difference);
-  const LandenResult result = finish(d, steps, start(d, c, hn::Add(sine, sine), cosine, hn::Zero(d)));
-  // Sum of 2^n c_n^2 over rho, finite on the axis: c_1 / rho = 2 r / first_mean.
-  const Vector slope = hn::Mul(two_r, c.first_mean_inverse);
-  const Vector safe_rho = hn::Max(rho, hn::Set(d, 1e-300));
-  const Vector over_rho = hn::MulAdd(hn::Mul(slope, slope), hn::Add(rho, rho), hn::Div(result.squares, safe_rho));
+  const LandenResult result = finish(d, steps, start(d, c, hn::Add(sine, sine), cosine, first));
   Field field;
-  field.radial = hn::Mul(hn::Mul(over_rho, result.inverse_mean), hn::Set(d, -0.125));
+  field.radial = hn::Mul(hn::Mul(result.squares, result.inverse_mean), hn::Set(d, -0.125));
   field.axial = hn::Mul(hn::Mul(hn::Mul(r, s), hn::Mul(c.w_inverse, hn::Set(d, 0.5))), result.third_kind);
   return field;
 }
 
-/// Field of a loop of unit current.
+/// Field of a loop of unit current; the radial part is times rho.
 HWY_INLINE Field field_of_loop(Tag d, Vector r, Vector rho, Vector s, int steps) {
   const Circles c = circles(d, r, rho, s);
   const Vector zero = hn::Zero(d);
-  const LandenResult result = finish(d, steps, start(d, c, zero, zero, zero));
-  const Vector two_r = hn::Add(r, r);
-  const Vector slope = hn::Mul(two_r, c.first_mean_inverse);
-  const Vector safe_rho = hn::Max(rho, hn::Set(d, 1e-300));
-  const Vector half = hn::Set(d, 0.5);
-  // t = sum over n >= 1 of 2^(n-1) c_n^2, over rho.
-  const Vector t_over_rho = hn::MulAdd(hn::Mul(slope, slope), rho, hn::Mul(half, hn::Div(result.squares, safe_rho)));
-  const Vector r2 = hn::Mul(r, r);
+  const Vector first = hn::Mul(c.first_c, hn::Add(c.first_c, c.first_c));
+  const LandenResult result = finish(d, steps, start(d, c, zero, zero, first));
+  const Vector t = hn::Mul(result.squares, hn::Set(d, 0.5));
+  const Vector two_r2 = hn::Mul(r, hn::Add(r, r));
   const Vector rho2 = hn::Mul(rho, rho);
-  const Vector q2 = hn::Add(hn::Add(r2, rho2), c.s2);
+  const Vector q2 = hn::Add(hn::MulAdd(r, r, rho2), c.s2);
   const Vector near2 = hn::Add(c.difference2, c.s2);
   const Vector scale = hn::Div(hn::Mul(result.inverse_mean, hn::Set(d, 0.25)), hn::Mul(near2, c.far2));
-  const Vector four_r2 = hn::Mul(two_r, two_r);
   Field field;
-  field.radial = hn::Mul(hn::Mul(s, scale), hn::NegMulAdd(q2, t_over_rho, hn::Mul(four_r2, rho)));
-  const Vector t = hn::Mul(t_over_rho, rho);
-  const Vector two_r2 = hn::Add(r2, r2);
+  field.radial = hn::Mul(hn::Mul(s, scale), hn::NegMulAdd(q2, t, hn::Mul(hn::Add(two_r2, two_r2), rho2)));
   field.axial = hn::Mul(scale, hn::MulAdd(two_r2, hn::Sub(q2, hn::Add(rho2, rho2)), hn::Mul(hn::Sub(q2, two_r2), t)));
   return field;
 }
@@ -107,8 +97,8 @@ HWY_INLINE void sum_over_sheets(const SheetBody& body, double error, const Field
   const Tag d;
   for (std::size_t j = 0; j < points.radius.size(); j += block) {
     const Effort effort = effort_of_block(body, points.radius.data() + j, points.height.data() + j);
-    const int steps = landen_steps_needed(effort.squared_modulus);
-    const SheetNodes nodes = sheet_nodes(body, effort.rate, error);
+    const int steps = landen_steps_needed(effort.squared_modulus, field_moduli);
+    const SheetNodes nodes(body, gauss_nodes_needed(effort.rate, error));
     for (std::size_t lane = j; lane < j + block; lane += hn::Lanes(d)) {
       const Vector rho = hn::LoadU(d, points.radius.data() + lane);
       const Vector z = hn::LoadU(d, points.height.data() + lane);
@@ -119,7 +109,9 @@ HWY_INLINE void sum_over_sheets(const SheetBody& body, double error, const Field
         sum.radial = hn::MulAdd(w, one.radial, sum.radial);
         sum.axial = hn::MulAdd(w, one.axial, sum.axial);
       }
-      hn::StoreU(sum.radial, d, values.radial.data() + lane);
+      // Near the axis the radial field is proportional to rho, its sum to rho^2: the floor only keeps 0 / 0 out.
+      const Vector floor = hn::Set(d, 1e-150);
+      hn::StoreU(hn::Div(sum.radial, hn::Max(rho, floor)), d, values.radial.data() + lane);
       hn::StoreU(sum.axial, d, values.axial.data() + lane);
     }
   }

@@ -11,24 +11,29 @@ constexpr double square_root(double x) {
   return root;
 }
 
-/// squared_moduli[i] is the least k'^2 for which i steps are enough: the means then differ by less than 4e-4, and the
-/// neglected fourth power, ((1 - g/a) / 2)^4, is below 2e-15. One step turns k' into 2 sqrt(k') / (1 + k').
-inline constexpr std::array<double, 9> squared_moduli = [] {
-  std::array<double, 9> least{};
-  double ratio = 1.0 - 4e-4;
+using SquaredModuli = std::array<double, 9>;
+
+/// Element i is the least k'^2 for which i steps of the arithmetic-geometric mean are enough, that is, leave means that
+/// differ by less than `difference` of themselves. The kernels then err by its half to the fourth power. One step
+/// turns k' into 2 sqrt(k') / (1 + k').
+constexpr SquaredModuli squared_moduli(double difference) {
+  SquaredModuli least{};
+  double ratio = 1.0 - difference;
   for (double& square : least) {
     const double root = ratio / (1.0 + square_root((1.0 - ratio) * (1.0 + ratio)));
     ratio = root * root;
     square = ratio * ratio;
   }
   return least;
-}();
+}
 
-/// Steps of the arithmetic-geometric mean after which the kernels are good to about 1e-14, for circles whose nearest
-/// distance squared is k'^2 = `squared_modulus` times their farthest.
-constexpr int landen_steps_needed(double squared_modulus) {
+inline constexpr SquaredModuli exact_moduli = squared_moduli(4e-4);  ///< kernels good to 2e-15
+inline constexpr SquaredModuli field_moduli = squared_moduli(1e-2);  ///< kernels good to 6e-10
+
+/// Steps needed for circles whose nearest distance squared is k'^2 = `squared_modulus` times their farthest.
+constexpr int landen_steps_needed(double squared_modulus, const SquaredModuli& least) {
   int steps = 0;
-  while (steps < 9 && squared_modulus < squared_moduli[static_cast<std::size_t>(steps)]) ++steps;
+  while (steps < 9 && squared_modulus < least[static_cast<std::size_t>(steps)]) ++steps;
   return steps;
 }
 

@@ -33,33 +33,51 @@ class RadialSet {
   std::size_t padded_;
 };
 
-/// Sheets of a body one by one, for any number of them: its own shells, or Gauss-Legendre nodes of a uniform winding.
+/// Gauss-Legendre repeated over equal panels of [-1, 1]: any number of nodes.
+class PanelRule {
+ public:
+  static constexpr int largest_order = 48;
+
+  /// Enough nodes for a single rule of `needed` nodes (each of m panels then needs about needed / m), and one more.
+  explicit PanelRule(double needed)
+      : panels_(static_cast<int>(std::ceil(std::min(needed, 4000.0) / largest_order))),
+        rule_(gauss_legendre(
+            std::clamp(static_cast<int>(std::ceil(std::min(needed, 4000.0) / panels_)) + 1, 2, max_gauss_order))) {}
+
+  [[nodiscard]] int count() const noexcept { return panels_ * static_cast<int>(rule_.count); }
+  [[nodiscard]] double node(int i) const noexcept {
+    const int order = static_cast<int>(rule_.count);
+    return (rule_.node[i % order] + 2 * (i / order) + 1) / panels_ - 1.0;
+  }
+  [[nodiscard]] double weight(int i) const noexcept {
+    return rule_.weight[i % static_cast<int>(rule_.count)] / panels_;
+  }
+
+ private:
+  int panels_;
+  QuadratureRule rule_;
+};
+
+/// Sheets of a body one by one, for any number of them: its own shells, or Gauss-Legendre nodes of a uniform winding
+/// enough for a single rule of `needed` nodes.
 class SheetNodes {
  public:
-  SheetNodes(const SheetBody& body, const QuadratureRule& rule) noexcept : body_(body), rule_(rule) {}
+  SheetNodes(const SheetBody& body, double needed) : body_(body), rule_(needed) {}
 
-  [[nodiscard]] int count() const noexcept {
-    return body_.spread == Spread::uniform ? static_cast<int>(rule_.count) : body_.shells;
-  }
+  [[nodiscard]] int count() const noexcept { return body_.spread == Spread::uniform ? rule_.count() : body_.shells; }
   [[nodiscard]] double radius(int i) const noexcept { return body_.mean_radius() + body_.half_width() * place(i); }
   [[nodiscard]] double weight(int i) const noexcept {
-    return body_.spread == Spread::uniform ? rule_.weight[i] : 1.0 / body_.shells;
+    return body_.spread == Spread::uniform ? rule_.weight(i) : 1.0 / body_.shells;
   }
 
  private:
   [[nodiscard]] double place(int i) const noexcept {
-    if (body_.spread == Spread::uniform) return rule_.node[i];
+    if (body_.spread == Spread::uniform) return rule_.node(i);
     return body_.shells == 1 ? 0.0 : -1.0 + 2.0 * i / (body_.shells - 1);
   }
 
   const SheetBody& body_;
-  QuadratureRule rule_;
+  PanelRule rule_;
 };
-
-/// Sheets that stand for a body where Gauss-Legendre over its radius converges at `rate` and may err by `error`.
-[[nodiscard]] inline SheetNodes sheet_nodes(const SheetBody& body, double rate, double error) {
-  const double needed = body.spread == Spread::uniform ? gauss_nodes_needed(rate, error) : 1.0;
-  return {body, gauss_legendre(static_cast<int>(std::clamp(std::ceil(needed), 2.0, 1.0 * max_gauss_order)))};
-}
 
 }  // namespace coilwright::magnetics

@@ -7,17 +7,18 @@
 
 #include "magnetics/field_kernels.hpp"
 #include "magnetics/gauss_legendre.hpp"
+#include "magnetics/radial_nodes.hpp"
 
 namespace coilwright::magnetics {
 namespace {
 
 // Chosen together so that random poses err by less than 1e-7 (tests/magnetics/wrench_test.cpp).
-constexpr double radial_error = 1e-9;
-constexpr double along_error = 1e-9;
+constexpr double radial_error = 1e-8;
+constexpr double along_error = 1e-8;
 /// Share of the highest harmonic seen; what aliases into the integral is of twice its order, about its square.
-constexpr double harmonic_error = 1e-5;
+constexpr double harmonic_error = 3e-5;
 constexpr int first_points = 8;
-constexpr int max_points = 512;
+constexpr int max_points = 2048;
 
 /// Cosines and sines of the points round a ring. A pose with a mirror plane needs half a ring, midpoints; any other a
 /// whole one, a quarter step off so that even and odd harmonics both show.
@@ -30,8 +31,8 @@ enum class Symmetry { none, mirror };
 
 const Angles& angles(Symmetry symmetry, int points) {
   static const auto table = [] {
-    std::array<std::array<Angles, 7>, 2> all;
-    for (int i = 0, count = first_points; i < 7; ++i, count *= 2)
+    std::array<std::array<Angles, 9>, 2> all;
+    for (int i = 0, count = first_points; i < 9; ++i, count *= 2)
       for (int j = 0; j < count; ++j) {
         const double half = std::numbers::pi * (j + 0.5) / count;
         const double whole = 2.0 * std::numbers::pi * (j + 0.25) / count;
@@ -81,19 +82,27 @@ double distance_to(double rho, double z, double radius, double height) {
 }
 
 /// Convergence of Gauss-Legendre along the target: the integrand on each straight line along its side is singular at
-/// the source's edges.
+/// the source's edges. Looks at the lines that face the source, spread over the angle under which the target's axis
+/// sees it.
 double rate_along(const SheetBody& source, const TargetSheet& target, const Frame& frame) {
-  constexpr int lines = 8;
-  const Angles& round = angles(frame.symmetry, lines);
+  constexpr int lines = 12;
+  const double towards_x = frame.position.z() * frame.axis.x() - frame.position.x() * frame.axis.z();
+  const double towards_y = -frame.position.y();
+  const double apart = std::sqrt(towards_x * towards_x + towards_y * towards_y);
+  const double facing = apart > 0.0 ? std::atan2(towards_y, towards_x) : 0.0;
+  const double seen = 1.2 * (source.outer_radius + source.half_length);
+  const double spread = apart > seen ? std::asin(seen / apart) : std::numbers::pi;
+  const double first = frame.symmetry == Symmetry::mirror ? 0.0 : -spread;
   double nearest = 1e300;
   for (int j = 0; j < lines; ++j) {
+    const double angle = facing + first + (spread - first) * j / (lines - 1);
+    const double across = target.radius * std::cos(angle);
+    const double y = frame.position.y() + target.radius * std::sin(angle);
     std::array<double, 2> rho;
     std::array<double, 2> z;
     for (int end = 0; end < 2; ++end) {
       const double along = end == 0 ? -target.half_length : target.half_length;
-      const double across = target.radius * round.cosine[j];
       const double x = frame.position.x() + across * frame.axis.z() + along * frame.axis.x();
-      const double y = frame.position.y() + target.radius * round.sine[j];
       rho[end] = std::sqrt(x * x + y * y);
       z[end] = frame.position.z() - across * frame.axis.x() + along * frame.axis.z();
     }
@@ -145,7 +154,8 @@ class RingIntegrator {
     else
       field_of_sheets(source_, radial_error, at, field);
 
-    double fx = 0.0, fy = 0.0, fz = 0.0, tx = 0.0, ty = 0.0, tz = 0.0, size = 0.0, harmonic = 0.0, sign = 1.0;
+    double fx = 0.0, fy = 0.0, fz = 0.0, tx = 0.0, ty = 0.0, tz = 0.0, size = 0.0;
+    double outward_harmonic = 0.0, lengthwise_harmonic = 0.0, sign = 1.0;
     for (int j = 0; j < points; ++j) {
       const double over = radial[j] / std::max(rho[j], 1e-300);
       const double hx = x[j] * over;
@@ -164,13 +174,15 @@ class RingIntegrator {
       ty += uy * moment;
       tz += uz * moment;
       size += std::abs(outward) + std::abs(lengthwise);
-      harmonic += sign * (outward + lengthwise) * (frame_.symmetry == Symmetry::mirror ? round.sine[j] : 1.0);
+      const double highest = frame_.symmetry == Symmetry::mirror ? sign * round.sine[j] : sign;
+      outward_harmonic += highest * outward;
+      lengthwise_harmonic += highest * lengthwise;
       sign = -sign;
     }
     const double mean = 1.0 / points;
     RingSum result{{Eigen::Vector3d(fx, fy, fz) * mean, Eigen::Vector3d(tx, ty, tz) * mean},
                    size * mean,
-                   std::abs(harmonic) * mean};
+                   (std::abs(outward_harmonic) + std::abs(lengthwise_harmonic)) * mean};
     if (frame_.symmetry == Symmetry::mirror) {
       result.wrench.force.y() = 0.0;
       result.wrench.torque.x() = 0.0;
@@ -193,21 +205,21 @@ Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, const 
   const double size = source.outer_radius + source.half_length + target.radius + target.half_length;
   const Frame frame = upright_frame(position, axis, size);
   const double needed = gauss_nodes_needed(rate_along(source, target, frame), along_error);
-  const QuadratureRule rule = gauss_legendre(static_cast<int>(std::clamp(std::ceil(needed) + 1.0, 2.0, 64.0)));
+  const PanelRule rule(needed);
   const RingIntegrator rings(source, target, frame);
   Wrench total;
   int points = first_points;
   double largest = 0.0;
-  for (std::size_t i = 0; i < rule.count; ++i) {
-    RingSum ring = rings.sum(target.half_length * rule.node[i], points);
+  for (int i = 0; i < rule.count(); ++i) {
+    RingSum ring = rings.sum(target.half_length * rule.node(i), points);
     largest = std::max(largest, ring.size);
     while (ring.harmonic > harmonic_error * largest && points < max_points) {
       points *= 2;
-      ring = rings.sum(target.half_length * rule.node[i], points);
+      ring = rings.sum(target.half_length * rule.node(i), points);
     }
     if (ring.harmonic < harmonic_error * harmonic_error * largest && points > first_points) points /= 2;
-    total.force += rule.weight[i] * ring.wrench.force;
-    total.torque += rule.weight[i] * ring.wrench.torque;
+    total.force += rule.weight(i) * ring.wrench.force;
+    total.torque += rule.weight(i) * ring.wrench.torque;
   }
   const double area = 4.0 * std::numbers::pi * target.radius * target.half_length;
   const auto turn_back = [&](const Eigen::Vector3d& v) {

@@ -102,6 +102,19 @@ void pose_general(benchmark::State& state, Winding winding) {
 BENCHMARK_CAPTURE(pose_general, uniform, Winding::uniform)->Name("wrench/uniform");
 BENCHMARK_CAPTURE(pose_general, paper_shells, Winding::paper_shells)->Name("wrench/paper_shells");
 
+/// Poses with a mirror plane, as every hinge has: tilted, displaced or both.
+void pose_planar(benchmark::State& state) {
+  const ThickCoil coil = prototype_coil(Winding::uniform);
+  const std::array<Pose, 4> poses{{{.position = {0.0, 0.0, 15.5e-3}, .axis = {0.5, 0.0, 0.866}},
+                                   {.position = {4e-3, 0.0, 13e-3}, .axis = {0.34, 0.0, 0.94}},
+                                   {.position = {5e-3, 0.0, 9.9e-3}, .axis = {0.0, 0.0, 1.0}},
+                                   {.position = {21e-3, 0.0, 1e-3}, .axis = {0.0, 0.0, 1.0}}}};
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(wrench(coil, 1.0, magnet, poses[i++ % poses.size()]).force.z());
+  per_second(state, 1);
+}
+BENCHMARK(pose_planar)->Name("wrench/planar");
+
 void torque(benchmark::State& state, Fidelity fidelity) {
   const ThickCoil coil = prototype_coil(Winding::uniform);
   double angle = 0.0;

@@ -108,7 +108,7 @@ double far_nodes_needed(const SheetBody& source, double radius, double half_leng
   const double nearest = std::abs(distance) - longer;
   const double across = radius - std::clamp(radius, source.inner_radius, source.outer_radius);
   const double to_ends = length_of(nearest - shorter, across) + length_of(nearest + shorter, across);
-  return gauss_nodes_needed(gauss_rate(to_ends, 2.0 * shorter), rule_error);
+  return gauss_nodes_needed(gauss_rate(to_ends, 2.0 * shorter), std::log(rule_error));
 }
 
 /// The same as closed_form without its cancellation: one of the two integrals over length by Gauss-Legendre, which

@@ -26,8 +26,9 @@ struct Field {
   Vector axial;
 };
 
-/// What one end of a sheet of radius r adds to the field at radius rho, s above it; the radial part is times rho. Only
-/// the difference of two ends is a field: the constant that would make each a half-infinite solenoid is left out.
+/// What one end of a sheet of radius r adds to the field at radius rho, s above it; the radial part is times rho. It
+/// is the field of the end's magnetic charge: the flux that runs inside the sheet is left to `flux_inside`. So it is
+/// smooth across rho = r, and each end may have a rule of its own.
 HWY_INLINE Field field_of_end(Tag d, Vector r, Vector rho, Vector s, int steps) {
   const Circles c = circles(d, r, rho, s);
   const Vector first = hn::Mul(c.first_c, hn::Add(c.first_c, c.first_c));
@@ -35,10 +36,27 @@ HWY_INLINE Field field_of_end(Tag d, Vector r, Vector rho, Vector s, int steps) 
   const Vector sine = hn::MulAdd(c.difference, c.far, hn::Mul(c.near, c.sum));
   const Vector cosine = hn::CopySign(two_r, c.difference);
   const LandenResult result = finish(d, steps, start(d, c, hn::Add(sine, sine), cosine, first));
+  const Vector flux = hn::IfThenElseZero(hn::Ge(c.difference, hn::Zero(d)), hn::CopySign(hn::Set(d, 0.5), s));
   Field field;
   field.radial = hn::Mul(hn::Mul(result.squares, result.inverse_mean), hn::Set(d, -0.125));
-  field.axial = hn::Mul(hn::Mul(hn::Mul(r, s), hn::Mul(c.w_inverse, hn::Set(d, 0.5))), result.third_kind);
+  field.axial = hn::MulSub(hn::Mul(hn::Mul(r, s), hn::Mul(c.w_inverse, hn::Set(d, 0.5))), result.third_kind, flux);
   return field;
+}
+
+/// Share of the sheets round a point between the two ends: the flux density inside an endless coil of unit current.
+HWY_INLINE Vector flux_inside(Tag d, const SheetBody& body, Vector rho, Vector z) {
+  Vector share = hn::Zero(d);
+  if (body.spread == Spread::uniform) {
+    const Vector outer = hn::Set(d, body.outer_radius);
+    const Vector width = hn::Set(d, body.outer_radius - body.inner_radius);
+    share = hn::Min(hn::Max(hn::Div(hn::Sub(outer, rho), width), hn::Zero(d)), hn::Set(d, 1.0));
+  } else {
+    const SheetNodes shells(body, 1.0);
+    for (int i = 0; i < shells.count(); ++i)
+      share =
+          hn::Add(share, hn::IfThenElseZero(hn::Ge(hn::Set(d, shells.radius(i)), rho), hn::Set(d, shells.weight(i))));
+  }
+  return hn::IfThenElseZero(hn::Lt(hn::Abs(z), hn::Set(d, body.half_length)), share);
 }
 
 /// Field of a loop of unit current; the radial part is times rho.
@@ -59,23 +77,21 @@ HWY_INLINE Field field_of_loop(Tag d, Vector r, Vector rho, Vector s, int steps)
   return field;
 }
 
-/// What a block of eight points needs.
+/// What a block of eight points needs for loops at one height.
 struct Effort {
-  double rate;             // of Gauss-Legendre over the radius
-  double squared_modulus;  // k'^2, the least
+  double rate;  // of Gauss-Legendre over the radius
+  int steps;    // of the arithmetic-geometric mean
 };
 
-HWY_INLINE Effort effort_of_block(const SheetBody& body, const double* radius, const double* height) {
+HWY_INLINE Effort effort_of_block(const SheetBody& body, const double* radius, const double* height, double level) {
   const Tag d;
   const Vector inner = hn::Set(d, body.inner_radius);
   const Vector outer = hn::Set(d, body.outer_radius);
-  const Vector half = hn::Set(d, body.half_length);
   Vector to_ends = hn::Set(d, 1e300);
   Vector modulus = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < block; i += hn::Lanes(d)) {
     const Vector rho = hn::LoadU(d, radius + i);
-    // The nearer end decides.
-    const Vector s = hn::Sub(hn::Abs(hn::LoadU(d, height + i)), half);
+    const Vector s = hn::Sub(hn::LoadU(d, height + i), hn::Set(d, level));
     const Vector s2 = hn::Mul(s, s);
     const Vector to_inner = hn::Sub(rho, inner);
     const Vector to_outer = hn::Sub(rho, outer);
@@ -88,61 +104,77 @@ HWY_INLINE Effort effort_of_block(const SheetBody& body, const double* radius, c
   }
   const double length = body.outer_radius - body.inner_radius;
   const double nearest = hn::GetLane(hn::MinOfLanes(d, to_ends));
-  return {length > 0.0 ? gauss_rate(nearest, length) : 1e9, hn::GetLane(hn::MinOfLanes(d, modulus))};
+  const double least = hn::GetLane(hn::MinOfLanes(d, modulus));
+  return {length > 0.0 ? gauss_rate(nearest, length) : 1e9, landen_steps_needed(least, field_moduli)};
 }
 
-template <class FieldOfRadius>
-HWY_INLINE void sum_over_sheets(const SheetBody& body, double error, const FieldPoints& points,
-                                const FieldValues& values, FieldOfRadius field_of_radius) {
+/// Adds to `radial` (times rho) and `axial` of a block what the body's sheets give at one level, `weight` times.
+template <class FieldOfLevel>
+HWY_INLINE void add_level(const SheetBody& body, double log_error, double level, double weight, const double* radius,
+                          const double* height, double* radial, double* axial, FieldOfLevel field_of_level) {
   const Tag d;
-  for (std::size_t j = 0; j < points.radius.size(); j += block) {
-    const Effort effort = effort_of_block(body, points.radius.data() + j, points.height.data() + j);
-    const int steps = landen_steps_needed(effort.squared_modulus, field_moduli);
-    const SheetNodes nodes(body, gauss_nodes_needed(effort.rate, error));
-    for (std::size_t lane = j; lane < j + block; lane += hn::Lanes(d)) {
-      const Vector rho = hn::LoadU(d, points.radius.data() + lane);
-      const Vector z = hn::LoadU(d, points.height.data() + lane);
-      Field sum{hn::Zero(d), hn::Zero(d)};
-      for (int i = 0; i < nodes.count(); ++i) {
-        const Field one = field_of_radius(d, hn::Set(d, nodes.radius(i)), rho, z, steps);
-        const Vector w = hn::Set(d, nodes.weight(i));
-        sum.radial = hn::MulAdd(w, one.radial, sum.radial);
-        sum.axial = hn::MulAdd(w, one.axial, sum.axial);
-      }
-      // Near the axis the radial field is proportional to rho, its sum to rho^2: the floor only keeps 0 / 0 out.
-      const Vector floor = hn::Set(d, 1e-150);
-      hn::StoreU(hn::Div(sum.radial, hn::Max(rho, floor)), d, values.radial.data() + lane);
-      hn::StoreU(sum.axial, d, values.axial.data() + lane);
+  const Effort effort = effort_of_block(body, radius, height, level);
+  const SheetNodes nodes(body, gauss_nodes_needed(effort.rate, log_error));
+  const int count = nodes.count();
+  for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+    const Vector rho = hn::LoadU(d, radius + lane);
+    const Vector s = hn::Sub(hn::LoadU(d, height + lane), hn::Set(d, level));
+    Vector sum_radial = hn::LoadU(d, radial + lane);
+    Vector sum_axial = hn::LoadU(d, axial + lane);
+    for (int i = 0; i < count; ++i) {
+      const Field one = field_of_level(d, hn::Set(d, nodes.radius(i)), rho, s, effort.steps);
+      const Vector w = hn::Set(d, weight * nodes.weight(i));
+      sum_radial = hn::MulAdd(w, one.radial, sum_radial);
+      sum_axial = hn::MulAdd(w, one.axial, sum_axial);
     }
+    hn::StoreU(sum_radial, d, radial + lane);
+    hn::StoreU(sum_axial, d, axial + lane);
   }
 }
 
-void sheets(const SheetBody& body, double error, const FieldPoints& points, const FieldValues& values) {
-  const double half_length = body.half_length;
-  sum_over_sheets(body, error, points, values,
-                  [half_length](Tag d, Vector r, Vector rho, Vector z, int steps) HWY_ATTR {
-                    const Vector half = hn::Set(d, half_length);
-                    const Field bottom = field_of_end(d, r, rho, hn::Add(z, half), steps);
-                    const Field top = field_of_end(d, r, rho, hn::Sub(z, half), steps);
-                    return Field{hn::Sub(bottom.radial, top.radial), hn::Sub(bottom.axial, top.axial)};
-                  });
+/// Near the axis the radial field is proportional to rho and its sum so far to rho^2: the floor keeps 0 / 0 out.
+HWY_INLINE void divide_by_rho(const double* radius, double* radial) {
+  const Tag d;
+  for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+    const Vector rho = hn::Max(hn::LoadU(d, radius + lane), hn::Set(d, 1e-150));
+    hn::StoreU(hn::Div(hn::LoadU(d, radial + lane), rho), d, radial + lane);
+  }
 }
 
-void loops(const SheetBody& body, double error, const QuadratureRule& along, const FieldPoints& points,
+void sheets(const SheetBody& body, double log_error, const FieldPoints& points, const FieldValues& values) {
+  const Tag d;
+  const auto end = [](Tag tag, Vector r, Vector rho, Vector s, int steps)
+                       HWY_ATTR { return field_of_end(tag, r, rho, s, steps); };
+  for (std::size_t j = 0; j < points.radius.size(); j += block) {
+    const double* radius = points.radius.data() + j;
+    const double* height = points.height.data() + j;
+    double* radial = values.radial.data() + j;
+    double* axial = values.axial.data() + j;
+    for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+      const Vector inside = flux_inside(d, body, hn::LoadU(d, radius + lane), hn::LoadU(d, height + lane));
+      hn::StoreU(hn::Zero(d), d, radial + lane);
+      hn::StoreU(inside, d, axial + lane);
+    }
+    add_level(body, log_error, -body.half_length, 1.0, radius, height, radial, axial, end);
+    add_level(body, log_error, body.half_length, -1.0, radius, height, radial, axial, end);
+    divide_by_rho(radius, radial);
+  }
+}
+
+void loops(const SheetBody& body, double log_error, const QuadratureRule& along, const FieldPoints& points,
            const FieldValues& values) {
-  const double half_length = body.half_length;
-  sum_over_sheets(body, error, points, values,
-                  [half_length, &along](Tag d, Vector r, Vector rho, Vector z, int steps) HWY_ATTR {
-                    Field sum{hn::Zero(d), hn::Zero(d)};
-                    for (std::size_t k = 0; k < along.count; ++k) {
-                      const Vector s = hn::Sub(z, hn::Set(d, half_length * along.node[k]));
-                      const Field one = field_of_loop(d, r, rho, s, steps);
-                      const Vector w = hn::Set(d, 2.0 * half_length * along.weight[k]);
-                      sum.radial = hn::MulAdd(w, one.radial, sum.radial);
-                      sum.axial = hn::MulAdd(w, one.axial, sum.axial);
-                    }
-                    return sum;
-                  });
+  const auto loop = [](Tag tag, Vector r, Vector rho, Vector s, int steps)
+                        HWY_ATTR { return field_of_loop(tag, r, rho, s, steps); };
+  for (std::size_t j = 0; j < points.radius.size(); j += block) {
+    double* radial = values.radial.data() + j;
+    double* axial = values.axial.data() + j;
+    std::fill_n(radial, block, 0.0);
+    std::fill_n(axial, block, 0.0);
+    for (std::size_t k = 0; k < along.count; ++k)
+      add_level(body, log_error, body.half_length * along.node[k], 2.0 * body.half_length * along.weight[k],
+                points.radius.data() + j, points.height.data() + j, radial, axial, loop);
+    divide_by_rho(points.radius.data() + j, radial);
+  }
 }
 
 }  // namespace coilwright::magnetics::HWY_NAMESPACE
@@ -154,15 +186,15 @@ namespace coilwright::magnetics {
 HWY_EXPORT(sheets);
 HWY_EXPORT(loops);
 
-void field_of_sheets(const SheetBody& body, double error, const FieldPoints& points, const FieldValues& values) {
+void field_of_sheets(const SheetBody& body, double log_error, const FieldPoints& points, const FieldValues& values) {
   assert(points.radius.size() % 8 == 0 && points.height.size() == points.radius.size());
-  HWY_DYNAMIC_DISPATCH(sheets)(body, error, points, values);
+  HWY_DYNAMIC_DISPATCH(sheets)(body, log_error, points, values);
 }
 
-void field_of_loops(const SheetBody& body, double error, const QuadratureRule& along, const FieldPoints& points,
+void field_of_loops(const SheetBody& body, double log_error, const QuadratureRule& along, const FieldPoints& points,
                     const FieldValues& values) {
   assert(points.radius.size() % 8 == 0 && points.height.size() == points.radius.size());
-  HWY_DYNAMIC_DISPATCH(loops)(body, error, along, points, values);
+  HWY_DYNAMIC_DISPATCH(loops)(body, log_error, along, points, values);
 }
 
 }  // namespace coilwright::magnetics

@@ -20,13 +20,13 @@ struct FieldValues {
   std::span<double> axial;
 };
 
-/// Magnetic field of a body, each sheet by the closed form of its two ends. Relative error about `error` of the field
-/// nearby; loses digits as (distance / size)^3 far away.
-void field_of_sheets(const SheetBody& body, double error, const FieldPoints& points, const FieldValues& values);
+/// Magnetic field of a body, each sheet by the closed form of its two ends. Relative error about exp(log_error) of the
+/// field nearby; loses digits as (distance / size)^3 far away.
+void field_of_sheets(const SheetBody& body, double log_error, const FieldPoints& points, const FieldValues& values);
 
 /// The same with the current of each sheet gathered in loops at the heights of `along` (a rule over the length): for
 /// points far enough that a few loops are as good as the sheet; no digits are lost however far.
-void field_of_loops(const SheetBody& body, double error, const QuadratureRule& along, const FieldPoints& points,
+void field_of_loops(const SheetBody& body, double log_error, const QuadratureRule& along, const FieldPoints& points,
                     const FieldValues& values);
 
 }  // namespace coilwright::magnetics

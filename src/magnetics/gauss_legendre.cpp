@@ -86,8 +86,8 @@ int gauss_order_of_blocks(double rate, double error) {
   return order;
 }
 
-double gauss_nodes_needed(double rate, double error) {
-  return -std::log(error) / (2.0 * std::log(rate));
+double gauss_nodes_needed(double rate, double log_error) {
+  return -log_error / (2.0 * std::log(std::max(rate, 1.0 + 1e-9)));
 }
 
 }  // namespace coilwright::magnetics

@@ -26,7 +26,7 @@ inline constexpr int max_gauss_order = 64;
 /// Least multiple of 8 with rate^(-2n) <= error, at most max_gauss_order + 8, which says that no rule is enough.
 [[nodiscard]] int gauss_order_of_blocks(double rate, double error);
 
-/// Least n with rate^(-2n) <= error, not capped.
-[[nodiscard]] double gauss_nodes_needed(double rate, double error);
+/// Nodes n at which rate^(-2n) is the error whose natural logarithm is given; not capped.
+[[nodiscard]] double gauss_nodes_needed(double rate, double log_error);
 
 }  // namespace coilwright::magnetics

@@ -46,6 +46,7 @@ class PanelRule {
 
   [[nodiscard]] int count() const noexcept { return panels_ * static_cast<int>(rule_.count); }
   [[nodiscard]] double node(int i) const noexcept {
+    if (panels_ == 1) return rule_.node[i];
     const int order = static_cast<int>(rule_.count);
     return (rule_.node[i % order] + 2 * (i / order) + 1) / panels_ - 1.0;
   }

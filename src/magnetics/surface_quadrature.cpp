@@ -13,8 +13,8 @@ namespace coilwright::magnetics {
 namespace {
 
 // Chosen together so that random poses err by less than 1e-7 (tests/magnetics/wrench_test.cpp).
-constexpr double radial_error = 1e-8;
-constexpr double along_error = 1e-8;
+constexpr double log_radial_error = -16.1;  // 1e-7
+constexpr double log_along_error = -18.4;   // 1e-8
 /// Share of the highest harmonic seen; what aliases into the integral is of twice its order, about its square.
 constexpr double harmonic_error = 3e-5;
 constexpr int first_points = 8;
@@ -125,7 +125,7 @@ class RingIntegrator {
       : source_(source), target_(target), frame_(frame) {
     const double nearest = frame.position.norm() - target.radius - target.half_length - source.outer_radius;
     const double to_ends = 2.0 * std::max(nearest - source.half_length, 0.0) + 2.0 * source.half_length;
-    const double needed = gauss_nodes_needed(gauss_rate(to_ends, 2.0 * source.half_length), radial_error) + 1.0;
+    const double needed = gauss_nodes_needed(gauss_rate(to_ends, 2.0 * source.half_length), log_radial_error) + 1.0;
     if (needed <= 4.0) loops_ = static_cast<int>(std::ceil(needed));
   }
 
@@ -150,9 +150,9 @@ class RingIntegrator {
     const FieldPoints at{{rho.data(), n}, {z.data(), n}};
     const FieldValues field{{radial.data(), n}, {axial.data(), n}};
     if (loops_ > 0)
-      field_of_loops(source_, radial_error, gauss_legendre(loops_), at, field);
+      field_of_loops(source_, log_radial_error, gauss_legendre(loops_), at, field);
     else
-      field_of_sheets(source_, radial_error, at, field);
+      field_of_sheets(source_, log_radial_error, at, field);
 
     double fx = 0.0, fy = 0.0, fz = 0.0, tx = 0.0, ty = 0.0, tz = 0.0, size = 0.0;
     double outward_harmonic = 0.0, lengthwise_harmonic = 0.0, sign = 1.0;
@@ -204,7 +204,7 @@ Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, const 
                       const Eigen::Vector3d& axis) {
   const double size = source.outer_radius + source.half_length + target.radius + target.half_length;
   const Frame frame = upright_frame(position, axis, size);
-  const double needed = gauss_nodes_needed(rate_along(source, target, frame), along_error);
+  const double needed = gauss_nodes_needed(rate_along(source, target, frame), log_along_error);
   const PanelRule rule(needed);
   const RingIntegrator rings(source, target, frame);
   Wrench total;

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
 
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
@@ -31,18 +35,21 @@ class BatchFunction {
 };
 
 /// Smooth function of one variable over [lower, upper] as piecewise polynomials: nanoseconds to evaluate, value and
-/// derivative, no heap. Built through Chebyshev points until the coefficients have fallen below the tolerance.
+/// derivative, no heap. Built through Chebyshev points in the logarithm of the distance from a point below `lower`,
+/// until the coefficients have fallen below the tolerance; cut into pieces whose width grows with that distance.
 class Curve {
  public:
   /// What to interpolate over, and how well.
   struct Spec {
     double lower{};      ///< finite, < upper
     double upper{};      ///< finite
-    double tolerance{};  ///< of the largest magnitude of the function over the range; 1e-13 <= tolerance < 1
+    double tolerance{};  ///< of the largest magnitude of the function over the range; >= 1e-13, < 1
+    double crowding{};   ///< > 0: how far below `lower` the function's variation is concentrated, in the unit of x; 0
+                         ///< stands for upper - lower: no particular concentration
   };
   struct Sample {
-    double value;
-    double derivative;
+    double value;       ///< in the function's unit
+    double derivative;  ///< per unit of x
   };
 
   /// Throws std::invalid_argument for a bad spec or when the function is not finite somewhere, std::domain_error when
@@ -50,25 +57,34 @@ class Curve {
   Curve(BatchFunction function, const Spec& spec);
 
   /// Value and derivative at x. Outside [lower, upper] the curve goes on as the straight line that continues it with
-  /// the same slope: finite and smooth enough for a solver that steps over the end, but not physics.
+  /// the same slope: finite and smooth enough for a solver that steps over the end, but not physics. The derivative
+  /// is that of the interpolant; its error is larger than the value's by the usual order.
   [[nodiscard]] Sample sample(double x) const noexcept {
     const double inside = x < lower_ ? lower_ : (x > upper_ ? upper_ : x);
-    const double position = (inside - lower_) * pieces_per_unit_;
-    int piece = static_cast<int>(position);
-    piece = piece < pieces_ ? piece : pieces_ - 1;
-    const double t = 2.0 * (position - piece) - 1.0;
-    const Piece& c = coefficients_[static_cast<std::size_t>(piece)];
-    double value = c[degree];
-    double slope = 0.0;
-    for (int k = degree - 1; k >= 0; --k) {
-      slope = slope * t + value;
-      value = value * t + c[static_cast<std::size_t>(k)];
+    const double distance = inside - origin_;
+    // Exponent and first bits of the distance number the piece: piece widths grow with the distance by themselves.
+    const auto number = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(distance) >> shift_) - first_);
+    const Piece& piece = pieces_[number];
+    const double t = (distance - piece.centre) * piece.scale;
+    const double w = t * t;
+    const auto& c = piece.powers;
+    // Even and odd powers apart, each with its derivative by w: four short chains instead of one long one.
+    double even = c[degree - 1];
+    double even_slope = 0.0;
+    double odd = c[degree];
+    double odd_slope = 0.0;
+    for (int k = degree - 3; k >= 0; k -= 2) {
+      const auto i = static_cast<std::size_t>(k);
+      even_slope = even_slope * w + even;
+      even = even * w + c[i];
+      odd_slope = odd_slope * w + odd;
+      odd = odd * w + c[i + 1];
     }
-    slope *= 2.0 * pieces_per_unit_;
-    return {value + slope * (x - inside), slope};
+    const double slope = (odd + 2.0 * (t * even_slope + w * odd_slope)) * piece.scale;
+    return {even + t * odd + slope * (x - inside), slope};
   }
-  [[nodiscard]] double value(double x) const noexcept { return sample(x).value; }
-  [[nodiscard]] double derivative(double x) const noexcept { return sample(x).derivative; }
+  [[nodiscard]] double value(double x) const noexcept { return sample(x).value; }            ///< see sample
+  [[nodiscard]] double derivative(double x) const noexcept { return sample(x).derivative; }  ///< see sample
 
   [[nodiscard]] double lower() const noexcept { return lower_; }
   [[nodiscard]] double upper() const noexcept { return upper_; }
@@ -80,27 +96,36 @@ class Curve {
   [[nodiscard]] int evaluations() const noexcept { return evaluations_; }
 
  private:
-  static constexpr int degree = 9;
-  static constexpr int max_pieces = 32;
-  using Piece = std::array<double, degree + 1>;
+  static constexpr int degree = 9;  // odd: as many even powers as odd ones
+  static constexpr int max_pieces = 40;
+  struct Piece {
+    double centre;  // of the distance
+    double scale;   // 1 / half width
+    std::array<double, degree + 1> powers;
+  };
 
   void cut(std::span<const double> series, double tolerance);
+  double set_piece(Piece& piece, double from, double to, std::span<const double> series) const;
 
   double lower_;
   double upper_;
-  double pieces_per_unit_ = 0.0;
-  int pieces_ = 0;
+  double origin_;
+  int shift_ = 0;
+  std::uint64_t first_ = 0;
   int evaluations_ = 0;
   double error_bound_ = 0.0;
   double scale_ = 0.0;
-  std::array<Piece, max_pieces> coefficients_;
+  std::array<Piece, max_pieces> pieces_;
 };
 
-/// hinge_torque_per_ampere over the joint angle, rad -> N m/A.
+/// hinge_torque_per_ampere over the joint angle, rad -> N m/A. A crowding of 0 is replaced by one that suits the
+/// hinge. With Fidelity::exact the range must not reach far into angles at which coil and magnet overlap: the torque of
+/// overlapping currents is not smooth, and the construction then gives up with std::domain_error.
 [[nodiscard]] Curve torque_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& geometry,
                                  Fidelity fidelity, const Curve::Spec& spec);
 
 /// axial_force over the distance of the centres, m -> N per ampere (both senses positive: attraction is negative).
+/// Here and below a crowding of 0 is replaced by the radius of the first body.
 [[nodiscard]] Curve force_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const Curve::Spec& spec);
 /// The same for two magnets, m -> N.
 [[nodiscard]] Curve force_curve(const CylinderMagnet& first, const CylinderMagnet& second, const Curve::Spec& spec);

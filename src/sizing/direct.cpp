@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <unordered_map>
 
@@ -55,9 +56,15 @@ class Requests {
 /// growing with its infeasibility, so that NLopt can walk away from it; they never leave this class.
 class ProblemField {
  public:
-  ProblemField(Requests& requests, const Samples& samples, const Goal& goal, std::uint64_t combination)
-      : requests_{requests}, samples_{samples}, goal_{goal}, combination_{combination}, worst_(goal.span.size()) {
-    for (Eigen::Index i = 0; i < worst_.size(); ++i) worst_[i] = goal.origin[static_cast<std::size_t>(i)];
+  ProblemField(Requests& requests, const Samples& samples, std::uint64_t combination)
+      : requests_{requests}, samples_{samples}, combination_{combination} {
+    const auto objectives = static_cast<Eigen::Index>(samples.objective_count());
+    best_ = Eigen::VectorXd::Constant(objectives, std::numeric_limits<double>::infinity());
+    worst_ = -best_;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (samples[i].evaluated) widen(samples[i].values);
+    }
+    if (worst_[0] < best_[0]) best_ = worst_ = Eigen::VectorXd::Zero(objectives);  // nothing was evaluated yet
   }
 
   [[nodiscard]] Surrogate::Linearisation at(const Eigen::VectorXd& x, Field::Wanted wanted) {
@@ -84,25 +91,29 @@ class ProblemField {
     const auto objectives = worst_.size();
     Eigen::VectorXd result(objectives + static_cast<Eigen::Index>(samples_.constraint_count()));
     if (!sample.evaluated) {
-      for (Eigen::Index i = 0; i < objectives; ++i) {
-        result[i] = worst_[i] + goal_.span[static_cast<std::size_t>(i)] * (1 + sample.violation);
-      }
+      result.head(objectives) = worst_ + (worst_ - best_).cwiseMax(1e-9) * (1 + sample.violation);
       result.tail(result.size() - objectives).setConstant(1 + sample.violation);
       return result;
     }
+    widen(sample.values);
     for (Eigen::Index i = 0; i < result.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
       result[i] = i < objectives ? sample.values[k] : sample.constraints[k - static_cast<std::size_t>(objectives)];
-      if (i < objectives) worst_[i] = std::max(worst_[i], result[i]);
     }
     return result;
   }
 
+  void widen(const Objectives& values) {
+    for (Eigen::Index i = 0; i < worst_.size(); ++i) {
+      best_[i] = std::min(best_[i], values[static_cast<std::size_t>(i)]);
+      worst_[i] = std::max(worst_[i], values[static_cast<std::size_t>(i)]);
+    }
+  }
+
   Requests& requests_;
   const Samples& samples_;
-  const Goal& goal_;
   std::uint64_t combination_;
-  Eigen::VectorXd worst_;
+  Eigen::VectorXd best_, worst_;
 };
 
 std::vector<Eigen::Index> all_axes(const DesignSpace& space) {
@@ -116,7 +127,7 @@ std::vector<Eigen::Index> all_axes(const DesignSpace& space) {
 std::vector<Record> run_direct(Archive& archive, const Samples& samples, const DirectTask& task,
                                const std::stop_token& stop) {
   Requests requests{archive, samples, task.budget, stop};
-  ProblemField problem{requests, samples, task.goal, task.start.combination};
+  ProblemField problem{requests, samples, task.start.combination};
   const Field field{.at = [&](const Eigen::VectorXd& x, Field::Wanted wanted) { return problem.at(x, wanted); },
                     .objectives = static_cast<Eigen::Index>(samples.objective_count()),
                     .constraints = static_cast<Eigen::Index>(samples.constraint_count()),

@@ -20,7 +20,7 @@ constexpr double model_margin = 1e-6;
 // A design nearer than this (unit cube) to a known one would tell nothing new.
 constexpr double same_design = 1e-7;
 // Range of a constraint over a model's nodes from which on it is compressed; constraints are scaled to order 1.
-constexpr double steep = 4.0;
+constexpr double steep = 50.0;
 // Random starts: ranked by the model (4 us each), only the best two are descended from.
 constexpr std::size_t random_starts = 40;
 
@@ -88,8 +88,8 @@ class LocalModel {
     box_ = {.lower = at.colwise().minCoeff().transpose(), .upper = at.colwise().maxCoeff().transpose()};
   }
 
-  // A constraint that runs over decades would drown its own limit: beyond order 1 only its logarithm is modelled. The
-  // limit stays where it is, and what is within order 1 all over (as near the answer) stays itself.
+  // A constraint that runs over decades would drown its own limit: beyond order 1 its logarithm is modelled. The
+  // limit stays where it is, and constraints of order 1 all over (as any is near the answer) stay themselves.
   static void compress_steep_constraints(Eigen::Ref<Eigen::MatrixXd> values) {
     for (auto column : values.colwise()) {
       if (column.maxCoeff() - column.minCoeff() > steep)

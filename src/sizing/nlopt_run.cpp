@@ -47,15 +47,20 @@ struct OptDeleter {
 };
 using Opt = std::unique_ptr<std::remove_pointer_t<nlopt_opt>, OptDeleter>;
 
-// What the C callbacks see. After an exception they answer a finite worst value without calling anyone.
+// What the C callbacks see. Once a run is to end they answer a finite worst value without calling anyone.
 struct Session {
   const NloptTask* task;
   nlopt_opt opt;
   std::exception_ptr thrown;
 
   template <typename Call>
-  bool guarded(Call&& call) noexcept {
+  bool guarded(std::span<const double> x, Call&& call) noexcept {
     if (thrown) return false;
+    // SLSQP steps to NaN where differences across a cliff make its least squares singular: the run ends there.
+    if (!std::ranges::all_of(x, [](double value) { return std::isfinite(value); })) {
+      nlopt_force_stop(opt);
+      return false;
+    }
     try {
       call();
       return true;
@@ -67,7 +72,7 @@ struct Session {
   }
 };
 
-constexpr double worst = 1e30;  // only ever seen by NLopt, after an exception, until it notices the forced stop
+constexpr double worst = 1e30;  // only ever seen by NLopt, until it notices the forced stop
 
 double objective_callback(unsigned n, const double* x, double* gradient, void* data) noexcept {
   auto& session = *static_cast<Session*>(data);
@@ -75,7 +80,7 @@ double objective_callback(unsigned n, const double* x, double* gradient, void* d
   const auto call = [&] {
     value = session.task->objective({x, n}, gradient ? std::span<double>{gradient, n} : std::span<double>{});
   };
-  if (!session.guarded(call) && gradient) std::fill_n(gradient, n, 0.0);
+  if (!session.guarded({x, n}, call) && gradient) std::fill_n(gradient, n, 0.0);
   return value;
 }
 
@@ -87,7 +92,7 @@ void constraint_callback(unsigned m, double* values, unsigned n, const double* x
     session.task->constraints({x, n}, {values, m},
                               jacobian ? std::span<double>{jacobian, entries} : std::span<double>{});
   };
-  if (session.guarded(call)) return;
+  if (session.guarded({x, n}, call)) return;
   std::fill_n(values, m, worst);
   if (jacobian) std::fill_n(jacobian, entries, 0.0);
 }

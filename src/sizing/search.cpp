@@ -17,7 +17,7 @@ constexpr int moves_allowed = 3;
 void add_sensitivity(SearchResult& result, const SearchOptions& options) {
   const std::size_t before = result.archive.size();
   const SensitivityOptions sensitivity{
-      .relaxed_evaluations = std::clamp<std::size_t>(options.max_evaluations / 10, 20, 200), .search = options};
+      .relaxed_evaluations = std::clamp<std::size_t>(options.max_evaluations / 10, 40, 200), .search = options};
   for (int move = 0; move < moves_allowed && !options.stop.stop_requested(); ++move) {
     result.sensitivity = sensitivity_of(result.archive, *result.best, sensitivity);
     const std::optional<Record> better = result.archive.best_feasible();

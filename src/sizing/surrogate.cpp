@@ -7,7 +7,7 @@ namespace coilwright::sizing {
 namespace {
 
 // Prior variance of the quadratic over that of the Matern term. Large: the quadratic explains what it can first.
-constexpr double quadratic_weight = 10.0;
+constexpr double quadratic_weight = 1000.0;
 // Matern length in units of the box's half diagonal.
 constexpr double relative_length = 1.0;
 // Relative to the largest diagonal entry: keeps Cholesky alive for nodes that nearly coincide (rounding is 1e-16, the

@@ -94,7 +94,7 @@ Problem zdt1() {
                     const double g = 1 + 9 * sum / static_cast<double>(x.size() - 1);
                     return evaluated({x[0], g * (1 - std::sqrt(x[0] / g))}, {});
                   }};
-  for (int i = 1; i <= 30; ++i) problem.variables.push_back(real("x" + std::to_string(i), 0, 1));
+  for (int i = 1; i <= 30; ++i) problem.variables.push_back(real(std::string{"x"}.append(std::to_string(i)), 0, 1));
   return problem;
 }
 

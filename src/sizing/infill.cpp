@@ -21,6 +21,9 @@ constexpr double model_margin = 1e-6;
 constexpr double same_design = 1e-7;
 // Range of a constraint over a model's nodes from which on it is compressed; constraints are scaled to order 1.
 constexpr double steep = 50.0;
+// How far short of its goal a grid point may be expected to fall and still be worth a look: from point to point of a
+// grid quantities jump more than a model can tell (1 is the size of the gap).
+constexpr double grid_doubt = 0.5;
 // Random starts: ranked by the model (4 us each), only the best two are descended from.
 constexpr std::size_t random_starts = 40;
 
@@ -303,9 +306,10 @@ std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Re
   } else {
     ranked.push_back({.merit = best_merit, .unit = space.snapped(as_std(best))});
   }
+  const double doubt = space.has_grid() && goal.kind == Goal::Kind::gap ? grid_doubt : 0.0;
   std::vector<Candidate> result;
   for (Ranked& entry : ranked) {
-    if (entry.merit >= goal.to_beat || result.size() == 3) break;
+    if (entry.merit >= goal.to_beat + doubt || result.size() == 3) break;
     if (samples.knows(entry.unit, samples[region.from].combination)) continue;
     if (near_known(samples, model.nodes(), entry.unit)) continue;
     result.push_back({.unit = std::move(entry.unit), .combination = samples[region.from].combination});

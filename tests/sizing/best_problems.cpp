@@ -118,7 +118,8 @@ Problem hartmann() {
         }
         return cost(sum, {});
       }};
-  for (int i = 1; i <= 6; ++i) problem.variables.push_back(real(std::string{"x"}.append(std::to_string(i)).c_str(), 0, 1));
+  for (int i = 1; i <= 6; ++i)
+    problem.variables.push_back(real(std::string{"x"}.append(std::to_string(i)).c_str(), 0, 1));
   return problem;
 }
 

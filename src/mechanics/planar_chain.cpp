@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <stdexcept>
 
@@ -23,6 +22,24 @@ namespace {
 // A torque at joint j acts on phi_j and reacts on phi_{j-1}: dV/dtheta_j is the sum of dV/dphi_k over k >= j.
 void absolute_to_joint(JointVector& torques) {
   for (int j = static_cast<int>(torques.size()) - 2; j >= 0; --j) torques[j] += torques[j + 1];
+}
+
+// x with M x = rhs, in place; M positive definite, its upper triangle used up. LDL^T in three loops: Eigen's LLT of a
+// matrix whose size is only known at run time costs more than the rest of a right-hand side of two joints.
+void solve_in_place(JointMatrix& mass, JointVector& rhs) {
+  const int n = static_cast<int>(rhs.size());
+  for (int j = 0; j < n; ++j) {
+    const double inverse = 1.0 / mass(j, j);
+    for (int k = j + 1; k < n; ++k) {
+      const double factor = mass(j, k) * inverse;
+      for (int i = j + 1; i <= k; ++i) mass(i, k) -= mass(j, i) * factor;
+      rhs[k] -= factor * rhs[j];
+    }
+    rhs[j] *= inverse;
+    for (int k = j + 1; k < n; ++k) mass(j, k) *= inverse;
+  }
+  for (int k = n - 1; k > 0; --k)
+    for (int j = 0; j < k; ++j) rhs[j] -= mass(j, k) * rhs[k];
 }
 
 void check(double value, bool valid, int link, const char* field, const char* rule) {
@@ -149,9 +166,13 @@ JointVector PlanarChain::accelerations(const JointVector& angles, const JointVec
                                        const JointVector& torques) const {
   // With a tilt, differences of tilted angles are those of untilted ones: one set of sines serves both.
   const Directions tilted = directions(angles, base_tilt_);
-  JointVector force = -absolute_velocity_torques(tilted, rates) - absolute_gravity_torques(tilted);
-  for (int j = 0; j < joints_; ++j) force[j] += torques[j] - (j + 1 < joints_ ? torques[j + 1] : 0.0);
-  absolute_mass_matrix(tilted).llt().solveInPlace(force);
+  const JointVector velocity = absolute_velocity_torques(tilted, rates);
+  const JointVector weight = absolute_gravity_torques(tilted);
+  JointVector force(joints_);
+  for (int j = 0; j < joints_; ++j)
+    force[j] = torques[j] - (j + 1 < joints_ ? torques[j + 1] : 0.0) - velocity[j] - weight[j];
+  JointMatrix mass = absolute_mass_matrix(tilted);
+  solve_in_place(mass, force);
   for (int j = joints_ - 1; j > 0; --j) force[j] -= force[j - 1];
   return force;
 }

@@ -1,60 +1,71 @@
 #include "stepper.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace coilwright::simulation {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using mechanics::JointVector;
 
-// Below what a camera or an encoder resolves by four orders; keeps a finger at rest from asking for endless accuracy.
-constexpr double absolute_accuracy = 1e-9;
-
-struct Motion {
-  const actuator::Model& model;
-  const Stepper::Input& input;
-
-  void operator()(const std::vector<double>& values, std::vector<double>& slopes, double /*time*/) const {
-    const int n = model.joints();
-    const JointVector angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
-    const JointVector rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
-    const JointVector accelerations = model.accelerations(angles, rates, input.currents, input.applied);
-    std::copy_n(values.data() + n, n, slopes.data());
-    std::copy_n(accelerations.data(), n, slopes.data() + n);
-  }
-};
+PackedState pack(const State& state) {
+  PackedState values(state.angles.data(), state.angles.data() + state.angles.size());
+  values.insert(values.end(), state.rates.data(), state.rates.data() + state.rates.size());
+  return values;
+}
 
 }  // namespace
 
-Stepper::Stepper(const actuator::Model& model, double relative_accuracy)
-    : model_(model),
-      stepper_(odeint::make_dense_output(absolute_accuracy, relative_accuracy, odeint::runge_kutta_dopri5<Values>())),
-      scratch_(2 * model.joints()) {}
+Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
+    : model_(model), controlled_(Controlled::error_checker_type(tolerance.absolute, tolerance.relative)) {}
+
+void Stepper::derive(const PackedState& values, PackedState& slopes) const {
+  const State state = unpack(values);
+  const mechanics::JointVector accelerations =
+      model_.accelerations(state.angles, state.rates, input_.currents, input_.applied);
+  std::copy_n(state.rates.data(), state.rates.size(), slopes.data());
+  std::copy_n(accelerations.data(), accelerations.size(), slopes.data() + state.rates.size());
+}
 
 void Stepper::start(double time, const State& state, Input input) {
   input_ = std::move(input);
-  std::copy_n(state.angles.data(), model_.joints(), scratch_.data());
-  std::copy_n(state.rates.data(), model_.joints(), scratch_.data() + model_.joints());
-  stepper_.initialize(scratch_, time, first_step_);
+  time_ = previous_time_ = time;
+  values_ = pack(state);
+  slopes_.resize(values_.size());
+  derive(values_, slopes_);
+  previous_values_ = values_;
+  previous_slopes_ = slopes_;
 }
 
 void Stepper::step() {
-  stepper_.do_step(Motion{model_, input_});
-  first_step_ = stepper_.current_time_step();
+  const auto system = [this](const PackedState& values, PackedState& slopes, double /*time*/) {
+    derive(values, slopes);
+  };
+  std::swap(values_, previous_values_);
+  std::swap(slopes_, previous_slopes_);
+  previous_time_ = time_;
+  while (controlled_.try_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_) ==
+         odeint::fail) {
+  }
 }
 
-State Stepper::at(double time) {
-  stepper_.calc_state(time, scratch_);
-  return unpack(scratch_);
+State Stepper::at(double time) const {
+  PackedState values(values_.size());
+  controlled_.stepper().calc_state(time, values, previous_values_, previous_slopes_, previous_time_, values_, slopes_,
+                                   time_);
+  return unpack(values);
 }
 
-State Stepper::now() const {
-  return unpack(stepper_.current_state());
+Stepper::Bending Stepper::bending() const {
+  const auto middle = values_.begin() + model_.joints();
+  return {.time = time_,
+          .angle = std::accumulate(values_.begin(), middle, 0.0),
+          .speed = std::accumulate(middle, values_.end(), 0.0),
+          .acceleration = std::accumulate(slopes_.begin() + model_.joints(), slopes_.end(), 0.0)};
 }
 
-State Stepper::unpack(const Values& values) const {
+State Stepper::unpack(const PackedState& values) const {
   const int n = model_.joints();
   return {.angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n),
           .rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n)};

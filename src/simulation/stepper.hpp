@@ -1,46 +1,77 @@
 #pragma once
 
-#include <boost/numeric/odeint.hpp>
-#include <vector>
+#include <boost/container/static_vector.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/type_traits/integral_constant.hpp>
 
 #include "coilwright/actuator/model.hpp"
 #include "coilwright/simulation/state.hpp"
 
 namespace coilwright::simulation {
 
-/// The model's equation of motion under a constant input, in steps with dense output. State layout: angles, then rates.
+/// Angles, then rates (and the slopes of both), base to tip; no heap.
+using PackedState = boost::container::static_vector<double, 2 * static_cast<std::size_t>(mechanics::max_joints)>;
+
+}  // namespace coilwright::simulation
+
+template <>
+struct boost::numeric::odeint::is_resizeable<coilwright::simulation::PackedState> : boost::true_type {};
+
+namespace coilwright::simulation {
+
+/// The model's equation of motion under a constant input, in steps of Dormand and Prince's 5(4) pair (Boost.Odeint).
 class Stepper {
  public:
   struct Input {
     actuator::CoilCurrents currents;
     mechanics::JointVector applied;
   };
+  /// Allowed error of one step in every angle and rate: absolute + relative (|x| + h |dx/dt|).
+  struct Tolerance {
+    double relative{};  ///< dimensionless
+    double absolute{};  ///< rad for angles, rad/s for rates
+  };
+  /// Bending angle (sum of the joint angles) and its derivatives at one time.
+  struct Bending {
+    double time{};          ///< s
+    double angle{};         ///< rad
+    double speed{};         ///< rad/s
+    double acceleration{};  ///< rad/s^2
+  };
 
-  Stepper(const actuator::Model& model, double relative_accuracy);
+  Stepper(const actuator::Model& model, const Tolerance& tolerance);
 
   /// Starts anew at `time` from `state`; keeps the last step size as a first guess.
   void start(double time, const State& state, Input input);
-  /// One accepted step; the span it covered is [previous_time(), time()].
+  /// One accepted step; the span it covered is [previous_time(), time()]. A motion that has become infinite is accepted
+  /// as it is: look at now().
   void step();
-  [[nodiscard]] double time() const { return stepper_.current_time(); }
-  [[nodiscard]] double previous_time() const { return stepper_.previous_time(); }
-  /// State anywhere in the last step.
-  [[nodiscard]] State at(double time);
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] double previous_time() const { return previous_time_; }
+  /// State anywhere in the last step: the pair's own continuous extension, of fourth order.
+  [[nodiscard]] State at(double time) const;
   /// State at the end of the last step.
-  [[nodiscard]] State now() const;
+  [[nodiscard]] State now() const { return unpack(values_); }
+  [[nodiscard]] Bending bending() const;
 
  private:
-  using Values = std::vector<double>;
-  using Dense =
-      boost::numeric::odeint::result_of::make_dense_output<boost::numeric::odeint::runge_kutta_dopri5<Values>>::type;
+  using Controlled =
+      boost::numeric::odeint::controlled_runge_kutta<boost::numeric::odeint::runge_kutta_dopri5<PackedState>>;
 
-  [[nodiscard]] State unpack(const Values& values) const;
+  void derive(const PackedState& values, PackedState& slopes) const;
+  [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;
-  Dense stepper_;
+  Controlled controlled_;
   Input input_;
-  Values scratch_;
-  double first_step_ = 1e-4;  // s; a hundredth of the fastest mode of a finger, adapted at once
+  double time_ = 0.0;
+  double previous_time_ = 0.0;
+  double next_step_ = 1e-4;  // s; a hundredth of the fastest mode of a finger, adapted at once
+  PackedState values_;
+  PackedState slopes_;
+  PackedState previous_values_;
+  PackedState previous_slopes_;
 };
 
 }  // namespace coilwright::simulation

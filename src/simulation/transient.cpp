@@ -13,6 +13,10 @@ namespace {
 
 constexpr int most_steps = 1'000'000;
 
+// rad and rad/s, a step: below what a camera or an encoder resolves by four orders; keeps a finger at rest from asking
+// for endless accuracy.
+constexpr double smallest_error = 1e-9;
+
 Stepper::Input input_at(const actuator::Model& model, const InputSignal& signal, std::size_t sample) {
   return {.currents = signal.currents[sample],
           .applied = signal.joint_torques.empty() ? mechanics::JointVector::Zero(model.joints())
@@ -38,7 +42,7 @@ std::vector<State> simulate(const actuator::Model& model, const InputSignal& inp
   std::vector<State> out;
   out.reserve(input.times.size());
   out.push_back(start);
-  Stepper stepper(model, accuracy.relative);
+  Stepper stepper(model, {.relative = accuracy.relative, .absolute = smallest_error});
   std::size_t sample = 0;
   while (sample + 1 < input.times.size()) {
     // One run of the integrator covers all samples up to the next change of the input.

@@ -13,14 +13,14 @@ struct StepResponse {
   double peak_speed{};                   ///< largest |d(bending angle)/dt|, rad/s
   double peak_speed_time{};              ///< s
   double overshoot{};                    ///< beyond the steady angle, over the change from rest; >= 0
-  std::optional<double> rise_time;       ///< from 10 to 90 % of the change, s; nothing for a change below 1e-6 rad
-  std::optional<double> settling_time;   ///< last time outside 2 % of the change about the end, s; nothing likewise
+  std::optional<double> rise_time{};       ///< from 10 to 90 % of the change, s; nothing for a change below 1e-6 rad
+  std::optional<double> settling_time{};   ///< last time outside 2 % of the change about the end, s; nothing likewise
 };
 
 /// How long a step is followed.
 struct StepLimits {
   double longest = 60.0;  ///< s; a motion that has not died down by then has no result
-  double relative_accuracy = 1e-6;
+  double relative_accuracy = 1e-5;
 };
 
 /// Steps from the pose `rest` (rad, at zero speed) to constant `currents` (A) at time 0 and follows the motion until it

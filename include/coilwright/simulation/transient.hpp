@@ -8,7 +8,7 @@
 
 namespace coilwright::simulation {
 
-/// How exact a transient is: relative error of a step in every angle and rate, with a floor of 1e-9 rad and 1e-7 rad/s.
+/// How exact a transient is: relative error of a step in every angle and rate, with a floor of 1e-9 rad and 1e-9 rad/s.
 struct Accuracy {
   double relative = 1e-7;
 };

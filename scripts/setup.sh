@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
 # Installs what building and testing Coilwright needs on Debian 12. Idempotent: does nothing when all is there.
+# `scripts/setup.sh ci` adds what only the extra checks of continuous integration need.
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build make git python3
+  g++ cmake ninja-build git python3
   libnlopt-dev libeigen3-dev libboost-dev nlohmann-json3-dev libtbb-dev
   libfmt-dev libcli11-dev libcsv-dev libhwy-dev
-  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
-  clang-format
+  libgtest-dev libgmock-dev libbenchmark-dev
 )
+if [[ "${1:-}" == ci ]]; then
+  packages+=(clang clang-format)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
@@ -22,6 +25,6 @@ as_root=()
 if ((EUID != 0)); then
   as_root=(sudo)
 fi
-echo "Installing: ${missing[*]}"
-"${as_root[@]}" apt-get update -qq
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+echo "Installing: ${missing[*]}" >&2
+"${as_root[@]}" apt-get update -qq >&2
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2

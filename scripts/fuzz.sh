@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Fuzzes every reader for the given number of seconds each (default 60), starting from the valid files of tests/data.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+seconds=${1:-60}
+cmake --preset fuzz >/dev/null
+cmake --build --preset fuzz
+for fuzzer in build/fuzz/tests/fuzz/*_fuzzer; do
+  echo "$(basename "$fuzzer"), $seconds s"
+  corpus=$(mktemp -d)
+  cp tests/data/formats/*.json tests/data/formats/*.csv "$corpus"
+  "$fuzzer" -max_total_time="$seconds" -verbosity=0 -print_final_stats=0 "$corpus"
+  rm -r "$corpus"
+done

@@ -5,10 +5,10 @@ cd "$(dirname "$0")/.."
 seconds=${1:-60}
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz
-for fuzzer in build/fuzz/tests/fuzz/*_fuzzer; do
+find build/fuzz/tests/fuzz -maxdepth 1 -type f -name 'fuzz_*' -executable | sort | while read -r fuzzer; do
   echo "$(basename "$fuzzer"), $seconds s"
   corpus=$(mktemp -d)
-  cp tests/data/formats/*.json tests/data/formats/*.csv "$corpus"
-  "$fuzzer" -max_total_time="$seconds" -verbosity=0 -print_final_stats=0 "$corpus"
+  cp tests/data/formats/* "$corpus"
+  "$fuzzer" -max_total_time="$seconds" -verbosity=0 "$corpus"
   rm -r "$corpus"
 done

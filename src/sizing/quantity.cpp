@@ -12,6 +12,9 @@ using Value = std::optional<double>;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
+constexpr std::string_view no_change = "the current does not change the bending angle";
+constexpr std::string_view runaway = "the current is at or beyond that of a thermal runaway";
+
 // One row a quantity: how to get it, in the unit of its name.
 constexpr std::array table = {
     Quantity{"axial_force_N", "one coil on the magnet beside it at the rest gap; repulsion is positive", 2.0,
@@ -30,11 +33,11 @@ constexpr std::array table = {
     Quantity{"peak_speed_time_s", "when that speed is reached", 0.03,
              [](const Candidate& c) -> Value { return c.performance.motion.peak_speed_time; }},
     Quantity{"rise_time_s", "10 to 90 % of the change", 0.03,
-             [](const Candidate& c) { return c.performance.motion.rise_time; }},
+             [](const Candidate& c) { return c.performance.motion.rise_time; }, no_change},
     Quantity{"overshoot_pct", "beyond the steady angle, of the change", 50.0,
              [](const Candidate& c) -> Value { return c.performance.motion.overshoot * 100.0; }},
     Quantity{"settling_time_s", "until the bending angle stays within 2 % of the change", 1.0,
-             [](const Candidate& c) { return c.performance.motion.settling_time; }},
+             [](const Candidate& c) { return c.performance.motion.settling_time; }, no_change},
     Quantity{"damping_ratio", "of the slowest mode at the steady angle", 0.1,
              [](const Candidate& c) -> Value { return c.performance.motion.modes.front().damping_ratio; }},
     Quantity{"natural_frequency_Hz", "of the slowest mode at the steady angle", 7.0,
@@ -82,9 +85,9 @@ constexpr std::array table = {
           return rms / std::min(heat.continuous_current, heat.magnet_continuous_current);
         }},
     Quantity{"coil_temperature_degC", "of the hottest coil when held", 100.0,
-             [](const Candidate& c) { return c.performance.heat.coil_temperature; }},
+             [](const Candidate& c) { return c.performance.heat.coil_temperature; }, runaway},
     Quantity{"magnet_temperature_degC", "of the hottest magnet when held", 100.0,
-             [](const Candidate& c) { return c.performance.heat.magnet_temperature; }},
+             [](const Candidate& c) { return c.performance.heat.magnet_temperature; }, runaway},
     Quantity{"voltage_V", "across one coil at 20 degC", 5.0,
              [](const Candidate& c) -> Value { return c.performance.voltage; }},
     Quantity{"power_W", "of all coils while on, at 20 degC", 10.0,

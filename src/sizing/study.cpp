@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+
+#include "sizing/design_space.hpp"
 
 namespace coilwright::sizing {
 namespace {
@@ -13,21 +16,49 @@ struct NameOf {
   std::string operator()(const ConfigurationVariable&) const { return "configuration"; }
 };
 
-std::optional<std::size_t> count(const std::variant<Interval, Choice>& range, bool whole) {
-  if (const Choice* choice = std::get_if<Choice>(&range)) return choice->values.size();
+Variable numeric_variable(std::string name, const std::variant<Interval, Choice>& range, VariableKind kind) {
+  if (const Choice* choice = std::get_if<Choice>(&range))
+    return {.name = std::move(name),
+            .kind = VariableKind::integer,
+            .lower = 0.0,
+            .upper = static_cast<double>(choice->values.size()) - 1.0};
   const Interval& interval = std::get<Interval>(range);
-  const double step = interval.step > 0.0 ? interval.step : (whole ? 1.0 : 0.0);
-  if (step == 0.0) return interval.lower == interval.upper ? std::optional<std::size_t>(1) : std::nullopt;
-  // As the search's own grid: a last value within a rounding of the upper bound counts.
-  return static_cast<std::size_t>(std::floor((interval.upper - interval.lower) / step * (1.0 + 1e-12))) + 1;
+  return {
+      .name = std::move(name), .kind = kind, .lower = interval.lower, .upper = interval.upper, .step = interval.step};
 }
 
-struct CountOf {
-  std::optional<std::size_t> operator()(const ParameterVariable& variable) const {
-    return count(variable.range, variable.parameter->whole);
+struct AsSearchVariable {
+  Variable operator()(const ParameterVariable& variable) const {
+    return numeric_variable(std::string(variable.parameter->name), variable.range,
+                            variable.parameter->whole ? VariableKind::integer : VariableKind::continuous);
   }
-  std::optional<std::size_t> operator()(const CurrentVariable& variable) const { return count(variable.range, false); }
-  std::optional<std::size_t> operator()(const ConfigurationVariable& variable) const { return variable.values.size(); }
+  Variable operator()(const CurrentVariable& variable) const {
+    return numeric_variable("current_A", variable.range, VariableKind::continuous);
+  }
+  Variable operator()(const ConfigurationVariable& variable) const {
+    return {.name = "configuration",
+            .kind = VariableKind::categorical,
+            .lower = 0.0,
+            .upper = static_cast<double>(variable.values.size()) - 1.0};
+  }
+};
+
+std::size_t index_of(double coordinate) {
+  return static_cast<std::size_t>(std::lround(coordinate));
+}
+
+double number_at(const std::variant<Interval, Choice>& range, double coordinate) {
+  const Choice* choice = std::get_if<Choice>(&range);
+  return choice ? choice->values[index_of(coordinate)] : coordinate;
+}
+
+struct ValueAt {
+  double coordinate;
+  VariableValue operator()(const ParameterVariable& variable) const { return number_at(variable.range, coordinate); }
+  VariableValue operator()(const CurrentVariable& variable) const { return number_at(variable.range, coordinate); }
+  VariableValue operator()(const ConfigurationVariable& variable) const {
+    return actuator::name_of(variable.values[index_of(coordinate)]);
+  }
 };
 
 }  // namespace
@@ -36,8 +67,19 @@ std::string name_of(const StudyVariable& variable) {
   return std::visit(NameOf{}, variable);
 }
 
+Variable search_variable(const StudyVariable& variable) {
+  return std::visit(AsSearchVariable{}, variable);
+}
+
 std::optional<std::size_t> value_count(const StudyVariable& variable) {
-  return std::visit(CountOf{}, variable);
+  const Variable searched = search_variable(variable);
+  if (searched.lower == searched.upper) return 1;
+  if (grid_step(searched) == 0.0) return std::nullopt;
+  return static_cast<std::size_t>(last_grid_index(searched)) + 1;
+}
+
+VariableValue value_at(const StudyVariable& variable, double coordinate) {
+  return std::visit(ValueAt{coordinate}, variable);
 }
 
 std::string name_of(const Limit& limit) {
@@ -46,6 +88,10 @@ std::string name_of(const Limit& limit) {
 
 double margin(const Limit& limit, double value) {
   return limit.side == Limit::Side::at_most ? limit.value - value : value - limit.value;
+}
+
+double scale_of(const Limit& limit) {
+  return limit.value != 0.0 ? std::abs(limit.value) : limit.quantity->scale;
 }
 
 }  // namespace coilwright::sizing

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <variant>
@@ -26,6 +26,8 @@ struct NotEvaluated {
   double infeasibility{};  ///< grows away from what can be evaluated, > 0
 };
 
+using DesignResult = std::variant<EvaluatedDesign, NotEvaluated>;
+
 /// A study as the search sees it. Points of the search hold a value per study variable in the unit of its name, but for
 /// lists and configurations, whose coordinate is the index of the value.
 class DesignProblem {
@@ -34,22 +36,30 @@ class DesignProblem {
 
   [[nodiscard]] const Study& study() const noexcept { return study_; }
 
-  /// The problem to hand to search() or pareto(). It refers to this object, which must outlive it.
+  /// The problem to hand to search() or pareto(). It refers to this object, which must outlive it and stay in place.
   [[nodiscard]] Problem problem() const;
 
   /// The design at a point: the study's base with the variables set.
   [[nodiscard]] actuator::Design design_at(std::span<const double> point) const;
 
   /// Everything about a point. Pure.
-  [[nodiscard]] std::variant<EvaluatedDesign, NotEvaluated> evaluate(std::span<const double> point) const;
+  [[nodiscard]] DesignResult evaluate(std::span<const double> point) const;
 
-  /// A point's value of one variable as files write it: a number, or the letter of a configuration.
-  [[nodiscard]] std::variant<double, std::string> value_of(std::size_t variable, double coordinate) const;
+  /// The actuator that the study starts from, at the study's operating point. Where a variable sets the current there
+  /// is no such point.
+  [[nodiscard]] DesignResult evaluate_base() const;
+
+  /// What the search is told of a design: its objectives and its constraints, each -margin / scale_of(limit), so <= 0
+  /// is kept; or, also where a quantity it asks for has no value, why not.
+  [[nodiscard]] Evaluation assess(const DesignResult& result) const;
 
   /// All points of a study whose variables are all lists, grids or whole numbers, one by one: point `index` of
-  /// point_count(), the last variable fastest. Throws std::invalid_argument naming a variable that is continuous.
+  /// point_count(), the last variable fastest. Throws std::invalid_argument naming a variable that is continuous, or
+  /// when there are more than most_points.
   [[nodiscard]] std::size_t point_count() const;
   [[nodiscard]] std::vector<double> point(std::size_t index) const;
+
+  static constexpr std::size_t most_points = 1'000'000'000'000;
 
  private:
   Study study_;

@@ -25,6 +25,7 @@ struct Quantity {
   double scale{};            ///< of an ordinary value, in its unit, > 0: what a difference is measured against
   /// In the unit of the name; nothing where the quantity does not exist (a temperature in a thermal runaway).
   std::optional<double> (*get)(const Candidate&) = nullptr;
+  std::string_view absence{};  ///< when it has no value: end of a sentence; empty for a quantity every design has
 };
 
 /// Every quantity, in the order in which results print them.

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,8 +42,18 @@ using StudyVariable = std::variant<ParameterVariable, CurrentVariable, Configura
 /// The name of a variable as files write it: "gap_mm", "current_A", "configuration".
 [[nodiscard]] std::string name_of(const StudyVariable& variable);
 
+/// The variable as a search moves it: in the unit of its name, or, for lists and configurations, the index of the
+/// value.
+[[nodiscard]] Variable search_variable(const StudyVariable& variable);
+
 /// Number of values a variable has; nothing for a continuous one.
 [[nodiscard]] std::optional<std::size_t> value_count(const StudyVariable& variable);
+
+/// A value of a variable as files write it: a number, or the letter of a configuration.
+using VariableValue = std::variant<double, std::string_view>;
+
+/// The value behind a search's coordinate.
+[[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
 
 struct StudyObjective {
   const Quantity* quantity{};  ///< never nullptr
@@ -63,7 +74,12 @@ struct Limit {
 /// How far inside its limit a value lies, in the unit of the quantity: negative outside.
 [[nodiscard]] double margin(const Limit& limit, double value);
 
-/// How the current of a design is set, unless a variable does.
+/// What a margin is divided by where limits are compared with each other: the magnitude of the limit or, for a limit of
+/// 0, the scale of its quantity. In the unit of the quantity, > 0.
+[[nodiscard]] double scale_of(const Limit& limit);
+
+/// How the current of a design is set.
+struct VariedCurrent {};  ///< a variable sets it
 struct FixedCurrent {
   double current{};  ///< A
 };
@@ -75,7 +91,7 @@ struct ShareOfLimit {
 struct Study {
   std::string name;
   actuator::Design base;  ///< with its calibration; variables are set on a copy of it
-  std::variant<FixedCurrent, ShareOfLimit> current;
+  std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
   double duty = 1.0;
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;

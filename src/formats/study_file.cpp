@@ -19,6 +19,12 @@ namespace {
 
 using namespace sizing;
 
+// Bounds far beyond any hardware and any search, and near enough that nothing overflows.
+constexpr std::size_t most_values = 1'000'000;  // of one variable
+constexpr Rule current_rule = Rule::between(-1e6, 1e6);
+constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
+constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
+
 const Quantity& read_quantity(const Node& node) {
   if (const Quantity* quantity = find_quantity(node.text())) return *quantity;
   std::vector<std::string> names;
@@ -26,29 +32,40 @@ const Quantity& read_quantity(const Node& node) {
   throw node.error("must be a quantity that evaluate prints" + did_you_mean(node.text(), names));
 }
 
-// {"lower", "upper", "step"} or {"values": [...]}.
-std::variant<Interval, Choice> read_range(ObjectReader& in, const Rule& rule, bool whole) {
-  const auto number = [&](const Node& node) {
-    return whole ? static_cast<double>(node.integer<int>(rule)) : node.number(rule);
-  };
-  if (in.one_of({"lower", "values"}) == "values") {
-    Choice choice;
-    for (const Node& node : in.elements("values", Length::at_least(1))) {
-      const double value = number(node);
-      if (!choice.values.empty() && value <= choice.values.back())
-        throw node.error(fmt::format("must exceed the value before it ({})", choice.values.back()));
-      choice.values.push_back(value);
-    }
-    return choice;
+double read_value(const Node& node, const Rule& rule, VariableKind kind) {
+  return kind == VariableKind::integer ? static_cast<double>(node.integer<int>(rule)) : node.number(rule);
+}
+
+Choice read_choice(const Node& list, const Rule& rule, VariableKind kind) {
+  Choice choice;
+  for (const Node& node : list.elements(Length::from_to(1, most_values))) {
+    const double value = read_value(node, rule, kind);
+    if (!choice.values.empty() && value <= choice.values.back())
+      throw node.error(fmt::format("must exceed the value before it ({})", choice.values.back()));
+    choice.values.push_back(value);
   }
+  return choice;
+}
+
+Interval read_interval(ObjectReader& in, const Rule& rule, VariableKind kind) {
   Interval interval;
-  interval.lower = number(in.at("lower"));
+  interval.lower = read_value(in.at("lower"), rule, kind);
   const Node upper = in.at("upper");
-  interval.upper = number(upper);
+  interval.upper = read_value(upper, rule, kind);
   if (interval.upper < interval.lower) throw upper.error(fmt::format("must not be below lower ({})", interval.lower));
-  if (const auto step = in.find("step"))
-    interval.step = whole ? step->integer<int>(Rule::at_least(1)) : step->number(positive);
+  const auto step = in.find("step");
+  if (!step) return interval;
+  interval.step = read_value(*step, kind == VariableKind::integer ? Rule::at_least(1) : positive, kind);
+  const double range = interval.upper - interval.lower;
+  if (interval.step > range) throw step->error(fmt::format("must not exceed upper - lower ({})", range));
+  if (range / interval.step > most_values) throw step->error(fmt::format("must make at most {} values", most_values));
   return interval;
+}
+
+// {"lower", "upper", "step"} or {"values": [...]}.
+std::variant<Interval, Choice> read_range(ObjectReader& in, const Rule& rule, VariableKind kind) {
+  if (in.one_of({"lower", "values"}) == "lower") return read_interval(in, rule, kind);
+  return read_choice(in.at("values"), rule, kind);
 }
 
 ConfigurationVariable read_configurations(const Node& node) {
@@ -66,7 +83,8 @@ ConfigurationVariable read_configurations(const Node& node) {
 StudyVariable read_variable(const Node& node, const std::string& name) {
   if (name == "configuration") return read_configurations(node);
   if (name == "current_A")
-    return read_object(node, [](ObjectReader& in) { return CurrentVariable{read_range(in, finite, false)}; });
+    return read_object(
+        node, [](ObjectReader& in) { return CurrentVariable{read_range(in, current_rule, VariableKind::continuous)}; });
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   if (parameter == nullptr) {
     std::vector<std::string> names{"configuration", "current_A"};
@@ -74,7 +92,8 @@ StudyVariable read_variable(const Node& node, const std::string& name) {
     throw node.error_without_value("is not a variable of a design" + did_you_mean(name, names));
   }
   return read_object(node, [parameter](ObjectReader& in) {
-    return ParameterVariable{.parameter = parameter, .range = read_range(in, rule_of(*parameter), parameter->whole)};
+    const VariableKind kind = parameter->whole ? VariableKind::integer : VariableKind::continuous;
+    return ParameterVariable{.parameter = parameter, .range = read_range(in, rule_of(*parameter), kind)};
   });
 }
 
@@ -109,14 +128,14 @@ Limit read_limit(const Node& node) {
     Limit limit{.quantity = &read_quantity(in.at("quantity"))};
     const std::string side = in.one_of({"at_most", "at_least"});
     limit.side = side == "at_most" ? Limit::Side::at_most : Limit::Side::at_least;
-    limit.value = in.number(side);
+    limit.value = in.number(side, limit_rule);
     return limit;
   });
 }
 
 std::vector<Limit> read_limits(const Node& node) {
   std::vector<Limit> limits;
-  for (const Node& element : node.elements()) {
+  for (const Node& element : node.elements(Length::from_to(0, 2 * quantities().size()))) {
     const Limit limit = read_limit(element);
     for (const Limit& other : limits) {
       if (other.quantity != limit.quantity) continue;
@@ -149,45 +168,69 @@ SearchOptions read_search(const Node& node) {
   });
 }
 
-void read_operating_point(const Node& node, Study& study) {
-  read_object(node, [&study, &node](ObjectReader& in) {
-    const bool varied = std::ranges::any_of(
-        study.variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
-    study.duty = in.number_or("duty", 1.0, Rule::above(0.0).and_also(Rule::at_most(1.0)));
-    if (varied) {
-      if (in.find("current_A") || in.find("share_of_current_limit"))
-        throw node.error_without_value("sets the current, which is a variable of this study too");
-      return 0;
+actuator::Design read_base(const Node& node) {
+  ActuatorFile file = read_actuator(node.path());
+  if (!std::holds_alternative<actuator::Design>(file.content))
+    throw node.error("must be a design (actuator/1): a lumped model has no geometry to vary");
+  return std::get<actuator::Design>(std::move(file.content));
+}
+
+bool varies_current(const Study& study) {
+  return std::ranges::any_of(study.variables,
+                             [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
+}
+
+struct Operation {
+  std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
+  double duty = 1.0;
+};
+
+Operation read_operating_point(const Node& node, const Study& study) {
+  return read_object(node, [&](ObjectReader& in) {
+    Operation out{.current = VariedCurrent{}, .duty = in.number_or("duty", 1.0, Rule::between(0.0, 1.0))};
+    if (varies_current(study)) {
+      for (const std::string_view key : {"current_A", "share_of_current_limit"})
+        if (const auto fixed = in.find(key))
+          throw fixed->error_without_value("sets the current, which is a variable of this study too");
+    } else if (in.one_of({"current_A", "share_of_current_limit"}) == "current_A") {
+      out.current = FixedCurrent{in.number("current_A", current_rule)};
+    } else {
+      out.current = ShareOfLimit{in.number("share_of_current_limit", largest_share)};
     }
-    if (in.one_of({"current_A", "share_of_current_limit"}) == "current_A")
-      study.current = FixedCurrent{in.number("current_A")};
-    else
-      study.current = ShareOfLimit{in.number("share_of_current_limit", positive)};
-    return 0;
+    return out;
   });
 }
 
-}  // namespace
-
-sizing::Study read_study(const std::filesystem::path& path) {
-  const Document document = read_json(path);
+Study read_study_file(const Document& document) {
   return read_object(document.root(), [](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
     study.name = in.text("name");
     (void)in.text_or("description", "");
     study.variables = read_variables(in.at("variables"));
-    read_operating_point(in.at("operating_point"), study);
+    // Only a current that varies leaves nothing to say.
+    const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
+    if (operation) {
+      const Operation point = read_operating_point(*operation, study);
+      study.current = point.current;
+      study.duty = point.duty;
+    }
     study.objectives = read_objectives(in.at("objectives"));
     if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    const Node actuator_node = in.at("actuator");
-    ActuatorFile actuator = read_actuator(actuator_node.path());
-    if (!std::holds_alternative<actuator::Design>(actuator.content))
-      throw actuator_node.error("must be a design (actuator/1): a lumped model has no geometry to vary");
-    study.base = std::get<actuator::Design>(std::move(actuator.content));
+    study.base = read_base(in.at("actuator"));
     return study;
   });
+}
+
+}  // namespace
+
+sizing::Study read_study(const std::filesystem::path& path) {
+  return read_study_file(read_json(path));
+}
+
+sizing::Study parse_study(std::string_view text, std::string file) {
+  return read_study_file(parse_json(text, std::move(file)));
 }
 
 }  // namespace coilwright::formats

@@ -14,6 +14,13 @@ namespace fs = std::filesystem;
 
 constexpr auto preparing = OutputError::Stage::preparing;
 
+fs::path plain_name(std::string_view name) {
+  fs::path file(name);
+  if (file.empty() || file.has_parent_path() || file == "." || file == "..")
+    throw std::invalid_argument(fmt::format("name must be a plain file name; got {}", name));
+  return file;
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
@@ -49,10 +56,7 @@ OutputFolder::~OutputFolder() {
 }
 
 std::ostream& OutputFolder::open(std::string_view name) {
-  const fs::path file(name);
-  if (file.empty() || file.has_parent_path() || file == "." || file == "..") {
-    throw std::invalid_argument(fmt::format("name must be a plain file name; got {}", name));
-  }
+  const fs::path file = plain_name(name);
   const bool open_already =
       std::any_of(files_.begin(), files_.end(), [&](const OutputFile& each) { return each.path() == path_ / file; });
   if (open_already) throw std::invalid_argument(fmt::format("name must not be opened twice; got {}", name));
@@ -63,9 +67,18 @@ void OutputFolder::write(std::string_view name, std::string_view content) {
   open(name).write(content.data(), static_cast<std::streamsize>(content.size()));
 }
 
+void OutputFolder::remove(std::string_view name) {
+  outdated_.push_back(path_ / plain_name(name));
+}
+
 void OutputFolder::commit() {
   for (OutputFile& file : files_) file.close();
   made_.clear();  // from here on there is something in them
+  for (const fs::path& file : outdated_) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw OutputError(file, error.message(), OutputError::Stage::writing);
+  }
   for (OutputFile& file : files_) file.commit();
   files_.clear();
 }

@@ -25,6 +25,9 @@ class OutputFolder {
   [[nodiscard]] std::ostream& open(std::string_view name);
   /// A file with this content.
   void write(std::string_view name, std::string_view content);
+  /// Removes at commit() what an earlier run may have left under this name, so that it is not taken for a result of
+  /// this one.
+  void remove(std::string_view name);
   /// Gives all files their names. Throws OutputError (writing); if a file is incomplete, none of them changes.
   void commit();
 
@@ -35,7 +38,8 @@ class OutputFolder {
 
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  // outermost first
-  std::deque<OutputFile> files_;             // a deque: a stream's address must not change
+  std::vector<std::filesystem::path> outdated_;
+  std::deque<OutputFile> files_;  // a deque: a stream's address must not change
 };
 
 }  // namespace coilwright::report

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "coilwright/report/json.hpp"
+#include "coilwright/sizing/pareto.hpp"
+#include "coilwright/sizing/study.hpp"
+
+namespace coilwright::report {
+
+/// result.json of `pareto`; its keys are in docs/formats.md. `study` has the options that were used.
+[[nodiscard]] Json to_json(const sizing::Study& study, const sizing::ParetoResult& result);
+
+/// The ends of the front and its middle as a table, or the design nearest to feasible.
+[[nodiscard]] std::string to_text(const sizing::Study& study, const sizing::ParetoResult& result);
+
+}  // namespace coilwright::report

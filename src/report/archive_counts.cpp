@@ -1,0 +1,57 @@
+#include "report/archive_counts.hpp"
+
+#include <fmt/format.h>
+
+#include "report/design_text.hpp"
+
+namespace coilwright::report {
+
+ArchiveCounts counts_of(const sizing::Archive& archive) {
+  ArchiveCounts counts;
+  for (const sizing::Record& record : archive.records()) {
+    if (!record.evaluation.failure.empty())
+      ++counts.failed;
+    else
+      ++(sizing::is_feasible(record.evaluation) ? counts.ok : counts.infeasible);
+  }
+  return counts;
+}
+
+Json to_json(const ArchiveCounts& counts) {
+  return Json::object({{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}});
+}
+
+std::string to_text(const ArchiveCounts& counts) {
+  return fmt::format("{} kept every limit, {} did not, {} could not be evaluated", counts.ok, counts.infeasible,
+                     counts.failed);
+}
+
+Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason) {
+  Json objectives = Json::array();
+  for (const sizing::StudyObjective& objective : study.objectives)
+    objectives.add(Json::object(
+        {{objective.sense == sizing::Sense::maximise ? "maximise" : "minimise", objective.quantity->name}}));
+  return Json::object({{"command", command},
+                       {"study", study.name},
+                       {"objectives", std::move(objectives)},
+                       {"algorithm", sizing::name_of(study.search.algorithm)},
+                       {"seed", static_cast<std::int64_t>(study.search.seed)},
+                       {"max_evaluations", study.search.max_evaluations},
+                       {"stop_reason", sizing::name_of(reason)}});
+}
+
+std::string_view meaning_of(sizing::StopReason reason) {
+  switch (reason) {
+    case sizing::StopReason::evaluation_limit:
+      return "the evaluations allowed were made";
+    case sizing::StopReason::space_exhausted:
+      return "every design there is was evaluated";
+    case sizing::StopReason::converged:
+      return "the algorithm saw nothing left to gain";
+    case sizing::StopReason::interrupted:
+      return "it was interrupted";
+  }
+  return "";
+}
+
+}  // namespace coilwright::report

@@ -6,10 +6,11 @@ namespace {
 
 // In the order of the help.
 constexpr std::array commands = {
-    &coilwright::cli::add_evaluate_command,
-    &coilwright::cli::add_simulate_command,
-    &coilwright::cli::add_force_command,
-    &coilwright::cli::add_validate_command,
+    &coilwright::cli::add_evaluate_command,  // the model
+    &coilwright::cli::add_simulate_command, &coilwright::cli::add_force_command,
+    &coilwright::cli::add_size_command,  // the search
+    &coilwright::cli::add_sweep_command,    &coilwright::cli::add_pareto_command,
+    &coilwright::cli::add_validate_command,  // the proof
 };
 
 }  // namespace

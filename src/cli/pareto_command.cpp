@@ -1,0 +1,66 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <span>
+#include <stdexcept>
+
+#include "coilwright/report/evaluation_table.hpp"
+#include "coilwright/report/front_report.hpp"
+#include "coilwright/report/output_folder.hpp"
+#include "coilwright/sizing/design_problem.hpp"
+#include "coilwright/sizing/pareto.hpp"
+#include "commands.hpp"
+#include "outcome.hpp"
+#include "study_run.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+// Whatever the search says of a design, it is evaluated again before it is written.
+void check_front(const sizing::DesignProblem& problem, std::span<const sizing::Record> front) {
+  for (const sizing::Record& record : front)
+    if (problem.assess(problem.evaluate(record.point)) != record.evaluation || !sizing::is_feasible(record.evaluation))
+      throw std::logic_error("a design of the front gives other numbers when it is evaluated again");
+}
+
+ExitCode run_pareto(const StudyOptions& options) {
+  const sizing::DesignProblem problem(
+      read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"}));
+  const sizing::Study& study = problem.study();
+  report::OutputFolder folder(options.out);
+  const Interruption interruption;
+  const sizing::ParetoResult result = [&] {
+    ProgressLine line(options);
+    sizing::ParetoOptions search = study.search;
+    search.stop = interruption.token();
+    search.progress = search_progress(line);
+    return sizing::pareto(problem.problem(), search);
+  }();
+  check_front(problem, result.front);
+  report::write_front(folder.open("front.csv"), study, result.front);
+  report::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
+  folder.write("result.json", report::to_json(study, result).text());
+  folder.commit();
+  std::cout << report::to_text(study, result);
+  if (interruption.requested()) return ExitCode::interrupted;
+  return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
+}
+
+}  // namespace
+
+void add_pareto_command(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("pareto", "The trade-offs of a study with two or three objectives");
+  add_study_options(*command, *options);
+  add_search_options(*command, *options);
+  command->footer(
+      "Writes front.csv (a row a design that no other beats: variables, objectives, the margin of every limit),\n"
+      "evaluations.csv (every design that was evaluated) and result.json. With nothing feasible the least infeasible\n"
+      "design is in result.json and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then\n"
+      "130.\n\n"
+      "Example:\n"
+      "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
+  command->callback([options, &outcome] { outcome.code = run_pareto(*options); });
+}
+
+}  // namespace coilwright::cli

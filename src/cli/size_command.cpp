@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/report/actuator_json.hpp"
+#include "coilwright/report/evaluation_table.hpp"
+#include "coilwright/report/output_folder.hpp"
+#include "coilwright/report/size_report.hpp"
+#include "coilwright/sizing/search.hpp"
+#include "commands.hpp"
+#include "outcome.hpp"
+#include "study_run.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using sizing::DesignProblem;
+using sizing::DesignResult;
+using sizing::EvaluatedDesign;
+
+// The answer is checked where it will be used: the text of actuator.json is read back, evaluated at the operating point
+// found, and held against every limit.
+void check_written_design(const std::string& text, const EvaluatedDesign& best, const sizing::Study& study) {
+  const formats::ActuatorFile file = formats::parse_actuator(text, "actuator.json");
+  const auto& design = std::get<actuator::Design>(file.content);
+  const actuator::Assembly assembly = actuator::assemble_or_throw(design);
+  const auto result = simulation::performance_of(design, assembly, best.point);
+  if (const auto* none = std::get_if<simulation::NoPerformance>(&result)) throw std::logic_error(none->reason);
+  const sizing::Candidate candidate{.design = design,
+                                    .assembly = assembly,
+                                    .point = best.point,
+                                    .performance = std::get<simulation::Performance>(result)};
+  for (const sizing::Limit& limit : study.limits) {
+    const std::optional<double> value = limit.quantity->get(candidate);
+    if (!value || !(margin(limit, *value) >= 0.0))
+      throw std::logic_error(
+          fmt::format("the design found does not keep {} when it is read back and evaluated again", name_of(limit)));
+  }
+}
+
+std::string actuator_text(const DesignProblem& problem, const sizing::SearchResult& result) {
+  const std::string& study = problem.study().name;
+  const std::string name = result.feasible ? study : study + " (least infeasible)";
+  return report::to_json(problem.design_at(result.best->point), name).text();
+}
+
+void write_results(report::OutputFolder& folder, const DesignProblem& problem, const report::SizeAnswer& answer) {
+  folder.write("result.json", report::to_json(answer).text());
+  report::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
+  if (!answer.result.best) {
+    folder.remove("actuator.json");
+  } else {
+    const std::string text = actuator_text(problem, answer.result);
+    if (answer.result.feasible) check_written_design(text, std::get<EvaluatedDesign>(*answer.best), problem.study());
+    folder.write("actuator.json", text);
+  }
+  folder.commit();
+}
+
+ExitCode run_size(const StudyOptions& options) {
+  const DesignProblem problem(
+      read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"}));
+  report::OutputFolder folder(options.out);
+  const Interruption interruption;
+  const sizing::SearchResult result = [&] {
+    ProgressLine line(options);
+    sizing::SearchOptions search = problem.study().search;
+    search.stop = interruption.token();
+    search.progress = search_progress(line);
+    return sizing::search(problem.problem(), search);
+  }();
+  const std::optional<DesignResult> best =
+      result.best ? std::optional(problem.evaluate(result.best->point)) : std::nullopt;
+  if (best && problem.assess(*best) != result.best->evaluation)
+    throw std::logic_error("the design found gives other numbers when it is evaluated again");
+  const DesignResult base = problem.evaluate_base();
+  const sizing::Evaluation base_seen = problem.assess(base);
+  const report::SizeAnswer answer{
+      .study = problem.study(), .result = result, .best = best ? &*best : nullptr, .base_seen = base_seen};
+  write_results(folder, problem, answer);
+  std::cout << report::to_text(answer);
+  if (interruption.requested()) return ExitCode::interrupted;
+  return result.feasible ? ExitCode::done : ExitCode::infeasible;
+}
+
+}  // namespace
+
+void add_size_command(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("size", "The best design of a study with one objective");
+  add_study_options(*command, *options);
+  add_search_options(*command, *options);
+  command->footer(
+      "Writes result.json (all that is printed, and more), actuator.json (the design, for evaluate and simulate) and\n"
+      "evaluations.csv (every design that was evaluated). With nothing feasible the least infeasible design is\n"
+      "written and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then 130.\n\n"
+      "Example:\n"
+      "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
+  command->callback([options, &outcome] { outcome.code = run_size(*options); });
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,97 @@
+#include "study_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <stdexcept>
+
+#include "coilwright/formats/input_error.hpp"
+#include "coilwright/formats/study_file.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr int most_threads = 1024;
+
+std::string algorithm_complaint(const std::string& name) {
+  try {
+    (void)sizing::algorithm_named(name);
+  } catch (const std::invalid_argument& mistake) {
+    return mistake.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& command, StudyOptions& options) {
+  command.add_option("STUDY.json", options.study, "A study (study/1)")->required();
+  command.add_option("--out", options.out, "Folder to write results to; made if it is not there")->required();
+  command.add_option("--threads", options.threads, "Designs evaluated at once; 0, the default: one per core")
+      ->check(number_rule(formats::Rule::between(0, most_threads)));
+  command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+}
+
+void add_search_options(CLI::App& command, StudyOptions& options) {
+  command.add_option("--seed", options.seed, "Of everything random, instead of the study's")
+      ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
+  command.add_option("--max-evaluations", options.max_evaluations, "Designs evaluated at most, instead of the study's")
+      ->check(number_rule(formats::Rule::between(1, 1e9)));
+  command
+      .add_option("--algorithm", options.algorithm, "How to search, instead of the study's; automatic is the default")
+      ->check(CLI::Validator(algorithm_complaint, ""));
+}
+
+sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
+  sizing::Study study = formats::read_study(options.study);
+  const std::size_t count = study.objectives.size();
+  if (count < objectives.least || count > objectives.most)
+    throw formats::InputError({.file = options.study,
+                               .place = "/objectives",
+                               .rule = std::string(objectives.rule),
+                               .value = fmt::format("{}", count)});
+  study.search.threads = options.threads;
+  if (options.seed) study.search.seed = *options.seed;
+  if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
+  if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
+  return study;
+}
+
+// A signal handler may not ask a stop_source; this thread looks at the handler's flag for it.
+Interruption::Interruption()
+    : watch_([this](const std::stop_token& over) {
+        using namespace std::chrono_literals;
+        while (!over.stop_requested()) {
+          if (signal_.requested()) {
+            source_.request_stop();
+            return;
+          }
+          std::this_thread::sleep_for(20ms);
+        }
+      }) {}
+
+ProgressLine::ProgressLine(const StudyOptions& options) : shown_(!options.quiet && isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (length_ > 0) std::cerr << '\r' << std::string(length_, ' ') << '\r' << std::flush;
+}
+
+void ProgressLine::show(const std::string& text) {
+  if (!shown_) return;
+  const std::size_t rest = length_ > text.size() ? length_ - text.size() : 0;
+  std::cerr << '\r' << text << std::string(rest, ' ') << std::flush;
+  length_ = text.size();
+}
+
+std::function<void(const sizing::Progress&)> search_progress(ProgressLine& line) {
+  if (!line.is_shown()) return {};
+  return [&line](const sizing::Progress& progress) {
+    line.show(fmt::format("{} of {} evaluations, {} feasible, {} on the front", progress.evaluations,
+                          progress.max_evaluations, progress.feasible, progress.front_size));
+  };
+}
+
+}  // namespace coilwright::cli

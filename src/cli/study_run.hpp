@@ -1,0 +1,79 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "coilwright/sizing/options.hpp"
+#include "coilwright/sizing/study.hpp"
+#include "stop_signal.hpp"
+
+namespace coilwright::cli {
+
+/// Options of every command that runs a study.
+struct StudyOptions {
+  std::string study;
+  std::string out;
+  unsigned threads = 0;
+  bool quiet{false};
+  std::optional<std::uint64_t> seed{};
+  std::optional<std::size_t> max_evaluations{};
+  std::optional<std::string> algorithm{};
+};
+
+/// STUDY.json, --out, --threads and --quiet.
+void add_study_options(CLI::App& command, StudyOptions& options);
+
+/// --seed, --max-evaluations and --algorithm, which override what the study says.
+void add_search_options(CLI::App& command, StudyOptions& options);
+
+/// How many objectives a command takes.
+struct ObjectiveCount {
+  std::size_t least{};
+  std::size_t most{};
+  std::string_view rule;  ///< end of a sentence: "must be one for size; pareto takes two or three"
+};
+
+/// The study with the options of the command line in its `search`. Throws InputError, also when it has another number
+/// of objectives.
+[[nodiscard]] sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& objectives);
+
+/// While it lives, Ctrl-C asks for a stop instead of ending the program.
+class Interruption {
+ public:
+  Interruption();
+  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+  [[nodiscard]] bool requested() const { return source_.stop_requested(); }
+
+ private:
+  StopSignal signal_;
+  std::stop_source source_;
+  std::jthread watch_;  // last: it uses the others
+};
+
+/// A line on standard error that is written over and over while a command works, and gone when it ends. Only on a
+/// terminal, and not with --quiet.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const StudyOptions& options);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  [[nodiscard]] bool is_shown() const noexcept { return shown_; }
+  void show(const std::string& text);
+
+ private:
+  bool shown_;
+  std::size_t length_{};
+};
+
+/// "1200 of 2000 evaluations, 800 feasible, 31 on the front", to be given to a search; empty when nothing is shown.
+[[nodiscard]] std::function<void(const sizing::Progress&)> search_progress(ProgressLine& line);
+
+}  // namespace coilwright::cli

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "coilwright/formats/input_error.hpp"
+#include "coilwright/report/output_folder.hpp"
+#include "coilwright/report/sweep_table.hpp"
+#include "coilwright/sizing/leaders.hpp"
+#include "coilwright/sizing/sweep.hpp"
+#include "commands.hpp"
+#include "outcome.hpp"
+#include "study_run.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr std::size_t progress_interval = 64;  // designs between two looks at the terminal
+
+// What point_count() throws, in terms of the file.
+void require_grid(const sizing::DesignProblem& problem, const StudyOptions& options) {
+  for (const sizing::StudyVariable& variable : problem.study().variables)
+    if (!value_count(variable))
+      throw formats::InputError({.file = options.study,
+                                 .place = "/variables/" + name_of(variable),
+                                 .rule = R"(needs "step" or "values" in a sweep)"});
+  try {
+    (void)problem.point_count();
+  } catch (const std::invalid_argument& too_many) {
+    throw formats::InputError({.file = options.study, .place = "/variables", .rule = too_many.what()});
+  }
+}
+
+ExitCode run_sweep(const StudyOptions& options) {
+  const sizing::DesignProblem problem(
+      read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"}));
+  require_grid(problem, options);
+  const sizing::Study& study = problem.study();
+  report::OutputFolder folder(options.out);
+  const Interruption interruption;
+  const std::size_t count = problem.point_count();
+  report::SweepTable designs(folder.open("designs.csv"), study);
+  sizing::Leaders leaders(problem);
+  std::size_t ok = 0;
+  const std::size_t made = [&] {
+    ProgressLine line(options);
+    return sizing::sweep(problem, {.threads = options.threads, .stop = interruption.token()},
+                         [&](const sizing::SweptDesign& design) {
+                           designs.row(design);
+                           leaders.consider(design);
+                           ok += sizing::is_feasible(design.evaluation) ? 1 : 0;
+                           if ((design.index + 1) % progress_interval == 0)
+                             line.show(fmt::format("{} of {} designs, {} feasible", design.index + 1, count, ok));
+                         });
+  }();
+  const std::vector<sizing::Leader> best = leaders.all();
+  report::write_leaders(folder.open("best.csv"), study, best);
+  folder.commit();
+  std::cout << report::leaders_text(study, best)
+            << fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", made, count, ok);
+  if (made < count) return ExitCode::interrupted;
+  return leaders.any_feasible() ? ExitCode::done : ExitCode::infeasible;
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("sweep", "Every design of a study whose variables are lists or grids");
+  add_study_options(*command, *options);
+  command->footer(
+      "Writes designs.csv (a row a design: variables, every quantity, the margin of every limit) and best.csv (the\n"
+      "best of each configuration in each objective). Every variable needs a list of values, a step or whole numbers;\n"
+      "what is not a variable keeps the value of the study's actuator. With nothing feasible the exit code is 3.\n"
+      "Ctrl-C writes what was evaluated so far; the exit code is then 130.\n\n"
+      "Example:\n"
+      "  coilwright sweep configs/studies/configurations.json --out results/configurations");
+  command->callback([options, &outcome] { outcome.code = run_sweep(*options); });
+}
+
+}  // namespace coilwright::cli

@@ -26,8 +26,7 @@ void absolute_to_joint(JointVector& torques) {
 
 // x with M x = rhs, in place; M positive definite, its upper triangle used up. LDL^T in three loops: Eigen's LLT of a
 // matrix whose size is only known at run time costs more than the rest of a right-hand side of two joints.
-void solve_in_place(JointMatrix& mass, JointVector& rhs) {
-  const int n = static_cast<int>(rhs.size());
+inline void solve_in_place(JointMatrix& mass, JointVector& rhs, int n) {
   for (int j = 0; j < n; ++j) {
     const double inverse = 1.0 / mass(j, j);
     for (int k = j + 1; k < n; ++k) {
@@ -75,10 +74,12 @@ PlanarChain::PlanarChain(std::span<const Link> links, double gravity, double bas
   }
 }
 
+template <int Count>
 PlanarChain::Directions PlanarChain::directions(const JointVector& angles, double tilt) const {
+  const int n = Count == any_count ? joints_ : Count;
   Directions out;
   double absolute = tilt;
-  for (int j = 0; j < joints_; ++j) {
+  for (int j = 0; j < n; ++j) {
     absolute += angles[j];
     out.sine[j] = std::sin(absolute);
     out.cosine[j] = std::cos(absolute);
@@ -88,9 +89,11 @@ PlanarChain::Directions PlanarChain::directions(const JointVector& angles, doubl
 
 // For j < k: M_jk = L_j (A_k cos(phi_k - phi_j) + O_k sin(phi_k - phi_j)), A and O the moments of link k. Differences
 // only, so a common tilt changes nothing.
+template <int Count>
 JointMatrix PlanarChain::absolute_mass_matrix(const Directions& d) const {
-  JointMatrix mass(joints_, joints_);
-  for (int k = 0; k < joints_; ++k) {
+  const int n = Count == any_count ? joints_ : Count;
+  JointMatrix mass(n, n);
+  for (int k = 0; k < n; ++k) {
     const Link& own = links_[k];
     mass(k, k) = own.length * own.length * outboard_mass_[k] +
                  own.mass * (own.com_along * own.com_along + own.com_offset * own.com_offset) + own.inertia;
@@ -103,15 +106,17 @@ JointMatrix PlanarChain::absolute_mass_matrix(const Directions& d) const {
 }
 
 // c_j = sum_k dM_jk/dphi_k phi_k'^2: no cross terms in absolute angles.
+template <int Count>
 JointVector PlanarChain::absolute_velocity_torques(const Directions& d, const JointVector& rates) const {
-  JointVector torques = JointVector::Zero(joints_);
-  std::array<double, max_joints> squared_rate{};
+  const int n = Count == any_count ? joints_ : Count;
+  JointVector torques = JointVector::Zero(n);
+  std::array<double, max_joints> squared_rate;
   double absolute_rate = 0.0;
-  for (int j = 0; j < joints_; ++j) {
+  for (int j = 0; j < n; ++j) {
     absolute_rate += rates[j];
     squared_rate[j] = absolute_rate * absolute_rate;
   }
-  for (int k = 1; k < joints_; ++k) {
+  for (int k = 1; k < n; ++k) {
     for (int j = 0; j < k; ++j) {
       const double slope =
           links_[j].length * (offset_moment_[k] * d.cosine_between(j, k) - along_moment_[k] * d.sine_between(j, k));
@@ -123,9 +128,11 @@ JointVector PlanarChain::absolute_velocity_torques(const Directions& d, const Jo
 }
 
 // dV/dphi_j = g (A_j sin(phi_j + tilt) - O_j cos(phi_j + tilt)).
+template <int Count>
 JointVector PlanarChain::absolute_gravity_torques(const Directions& tilted) const {
-  JointVector torques(joints_);
-  for (int j = 0; j < joints_; ++j)
+  const int n = Count == any_count ? joints_ : Count;
+  JointVector torques(n);
+  for (int j = 0; j < n; ++j)
     torques[j] = gravity_ * (along_moment_[j] * tilted.sine[j] - offset_moment_[j] * tilted.cosine[j]);
   return torques;
 }
@@ -162,19 +169,37 @@ JointMatrix PlanarChain::gravity_stiffness(const JointVector& angles) const {
   return stiffness;
 }
 
+template <int Count>
+JointVector PlanarChain::accelerations_of(const JointVector& angles, const JointVector& rates,
+                                          const JointVector& torques) const {
+  const int n = Count == any_count ? joints_ : Count;
+  // With a tilt, differences of tilted angles are those of untilted ones: one set of sines serves both.
+  const Directions tilted = directions<Count>(angles, base_tilt_);
+  const JointVector velocity = absolute_velocity_torques<Count>(tilted, rates);
+  const JointVector weight = absolute_gravity_torques<Count>(tilted);
+  JointVector force(n);
+  for (int j = 0; j < n; ++j) force[j] = torques[j] - (j + 1 < n ? torques[j + 1] : 0.0) - velocity[j] - weight[j];
+  JointMatrix mass = absolute_mass_matrix<Count>(tilted);
+  solve_in_place(mass, force, n);
+  for (int j = n - 1; j > 0; --j) force[j] -= force[j - 1];
+  return force;
+}
+
 JointVector PlanarChain::accelerations(const JointVector& angles, const JointVector& rates,
                                        const JointVector& torques) const {
-  // With a tilt, differences of tilted angles are those of untilted ones: one set of sines serves both.
-  const Directions tilted = directions(angles, base_tilt_);
-  const JointVector velocity = absolute_velocity_torques(tilted, rates);
-  const JointVector weight = absolute_gravity_torques(tilted);
-  JointVector force(joints_);
-  for (int j = 0; j < joints_; ++j)
-    force[j] = torques[j] - (j + 1 < joints_ ? torques[j + 1] : 0.0) - velocity[j] - weight[j];
-  JointMatrix mass = absolute_mass_matrix(tilted);
-  solve_in_place(mass, force);
-  for (int j = joints_ - 1; j > 0; --j) force[j] -= force[j - 1];
-  return force;
+  // A, B, C and D have 1, 2, 4 and 5 joints: unrolled, two take half the time.
+  switch (joints_) {
+    case 1:
+      return accelerations_of<1>(angles, rates, torques);
+    case 2:
+      return accelerations_of<2>(angles, rates, torques);
+    case 4:
+      return accelerations_of<4>(angles, rates, torques);
+    case 5:
+      return accelerations_of<5>(angles, rates, torques);
+    default:
+      return accelerations_of<any_count>(angles, rates, torques);
+  }
 }
 
 double PlanarChain::kinetic_energy(const JointVector& angles, const JointVector& rates) const {

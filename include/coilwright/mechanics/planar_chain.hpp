@@ -77,10 +77,19 @@ class PlanarChain {
  private:
   struct Directions;  // sines and cosines of the absolute link angles
 
+  // Each for a number of joints that the compiler knows, or any_count for the one met at run time.
+  static constexpr int any_count = 0;
+  template <int Count = any_count>
   [[nodiscard]] Directions directions(const JointVector& angles, double tilt) const;
+  template <int Count = any_count>
   [[nodiscard]] JointMatrix absolute_mass_matrix(const Directions& d) const;
+  template <int Count = any_count>
   [[nodiscard]] JointVector absolute_velocity_torques(const Directions& d, const JointVector& rates) const;
+  template <int Count = any_count>
   [[nodiscard]] JointVector absolute_gravity_torques(const Directions& tilted) const;
+  template <int Count>
+  [[nodiscard]] JointVector accelerations_of(const JointVector& angles, const JointVector& rates,
+                                             const JointVector& torques) const;
 
   int joints_;
   double gravity_;

@@ -51,7 +51,7 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
       {.width = size.width, .height = size.face_height, .thickness = design.body.gap, .young_modulus = modulus});
   const int n = chain.joints();
   const mechanics::JointMatrix inertia = chain.mass_matrix(mechanics::JointVector::Zero(n));
-  const double closing_angle = design.choices.faces == FaceContact::walls ? 0.0 : -hard_parts_angle(design, size);
+  const double closing_angle = design.choices.faces == FaceContact::walls ? 0.0 : -size.closing_angle;
   std::vector<Hinge> hinges(n);
   for (int j = 0; j < n; ++j) {
     hinges[j] = {.stiffness = design.calibration.joint_stiffness * strip,
@@ -107,16 +107,7 @@ CoilElectrics electrics_of(const Design& design, const winding::Winding& coil) {
           .copper_mass = coil.copper_mass()};
 }
 
-}  // namespace
-
-double Assembly::mass() const {
-  double sum = 0.0;
-  for (const Segment& segment : segments) sum += segment.mass;
-  return sum;
-}
-
-std::variant<Assembly, Misfits> assemble(const Design& design) {
-  if (Misfits broken = misfits(design); !broken.empty()) return broken;
+Assembly assemble_fitting(const Design& design) {
   const winding::Winding coil = winding_of(design);
   const Dimensions size = dimensions(design);
   std::vector<Segment> parts = segments(design, size);
@@ -127,13 +118,31 @@ std::variant<Assembly, Misfits> assemble(const Design& design) {
                .magnetics = magnetics_of(design, size, curves),
                .coils = coil_count(design.layout),
                .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0}});
-  return Assembly{.model = std::move(model),
-                  .dimensions = size,
-                  .segments = std::move(parts),
-                  .coil = electrics_of(design, coil),
-                  .coils = coil_count(design.layout),
-                  .magnets = magnet_count(design.layout),
-                  .rest_force_per_ampere = curves.rest_force_per_ampere()};
+  return {.model = std::move(model),
+          .dimensions = size,
+          .segments = std::move(parts),
+          .coil = electrics_of(design, coil),
+          .coils = coil_count(design.layout),
+          .magnets = magnet_count(design.layout),
+          .rest_force_per_ampere = curves.rest_force_per_ampere()};
+}
+
+}  // namespace
+
+double Assembly::mass() const {
+  double sum = 0.0;
+  for (const Segment& segment : segments) sum += segment.mass;
+  return sum;
+}
+
+std::variant<Assembly, Misfits> assemble(const Design& design) {
+  if (Misfits broken = misfits(design); !broken.empty()) return broken;
+  try {
+    return assemble_fitting(design);
+  } catch (const std::logic_error& error) {
+    // Shapes so extreme that a formula is outside its range (a coil 1e4 times longer than wide) say so themselves.
+    return Misfits{{.rule = error.what(), .excess = 1.0}};
+  }
 }
 
 Assembly assemble_or_throw(const Design& design) {

@@ -13,19 +13,41 @@
 namespace coilwright::actuator {
 namespace {
 
-double ratio(double measured, double derived, const char* name) {
+void check_positive(double measured, const char* name) {
   if (!std::isfinite(measured) || measured <= 0.0)
     throw std::invalid_argument(fmt::format("measured {} must be finite and > 0; got {}", name, measured));
+}
+
+double ratio(double measured, double derived, const char* name) {
+  check_positive(measured, name);
   return measured / derived;
+}
+
+void require_buildable(const Design& design) {
+  if (const Misfits broken = misfits(design); !broken.empty()) throw std::invalid_argument(broken.front().rule);
+}
+
+// Pitch of `layers` layers that are `thickness` thick together: the outermost takes its wire's whole diameter where
+// layers sink into each other's grooves.
+double layer_pitch(double thickness, int layers, double diameter) {
+  if (layers == 1 || thickness >= layers * diameter) return thickness / layers;
+  return (thickness - diameter) / (layers - 1);
 }
 
 void calibrate_pitches(Design& design, const Measured& measured) {
   const winding::Winding coil = winding_of(design);
-  if (measured.coil_outer_radius)
+  if (measured.coil_outer_radius) {
+    const double thickness = *measured.coil_outer_radius - coil.inner_radius();
+    check_positive(thickness, "coil outer radius beyond the inner one");
     design.calibration.radial_pitch =
-        ratio(*measured.coil_outer_radius - coil.inner_radius(), coil.outer_radius() - coil.inner_radius(),
-              "coil outer radius beyond the inner one");
-  if (measured.coil_length) design.calibration.axial_pitch = ratio(*measured.coil_length, coil.length(), "coil length");
+        layer_pitch(thickness, design.coil.turns_radial, coil.wire().insulated_diameter) / coil.radial_pitch();
+    require_buildable(design);
+  }
+  // After the layers: those that sink into each other make the coil longer.
+  if (measured.coil_length) {
+    design.calibration.axial_pitch = ratio(*measured.coil_length, winding_of(design).length(), "coil length");
+    require_buildable(design);
+  }
 }
 
 // A segment of the kind that was weighed; nullptr where the design has none.
@@ -59,7 +81,7 @@ Calibration calibrate(Design design, const Measured& measured) {
   design.calibration = {};
   // Geometry does not depend on forces: the cheap fidelity serves here.
   design.choices.torque = magnetics::Fidelity::line_of_centres;
-  if (const Misfits broken = misfits(design); !broken.empty()) throw std::invalid_argument(broken.front().rule);
+  require_buildable(design);
   calibrate_pitches(design, measured);
   if (measured.axis_offset)
     design.calibration.axis_offset = ratio(*measured.axis_offset, dimensions(design).axis_offset, "axis offset");
@@ -75,9 +97,9 @@ Calibration calibrate(Design design, const Measured& measured) {
     design.calibration.coil_resistance = ratio(*measured.coil_resistance, derived.coil.resistance, "coil resistance");
   if (measured.continuous_current) {
     const double current = *measured.continuous_current;
-    (void)ratio(current, 1.0, "continuous current");
+    check_positive(current, "continuous current");
     const Assembly calibrated = assemble_or_throw(design);
-    const thermal::Chain chain = heat_chain(design, calibrated);
+    const thermal::Chain chain = heat_chain(design, calibrated, thermal_joint_angle);
     design.calibration.heat_transfer =
         thermal::calibrate_heat_transfer(chain, current) / design.surroundings.heat_transfer;
   }

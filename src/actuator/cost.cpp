@@ -2,11 +2,16 @@
 
 #include <numbers>
 
+#include "coilwright/winding/winding.hpp"
+
 namespace coilwright::actuator {
 namespace {
 
-// What the paper's coil and magnet are made of, by which its prices scale.
-constexpr double prototype_copper_mass = 12.82e-3;                                   // kg
+// What the paper's coil (Table I: 15 layers of 30 turns of AWG 28 on a bore of 3 mm) and magnet are made of, by which
+// its prices scale.
+double prototype_copper_mass() {
+  return winding::Winding({.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .awg = 28}).copper_mass();
+}
 constexpr double prototype_magnet_volume = std::numbers::pi * 10e-3 * 10e-3 * 6e-3;  // m^3
 
 }  // namespace
@@ -14,7 +19,7 @@ constexpr double prototype_magnet_volume = std::numbers::pi * 10e-3 * 10e-3 * 6e
 Cost cost_of(const Design& design, const Assembly& assembly) {
   const double magnet_volume = std::numbers::pi * design.magnet.radius * design.magnet.radius * design.magnet.length;
   return {.silicone_and_moulds = 2.5,
-          .coils = 1.0 * assembly.coils * assembly.coil.copper_mass / prototype_copper_mass,
+          .coils = 1.0 * assembly.coils * assembly.coil.copper_mass / prototype_copper_mass(),
           .magnets = 3.0 * assembly.magnets * magnet_volume / prototype_magnet_volume,
           .wires = 0.5};
 }

@@ -16,16 +16,33 @@ namespace {
 // prototype's 0.9 (Tables I and II: l_0 - l_c / 2 and l_1 - l_m / 2).
 constexpr double coil_wall_share = 1.0 / 3.0;
 
+// Layers, or turns in a layer: a metre of the thinnest wire in the table, where a slip of the keyboard is likelier.
+constexpr int most_turns = 10'000;
+
+// degC; where copper's linear law and the silicone still hold.
+constexpr double coldest = -50.0;
+constexpr double hottest = 200.0;
+
 class MisfitList {
  public:
   void require_positive(double value, const char* name, double unit, const char* unit_name) {
     if (std::isfinite(value) && value > 0.0) return;
     const double excess = std::isfinite(value) ? 1.0 - value / unit : 1.0;
-    list_.push_back({fmt::format("{} must be > 0; got {} {}", name, value / unit, unit_name), excess});
+    list_.push_back({fmt::format("{} must be finite and > 0; got {:.6g} {}", name, value / unit, unit_name), excess});
   }
-  void require_at_least(int value, int limit, const char* name) {
-    if (value < limit)
-      list_.push_back({fmt::format("{} must be at least {}; got {}", name, limit, value), 1.0 * (limit - value)});
+  void require_finite(double value, const char* name, const char* unit_name) {
+    if (!std::isfinite(value))
+      list_.push_back({fmt::format("{} must be finite; got {} {}", name, value, unit_name), 1.0});
+  }
+  void require_factor(double value, const char* name) {
+    if (std::isfinite(value) && value > 0.0) return;
+    list_.push_back({fmt::format("calibration factor of {} must be finite and > 0; got {}", name, value), 1.0});
+  }
+  void require_turns(int value, const char* name) {
+    if (value < 1) list_.push_back({fmt::format("{} must be at least 1; got {}", name, value), 1.0 - value});
+    if (value > most_turns)
+      list_.push_back({fmt::format("{} must be at most {}; got {}", name, most_turns, value),
+                       static_cast<double>(value) / most_turns - 1.0});
   }
   void add(std::string rule, double excess) { list_.push_back({std::move(rule), excess}); }
   [[nodiscard]] Misfits take() { return std::move(list_); }
@@ -38,8 +55,8 @@ class MisfitList {
 void check_sizes(const Design& design, MisfitList& list) {
   constexpr double mm = 1e-3;
   list.require_positive(design.coil.inner_radius, "coil inner radius", mm, "mm");
-  list.require_at_least(design.coil.turns_radial, 1, "turns_radial");
-  list.require_at_least(design.coil.turns_axial, 1, "turns_axial");
+  list.require_turns(design.coil.turns_radial, "turns_radial");
+  list.require_turns(design.coil.turns_axial, "turns_axial");
   list.require_positive(design.magnet.radius, "magnet radius", mm, "mm");
   list.require_positive(design.magnet.length, "magnet length", mm, "mm");
   list.require_positive(design.magnet.remanence, "remanence", 1.0, "T");
@@ -55,6 +72,33 @@ void check_sizes(const Design& design, MisfitList& list) {
   list.require_positive(body.hinge_length, "hinge length", mm, "mm");
   list.require_positive(body.loss_time, "loss time", mm, "ms");
   list.require_positive(body.density, "silicone density", 1.0, "kg/m3");
+  list.require_positive(body.heat_capacity, "silicone heat capacity", 1.0, "J/(kg K)");
+  list.require_positive(body.conductivity, "silicone conductivity", 1.0, "W/(m K)");
+}
+
+void check_surroundings(const Design& design, MisfitList& list) {
+  const Surroundings& around = design.surroundings;
+  if (!(std::isfinite(around.gravity) && around.gravity >= 0.0))
+    list.add(fmt::format("gravity must be finite and >= 0; got {} m/s2", around.gravity), 1.0);
+  list.require_finite(around.base_tilt, "base tilt", "rad");
+  list.require_finite(around.coil_limit, "coil temperature limit", "degC");
+  list.require_finite(design.magnet.temperature_limit, "magnet temperature limit", "degC");
+  list.require_positive(around.heat_transfer, "heat transfer", 1.0, "W/(m2 K)");
+  if (!(around.ambient >= coldest && around.ambient <= hottest))
+    list.add(fmt::format("ambient must lie in {} to {} degC; got {}", coldest, hottest, around.ambient), 1.0);
+}
+
+void check_calibration(const Calibration& factors, MisfitList& list) {
+  list.require_factor(factors.axial_pitch, "axial pitch");
+  list.require_factor(factors.radial_pitch, "radial pitch");
+  list.require_factor(factors.joint_stiffness, "joint stiffness");
+  list.require_factor(factors.joint_damping, "joint damping");
+  list.require_factor(factors.axis_offset, "axis offset");
+  list.require_factor(factors.magnet_segment_mass, "magnet segment mass");
+  list.require_factor(factors.coil_segment_mass, "coil segment mass");
+  list.require_factor(factors.tip_com, "tip centre of mass");
+  list.require_factor(factors.coil_resistance, "coil resistance");
+  list.require_factor(factors.heat_transfer, "heat transfer");
 }
 
 void check_wire(const Design& design, MisfitList& list) {
@@ -73,6 +117,19 @@ void check_wire(const Design& design, MisfitList& list) {
              smallest / design.coil.inner_radius - 1.0);
 }
 
+// A calibrated axis may not sink so far that the parts stand out of the body at the hinge.
+void check_axis(const Design& design, MisfitList& list) {
+  try {
+    const Dimensions size = dimensions(design);
+    if (size.axis_offset > size.body_radius) return;
+    list.add(fmt::format("hinge axis must lie below the parts, more than {:.4g} mm from their centre; got {:.4g} mm",
+                         size.body_radius * 1e3, size.axis_offset * 1e3),
+             1.0 - size.axis_offset / size.body_radius);
+  } catch (const std::invalid_argument& error) {
+    list.add(error.what(), 1.0);  // a calibrated pitch that no packing has
+  }
+}
+
 }  // namespace
 
 Misfits misfits(const Design& design) {
@@ -83,10 +140,13 @@ Misfits misfits(const Design& design) {
     list.add(error.what(), 1.0);
   }
   check_sizes(design, list);
-  if (list.empty()) check_wire(design, list);
+  check_surroundings(design, list);
+  check_calibration(design.calibration, list);
   const double hardness = design.body.shore_hardness;
   if (!(hardness >= 20.0 && hardness <= 80.0))
     list.add(fmt::format("shore hardness must lie in 20 to 80; got {}", hardness), 1.0);
+  if (list.empty()) check_wire(design, list);
+  if (list.empty()) check_axis(design, list);
   return list.take();
 }
 
@@ -121,6 +181,7 @@ Dimensions dimensions(const Design& design) {
   const bool magnet_last = design.layout.back().kind == ComponentKind::magnet;
   out.tip_length = 2.0 * (magnet_last ? out.magnet_half_pitch : out.coil_half_pitch) + body.front_length;
   out.face_height = out.axis_offset + std::min(out.coil_outer_radius, design.magnet.radius);
+  out.closing_angle = body.gap / out.face_height;
   return out;
 }
 

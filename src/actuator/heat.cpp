@@ -14,7 +14,7 @@ double core_radius(const Design& design, const Dimensions& size, ComponentKind k
 
 }  // namespace
 
-thermal::Chain heat_chain(const Design& design, const Assembly& assembly) {
+thermal::Chain heat_chain(const Design& design, const Assembly& assembly, double joint_angle) {
   const Dimensions& size = assembly.dimensions;
   thermal::Chain chain;
   chain.width = size.width;
@@ -38,16 +38,15 @@ thermal::Chain heat_chain(const Design& design, const Assembly& assembly) {
     if (i == 0) continue;
     const double narrower =
         std::min(core_radius(design, size, kind), core_radius(design, size, design.layout[i - 1].kind));
-    chain.gaps.push_back(
-        {.silicone = design.body.gap,
-         .air = thermal::equivalent_air_gap(
-             {.angle = thermal_joint_angle, .hinge_distance = size.axis_offset, .core_radius = narrower})});
+    chain.gaps.push_back({.silicone = design.body.gap,
+                          .air = thermal::equivalent_air_gap(
+                              {.angle = joint_angle, .hinge_distance = size.axis_offset, .core_radius = narrower})});
   }
   return chain;
 }
 
-thermal::Network heat_network(const Design& design, const Assembly& assembly) {
-  return thermal::assemble(heat_chain(design, assembly));
+thermal::Network heat_network(const Design& design, const Assembly& assembly, double joint_angle) {
+  return thermal::assemble(heat_chain(design, assembly, joint_angle));
 }
 
 }  // namespace coilwright::actuator

@@ -12,6 +12,29 @@ namespace {
 using mechanics::JointMatrix;
 using mechanics::JointVector;
 
+void check_magnetics(const Model::Spec& spec) {
+  const int n = spec.chain.joints();
+  const auto require = [](bool valid, const char* rule) {
+    if (!valid) throw std::invalid_argument(fmt::format("magnetics: {}", rule));
+  };
+  for (const HingePair& pair : spec.magnetics.hinge_pairs()) {
+    if (pair.joint < 0 || pair.joint >= n || pair.coil < 0 || pair.coil >= spec.coils)
+      throw std::invalid_argument(fmt::format("magnetics: joint {} and coil {} must exist", pair.joint, pair.coil));
+    require(pair.torque_per_ampere != nullptr, "a hinge pair must have its curve; got none");
+  }
+  for (const DistantPair& pair : spec.magnetics.distant_pairs()) {
+    if (pair.first.link < -1 || pair.second.link <= pair.first.link || pair.second.link >= n)
+      throw std::invalid_argument(
+          fmt::format("magnetics: links of a distant pair must rise from -1 to {}; got {} and {}", n - 1,
+                      pair.first.link, pair.second.link));
+    if (pair.coil < -1 || pair.coil >= spec.coils)
+      throw std::invalid_argument(
+          fmt::format("magnetics: coil of a distant pair must be -1 to {}; got {}", spec.coils - 1, pair.coil));
+    require(pair.axial_force != nullptr && pair.axial_energy != nullptr,
+            "a distant pair must have both its curves; got fewer");
+  }
+}
+
 void check(const Model::Spec& spec) {
   const int n = spec.chain.joints();
   if (static_cast<int>(spec.hinges.size()) != n)
@@ -31,10 +54,9 @@ void check(const Model::Spec& spec) {
       throw std::invalid_argument(
           fmt::format("joint {}: torque_offset must be finite; got {}", j, hinge.torque_offset));
   }
-  for (const HingePair& pair : spec.magnetics.hinge_pairs()) {
-    if (pair.joint < 0 || pair.joint >= n || pair.coil < 0 || pair.coil >= spec.coils)
-      throw std::invalid_argument(fmt::format("magnetics: joint {} and coil {} must exist", pair.joint, pair.coil));
-  }
+  check_magnetics(spec);
+  if (spec.tip.link < -1 || spec.tip.link >= n)
+    throw std::invalid_argument(fmt::format("tip: link must be -1 to {}; got {}", n - 1, spec.tip.link));
 }
 
 }  // namespace
@@ -71,9 +93,12 @@ JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurren
   return stiffness;
 }
 
-JointVector Model::damping() const {
+JointVector Model::damping(const JointVector& angles) const {
   JointVector damping(joints());
-  for (int j = 0; j < joints(); ++j) damping[j] = spec_.hinges[j].damping;
+  for (int j = 0; j < joints(); ++j) {
+    const Hinge& hinge = spec_.hinges[j];
+    damping[j] = hinge.damping + (angles[j] < hinge.contact.closing_angle ? hinge.contact.damping : 0.0);
+  }
   return damping;
 }
 

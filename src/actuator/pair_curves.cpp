@@ -80,18 +80,14 @@ double PairCurves::rest_force_per_ampere() const {
                                  size_.coil_half_pitch + size_.magnet_half_pitch);
 }
 
-double hard_parts_angle(const Design& design, const Dimensions& size) {
-  return design.body.gap / size.face_height;
-}
-
 std::shared_ptr<const magnetics::Curve> PairCurves::hinge_torque() {
   if (!hinge_torque_) {
     const magnetics::HingeGeometry geometry{.coil_offset = size_.coil_half_pitch,
                                             .magnet_offset = size_.magnet_half_pitch,
                                             .axis_offset = size_.axis_offset};
-    hinge_torque_ = std::make_shared<const magnetics::Curve>(magnetics::torque_curve(
-        thick_coil(design_, size_), magnet_of(design_), geometry, design_.choices.torque,
-        {.lower = -hard_parts_angle(design_, size_), .upper = widest_angle, .tolerance = curve_tolerance}));
+    hinge_torque_ = std::make_shared<const magnetics::Curve>(
+        magnetics::torque_curve(thick_coil(design_, size_), magnet_of(design_), geometry, design_.choices.torque,
+                                {.lower = -size_.closing_angle, .upper = widest_angle, .tolerance = curve_tolerance}));
   }
   return hinge_torque_;
 }

@@ -8,10 +8,6 @@
 
 namespace coilwright::actuator {
 
-/// Joint angle, rad, > 0, by which a joint must close from 0 until coil and magnet touch at the top of the smaller one:
-/// gap over its height above the hinge, to first order (the next term is below 0.1 % at 3 degrees).
-[[nodiscard]] double hard_parts_angle(const Design& design, const Dimensions& size);
-
 /// Force between two coaxial components over the distance of their centres, and its energy.
 struct AxialCurves {
   std::shared_ptr<const magnetics::Curve> force;   ///< on the second, N (per A for a coil)

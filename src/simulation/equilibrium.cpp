@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -27,6 +28,7 @@ std::optional<JointVector> shifted_step(const JointMatrix& stiffness, double shi
 
 // The smallest shift at or above `shift` that gives a descent step of bounded length.
 JointVector flow_step(const JointMatrix& stiffness, double& shift, const JointVector& residual) {
+  assert(stiffness.allFinite() && residual.allFinite() && "no shift ends this loop");
   for (;; shift *= 4.0) {
     const std::optional<JointVector> step = shifted_step(stiffness, shift, residual);
     if (step && step->lpNorm<Eigen::Infinity>() <= largest_step) return *step;
@@ -49,6 +51,7 @@ std::optional<JointVector> creep_to_equilibrium(const StaticProblem& problem, co
   double shift = 0.0;
   for (int i = 0; i < step_limit; ++i) {
     const JointMatrix stiffness = problem.stiffness(angles);
+    if (!stiffness.allFinite() || !residual.allFinite()) return std::nullopt;
     const std::optional<JointVector> newton = shifted_step(stiffness, 0.0, residual);
     if (newton && newton->lpNorm<Eigen::Infinity>() <= largest_step) {
       const JointVector next = angles + *newton;

@@ -21,7 +21,7 @@ std::vector<Mode> modes(const actuator::Model& model, const mechanics::JointVect
   companion.topRightCorner(n, n).setIdentity();
   companion.bottomLeftCorner(n, n) = -mass.solve(model.tangent_stiffness(angles, currents));
   mechanics::JointMatrix damping = mechanics::JointMatrix::Zero(n, n);
-  damping.diagonal() = model.damping();
+  damping.diagonal() = model.damping(angles);
   companion.bottomRightCorner(n, n) = -mass.solve(damping);
 
   const Eigen::EigenSolver<StateMatrix> solver(companion, false);

@@ -14,9 +14,12 @@ struct Misfit {
   double excess{};   ///< by how much, relative to the limit; > 0 and growing away from what can be built
 };
 
-/// All rules that `design` breaks: sizes that are not finite and positive, gauges outside the table, a bore too tight
-/// for its wire, hardness outside Gent's relation, a layout that is none. Empty for a design that can be built.
+/// What is wrong with a design; empty for one that can be built.
 using Misfits = std::vector<Misfit>;
+
+/// All rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, gauges outside
+/// the table, a bore too tight for its wire, hardness outside Gent's relation, a layout that is none, calibration
+/// factors or surroundings that are no such thing. Empty for a design that can be built. Never throws.
 [[nodiscard]] Misfits misfits(const Design& design);
 
 /// Geometry that follows from a design, SI; the names of the paper's Tables I and II in brackets.
@@ -32,7 +35,10 @@ struct Dimensions {
   double tip_length{};         ///< last joint to the fingertip
   double effective_length{};   ///< all components and the front part (l_e)
   double total_length{};       ///< with the rear part
-  double face_height{};        ///< hinge line to the top of the stiff parts
+  double face_height{};        ///< hinge line to the top of the smaller of coil and magnet
+  /// Joint angle, rad, > 0, by which a joint closes from 0 until coil and magnet touch there: gap over height, to first
+  /// order (the next term is below 0.1 % at 3 degrees).
+  double closing_angle{};
 };
 
 /// Precondition: misfits(design) is empty. Throws std::invalid_argument (naming the rule) where the winding is none.

@@ -13,6 +13,8 @@ namespace coilwright::actuator {
 inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 180.0;
 
 /// Thermal chain of an assembled design: a node per component, base to tip.
-[[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly);
+/// `joint_angle` of every joint in rad, >= 0.
+[[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly,
+                                            double joint_angle = thermal_joint_angle);
 
 }  // namespace coilwright::actuator

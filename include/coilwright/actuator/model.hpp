@@ -56,8 +56,8 @@ class Model {
   [[nodiscard]] mechanics::JointMatrix tangent_stiffness(const mechanics::JointVector& angles,
                                                          const CoilCurrents& currents) const;
 
-  /// Diagonal damping of the hinges, N m s/rad.
-  [[nodiscard]] mechanics::JointVector damping() const;
+  /// Damping of every joint at rest at `angles`, N m s/rad: of its hinge, and of its stop where that is pressed.
+  [[nodiscard]] mechanics::JointVector damping(const mechanics::JointVector& angles) const;
 
   /// What the camera sees: the sum of the joint angles, rad.
   [[nodiscard]] static double bending_angle(const mechanics::JointVector& angles) { return angles.sum(); }

@@ -1,5 +1,6 @@
 #include "sizing/workers.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -9,12 +10,17 @@
 namespace coilwright::sizing {
 
 struct Workers::Arena {
+  explicit Arena(unsigned threads) : arena{threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads)} {
+    // TBB gives no more threads than cores unless told; whoever asks for more gets them.
+    const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    if (threads > allowed) more.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
+
+  std::optional<tbb::global_control> more;
   tbb::task_arena arena;
 };
 
-Workers::Workers(unsigned threads)
-    : arena_{std::make_unique<Arena>(
-          tbb::task_arena{threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads)})} {}
+Workers::Workers(unsigned threads) : arena_{std::make_unique<Arena>(threads)} {}
 
 Workers::~Workers() = default;
 

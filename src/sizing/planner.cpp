@@ -67,8 +67,9 @@ std::vector<std::size_t> Planner::best_apart(const Goal& goal, std::size_t count
   }
   std::ranges::sort(order);
   std::vector<std::size_t> kept;
-  for (const auto& [scalar, i] : order) {
+  for (const auto& entry : order) {
     if (kept.size() == count) break;
+    const std::size_t i = entry.second;
     const bool close = std::ranges::any_of(kept, [&](std::size_t k) {
       if (samples_[k].combination != samples_[i].combination) return false;
       return largest_difference(samples_[k].unit, samples_[i].unit) < 0.1;

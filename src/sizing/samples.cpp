@@ -108,8 +108,9 @@ std::vector<std::size_t> Samples::nearest(const Neighbourhood& where, Wanted wan
     return result;
   }
   std::ranges::sort(found);
-  for (const auto& [distance, i] : found) {
+  for (const auto& entry : found) {
     if (result.size() == where.count) break;
+    const std::size_t i = entry.second;
     const bool close = std::ranges::any_of(
         result, [&](std::size_t k) { return largest_difference(samples_[k].unit, samples_[i].unit) < where.apart; });
     if (!close) result.push_back(i);

@@ -148,14 +148,45 @@ double sheet_force(const SheetBody& source, double radius, double half_length, d
   return far_form(source, radius, half_length, distance, static_cast<int>(std::ceil(needed)) + 2);
 }
 
+/// Mean of the sheet force over a target of uniform current. As a function of the target's radius it has weak
+/// singularities where that passes the source's inner and outer radius, so the rule stops there.
+double force_on_uniform(const SheetBody& source, const SheetBody& target, double distance) {
+  const auto inside = [&](double radius) { return std::clamp(radius, target.inner_radius, target.outer_radius); };
+  const std::array<double, 4> ends{target.inner_radius, inside(source.inner_radius), inside(source.outer_radius),
+                                   target.outer_radius};
+  const QuadratureRule rule = gauss_legendre(48);
+  double integral = 0.0;
+  for (std::size_t panel = 0; panel < 3; ++panel) {
+    const double width = ends[panel + 1] - ends[panel];
+    if (width <= 0.0) continue;
+    for (std::size_t i = 0; i < rule.count; ++i) {
+      const double radius = ends[panel] + 0.5 * width * (1.0 + rule.node[i]);
+      integral += width * rule.weight[i] * sheet_force(source, radius, target.half_length, distance);
+    }
+  }
+  return integral / (target.outer_radius - target.inner_radius);
+}
+
+double force_on_shells(const SheetBody& source, const SheetBody& target, double distance) {
+  const SheetNodes shells(target, 1.0);
+  double mean = 0.0;
+  for (int i = 0; i < shells.count(); ++i)
+    mean += shells.weight(i) * sheet_force(source, shells.radius(i), target.half_length, distance);
+  return mean;
+}
+
 double force(const SheetBody& first, const SheetBody& second, double distance) {
   require_finite("distance", distance);
-  // TODO order
-  const SheetNodes sheets(second, 48.0);
-  double mean = 0.0;
-  for (int i = 0; i < sheets.count(); ++i)
-    mean += sheets.weight(i) * sheet_force(first, sheets.radius(i), second.half_length, distance);
-  return vacuum_permeability * first.surface_current * second.surface_current * mean;
+  if (distance == 0.0) return 0.0;  // by symmetry; the sums would leave a rounding error
+  const double apart = std::abs(distance);
+  // The force does not depend on which body is called the first. A uniform one makes the better source: its rules know
+  // about the radius of the sheet they act on.
+  const bool swapped = first.spread == Spread::shells && second.spread == Spread::uniform;
+  const SheetBody& source = swapped ? second : first;
+  const SheetBody& target = swapped ? first : second;
+  const double mean = target.spread == Spread::uniform ? force_on_uniform(source, target, apart)
+                                                       : force_on_shells(source, target, apart);
+  return std::copysign(1.0, distance) * vacuum_permeability * first.surface_current * second.surface_current * mean;
 }
 
 }  // namespace

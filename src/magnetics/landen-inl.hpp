@@ -36,15 +36,18 @@ struct LandenResult {
   Vector third_kind;  // (s + c e) / (e (e q + p)): Bulirsch's cel up to a factor known beforehand
 };
 
-HWY_INLINE void step_p(Vector product, Landen& x) {
+/// One step of Bulirsch's p, c and s. All four are halved, which changes no result and keeps p near 1 where the means
+/// have converged, where it would otherwise square itself out of range.
+HWY_INLINE void step_p(Tag d, Vector product, Landen& x) {
+  const Vector half = hn::Set(d, 0.5);
+  const Vector half_p = hn::Mul(half, x.p);
+  const Vector half_q = hn::Mul(half, x.q);
   const Vector w = hn::Mul(product, x.q);
-  const Vector cosine = hn::MulAdd(x.cosine, x.p, hn::Mul(x.sine, x.q));
-  const Vector sine = hn::MulAdd(x.sine, x.p, hn::Mul(x.cosine, w));
+  const Vector cosine = hn::MulAdd(x.cosine, half_p, hn::Mul(x.sine, half_q));
+  x.sine = hn::MulAdd(x.sine, x.p, hn::Mul(x.cosine, w));
   x.cosine = cosine;
-  x.sine = hn::Add(sine, sine);
-  const Vector p = hn::MulAdd(x.p, x.p, hn::Mul(w, x.q));
-  x.q = hn::Mul(x.p, x.q);
-  x.p = p;
+  x.q = hn::Mul(half_p, x.q);
+  x.p = hn::MulAdd(half_p, x.p, hn::Mul(w, half_q));
 }
 
 /// `scale` is 1 / 2^(n+1) of the first step. The last mean is corrected by -c^2 / (4 a), which makes the error fourth
@@ -55,7 +58,7 @@ HWY_INLINE LandenResult finish(Tag d, int steps, Landen x) {
     const Vector difference = hn::Sub(x.arithmetic, x.geometric);
     const Vector product = hn::Mul(x.arithmetic, x.geometric);
     x.squares = hn::MulAdd(hn::Mul(difference, difference), hn::Set(d, scale), x.squares);
-    step_p(product, x);
+    step_p(d, product, x);
     x.arithmetic = hn::Add(x.arithmetic, x.geometric);
     const Vector root = hn::Sqrt(product);
     x.geometric = hn::Add(root, root);
@@ -64,7 +67,7 @@ HWY_INLINE LandenResult finish(Tag d, int steps, Landen x) {
   const Vector difference = hn::Sub(x.arithmetic, x.geometric);
   const Vector square = hn::Mul(difference, difference);
   x.squares = hn::MulAdd(square, hn::Set(d, scale), x.squares);
-  step_p(hn::Mul(x.arithmetic, x.geometric), x);
+  step_p(d, hn::Mul(x.arithmetic, x.geometric), x);
   const Vector mean = hn::Add(x.arithmetic, x.geometric);
   // The corrected mean is b / mean.
   const Vector b = hn::NegMulAdd(square, hn::Set(d, 0.25), hn::Mul(mean, mean));

@@ -38,11 +38,15 @@ class PanelRule {
  public:
   static constexpr int largest_order = 48;
 
+  /// Bodies that touch or overlap would ask for any number; this many resolve a clearance of about 2 % of the length
+  /// integrated over, and keep the cost of an overlapping pose in milliseconds.
+  static constexpr double most_nodes = 192.0;
+
   /// Enough nodes for a single rule of `needed` nodes (each of m panels then needs about needed / m), and one more.
   explicit PanelRule(double needed)
-      : panels_(static_cast<int>(std::ceil(std::min(needed, 4000.0) / largest_order))),
+      : panels_(static_cast<int>(std::ceil(std::min(needed, most_nodes) / largest_order))),
         rule_(gauss_legendre(
-            std::clamp(static_cast<int>(std::ceil(std::min(needed, 4000.0) / panels_)) + 1, 2, max_gauss_order))) {}
+            std::clamp(static_cast<int>(std::ceil(std::min(needed, most_nodes) / panels_)) + 1, 2, max_gauss_order))) {}
 
   [[nodiscard]] int count() const noexcept { return panels_ * static_cast<int>(rule_.count); }
   [[nodiscard]] double node(int i) const noexcept {

@@ -18,7 +18,7 @@ constexpr double log_along_error = -18.4;   // 1e-8
 /// Share of the highest harmonic seen; what aliases into the integral is of twice its order, about its square.
 constexpr double harmonic_error = 3e-5;
 constexpr int first_points = 8;
-constexpr int max_points = 2048;
+constexpr int max_points = 512;
 
 /// Cosines and sines of the points round a ring. A pose with a mirror plane needs half a ring, midpoints; any other a
 /// whole one, a quarter step off so that even and odd harmonics both show.
@@ -31,8 +31,8 @@ enum class Symmetry { none, mirror };
 
 const Angles& angles(Symmetry symmetry, int points) {
   static const auto table = [] {
-    std::array<std::array<Angles, 9>, 2> all;
-    for (int i = 0, count = first_points; i < 9; ++i, count *= 2)
+    std::array<std::array<Angles, 7>, 2> all;
+    for (int i = 0, count = first_points; i < 7; ++i, count *= 2)
       for (int j = 0; j < count; ++j) {
         const double half = std::numbers::pi * (j + 0.5) / count;
         const double whole = 2.0 * std::numbers::pi * (j + 0.25) / count;

@@ -13,7 +13,7 @@ Wrench wrench_between(const SheetBody& first, const SheetBody& second, const Pos
   require(pose.position.allFinite(), "pose position", "finite", pose.position.norm());
   require(pose.axis.allFinite() && pose.axis.norm() > 0.0, "pose axis", "finite and not zero", pose.axis.norm());
   const Eigen::Vector3d axis = pose.axis.normalized();
-  const SheetNodes sheets(second, 15.0);
+  const SheetNodes sheets(second, 23.0);
   Wrench total;
   for (int i = 0; i < sheets.count(); ++i) {
     const TargetSheet target{.radius = sheets.radius(i), .half_length = second.half_length};

@@ -21,10 +21,11 @@ struct Wrench {
 
 /// Exact force and torque on the second body in any pose, displaced and tilted, the magnet partly or wholly in the
 /// bore included. Positive current and positive remanence give moments along each body's +axis.
-/// Bodies apart (no point in common): error below 1e-7 of the largest component, with lengths measured in the second
-/// body's radius for the torque. Bodies that overlap (copper in magnet): the result is that of the two current
-/// distributions in the same place, finite, but only good to about 1e-3; it serves to continue a curve a little past
-/// touching, not to design with. Theory and sources: docs/theory-magnetics.md.
+/// Error below 1e-7 of the force (of force times the second body's size for the torque) where the clearance is at
+/// least about 3 % of the larger body's size; nearer it grows, mostly to below 1e-5. Bodies that overlap (copper in
+/// magnet): the result is that of the two current distributions in the same place, finite, slow (milliseconds) and good
+/// to about 0.5 %; it is there for a solver that steps past touching, not to design with. Theory and sources:
+/// docs/theory-magnetics.md.
 /// Throws std::invalid_argument when a current or a pose is not finite or the axis is zero.
 [[nodiscard]] Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magnet, const Pose& pose);
 /// The same for two magnets.

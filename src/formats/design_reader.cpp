@@ -4,6 +4,7 @@
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/dimensions.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -11,6 +12,10 @@ namespace {
 // Far beyond any hardware, and near enough that nothing overflows or takes for ever.
 constexpr double largest_number = 1e6;
 constexpr double most_turns = 10'000.0;
+constexpr double absolute_zero = -273.15;  // degC
+// Shore A for which Gent's relation between hardness and modulus holds.
+constexpr double softest_shore = 20.0;
+constexpr double hardest_shore = 80.0;
 
 using actuator::Component;
 using actuator::ComponentKind;
@@ -93,6 +98,10 @@ actuator::Measured read_measured(const Node& node) {
 }  // namespace
 
 Rule rule_of(const actuator::Parameter& parameter) {
+  // What has a table, a relation or a lowest value of its own.
+  if (parameter.name == "wire_gauge_AWG") return Rule::between(winding::thickest_gauge, winding::thinnest_gauge);
+  if (parameter.name == "shore_hardness_A") return Rule::between(softest_shore, hardest_shore);
+  if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));
   switch (parameter.rule) {
     case actuator::ParameterRule::positive:
       return positive.and_also(Rule::at_most(largest_number));

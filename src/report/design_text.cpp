@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "report/design_columns.hpp"
 #include "report/text_table.hpp"
@@ -28,7 +30,11 @@ std::string value_text(const sizing::StudyVariable& variable, double coordinate)
 }
 
 Json value_json(const sizing::StudyVariable& variable, double coordinate) {
-  return std::visit([](const auto& value) { return Json(value); }, value_at(variable, coordinate));
+  const sizing::VariableValue value = value_at(variable, coordinate);
+  const auto* parameter = std::get_if<sizing::ParameterVariable>(&variable);
+  if (parameter != nullptr && parameter->parameter->whole)
+    return static_cast<std::int64_t>(std::llround(std::get<double>(value)));
+  return std::visit([](const auto& each) { return Json(each); }, value);
 }
 
 std::vector<std::string> variable_texts(const Study& study, std::span<const double> point) {

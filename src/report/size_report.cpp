@@ -60,6 +60,10 @@ Json step_json(const Study& study, const VariableStep& step) {
                        {"violates", std::move(violates)}});
 }
 
+Json operating_json(const simulation::OperatingPoint& point) {
+  return Json::object({{"current_A", point.current}, {"duty", point.duty}});
+}
+
 Json base_json(const SizeAnswer& answer) {
   if (!answer.base_seen.failure.empty()) return Json::object({{"reason", answer.base_seen.failure}});
   return Json::object({{"objectives", objectives_json(answer.study, answer.base_seen)},
@@ -77,8 +81,49 @@ Json best_json(const SizeAnswer& answer) {
 }
 
 std::string in_unit(double change, const Quantity& quantity) {
+  if (change == 0.0) return "no change";
   const std::string unit = readable_unit(difference_unit(quantity.name));
   return signed_number(change) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string margin_text(double margin, const Quantity& quantity) {
+  return margin == 0.0 ? "no margin" : "margin " + in_unit(margin, quantity);
+}
+
+// Variables that could not go further whatever they would bring.
+struct RangeEnd {
+  std::size_t variable;
+  std::string_view end;
+};
+
+std::vector<RangeEnd> range_ends(const SizeAnswer& answer) {
+  std::vector<RangeEnd> ends;
+  if (!answer.result.best) return ends;
+  for (std::size_t i = 0; i < answer.study.variables.size(); ++i) {
+    const Variable variable = search_variable(answer.study.variables[i]);
+    if (variable.kind == VariableKind::categorical || variable.lower == variable.upper) continue;
+    const double value = answer.result.best->point[i];
+    const double step = variable.step > 0.0 ? variable.step : (variable.kind == VariableKind::integer ? 1.0 : 0.0);
+    // Beyond the last value of a grid there may be less than a step.
+    const double near = step > 0.0 ? 0.999 * step : 1e-9 * (variable.upper - variable.lower);
+    if (value - variable.lower < near) ends.push_back({i, "lower"});
+    if (variable.upper - value < near) ends.push_back({i, "upper"});
+  }
+  return ends;
+}
+
+Json range_ends_json(const SizeAnswer& answer) {
+  Json out = Json::array();
+  for (const RangeEnd& each : range_ends(answer))
+    out.add(Json::object({{"variable", name_of(answer.study.variables[each.variable])}, {"end", each.end}}));
+  return out;
+}
+
+std::string range_ends_text(const SizeAnswer& answer) {
+  std::vector<std::string> names;
+  for (const RangeEnd& each : range_ends(answer))
+    names.push_back(fmt::format("{} ({})", name_of(answer.study.variables[each.variable]), each.end));
+  return names.empty() ? "" : fmt::format("\nAt the end of its range: {}\n", fmt::join(names, ", "));
 }
 
 std::string headline(const SizeAnswer& answer) {
@@ -107,6 +152,10 @@ std::string objective_lines(const SizeAnswer& answer) {
   } else {
     text = fmt::format("\n{} {}\n", quantity.name, short_number(best.objectives.front()));
   }
+  if (answer.best)
+    if (const auto* evaluated = std::get_if<EvaluatedDesign>(answer.best))
+      text += fmt::format("at {} A in every coil, duty {}\n", short_number(evaluated->point.current),
+                          short_number(evaluated->point.duty));
   if (answer.base_seen.failure.empty()) {
     const std::string in_the_way = what_is_in_the_way(answer.study, answer.base_seen);
     text += fmt::format("the actuator as given: {}{}\n", short_number(answer.base_seen.objectives.front()),
@@ -131,7 +180,7 @@ std::string limits_text(const SizeAnswer& answer) {
       remark = binding.at_limit ? "at its limit" : "stops a better step";
     }
     table.row({name_of(limit), short_number(value_behind(limit, best.constraints[i])),
-               "margin " + in_unit(margin, *limit.quantity), remark});
+               margin_text(margin, *limit.quantity), remark});
   }
   return "\nLimits\n" + table.text(2, {TextTable::Align::left, TextTable::Align::right, TextTable::Align::right,
                                        TextTable::Align::left});
@@ -141,7 +190,7 @@ std::string relaxations_text(const SizeAnswer& answer) {
   const Study& study = answer.study;
   const std::vector<BindingConstraint>& bindings = answer.result.sensitivity.binding;
   if (!answer.result.feasible || answer.result.stop_reason == StopReason::interrupted) return {};
-  if (bindings.empty()) return "\nNo limit binds: only the ranges of the variables, or the physics, are in the way.\n";
+  if (bindings.empty()) return "\nNo limit binds.\n";
   std::string text = "\nWhat a limit costs\n";
   for (const BindingConstraint& binding : bindings) {
     const Limit& limit = study.limits[place_of(study.limits, binding.name)];
@@ -189,7 +238,9 @@ Json to_json(const SizeAnswer& answer) {
   Json out = result_head("size", answer.study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", result.feasible);
   out.set("best", best_json(answer)).set("violated", std::move(violated)).set("base", base_json(answer));
-  out.set("binding", std::move(binding)).set("steps", std::move(steps));
+  out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(answer));
+  out.set("steps", std::move(steps));
+  out.set("operating_point", evaluated ? operating_json(evaluated->point) : Json(nullptr));
   out.set("performance", evaluated ? to_json(evaluated->candidate()) : Json(nullptr));
   return out;
 }
@@ -199,7 +250,7 @@ std::string to_text(const SizeAnswer& answer) {
   std::string text = headline(answer);
   if (result.best) {
     text += '\n' + variables_text(answer) + objective_lines(answer) + limits_text(answer) + relaxations_text(answer) +
-            steps_text(answer);
+            range_ends_text(answer) + steps_text(answer);
     if (answer.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(answer.best))
         text += "\nAll of it\n" + to_text(evaluated->candidate());

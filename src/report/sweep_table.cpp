@@ -40,10 +40,15 @@ std::vector<std::string> names_of(const Study& study) {
   return names;
 }
 
-std::string verdict(const Study& study, const sizing::Leader& leader) {
-  if (sizing::is_feasible(leader.design.evaluation))
-    return std::string(study.objectives[leader.objective].quantity->name);
-  return "nothing feasible; nearest: " + what_is_in_the_way(study, leader.design.evaluation);
+// What the design at `first` is best for, and where the leaders after it are the same design: that too.
+std::string verdict(const Study& study, std::span<const sizing::Leader> leaders, std::size_t first) {
+  const SweptDesign& design = leaders[first].design;
+  if (!sizing::is_feasible(design.evaluation))
+    return "nothing feasible; nearest: " + what_is_in_the_way(study, design.evaluation);
+  std::string text;
+  for (std::size_t i = first; i < leaders.size() && leaders[i].design.index == design.index; ++i)
+    text += (text.empty() ? "" : ", ") + std::string(study.objectives[leaders[i].objective].quantity->name);
+  return text;
 }
 
 }  // namespace
@@ -74,14 +79,16 @@ std::string leaders_text(const Study& study, std::span<const sizing::Leader> lea
   add_objective_names(study, header);
   header.emplace_back("best for");
   table.row(std::move(header));
-  for (const sizing::Leader& leader : leaders) {
-    std::vector<std::string> row = variable_texts(study, leader.design.point);
-    const sizing::Evaluation& evaluation = leader.design.evaluation;
+  for (std::size_t k = 0; k < leaders.size(); ++k) {
+    const SweptDesign& design = leaders[k].design;
+    if (k > 0 && leaders[k - 1].design.index == design.index) continue;
+    std::vector<std::string> row = variable_texts(study, design.point);
+    const sizing::Evaluation& evaluation = design.evaluation;
     for (std::size_t i = 0; i < study.objectives.size(); ++i) {
       if (is_variable(study, study.objectives[i].quantity->name)) continue;
       row.push_back(evaluation.failure.empty() ? short_number(evaluation.objectives[i]) : "-");
     }
-    row.push_back(verdict(study, leader));
+    row.push_back(verdict(study, leaders, k));
     table.row(std::move(row));
   }
   std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "coilwright/mechanics/silicone_hinge.hpp"
 #include "pair_curves.hpp"
@@ -140,8 +141,8 @@ std::variant<Assembly, Misfits> assemble(const Design& design) {
   try {
     return assemble_fitting(design);
   } catch (const std::logic_error& error) {
-    // Shapes so extreme that a formula is outside its range (a coil 1e4 times longer than wide) say so themselves.
-    return Misfits{{.rule = error.what(), .excess = 1.0}};
+    // No rule of ours, but a formula outside its range: a coil that is 1e4 times wider than long, say.
+    return Misfits{{.rule = std::string("shape too extreme to compute: ") + error.what(), .excess = 1.0}};
   }
 }
 

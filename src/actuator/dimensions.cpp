@@ -16,7 +16,9 @@ namespace {
 // prototype's 0.9 (Tables I and II: l_0 - l_c / 2 and l_1 - l_m / 2).
 constexpr double coil_wall_share = 1.0 / 3.0;
 
-// Layers, or turns in a layer: a metre of the thinnest wire in the table, where a slip of the keyboard is likelier.
+// Any length, and layers or turns in a layer (of the thinnest wire in the table they make a metre): beyond them a slip
+// of the keyboard is likelier than a finger.
+constexpr double longest = 1.0;  // m
 constexpr int most_turns = 10'000;
 
 // degC; where copper's linear law and the silicone still hold.
@@ -29,6 +31,13 @@ class MisfitList {
     if (std::isfinite(value) && value > 0.0) return;
     const double excess = std::isfinite(value) ? 1.0 - value / unit : 1.0;
     list_.push_back({fmt::format("{} must be finite and > 0; got {:.6g} {}", name, value / unit, unit_name), excess});
+  }
+  void require_length(double value, const char* name) {
+    if (value > 0.0 && value <= longest) return;
+    const double outside = value > longest ? value / longest - 1.0 : 1.0 - value / 1e-3;
+    list_.push_back(
+        {fmt::format("{} must be > 0 and at most {:.6g} mm; got {:.6g} mm", name, longest * 1e3, value * 1e3),
+         std::isfinite(outside) ? outside : 1.0});
   }
   void require_finite(double value, const char* name, const char* unit_name) {
     if (!std::isfinite(value))
@@ -53,24 +62,23 @@ class MisfitList {
 };
 
 void check_sizes(const Design& design, MisfitList& list) {
-  constexpr double mm = 1e-3;
-  list.require_positive(design.coil.inner_radius, "coil inner radius", mm, "mm");
+  list.require_length(design.coil.inner_radius, "coil inner radius");
   list.require_turns(design.coil.turns_radial, "turns_radial");
   list.require_turns(design.coil.turns_axial, "turns_axial");
-  list.require_positive(design.magnet.radius, "magnet radius", mm, "mm");
-  list.require_positive(design.magnet.length, "magnet length", mm, "mm");
+  list.require_length(design.magnet.radius, "magnet radius");
+  list.require_length(design.magnet.length, "magnet length");
   list.require_positive(design.magnet.remanence, "remanence", 1.0, "T");
   list.require_positive(design.magnet.density, "magnet density", 1.0, "kg/m3");
   const BodyDesign& body = design.body;
-  list.require_positive(body.gap, "gap", mm, "mm");
-  list.require_positive(body.bottom_layer, "bottom layer", mm, "mm");
-  list.require_positive(body.side_wall, "side wall", mm, "mm");
-  list.require_positive(body.bottom_wall, "bottom wall", mm, "mm");
-  list.require_positive(body.top_wall, "top wall", mm, "mm");
-  list.require_positive(body.front_length, "front length", mm, "mm");
-  list.require_positive(body.rear_length, "rear length", mm, "mm");
-  list.require_positive(body.hinge_length, "hinge length", mm, "mm");
-  list.require_positive(body.loss_time, "loss time", mm, "ms");
+  list.require_length(body.gap, "gap");
+  list.require_length(body.bottom_layer, "bottom layer");
+  list.require_length(body.side_wall, "side wall");
+  list.require_length(body.bottom_wall, "bottom wall");
+  list.require_length(body.top_wall, "top wall");
+  list.require_length(body.front_length, "front length");
+  list.require_length(body.rear_length, "rear length");
+  list.require_length(body.hinge_length, "hinge length");
+  list.require_positive(body.loss_time, "loss time", 1e-3, "ms");
   list.require_positive(body.density, "silicone density", 1.0, "kg/m3");
   list.require_positive(body.heat_capacity, "silicone heat capacity", 1.0, "J/(kg K)");
   list.require_positive(body.conductivity, "silicone conductivity", 1.0, "W/(m K)");

@@ -8,16 +8,16 @@ namespace coilwright::actuator {
 
 /// What was measured on a built actuator, SI; leave out what was not. The paper's Table II symbols in brackets.
 struct Measured {
-  std::optional<double> coil_outer_radius;    ///< (R_c), m
-  std::optional<double> coil_length;          ///< (l_c), m
-  std::optional<double> joint_stiffness;      ///< (k), N m/rad, mean of the joints
-  std::optional<double> joint_damping;        ///< (b), N m s/rad
-  std::optional<double> axis_offset;          ///< (h), m
-  std::optional<double> magnet_segment_mass;  ///< (m_1), kg; of a segment that is not the last
-  std::optional<double> tip_segment_mass;     ///< (m_2), kg; of a last segment with a coil, front part included
-  std::optional<double> tip_com;              ///< (l_2), m; centre of mass of the last segment from its joint
-  std::optional<double> coil_resistance;      ///< of one coil at 20 degC, ohm
-  std::optional<double> continuous_current;   ///< largest current held for hours in every coil, A
+  std::optional<double> coil_outer_radius{};    ///< (R_c), m
+  std::optional<double> coil_length{};          ///< (l_c), m
+  std::optional<double> joint_stiffness{};      ///< (k), N m/rad, mean of the joints
+  std::optional<double> joint_damping{};        ///< (b), N m s/rad
+  std::optional<double> axis_offset{};          ///< (h), m
+  std::optional<double> magnet_segment_mass{};  ///< (m_1), kg; of a segment that is not the last
+  std::optional<double> tip_segment_mass{};     ///< (m_2), kg; of a last segment with a coil, front part included
+  std::optional<double> tip_com{};              ///< (l_2), m; centre of mass of the last segment from its joint
+  std::optional<double> coil_resistance{};      ///< of one coil at 20 degC, ohm
+  std::optional<double> continuous_current{};   ///< largest current held for hours in every coil, A
 };
 
 /// Factors measured over derived, at the geometry of `design` (whose own calibration is ignored). A derived value times

@@ -1,0 +1,70 @@
+#include "coilwright/actuator/heat.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <numbers>
+
+#include "actuator/paper_finger.hpp"
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/thermal/steady_state.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+TEST(HeatNetwork, IsANodePerComponent) {
+  Design design = paper_finger();
+  design.layout = layout_of(Configuration::D);
+  const Assembly a = assemble_or_throw(design);
+  const thermal::Network network = heat_network(design, a);
+  ASSERT_EQ(network.size(), 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const bool magnet = design.layout[i].kind == ComponentKind::magnet;
+    EXPECT_EQ(network.nodes()[i].kind, magnet ? thermal::NodeKind::magnet : thermal::NodeKind::coil);
+    EXPECT_EQ(network.nodes()[i].resistance, magnet ? 0.0 : a.coil.resistance);
+    EXPECT_EQ(network.nodes()[i].temperature_limit, magnet ? 80.0 : 155.0);
+    EXPECT_EQ(network.nodes()[i].heat_capacity, a.segments[i].heat_capacity);
+  }
+}
+
+// All heat of the coils leaves to ambient through the nodes' own conductances: a balance of the whole finger.
+TEST(HeatNetwork, LosesWhatItsCoilsMake) {
+  const Design design = paper_finger();
+  const thermal::Network network = heat_network(design, assemble_or_throw(design));
+  const double mean_square = 0.9 * 0.9;
+  const auto state = thermal::steady_state(network, thermal::same_in_every_coil(network, mean_square));
+  double lost = 0.0;
+  double made = 0.0;
+  for (Eigen::Index i = 0; i < network.size(); ++i) {
+    const thermal::Node& node = network.nodes()[static_cast<std::size_t>(i)];
+    lost += node.ambient_conductance * (state.temperatures[i] - 25.0);
+    made += mean_square * node.resistance * (1.0 + network.temperature_coefficient() * (state.temperatures[i] - 20.0));
+  }
+  EXPECT_NEAR(lost, made, 1e-12 * made);
+  EXPECT_GT(made, 6.0);  // 2 * 0.81 A^2 * 3.76 Ohm and more, being warm
+}
+
+// How much one fixed angle costs: the figures of thermal_joint_angle's comment.
+TEST(HeatNetwork, HeatsTheMagnetLessWhereJointsStandOpen) {
+  const Design design = paper_finger();
+  const Assembly a = assemble_or_throw(design);
+  const auto current = [&](double angle, thermal::Watch watch) {
+    return thermal::continuous_current(heat_network(design, a, angle), watch).current;
+  };
+  std::printf("  joint angle, deg: continuous current of coils, magnets, A\n");
+  for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0})
+    std::printf("  %4.0f: %.4f %.4f\n", angle, current(angle * degree, thermal::Watch::coils),
+                current(angle * degree, thermal::Watch::magnets));
+  const double printed = 5e-4;  // half of the last digit of that comment
+  EXPECT_NEAR(current(0.0, thermal::Watch::coils), 1.167, printed);
+  EXPECT_NEAR(current(30.0 * degree, thermal::Watch::coils), 1.1, 1e-9);  // calibrated there
+  EXPECT_NEAR(current(60.0 * degree, thermal::Watch::coils), 1.093, printed);
+  EXPECT_NEAR(current(0.0, thermal::Watch::magnets), 0.89, 5e-3);
+  EXPECT_NEAR(current(30.0 * degree, thermal::Watch::magnets), 1.44, 5e-3);
+  EXPECT_NEAR(current(60.0 * degree, thermal::Watch::magnets), 1.60, 5e-3);
+}
+
+}  // namespace
+}  // namespace coilwright::actuator

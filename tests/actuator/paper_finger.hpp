@@ -1,0 +1,53 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "coilwright/actuator/calibrate.hpp"
+#include "coilwright/actuator/design.hpp"
+
+namespace coilwright::actuator {
+
+/// The prototype's geometry (Table I of the source paper) under the paper's own conventions, nothing measured yet.
+inline Design paper_geometry() {
+  Design design;
+  design.choices = {.winding = magnetics::Winding::paper_shells,
+                    .torque = magnetics::Fidelity::line_of_centres,
+                    .faces = FaceContact::hard_parts,
+                    .masses = SegmentMass::on_axis_points};
+  return design;
+}
+
+/// Table II of the paper, and its continuous current.
+inline Measured paper_measured() {
+  return {.coil_outer_radius = {},
+          .coil_length = {},
+          .joint_stiffness = 12.5e-3,
+          .joint_damping = 1.29e-4,
+          .axis_offset = 11.5e-3,
+          .magnet_segment_mass = 16.5e-3,
+          .tip_segment_mass = 22.5e-3,
+          .tip_com = 9.1e-3,
+          .coil_resistance = {},
+          .continuous_current = 1.1};
+}
+
+/// The prototype with Table II as its calibration.
+inline Design paper_finger() {
+  Design design = paper_geometry();
+  design.calibration = calibrate(design, paper_measured());
+  return design;
+}
+
+/// What the std::invalid_argument says that `call` throws; empty when it throws none.
+template <typename Call>
+std::string error_text(Call&& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace coilwright::actuator

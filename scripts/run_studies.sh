@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Runs every study that ships and refreshes results/reference/<study>/. Archives of all evaluations stay in results/.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+program=build/release/bin/coilwright
+scripts/coilwright.sh --version
+
+# run STUDY COMMAND: the study's file is configs/studies/STUDY.json
+run() {
+  local study=$1 command=$2 config=configs/studies/$1.json
+  echo "== $command $study"
+  "$program" "$command" "$config" --out "results/$study" --quiet >"results/$study.txt"
+  local reference=results/reference/$study
+  rm -rf "$reference"
+  mkdir -p "$reference"
+  mv "results/$study.txt" "$reference/summary.txt"
+  for file in result.json actuator.json front.csv designs.csv best.csv; do
+    if [[ -f results/$study/$file ]]; then cp "results/$study/$file" "$reference/$file"; fi
+  done
+  printf '{\n  "command": "coilwright %s %s",\n  "commit": "%s",\n  "config_sha256": "%s",\n  "seed": %s\n}\n' \
+    "$command" "$config" "$(git rev-parse HEAD)" "$(sha256sum "$config" | cut -d' ' -f1)" \
+    "$(grep -o '"seed": [0-9]*' "$config" | grep -o '[0-9]*$')" >"$reference/reference.json"
+}
+
+mkdir -p results/reference/paper_finger
+"$program" validate >results/reference/paper_finger/summary.txt
+"$program" validate --json >results/reference/paper_finger/result.json
+run configurations sweep
+for letter in A B C D; do run "best_$letter" size; done
+run fastest_finger size
+run strongest_grip size
+run least_ringing size
+run speed_against_grip pareto
+run speed_grip_mass pareto

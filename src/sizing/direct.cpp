@@ -56,8 +56,9 @@ class Requests {
 /// growing with its infeasibility, so that NLopt can walk away from it; they never leave this class.
 class ProblemField {
  public:
-  ProblemField(Requests& requests, const Samples& samples, std::uint64_t combination)
-      : requests_{requests}, samples_{samples}, combination_{combination} {
+  ProblemField(Requests& requests, const Samples& samples, std::uint64_t combination,
+               const std::vector<Eigen::Index>& axes)
+      : requests_{requests}, samples_{samples}, combination_{combination}, axes_{axes} {
     const auto objectives = static_cast<Eigen::Index>(samples.objective_count());
     best_ = Eigen::VectorXd::Constant(objectives, std::numeric_limits<double>::infinity());
     worst_ = -best_;
@@ -72,14 +73,15 @@ class ProblemField {
     const std::vector<double> unit = space.snapped({x.data(), static_cast<std::size_t>(x.size())});
     Surrogate::Linearisation result{.values = outputs(unit), .jacobian = {}};
     if (wanted == Field::Wanted::values) return result;
-    result.jacobian.resize(result.values.size(), x.size());
-    for (std::size_t axis = 0; axis < unit.size(); ++axis) {
+    result.jacobian = Eigen::MatrixXd::Zero(result.values.size(), x.size());
+    for (const Eigen::Index column : axes_) {
+      const auto axis = static_cast<std::size_t>(column);
       const double spacing = space.spacing(axis);
       double step = spacing > 0 ? spacing : difference_step;
       if (unit[axis] + step > space.ceiling(axis)) step = -step;
       std::vector<double> moved = unit;
       moved[axis] += step;
-      result.jacobian.col(static_cast<Eigen::Index>(axis)) = (outputs(space.snapped(moved)) - result.values) / step;
+      result.jacobian.col(column) = (outputs(space.snapped(moved)) - result.values) / step;
     }
     return result;
   }
@@ -113,6 +115,7 @@ class ProblemField {
   Requests& requests_;
   const Samples& samples_;
   std::uint64_t combination_;
+  const std::vector<Eigen::Index>& axes_;
   Eigen::VectorXd best_, worst_;
 };
 
@@ -127,12 +130,12 @@ std::vector<Eigen::Index> all_axes(const DesignSpace& space) {
 std::vector<Record> run_direct(Archive& archive, const Samples& samples, const DirectTask& task,
                                const std::stop_token& stop) {
   Requests requests{archive, samples, task.budget, stop};
-  ProblemField problem{requests, samples, task.start.combination};
+  const std::vector<Eigen::Index> axes = task.axes.empty() ? all_axes(samples.space()) : task.axes;
+  ProblemField problem{requests, samples, task.start.combination, axes};
   const Field field{.at = [&](const Eigen::VectorXd& x, Field::Wanted wanted) { return problem.at(x, wanted); },
                     .objectives = static_cast<Eigen::Index>(samples.objective_count()),
                     .constraints = static_cast<Eigen::Index>(samples.constraint_count()),
                     .margin = takes_constraints(task.algorithm) ? 1e-7 : 0.0};
-  const std::vector<Eigen::Index> axes = all_axes(samples.space());
   std::mt19937_64 random{task.seed};
   Eigen::VectorXd start =
       Eigen::Map<const Eigen::VectorXd>(task.start.unit.data(), static_cast<Eigen::Index>(task.start.unit.size()));
@@ -148,7 +151,7 @@ std::vector<Record> run_direct(Archive& archive, const Samples& samples, const D
                       .first_step = 0.1,
                       .seed = random()});
       fruitless = requests.count() == before ? fruitless + 1 : 0;
-      for (Eigen::Index axis = 0; axis < start.size(); ++axis) {
+      for (const Eigen::Index axis : axes) {
         start[axis] = std::lerp(task.box.lower[axis], task.box.upper[axis], uniform(random));
       }
     }

@@ -13,12 +13,13 @@ namespace coilwright::sizing {
 
 /// One NLopt run on the problem itself, inside one combination of levels.
 struct DirectTask {
-  Algorithm algorithm{};  ///< not `automatic`
-  Goal goal;              ///< what to minimise
-  Candidate start;        ///< where; local algorithms start again elsewhere in the box while budget is left
-  Box box;                ///< part of the unit cube
-  std::size_t budget{};   ///< designs not known to the samples at most
-  std::uint64_t seed{};   ///< of NLopt and of the further starts
+  Algorithm algorithm{};             ///< not `automatic`
+  Goal goal;                         ///< what to minimise
+  Candidate start;                   ///< where; local algorithms start again elsewhere in the box while budget is left
+  Box box;                           ///< part of the unit cube
+  std::size_t budget{};              ///< designs not known to the samples at most
+  std::uint64_t seed{};              ///< of NLopt and of the further starts
+  std::vector<Eigen::Index> axes{};  ///< moved; empty: all
 };
 
 /// Runs the task. Every design is asked of `archive`; those `samples` did not know are returned in the order of first

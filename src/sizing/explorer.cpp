@@ -42,7 +42,7 @@ std::optional<Candidate> Explorer::scatter(const Samples& samples) {
 Candidate Explorer::bred(const Samples& samples, const std::vector<std::size_t>& parents) {
   const Sample& base = samples[parents[below(parents.size())]];
   Candidate child{.unit = base.unit, .combination = base.combination};
-  if (space_.combinations() > 1 && uniform(random_) < 0.15) {
+  if (space_.combinations() > 1 && uniform(random_) < 0.3) {
     child.combination = below(space_.combinations());
     if (child.combination != base.combination) return child;
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sizing/design_space.hpp"
+#include "sizing/direct.hpp"
 #include "sizing/engine.hpp"
 #include "sizing/run.hpp"
 
@@ -92,19 +93,41 @@ std::vector<BindingConstraint> binding_constraints(const Problem& problem, const
   return binding;
 }
 
+// From the best design along its variables without a grid: the first thing a moved limit allows.
+void descend(Archive& archive, Samples& samples, const Record& best, std::size_t budget,
+             const SensitivityOptions& options) {
+  const DesignSpace& space = samples.space();
+  DirectTask task{.algorithm = Algorithm::slsqp,
+                  .goal = {.kind = Goal::Kind::objective,
+                           .origin = minimised(archive.problem(), best.evaluation),
+                           .span = {std::max(1e-9, std::abs(best.evaluation.objectives[0]))}},
+                  .start = {.unit = space.unit(best.point), .combination = space.combination(best.point)},
+                  .box = {.lower = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(space.dimension())),
+                          .upper = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(space.dimension()))},
+                  .budget = budget,
+                  .seed = options.search.seed};
+  for (std::size_t axis = 0; axis < space.dimension(); ++axis) {
+    if (space.spacing(axis) == 0) task.axes.push_back(static_cast<Eigen::Index>(axis));
+  }
+  if (task.axes.empty()) return;
+  for (const Record& record : run_direct(archive, samples, task, options.search.stop)) samples.add(record);
+}
+
 // Searches on from everything in the archive, with one limit moved; the best design within the moved limits.
-std::optional<Record> relaxed_search(Archive& archive, std::vector<double> limits, Workers& workers,
+std::optional<Record> relaxed_search(Archive& archive, const Record& best, std::vector<double> limits, Workers& workers,
                                      const SensitivityOptions& options) {
   Samples samples{archive.problem(), limits};
   for (const Record& record : archive.records()) samples.add(record);
   SearchOptions quiet = options.search;
   quiet.algorithm = Algorithm::automatic;
   quiet.progress = {};
+  const std::size_t descent = options.relaxed_evaluations / 4;
+  descend(archive, samples, best, descent, options);
   (void)run_engine({.archive = archive,
                     .samples = samples,
                     .workers = workers,
                     .options = quiet,
-                    .budget = options.relaxed_evaluations});
+                    .budget = options.relaxed_evaluations - descent});
   if (samples.front().empty()) return std::nullopt;
   const Sample& found = samples[samples.front().front()];
   return Record{.point = found.point, .evaluation = *archive.find(found.point)};
@@ -134,7 +157,7 @@ Sensitivity sensitivity_of(Archive& archive, const Record& best, const Sensitivi
     std::vector<double> limits(problem.constraints.size(), 0.0);
     const auto which = std::ranges::find(problem.constraints, constraint.name) - problem.constraints.begin();
     limits[static_cast<std::size_t>(which)] = constraint.relaxed_by = options.relaxation;
-    constraint.relaxed_best = relaxed_search(archive, std::move(limits), workers, options);
+    constraint.relaxed_best = relaxed_search(archive, best, std::move(limits), workers, options);
     if (!constraint.relaxed_best) continue;
     constraint.objective_change = constraint.relaxed_best->evaluation.objectives[0] - best.evaluation.objectives[0];
   }

@@ -45,7 +45,7 @@ struct SensitivityOptions {
   double relative_step = 0.01;            ///< step of an ungridded variable over its range; > 0, <= 1
   double relaxation = 0.05;               ///< a constraint's new limit, in its scale; > 0
   std::size_t relaxed_evaluations = 200;  ///< new designs at most for each relaxed constraint
-  SearchOptions search{};                   ///< seed, threads, stop of the searches with a relaxed constraint
+  SearchOptions search{};                 ///< seed, threads, stop of the searches with a relaxed constraint
 };
 
 /// Steps each variable once down and once up from `best` (every other level of a categorical), then searches again from

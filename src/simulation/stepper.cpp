@@ -39,12 +39,41 @@ void Stepper::start(double time, const State& state, Input input) {
 }
 
 void Stepper::step() {
-  const auto system = [this](const PackedState& values, PackedState& slopes, double /*time*/) {
-    derive(values, slopes);
-  };
   std::swap(values_, previous_values_);
   std::swap(slopes_, previous_slopes_);
   previous_time_ = time_;
+  advance();
+  const double contact = first_contact();
+  // A change of the faces' contact in the first or last thousandth of a step is as good as at its end.
+  const double share = (contact - previous_time_) / (time_ - previous_time_);
+  if (share < 1e-3 || share > 1.0 - 1e-3) return;
+  next_step_ = contact - previous_time_;
+  time_ = previous_time_;
+  advance();
+}
+
+double Stepper::first_contact() const {
+  double first = time_;
+  for (int j = 0; j < model_.joints(); ++j) {
+    const double closing = model_.hinges()[j].contact.closing_angle;
+    const bool pressed = previous_values_[j] < closing;
+    if (pressed == (values_[j] < closing)) continue;
+    double before = previous_time_;
+    double after = first;
+    for (int i = 0; i < 30; ++i) {
+      const double middle = 0.5 * (before + after);
+      const bool same = (at(middle).angles[j] < closing) == pressed;
+      (same ? before : after) = middle;
+    }
+    first = after;
+  }
+  return first;
+}
+
+void Stepper::advance() {
+  const auto system = [this](const PackedState& values, PackedState& slopes, double /*time*/) {
+    derive(values, slopes);
+  };
   while (controlled_.try_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_) ==
          odeint::fail) {
   }

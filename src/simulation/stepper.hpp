@@ -44,8 +44,8 @@ class Stepper {
 
   /// Starts anew at `time` from `state`; keeps the last step size as a first guess.
   void start(double time, const State& state, Input input);
-  /// One accepted step; the span it covered is [previous_time(), time()]. A motion that has become infinite is accepted
-  /// as it is: look at now().
+  /// One accepted step; the span it covered is [previous_time(), time()]. It ends where faces meet or part, so that no
+  /// jump of the torques lies inside. A motion that has become infinite is accepted as it is: look at now().
   void step();
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] double previous_time() const { return previous_time_; }
@@ -59,6 +59,8 @@ class Stepper {
   using Controlled =
       boost::numeric::odeint::controlled_runge_kutta<boost::numeric::odeint::runge_kutta_dopri5<PackedState>>;
 
+  void advance();
+  [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   void derive(const PackedState& values, PackedState& slopes) const;
   [[nodiscard]] State unpack(const PackedState& values) const;
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "coilwright/formats/actuator_file.hpp"
+#include "actuator_input.hpp"
 #include "coilwright/report/performance_report.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "commands.hpp"
@@ -17,7 +17,7 @@ namespace coilwright::cli {
 namespace {
 
 struct Options {
-  std::string actuator;
+  ActuatorOptions actuator;
   double current{};
   double duty = 1.0;
   bool json{false};
@@ -28,10 +28,11 @@ std::runtime_error no_performance(const std::string& file, const simulation::NoP
 }
 
 void evaluate(const actuator::Design& design, const Options& options) {
-  const actuator::Assembly assembly = actuator::assemble_or_throw(design);
+  const actuator::Assembly assembly = assemble(design, options.actuator);
   const simulation::OperatingPoint point{.current = options.current, .duty = options.duty};
   const auto result = simulation::performance_of(design, assembly, point);
-  if (const auto* why = std::get_if<simulation::NoPerformance>(&result)) throw no_performance(options.actuator, *why);
+  if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
+    throw no_performance(options.actuator.file, *why);
   const sizing::Candidate candidate{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
   std::cout << (options.json ? report::to_json(candidate).text() : report::to_text(candidate));
@@ -39,7 +40,8 @@ void evaluate(const actuator::Design& design, const Options& options) {
 
 void evaluate(const actuator::Model& model, const Options& options) {
   const auto result = simulation::motion_of(model, options.current);
-  if (const auto* why = std::get_if<simulation::NoPerformance>(&result)) throw no_performance(options.actuator, *why);
+  if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
+    throw no_performance(options.actuator.file, *why);
   const simulation::Motion& motion = std::get<simulation::Motion>(result);
   std::cout << (options.json ? report::to_json(motion, options.current).text()
                              : report::to_text(motion, options.current));
@@ -50,8 +52,7 @@ void evaluate(const actuator::Model& model, const Options& options) {
 void add_evaluate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("evaluate", "What an actuator does at one current");
-  command->add_option("ACTUATOR.json", options->actuator, "A design (actuator/1) or a lumped model (lumped-model/1)")
-      ->required();
+  add_actuator_options(*command, options->actuator);
   command->add_option("--current", options->current, "Current in every coil, A; positive bends")
       ->required()
       ->check(number_rule(formats::finite));
@@ -61,9 +62,10 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   command->footer(
       "Motion is that of a step from rest; temperatures are those of holding the current at that duty for ever.\n\n"
       "Example:\n"
-      "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --json");
+      "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --json\n"
+      "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --set gap_mm=1.2 --set turns_axial=26");
   command->callback([options] {
-    const formats::ActuatorFile file = formats::read_actuator(options->actuator);
+    const formats::ActuatorFile file = read_actuator(options->actuator);
     std::visit([&](const auto& content) { evaluate(content, *options); }, file.content);
   });
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "actuator_input.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator_file.hpp"
 #include "coilwright/formats/input_error.hpp"
@@ -27,7 +28,7 @@ using simulation::InputSignal;
 using simulation::State;
 
 struct Options {
-  std::string actuator;
+  ActuatorOptions actuator;
   std::string out;
   std::optional<double> step;
   std::vector<double> sine;  // amplitude A, offset A, frequency Hz
@@ -49,11 +50,11 @@ struct NamedInput {
   std::vector<std::vector<double>> values;
 };
 
-Driven read_driven(const std::string& path) {
-  formats::ActuatorFile file = formats::read_actuator(path);
+Driven read_driven(const ActuatorOptions& options) {
+  formats::ActuatorFile file = read_actuator(options);
   if (auto* model = std::get_if<actuator::Model>(&file.content))
     return {.model = std::move(*model), .coil_resistance = {}};
-  actuator::Assembly assembly = actuator::assemble_or_throw(std::get<actuator::Design>(file.content));
+  actuator::Assembly assembly = assemble(std::get<actuator::Design>(file.content), options);
   return {.model = std::move(assembly.model), .coil_resistance = assembly.coil.resistance};
 }
 
@@ -122,7 +123,7 @@ NamedInput read_file_input(const Options& options, const Driven& driven) {
 
 NamedInput make_input(const Options& options, const Driven& driven) {
   if (!options.input.empty()) return read_file_input(options, driven);
-  if (driven.model.coils() == 0) throw std::runtime_error(options.actuator + ": has no coils to drive");
+  if (driven.model.coils() == 0) throw std::runtime_error(options.actuator.file + ": has no coils to drive");
   if (options.step)
     return common_current(simulation::step_input(
         driven.model, {.current = *options.step, .duration = options.duration, .interval = options.interval}));
@@ -145,7 +146,8 @@ mechanics::JointVector start_angles(const Options& options, const Driven& driven
        .stiffness = [&](const auto& at) { return model.tangent_stiffness(at, currents); },
        .torque_scale = simulation::torque_scale(model)},
       mechanics::JointVector::Zero(model.joints()));
-  if (!angles) throw std::runtime_error(options.actuator + ": has no stable pose under the first input to start from");
+  if (!angles)
+    throw std::runtime_error(options.actuator.file + ": has no stable pose under the first input to start from");
   return *angles;
 }
 
@@ -182,8 +184,7 @@ void run_simulate(const Options& options) {
 void add_simulate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("simulate", "How an actuator moves under an input over time");
-  command->add_option("ACTUATOR.json", options->actuator, "A design (actuator/1) or a lumped model (lumped-model/1)")
-      ->required();
+  add_actuator_options(*command, options->actuator);
   CLI::Option_group* input = command->add_option_group("input", "What drives it; one of");
   input->add_option("--step", options->step, "This current in every coil from time 0 on, from rest without current, A")
       ->check(number_rule(formats::finite));

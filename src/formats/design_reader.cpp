@@ -1,6 +1,8 @@
 #include "design_reader.hpp"
 
-#include <fmt/format.h>
+#include <exception>
+#include <new>
+#include <stdexcept>
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/dimensions.hpp"
@@ -12,6 +14,7 @@ namespace {
 // Far beyond any hardware, and near enough that nothing overflows or takes for ever.
 constexpr double largest_number = 1e6;
 constexpr double most_turns = 10'000.0;
+constexpr Rule measurement = positive.and_also(Rule::at_most(largest_number));
 constexpr double absolute_zero = -273.15;  // degC
 // Shore A for which Gent's relation between hardness and modulus holds.
 constexpr double softest_shore = 20.0;
@@ -82,16 +85,16 @@ actuator::ModelChoices read_choices(const Node& node) {
 
 actuator::Measured read_measured(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    return actuator::Measured{.coil_outer_radius = in.optional_quantity("coil_outer_radius_mm", positive),
-                              .coil_length = in.optional_quantity("coil_length_mm", positive),
-                              .joint_stiffness = in.optional_quantity("joint_stiffness_Nmm_rad", positive),
-                              .joint_damping = in.optional_quantity("joint_damping_Nmms_rad", positive),
-                              .axis_offset = in.optional_quantity("axis_offset_mm", positive),
-                              .magnet_segment_mass = in.optional_quantity("magnet_segment_mass_g", positive),
-                              .tip_segment_mass = in.optional_quantity("tip_segment_mass_g", positive),
-                              .tip_com = in.optional_quantity("tip_com_mm", positive),
-                              .coil_resistance = in.optional_quantity("coil_resistance_Ohm", positive),
-                              .continuous_current = in.optional_quantity("continuous_current_A", positive)};
+    return actuator::Measured{.coil_outer_radius = in.optional_quantity("coil_outer_radius_mm", measurement),
+                              .coil_length = in.optional_quantity("coil_length_mm", measurement),
+                              .joint_stiffness = in.optional_quantity("joint_stiffness_Nmm_rad", measurement),
+                              .joint_damping = in.optional_quantity("joint_damping_Nmms_rad", measurement),
+                              .axis_offset = in.optional_quantity("axis_offset_mm", measurement),
+                              .magnet_segment_mass = in.optional_quantity("magnet_segment_mass_g", measurement),
+                              .tip_segment_mass = in.optional_quantity("tip_segment_mass_g", measurement),
+                              .tip_com = in.optional_quantity("tip_com_mm", measurement),
+                              .coil_resistance = in.optional_quantity("coil_resistance_Ohm", measurement),
+                              .continuous_current = in.optional_quantity("continuous_current_A", measurement)};
   });
 }
 
@@ -135,7 +138,11 @@ Design read_design(ObjectReader& in) {
   if (measured) {
     try {
       design.calibration = actuator::calibrate(design, read_measured(*measured));
-    } catch (const std::invalid_argument& mistake) {
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception& mistake) {
       throw measured->error_without_value(mistake.what());
     }
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -20,7 +21,7 @@ std::vector<double> in_degrees(const mechanics::JointVector& angles) {
 }
 
 Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 void add_joints_and_modes(Json& out, const Motion& motion) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -25,9 +26,7 @@ double current_of(const Study& study, const actuator::Design& design, std::span<
   for (std::size_t i = 0; i < study.variables.size(); ++i)
     if (std::holds_alternative<CurrentVariable>(study.variables[i]))
       return std::get<double>(value_at(study.variables[i], point[i]));
-  const std::optional<double> current = current_of(study, design);
-  if (!current) throw std::logic_error("a study must say what its current is");
-  return *current;
+  return current_of(study, design).value();
 }
 
 NotEvaluated not_buildable(const actuator::Misfits& misfits) {
@@ -38,7 +37,7 @@ NotEvaluated not_buildable(const actuator::Misfits& misfits) {
 
 // `current` is asked for only once the design is known to have a wire that exists.
 template <class Current>
-DesignResult evaluate_design(actuator::Design design, const Current& current, double duty) {
+DesignResult evaluate_buildable(actuator::Design design, const Current& current, double duty) {
   std::variant<actuator::Assembly, actuator::Misfits> assembled = actuator::assemble(design);
   if (const auto* misfits = std::get_if<actuator::Misfits>(&assembled)) return not_buildable(*misfits);
   actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
@@ -51,6 +50,19 @@ DesignResult evaluate_design(actuator::Design design, const Current& current, do
                          .assembly = std::move(assembly),
                          .point = operating,
                          .performance = std::get<simulation::Performance>(std::move(performance))};
+}
+
+// A design far outside all hardware may break a rule of the physics rooms that no Misfit names, or defeat an
+// interpolant: then it is that design that cannot be evaluated, and the search goes on.
+template <class Current>
+DesignResult evaluate_design(actuator::Design design, const Current& current, double duty) {
+  try {
+    return evaluate_buildable(std::move(design), current, duty);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return NotEvaluated{.reason = failure.what(), .infeasibility = 1.0};
+  }
 }
 
 // A quantity that a study asks for and this design does not have.
@@ -72,6 +84,10 @@ Evaluation failed(const NotEvaluated& why) {
 DesignProblem::DesignProblem(Study study) : study_(std::move(study)) {
   variables_.reserve(study_.variables.size());
   for (const StudyVariable& variable : study_.variables) variables_.push_back(search_variable(variable));
+  const bool varied = std::ranges::any_of(
+      study_.variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
+  if (varied != std::holds_alternative<VariedCurrent>(study_.current))
+    throw std::invalid_argument("current: must be fixed or a variable, one of the two");
 }
 
 actuator::Design DesignProblem::design_at(std::span<const double> point) const {

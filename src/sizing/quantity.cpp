@@ -13,6 +13,7 @@ using Value = std::optional<double>;
 constexpr double degrees = 180.0 / std::numbers::pi;
 
 constexpr std::string_view no_change = "the current does not change the bending angle";
+constexpr std::string_view no_current_allowed = "the surroundings are as hot as a limit already";
 constexpr std::string_view runaway = "the current is at or beyond that of a thermal runaway";
 
 // One row a quantity: how to get it, in the unit of its name.
@@ -82,8 +83,10 @@ constexpr std::array table = {
         [](const Candidate& c) -> Value {
           const simulation::Heat& heat = c.performance.heat;
           const double rms = std::abs(c.point.current) * std::sqrt(c.point.duty);
-          return rms / std::min(heat.continuous_current, heat.magnet_continuous_current);
-        }},
+          const double allowed = std::min(heat.continuous_current, heat.magnet_continuous_current);
+          return allowed > 0.0 ? Value(rms / allowed) : Value();
+        },
+        no_current_allowed},
     Quantity{"coil_temperature_degC", "of the hottest coil when held", 100.0,
              [](const Candidate& c) { return c.performance.heat.coil_temperature; }, runaway},
     Quantity{"magnet_temperature_degC", "of the hottest magnet when held", 100.0,

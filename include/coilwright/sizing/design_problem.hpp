@@ -32,6 +32,7 @@ using DesignResult = std::variant<EvaluatedDesign, NotEvaluated>;
 /// lists and configurations, whose coordinate is the index of the value.
 class DesignProblem {
  public:
+  /// Throws std::invalid_argument unless either a variable or `study.current` sets the current.
   explicit DesignProblem(Study study);
 
   [[nodiscard]] const Study& study() const noexcept { return study_; }

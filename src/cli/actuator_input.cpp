@@ -1,0 +1,47 @@
+#include "actuator_input.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <new>
+#include <utility>
+#include <variant>
+
+#include "coilwright/formats/assignment.hpp"
+#include "coilwright/formats/input_error.hpp"
+
+namespace coilwright::cli {
+
+void add_actuator_options(CLI::App& command, ActuatorOptions& options) {
+  command.add_option("ACTUATOR.json", options.file, "A design (actuator/1) or a lumped model (lumped-model/1)")
+      ->required();
+  command
+      .add_option("--set", options.assignments,
+                  "NAME=VALUE: a number of the design other than the file has it, or configuration=C; may be repeated")
+      ->allow_extra_args(false);
+}
+
+formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
+  formats::ActuatorFile file = formats::read_actuator(options.file);
+  if (options.assignments.empty()) return file;
+  auto* design = std::get_if<actuator::Design>(&file.content);
+  if (design == nullptr)
+    throw formats::InputError({.file = options.file, .rule = "is a lumped model: --set changes designs only"});
+  for (const std::string& assignment : options.assignments)
+    *design = formats::with_assignment(std::move(*design), assignment);
+  return file;
+}
+
+actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options) {
+  const std::string changes =
+      options.assignments.empty() ? "" : fmt::format(" with {}", fmt::join(options.assignments, ", "));
+  try {
+    return actuator::assemble_or_throw(design);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& reason) {
+    throw formats::InputError({.file = options.file, .rule = reason.what() + changes});
+  }
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/formats/actuator_file.hpp"
+
+namespace coilwright::cli {
+
+/// The actuator of a command, and what is changed of it on the command line.
+struct ActuatorOptions {
+  std::string file;
+  std::vector<std::string> assignments;  ///< "gap_mm=1.2"
+};
+
+/// ACTUATOR.json and --set.
+void add_actuator_options(CLI::App& command, ActuatorOptions& options);
+
+/// The file with the assignments made. Throws InputError, also for assignments to a lumped model.
+[[nodiscard]] formats::ActuatorFile read_actuator(const ActuatorOptions& options);
+
+/// A design of that file, assembled. Throws InputError naming the file when it cannot be.
+[[nodiscard]] actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options);
+
+}  // namespace coilwright::cli

@@ -34,7 +34,7 @@ formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
 
 actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options) {
   const std::string changes =
-      options.assignments.empty() ? "" : fmt::format(" with {}", fmt::join(options.assignments, ", "));
+      options.assignments.empty() ? "" : fmt::format(" (with {})", fmt::join(options.assignments, ", "));
   try {
     return actuator::assemble_or_throw(design);
   } catch (const std::bad_alloc&) {

@@ -1,5 +1,7 @@
 """Runs the built program the way a user does."""
 
+import csv
+import json
 import os
 import pathlib
 import resource
@@ -9,6 +11,8 @@ import unittest
 
 PROGRAM = os.environ["COILWRIGHT"]
 DATA = pathlib.Path(os.environ["COILWRIGHT_TEST_DATA"])
+CONFIGS = DATA.parent.parent / "configs"
+PAPER_FINGER = CONFIGS / "actuators" / "paper_finger.json"
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):
@@ -28,7 +32,16 @@ class ProgramTest(unittest.TestCase):
         (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
 
     def files(self):
-        return {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        return {str(path.relative_to(self.folder)): path.read_bytes() if path.is_file() else None
+                for path in self.folder.rglob("*")}
+
+    def table(self, name):
+        """A CSV file as a list of rows by column, text as it stands there."""
+        with open(self.folder / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def result(self, name):
+        return json.loads((self.folder / name).read_text())
 
     def assert_refused(self, arguments, message, code=2):
         """One line on standard error, nothing on standard output, no file written or changed."""

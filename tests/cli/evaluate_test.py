@@ -1,0 +1,172 @@
+"""`coilwright evaluate`: the paper's finger, the promised keys, and every way to get an actuator wrong."""
+
+import json
+import math
+import unittest
+
+from program import PAPER_FINGER, ProgramTest, run
+
+PROMISED = ["axial_force_N", "rest_angle_deg", "steady_angle_deg", "joint_angles_deg", "peak_bending_speed_deg_s",
+            "overshoot_pct", "settling_time_s", "damping_ratio", "natural_frequency_Hz", "grasp_force_N",
+            "contact_force_no_current_N", "mass_g", "coil_resistance_Ohm", "inductance_mH", "current_limit_A",
+            "continuous_current_A", "coil_temperature_degC", "power_W", "cost_USD"]
+
+LUMPED = {
+    "format": "lumped-model/1", "gravity_m_s2": 9.81,
+    "links": [{"length_m": 0.02, "com_along_m": 0.011, "com_offset_m": 0.004, "mass_kg": 0.017, "inertia_kgm2": 0.0},
+              {"length_m": 0.021, "com_along_m": 0.009, "com_offset_m": 0.003, "mass_kg": 0.022, "inertia_kgm2": 1e-6}],
+    "joints": [{"stiffness_Nm_rad": 0.0125, "damping_Nms_rad": 1.29e-4},
+               {"stiffness_Nm_rad": 0.0131, "damping_Nms_rad": 1.4e-4}],
+    "magnetics": [None, {"angle_deg": [-10, 0, 30, 60, 110], "torque_Nmm_A": [19.0, 17.5, 9.0, 4.1, 1.3]}],
+}
+
+
+class Evaluate(ProgramTest):
+    def evaluate(self, *arguments):
+        result = run("evaluate", *arguments, "--json", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return json.loads(result.stdout)
+
+    def test_gives_every_key_that_is_promised(self):
+        got = self.evaluate(PAPER_FINGER, "--current", "1.4")
+        self.assertEqual([key for key in PROMISED if key not in got], [])
+        for key, value in got.items():
+            numbers = value if isinstance(value, list) else [value]
+            if key != "modes":
+                self.assertTrue(all(math.isfinite(number) for number in numbers), key)
+
+    def test_gives_the_model_column_of_the_paper_s_finger(self):
+        # Computed by an independent program from the paper's corrected equations; deltas are half the last digit given.
+        got = self.evaluate(PAPER_FINGER, "--current", "1.4")
+        for key, value, delta in (("axial_force_N", 2.147, 0.0005), ("rest_angle_deg", 21.07, 0.005),
+                                  ("steady_angle_deg", 63.62, 0.005), ("peak_bending_speed_deg_s", 1708, 0.5),
+                                  ("grasp_force_N", 1.12, 0.005), ("contact_force_no_current_N", 0.142, 0.0005),
+                                  ("mass_g", 68, 0.5), ("current_limit_A", 1.4, 1e-12)):
+            self.assertAlmostEqual(got[key], value, delta=delta, msg=key)
+        # The table says so in words, with fewer digits.
+        lines = run("evaluate", PAPER_FINGER, "--current", "1.4").stdout.splitlines()
+        printed = {line.split()[0]: line.split()[1] for line in lines}
+        for key in PROMISED:
+            if key != "joint_angles_deg":
+                self.assertAlmostEqual(float(printed[key]), got[key], delta=1e-5 * abs(got[key]), msg=key)  # six digits
+
+    def test_duty_changes_temperatures_only(self):
+        held = self.evaluate(PAPER_FINGER, "--current", "1.05")
+        pulsed = self.evaluate(PAPER_FINGER, "--current", "1.05", "--duty", "0.36")
+        self.assertEqual(sorted(key for key in held if held[key] != pulsed[key]),
+                         ["coil_temperature_degC", "magnet_temperature_degC", "thermal_load"])
+        self.assertAlmostEqual(pulsed["thermal_load"], 0.6 * held["thermal_load"], places=12)  # the square root of 0.36
+
+    def test_beyond_thermal_runaway_there_is_no_temperature(self):
+        runaway = self.evaluate(PAPER_FINGER, "--current", "1.4")["runaway_current_A"]
+        got = self.evaluate(PAPER_FINGER, "--current", str(runaway + 0.1))
+        self.assertIsNone(got["coil_temperature_degC"])
+        self.assertGreater(got["thermal_load"], 1)
+
+    def test_a_lumped_model_gives_its_motion(self):
+        self.write("model.json", json.dumps(LUMPED))
+        got = self.evaluate("model.json", "--current", "0.8")
+        self.assertEqual(len(got["joint_angles_deg"]), 2)
+        self.assertGreater(got["steady_angle_deg"], got["rest_angle_deg"])
+        self.assertNotIn("mass_g", got)
+
+    def test_set_changes_one_number_as_the_file_would(self):
+        changed = json.loads(PAPER_FINGER.read_text())
+        factors = self.evaluate(PAPER_FINGER, "--current", "1.4")
+        del changed["measured"]
+        self.write("plain.json", json.dumps(changed))
+        changed["body"]["gap_mm"] = 1.3
+        changed["configuration"] = "A"
+        self.write("changed.json", json.dumps(changed))
+        self.assertEqual(self.evaluate("plain.json", "--current", "1.4", "--set", "gap_mm=1.3", "--set",
+                                       "configuration=A"),
+                         self.evaluate("changed.json", "--current", "1.4"))
+        self.assertEqual(self.evaluate("--set", "gap_mm=0.9", PAPER_FINGER, "--current", "1.4"), factors)
+
+    def test_bad_assignments_are_refused(self):
+        self.write("model.json", json.dumps(LUMPED))
+        self.write("finger.json", PAPER_FINGER.read_text())
+        for assignment, message in (
+            ("gap_m=1", 'gap_m=1: is not a number of a design; did you mean "gap_mm"?'),
+            ("gap_mm=-1", "gap_mm=-1: must be > 0 and <= 1000000"),
+            ("gap_mm=nan", "gap_mm=nan: must be a finite number"),
+            ("gap_mm=1e999", "gap_mm=1e999: must be a finite number"),
+            ("gap_mm=1,2", "gap_mm=1,2: must be a finite number"),
+            ("turns_axial=20.5", "turns_axial=20.5: must be a whole number"),
+            ("wire_gauge_AWG=41", "wire_gauge_AWG=41: must be from 20 to 40"),
+            ("configuration=E", 'configuration=E: must be one of "A", "B", "C", "D"'),
+            ("gap_mm", 'gap_mm: must be a name and a value, as in "gap_mm=1.2"'),
+            ("coil_inner_radius_mm=0.2", "finger.json: coil inner radius must be at least 0.5334 mm for AWG 28; got "
+             "0.2 mm (with coil_inner_radius_mm=0.2)"),
+        ):
+            with self.subTest(assignment):
+                self.assert_refused(["evaluate", "finger.json", "--current", "1", "--set", assignment], message)
+        self.assert_refused(["evaluate", "model.json", "--current", "1", "--set", "gap_mm=1"],
+                            "model.json: is a lumped model: --set changes designs only")
+
+    def test_a_bad_current_or_duty_is_refused(self):
+        for arguments, message in (
+            (["--current", "nan"], '--current: must be a finite number; got "nan"'),
+            (["--current", "1e999"], '--current: must be a finite number; got "1e999"'),
+            (["--current", "1.4A"], '--current: must be a finite number; got "1.4A"'),
+            ([], "--current is required"),
+            (["--current", "1", "--duty", "1.5"], '--duty: must be from 0 to 1; got "1.5"'),
+        ):
+            with self.subTest(message):
+                self.assert_refused(["evaluate", PAPER_FINGER, *arguments],
+                                    f"evaluate: {message} (see coilwright evaluate --help)")
+
+    def test_bad_actuators_are_one_line_and_write_nothing(self):
+        good = json.loads(PAPER_FINGER.read_text())
+
+        def changed(change):
+            actuator = json.loads(json.dumps(good))
+            change(actuator)
+            return json.dumps(actuator)
+
+        plain = changed(lambda a: None)
+        with_nan = changed(lambda a: a["body"].update(gap_mm=float("nan")))
+        for text, message in (
+            (changed(lambda a: a["body"].update(gpa_mm=1)), '/body/gpa_mm: unknown key; the keys here are '
+             '"bottom_layer_mm", "bottom_wall_mm", "conductivity_W_mK", "density_kg_m3", "front_length_mm", "gap_mm", '
+             '"heat_capacity_J_kgK", "hinge_length_mm", "loss_time_ms", "rear_length_mm", "shore_hardness_A", '
+             '"side_wall_mm", "top_wall_mm"'),
+            (changed(lambda a: a["coil"].update(inner_radius_m=a["coil"].pop("inner_radius_mm"))),
+             '/coil/inner_radius_m: unknown key; did you mean "inner_radius_mm"?'),
+            (changed(lambda a: a.pop("configuration")), '/: needs one of "configuration", "layout"'),
+            (changed(lambda a: a.update(layout=["coil", "magnet"])), '/layout: cannot stand beside "configuration"'),
+            (changed(lambda a: a.pop("format")), "/format: is missing"),
+            (changed(lambda a: a.update(format="actuator/2")),
+             '/format: must be one of "actuator/1", "lumped-model/1"; got text "actuator/2"'),
+            (plain.replace('"gap_mm"', '"gap_mm": 1, "gap_mm"'), "/body/gap_mm: duplicate key"),
+            (changed(lambda a: a["body"].update(gap_mm="0.9")), '/body/gap_mm: must be a number; got text "0.9"'),
+            (changed(lambda a: a["body"].update(gap_mm=0)), "/body/gap_mm: must be > 0 and <= 1000000; got 0"),
+            (changed(lambda a: a["coil"].update(turns_axial=30.5)),
+             "/coil/turns_axial: must be a whole number; got 30.5"),
+            (changed(lambda a: a["coil"].update(wire_gauge_AWG=19)),
+             "/coil/wire_gauge_AWG: must be from 20 to 40; got 19"),
+            (changed(lambda a: a["coil"].update(inner_radius_mm=0.3)),
+             "/: coil inner radius must be at least 0.5334 mm for AWG 28; got 0.3 mm"),
+            (changed(lambda a: a["surroundings"].update(ambient_degC=-300)),
+             "/surroundings/ambient_degC: must be > -273.15 and <= 1000000; got -300"),
+            (changed(lambda a: a.update(calibration={})),
+             '/: gives "measured" and "calibration"; only one of them may be there'),
+            (with_nan, f"line 1, column {with_nan.index('NaN') + 1}: must be a finite number: JSON has no NaN and no Infinity"),
+            (plain.replace('"gap_mm": 0.9', '"gap_mm": 1e999'),
+             "/body/gap_mm: must be a finite number (at most 1.8e308); got 1e999"),
+            (plain[:-3], f"line 1, column {len(plain) - 2}: ends before its JSON value is complete"),
+            ("gap = 1", "line 1, column 1: is not JSON: syntax error while parsing value - invalid literal"),
+        ):
+            self.write("finger.json", text)
+            with self.subTest(message):
+                self.assert_refused(["evaluate", "finger.json", "--current", "1.4"], "finger.json: " + message)
+
+    def test_an_actuator_of_100_mb_is_refused_at_once(self):
+        with open(self.folder / "large.json", "wb") as file:
+            file.truncate(100_000_000)
+        self.assertEqual(run("evaluate", "large.json", "--current", "1", cwd=self.folder).stderr,
+                         "coilwright: large.json: must not be larger than 16 MB\n")
+
+
+if __name__ == "__main__":
+    unittest.main()

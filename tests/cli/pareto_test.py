@@ -1,0 +1,109 @@
+"""`coilwright pareto`: a front that no evaluated design beats, its files, Ctrl-C."""
+
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, ProgramTest, run
+from study import FRONT, write_study
+
+NAMES = ("peak_bending_speed_deg_s", "grasp_force_N")
+
+
+class Pareto(ProgramTest):
+    def pareto(self, *arguments, code=0):
+        result = run("pareto", "study.json", "--out", "out", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (code, ""))
+        return result.stdout
+
+    def test_the_front_is_what_no_evaluated_design_beats(self):
+        write_study(self, objectives=FRONT)
+        self.pareto()
+        front, rows = self.table("out/front.csv"), self.table("out/evaluations.csv")
+        self.assertEqual(list(front[0]), ["turns_radial", "wire_gauge_AWG", "gap_mm", *NAMES, "mass_max_margin_g",
+                                          "thermal_load_max_margin"])
+        feasible = {tuple(float(row[name]) for name in NAMES) for row in rows if row["status"] == "ok"}
+
+        def beaten(a):
+            return any(b != a and b[0] >= a[0] and b[1] >= a[1] for b in feasible)
+
+        got = [tuple(float(row[name]) for name in NAMES) for row in front]
+        self.assertEqual(sorted(got), sorted(a for a in feasible if not beaten(a)))
+        self.assertEqual(got, sorted(got, reverse=True))  # fastest first
+        self.assertGreater(len(front), 3)
+        for row in front:
+            self.assertGreaterEqual(min(float(row["mass_max_margin_g"]), float(row["thermal_load_max_margin"])), 0)
+        answer = self.result("out/result.json")
+        self.assertEqual((answer["front_size"], answer["evaluations"]["total"]), (len(front), len(rows)))
+        self.assertLessEqual(len(rows), 60)
+
+    def test_the_hypervolume_is_that_of_the_front_in_its_own_frame(self):
+        write_study(self, objectives=FRONT)
+        self.pareto()
+        points = [tuple(float(row[name]) for name in NAMES) for row in self.table("out/front.csv")]
+        best, worst = [[pick(p[i] for p in points) for i in (0, 1)] for pick in (max, min)]
+        # Losses from 0 (ideal) to 1 (nadir), fastest first: steps of a staircase up to the reference 1.1.
+        losses = sorted(tuple((best[i] - p[i]) / (best[i] - worst[i]) for i in (0, 1)) for p in points)
+        edges = [loss[0] for loss in losses[1:]] + [1.1]
+        volume = sum((edge - loss[0]) * (1.1 - loss[1]) for loss, edge in zip(losses, edges))
+        self.assertAlmostEqual(self.result("out/result.json")["hypervolume"], volume, places=9)
+
+    def test_the_ends_are_printed_and_written(self):
+        write_study(self, objectives=FRONT)
+        text = self.pareto()
+        answer, front = self.result("out/result.json"), self.table("out/front.csv")
+        for end, name in zip(answer["ends"], NAMES):
+            self.assertEqual(end["objectives"][name], max(float(row[name]) for row in front))
+            self.assertIn("best " + name, text)
+        self.assertIn("\nmiddle ", text)
+
+    def test_three_objectives_of_either_sense(self):
+        write_study(self, objectives=[*FRONT, {"minimise": "mass_g"}], constraints=None)
+        self.pareto()
+        masses = [float(row["mass_g"]) for row in self.table("out/front.csv")]
+        self.assertEqual(self.result("out/result.json")["ends"][2]["objectives"]["mass_g"], min(masses))
+
+    def test_threads_change_no_byte_of_any_file(self):
+        write_study(self, objectives=FRONT)
+        outputs = []
+        for threads in ("1", "2"):
+            text = self.pareto("--threads", threads)
+            outputs.append((text, {k: v for k, v in self.files().items() if k.startswith("out/")}))
+        self.assertEqual(outputs[0], outputs[1])
+        self.pareto("--seed", "11")
+        self.assertNotEqual(self.files()["out/evaluations.csv"], outputs[0][1]["out/evaluations.csv"])
+
+    def test_nothing_feasible_is_3_and_the_nearest_design_is_written(self):
+        write_study(self, objectives=FRONT, constraints=[{"quantity": "mass_g", "at_most": 40}])
+        text = self.pareto(code=3)
+        answer = self.result("out/result.json")
+        self.assertEqual(self.table("out/front.csv"), [])
+        self.assertEqual(answer["least_infeasible"]["violated"], ["mass_g <= 40"])
+        self.assertIsNone(answer["hypervolume"])
+        self.assertRegex(text, r"In the way: mass_g <= 40 broken by [\d.]+ g\n")
+
+    def test_one_objective_is_refused(self):
+        write_study(self)
+        self.assert_refused(["pareto", "study.json", "--out", "out"],
+                            "study.json: /objectives: must be two or three for pareto (size takes one); got 1")
+
+    def test_ctrl_c_writes_what_was_found_so_far(self):
+        for command, objectives in (("pareto", FRONT), ("size", FRONT[:1])):
+            write_study(self, objectives=objectives, search={"max_evaluations": 1000000, "algorithm": "isres"})
+            process = subprocess.Popen([PROGRAM, command, "study.json", "--out", command], cwd=self.folder,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+            time.sleep(2)  # enough for some hundred evaluations
+            process.send_signal(signal.SIGINT)
+            output, errors = process.communicate(timeout=60)
+            with self.subTest(command):
+                self.assertEqual((process.returncode, errors), (130, ""))
+                self.assertIn("it was interrupted", output)
+                answer, rows = self.result(f"{command}/result.json"), self.table(f"{command}/evaluations.csv")
+                self.assertEqual(answer["stop_reason"], "interrupted")
+                self.assertEqual(answer["evaluations"]["total"], len(rows))
+                self.assertGreater(len(rows), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

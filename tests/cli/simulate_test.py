@@ -1,0 +1,87 @@
+"""`coilwright simulate`: responses that agree with `evaluate`, and inputs that do not fit."""
+
+import json
+import math
+import unittest
+
+from program import PAPER_FINGER, ProgramTest, run
+
+
+class Simulate(ProgramTest):
+    def simulate(self, *arguments):
+        result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        return [{key: float(value) for key, value in row.items()} for row in self.table("out.csv")]
+
+    def setUp(self):
+        super().setUp()
+        self.performance = json.loads(run("evaluate", PAPER_FINGER, "--current", "1.4", "--json").stdout)
+
+    def test_a_step_starts_at_rest_and_ends_at_the_steady_angle(self):
+        rows = self.simulate("--step", "1.4", "--duration-s", "3", "--interval-s", "0.001")
+        self.assertEqual(list(rows[0]), ["time_s", "current_A", "theta1_deg", "theta2_deg", "bending_angle_deg",
+                                         "bending_speed_deg_s"])
+        self.assertAlmostEqual(rows[0]["bending_angle_deg"], self.performance["rest_angle_deg"], places=6)
+        # Damping ratio 0.083 at 7.3 Hz: after 3 s the ringing is exp(-11) of 42 degrees.
+        self.assertAlmostEqual(rows[-1]["bending_angle_deg"], self.performance["steady_angle_deg"], delta=42.6 * 2e-5)
+        self.assertAlmostEqual(rows[-1]["theta1_deg"], self.performance["joint_angles_deg"][0], delta=42.6 * 2e-5)
+        # Between samples 1 ms apart the speed's peak is missed by at most half its curvature times (0.5 ms)^2.
+        fastest = max(row["bending_speed_deg_s"] for row in rows)
+        self.assertAlmostEqual(fastest, self.performance["peak_bending_speed_deg_s"], delta=2.0)
+        self.assertLessEqual(fastest, self.performance["peak_bending_speed_deg_s"] * (1 + 1e-6))
+
+    def test_a_sine_is_what_it_says(self):
+        rows = self.simulate("--sine", "0.6", "0.7", "2", "--duration-s", "1.5", "--interval-s", "0.01")
+        self.assertEqual(len(rows), 151)
+        for row in rows:
+            self.assertAlmostEqual(row["current_A"], 0.7 + 0.6 * math.sin(4 * math.pi * row["time_s"]), places=12)
+        self.assertGreater(max(row["theta1_deg"] for row in rows) - min(row["theta1_deg"] for row in rows), 5)
+
+    def test_a_response_is_given_at_every_sample_of_an_input(self):
+        self.write("input.csv", "time_s,current_A\n0,0.3\n0.013,1.1\n0.02,1.1\n0.5,0.2\n")
+        rows = self.simulate("--input", "input.csv")
+        self.assertEqual([(row["time_s"], row["current_A"]) for row in rows],
+                         [(0, 0.3), (0.013, 1.1), (0.02, 1.1), (0.5, 0.2)])
+        self.assertAlmostEqual(rows[0]["bending_speed_deg_s"], 0, places=9)
+        self.write("input.csv", "time_s,torque1_Nm,torque2_Nm\n0,0.001,0\n0.1,0.002,0.003\n")
+        self.assertEqual(list(self.simulate("--input", "input.csv")[0])[:3], ["time_s", "torque1_Nm", "torque2_Nm"])
+        # 4 ohm and 4.2 V: about an ampere
+        self.write("input.csv", "time_s,voltage_V\n0,4.2\n0.1,4.2\n")
+        self.assertGreater(self.simulate("--input", "input.csv")[-1]["bending_angle_deg"], 50)
+
+    def test_inputs_that_do_not_fit_are_refused_and_keep_the_old_result(self):
+        self.write("out.csv", "precious")
+        for text, message in (
+            ("time_s,current1_A,current2_A,current3_A\n0,1,1,1\n",
+             "input.csv: line 1: needs a current for each of the 2 coils; got 3"),
+            ("time_s,torque1_Nm\n0,1\n", "input.csv: line 1: needs a torque for each of the 2 joints; got 1"),
+            ("time_s,current_A\n0,1\n0,2\n", None),
+            ("time_s,current_A\n0,nan\n", None),
+            ("time_s\n0\n", None),
+            ("", None),
+        ):
+            self.write("input.csv", text)
+            arguments = ["simulate", PAPER_FINGER, "--input", "input.csv", "--out", "out.csv"]
+            with self.subTest(text):
+                if message:
+                    self.assert_refused(arguments, message)
+                result = run(*arguments, cwd=self.folder)
+                self.assertEqual(result.returncode, 2)
+                self.assertRegex(result.stderr, r"^coilwright: input\.csv: .+\n$")
+                self.assertEqual(self.files()["out.csv"], b"precious")
+
+    def test_exactly_one_input_is_asked_for(self):
+        for arguments in ([], ["--step", "1", "--input", "x.csv"]):
+            result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", cwd=self.folder)
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(result.stderr.count("\n"), 1)
+            self.assertEqual(self.files(), {})
+
+    def test_a_result_that_cannot_be_written_is_refused(self):
+        self.write("file", "")
+        self.assert_refused(["simulate", PAPER_FINGER, "--step", "1", "--out", "file/out.csv"],
+                            "file/out.csv: cannot be written: Not a directory")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,179 @@
+"""`coilwright size`: the answer, its files, and that the answer can be trusted."""
+
+import json
+import unittest
+
+from program import ProgramTest, run
+from study import FRONT, write_study
+
+
+class Size(ProgramTest):
+    def size(self, *arguments, code=0):
+        result = run("size", "study.json", "--out", "out", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (code, ""))
+        return result.stdout
+
+    def test_the_design_written_gives_the_numbers_promised(self):
+        write_study(self)
+        self.size()
+        answer = self.result("out/result.json")
+        self.assertTrue(answer["feasible"])
+        point = answer["operating_point"]
+        result = run("evaluate", "out/actuator.json", "--current", repr(point["current_A"]), "--duty",
+                     repr(point["duty"]), "--json", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(json.loads(result.stdout), answer["performance"])
+        (objective,) = answer["best"]["objectives"].items()
+        self.assertEqual(answer["performance"][objective[0]], objective[1])
+        for limit in answer["best"]["constraints"]:
+            self.assertLessEqual(answer["performance"][limit["quantity"]], limit["at_most"])
+            self.assertGreaterEqual(limit["margin"], 0)
+
+    def test_the_answer_is_the_best_of_all_evaluations_and_each_is_there_once(self):
+        write_study(self)
+        self.size()
+        rows, answer = self.table("out/evaluations.csv"), self.result("out/result.json")
+        self.assertEqual(list(rows[0]), ["turns_radial", "wire_gauge_AWG", "gap_mm", "status",
+                                         "peak_bending_speed_deg_s", "mass_max_margin_g", "thermal_load_max_margin",
+                                         "reason"])
+        points = [tuple(float(row[key]) for key in ("turns_radial", "wire_gauge_AWG", "gap_mm")) for row in rows]
+        self.assertEqual(len(set(points)), len(points))
+        self.assertEqual(points, sorted(points))
+        self.assertEqual(len(rows), answer["evaluations"]["total"])
+        self.assertLessEqual(answer["evaluations"]["search"], 60)
+        self.assertEqual(answer["evaluations"]["search"] + answer["evaluations"]["surroundings"], len(rows))
+        for status in ("ok", "infeasible", "failed"):
+            self.assertEqual(sum(row["status"] == status for row in rows), answer["evaluations"][status])
+        best = max(float(row["peak_bending_speed_deg_s"]) for row in rows if row["status"] == "ok")
+        self.assertEqual(best, answer["best"]["objectives"]["peak_bending_speed_deg_s"])
+        for row in rows:
+            margins = [float(row["mass_max_margin_g"]), float(row["thermal_load_max_margin"])]
+            self.assertEqual(row["status"] == "ok", min(margins) >= 0)
+
+    def test_says_what_stands_in_the_way_and_what_it_costs(self):
+        # Thinner hinges bend faster until the steady angle is in the way: the limit must bind, relaxing it must help.
+        write_study(self, variables={"bottom_layer_mm": {"lower": 1.5, "upper": 4, "step": 0.1}},
+                    constraints=[{"quantity": "steady_angle_deg", "at_most": 70}, {"quantity": "mass_g", "at_most": 90}])
+        text = self.size()
+        answer = self.result("out/result.json")
+        (binding,) = answer["binding"]
+        self.assertEqual(binding["constraint"], "steady_angle_deg <= 70")
+        self.assertTrue(binding["blocks_step"])
+        self.assertAlmostEqual(binding["relaxed_to"], 73.5, places=12)
+        self.assertGreater(binding["objective_change"], 0)
+        self.assertLess(binding["relaxed_best"]["bottom_layer_mm"], answer["best"]["variables"]["bottom_layer_mm"])
+        self.assertRegex(text, r"steady_angle_deg <= 70 relaxed to 73\.5: \+\d+(\.\d+)? deg/s\n")
+        down, up = answer["steps"]
+        self.assertEqual([down["violates"], up["violates"]], [["steady_angle_deg <= 70"], []])
+        self.assertGreater(down["objective_change"], 0)
+        self.assertLess(up["objective_change"], 0)
+        self.assertEqual(answer["stop_reason"], "space_exhausted")
+        self.assertEqual(answer["evaluations"]["search"], 26)
+
+    def test_compares_with_the_actuator_as_given(self):
+        write_study(self)
+        text = self.size()
+        base = self.result("out/result.json")["base"]
+        given = run("evaluate", "finger.json", "--current", repr(0.9 * 1.4), "--duty", "0.5", "--json", cwd=self.folder)
+        self.assertEqual(base["objectives"]["peak_bending_speed_deg_s"],
+                         json.loads(given.stdout)["peak_bending_speed_deg_s"])
+        self.assertIn("mass_g <= 66 broken by", text.split("the actuator as given:")[1].splitlines()[0])
+
+    def test_a_current_may_be_a_variable_and_needs_no_operating_point(self):
+        write_study(self, operating_point=None, variables={"current_A": {"lower": 0.3, "upper": 1.6}},
+                    constraints=[{"quantity": "current_over_limit", "at_most": 1}])
+        self.size()
+        answer = self.result("out/result.json")
+        self.assertLessEqual(answer["best"]["variables"]["current_A"], 1.4)
+        # More current is faster without end: the best is at the limit, to the binding margin of 1e-3.
+        self.assertAlmostEqual(answer["best"]["variables"]["current_A"], 1.4, delta=1.4e-3)
+        self.assertEqual(answer["operating_point"]["current_A"], answer["best"]["variables"]["current_A"])
+        self.assertIn("varies the current", answer["base"]["reason"])
+
+    def test_configurations_are_written_by_letter_and_whole_numbers_without_a_point(self):
+        write_study(self, variables={"configuration": {"values": ["B", "D"]}, "turns_axial": {"lower": 28, "upper": 30}},
+                    constraints=[])
+        self.size()
+        variables = self.result("out/result.json")["best"]["variables"]
+        self.assertIn(variables["configuration"], ("B", "D"))
+        self.assertIsInstance(variables["turns_axial"], int)
+        self.assertEqual({row["configuration"] for row in self.table("out/evaluations.csv")}, {"B", "D"})
+
+    def test_nothing_feasible_is_3_and_the_nearest_design_is_written(self):
+        write_study(self, constraints=[{"quantity": "mass_g", "at_most": 40}, {"quantity": "width_mm", "at_most": 90}])
+        text = self.size(code=3)
+        answer = self.result("out/result.json")
+        self.assertFalse(answer["feasible"])
+        self.assertEqual(answer["violated"], ["mass_g <= 40"])
+        self.assertIn("No design found keeps every limit", text)
+        rows = self.table("out/evaluations.csv")
+        self.assertEqual({row["status"] for row in rows}, {"infeasible"})
+        nearest = max(float(row["mass_max_margin_g"]) for row in rows)
+        self.assertAlmostEqual(answer["best"]["constraints"][0]["margin"], nearest, places=9)
+        self.assertEqual(json.loads((self.folder / "out/actuator.json").read_text())["name"],
+                         "small (least infeasible)")
+
+    def test_designs_that_cannot_be_built_say_why(self):
+        write_study(self, variables={"coil_inner_radius_mm": {"values": [0.3, 0.4, 0.5]}})
+        text = self.size(code=3)
+        rows = self.table("out/evaluations.csv")
+        self.assertEqual({row["status"] for row in rows}, {"failed"})
+        self.assertEqual({row["peak_bending_speed_deg_s"] for row in rows}, {""})
+        self.assertTrue(all("coil inner radius must be at least" in row["reason"] for row in rows))
+        # 0.5 mm is the nearest to what the wire needs.
+        self.assertEqual(self.result("out/result.json")["best"]["variables"], {"coil_inner_radius_mm": 0.5})
+        self.assertIn("It cannot be evaluated: coil inner radius", text)
+
+    def test_threads_change_no_byte_and_the_seed_does(self):
+        write_study(self)
+        bytes_of = {}
+        for threads in ("1", "2", "3"):
+            text = self.size("--threads", threads)
+            bytes_of[threads] = ({k: v for k, v in self.files().items() if k.startswith("out/")}, text)
+        self.assertEqual(bytes_of["1"], bytes_of["2"])
+        self.assertEqual(bytes_of["1"], bytes_of["3"])
+        self.size("--seed", "6")
+        self.assertNotEqual(self.files()["out/evaluations.csv"], bytes_of["1"][0]["out/evaluations.csv"])
+        self.assertEqual(self.result("out/result.json")["seed"], 6)
+
+    def test_options_override_the_study(self):
+        write_study(self)
+        self.size("--max-evaluations", "17", "--algorithm", "cobyla", "--quiet")
+        answer = self.result("out/result.json")
+        self.assertEqual((answer["max_evaluations"], answer["algorithm"]), (17, "cobyla"))
+        self.assertLessEqual(answer["evaluations"]["search"], 17)
+        for arguments, message in (
+            (["--algorithm", "magic"], "--algorithm: "),
+            (["--threads", "-1"], '--threads: must be from 0 to 1024; got "-1"'),
+            (["--max-evaluations", "0"], '--max-evaluations: must be from 1 to 1000000000; got "0"'),
+            (["--seed", "x"], '--seed: must be a finite number; got "x"'),
+        ):
+            result = run("size", "study.json", "--out", "out", *arguments, cwd=self.folder)
+            self.assertEqual(result.returncode, 2)
+            self.assertTrue(result.stderr.startswith("coilwright: size: " + message), result.stderr)
+            self.assertEqual(result.stderr.count("\n"), 1)
+
+    def test_results_name_no_place_and_no_time(self):
+        write_study(self)
+        self.size()
+        for name, content in self.files().items():
+            if name.startswith("out/"):
+                self.assertNotIn(str(self.folder).encode(), content or b"")
+
+    def test_another_number_of_objectives_is_refused(self):
+        write_study(self, objectives=FRONT)
+        self.assert_refused(["size", "study.json", "--out", "out"],
+                            "study.json: /objectives: must be one for size (pareto takes two or three); got 2")
+
+    def test_folders_that_cannot_be_written_are_refused_before_the_work(self):
+        write_study(self, search={"max_evaluations": 1000000})
+        self.write("file", "precious")
+        for command in ("size",):
+            self.assert_refused([command, "study.json", "--out", "file/out"],
+                                "file/out: cannot be written: Not a directory")
+            self.assert_refused([command, "study.json", "--out", "file"],
+                                "file: cannot be written: Not a directory")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -50,7 +50,7 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
   command->footer(
       "Ends with 1 if a difference leaves its stated band.\n\n"
       "Example:\n"
-      "  coilwright validate");
+      "  coilwright validate --json");
   command->callback([json, &outcome] {
     const std::vector<Comparison> rows = systems::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -47,9 +49,21 @@ std::size_t index_of(double coordinate) {
   return static_cast<std::size_t>(std::lround(coordinate));
 }
 
+// On a grid the decimal that is meant: 0.9, where 0.7 + 0.2 gives 0.8999999999999999. The sum is off by two units in
+// the last place, so by less than half of the fourteenth digit.
+double without_rounding(double value) {
+  constexpr int digits = 14;
+  std::array<char, 32> text{};
+  const auto written =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+  double rounded{};
+  std::from_chars(text.data(), written.ptr, rounded);
+  return rounded;
+}
+
 double number_at(const std::variant<Interval, Choice>& range, double coordinate) {
-  const Choice* choice = std::get_if<Choice>(&range);
-  return choice ? choice->values[index_of(coordinate)] : coordinate;
+  if (const Choice* choice = std::get_if<Choice>(&range)) return choice->values[index_of(coordinate)];
+  return std::get<Interval>(range).step > 0.0 ? without_rounding(coordinate) : coordinate;
 }
 
 struct ValueAt {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/sizing/study.hpp"
+
+namespace coilwright::sizing::testing {
+
+/// A study of the default finger with a variable of every kind but a continuous one: 2 * 3 * 2 * 3 designs.
+inline Study small_study() {
+  Study study;
+  study.name = "small";
+  study.current = ShareOfLimit{.share = 0.9};
+  study.duty = 0.4;
+  study.variables = {ConfigurationVariable{.values = {actuator::Configuration::B, actuator::Configuration::A}},
+                     ParameterVariable{.parameter = actuator::find_parameter("gap_mm"),
+                                       .range = Interval{.lower = 0.7, .upper = 1.2, .step = 0.2}},
+                     ParameterVariable{.parameter = actuator::find_parameter("turns_radial"),
+                                       .range = Interval{.lower = 13, .upper = 14}},
+                     ParameterVariable{.parameter = actuator::find_parameter("wire_gauge_AWG"),
+                                       .range = Choice{.values = {27, 28, 30}}}};
+  study.objectives = {{.quantity = find_quantity("peak_bending_speed_deg_s"), .sense = Sense::maximise},
+                      {.quantity = find_quantity("mass_g"), .sense = Sense::minimise}};
+  study.limits = {{.quantity = find_quantity("mass_g"), .side = Limit::Side::at_most, .value = 66.0},
+                  {.quantity = find_quantity("steady_angle_deg"), .side = Limit::Side::at_least, .value = 20.0}};
+  return study;
+}
+
+}  // namespace coilwright::sizing::testing

@@ -47,7 +47,7 @@ struct Driven {
 struct NamedInput {
   InputSignal signal;
   std::vector<std::string> names;
-  std::vector<std::vector<double>> values;
+  std::vector<std::vector<double>> values;  // a vector a sample
 };
 
 Driven read_driven(const ActuatorOptions& options) {
@@ -74,10 +74,18 @@ std::vector<std::string> column_names(const formats::InputSignal& input) {
   if (input.kind == formats::InputKind::current && input.addressing == formats::InputAddressing::common)
     return {"current_A"};
   std::vector<std::string> names;
-  for (std::size_t i = 1; i <= input.values.front().size(); ++i)
+  for (std::size_t i = 1; i <= input.values.size(); ++i)
     names.push_back(input.kind == formats::InputKind::current ? fmt::format("current{}_A", i)
                                                               : fmt::format("torque{}_Nm", i));
   return names;
+}
+
+// A file's values are a vector a column.
+std::vector<std::vector<double>> rows_of(const formats::InputSignal& input) {
+  std::vector<std::vector<double>> rows(input.times.size());
+  for (const std::vector<double>& column : input.values)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(column[i]);
+  return rows;
 }
 
 // One row of a file as currents and torques of the model.
@@ -102,7 +110,7 @@ void append(const Driven& driven, const formats::InputSignal& input, const std::
 
 NamedInput read_file_input(const Options& options, const Driven& driven) {
   const formats::InputSignal input = formats::read_input_signal(options.input);
-  const std::size_t width = input.values.front().size();
+  const std::size_t width = input.values.size();
   const bool each_coil =
       input.kind == formats::InputKind::current && input.addressing == formats::InputAddressing::each;
   if (each_coil && width != static_cast<std::size_t>(driven.model.coils()))
@@ -116,8 +124,8 @@ NamedInput read_file_input(const Options& options, const Driven& driven) {
     throw misfit(options, "drives coils, and this model has none");
   NamedInput out{.signal = {.times = input.times, .currents = {}, .joint_torques = {}},
                  .names = column_names(input),
-                 .values = input.values};
-  for (const std::vector<double>& row : input.values) append(driven, input, row, out.signal);
+                 .values = rows_of(input)};
+  for (const std::vector<double>& row : out.values) append(driven, input, row, out.signal);
   return out;
 }
 

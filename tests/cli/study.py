@@ -25,4 +25,4 @@ def write_study(test, **changes):
 
 GRID = {"configuration": {"values": ["A", "B"]}, "turns_radial": {"lower": 12, "upper": 15},
         "gap_mm": {"lower": 0.7, "upper": 1.3, "step": 0.2}}
-FRONT = [{"maximise": "peak_bending_speed_deg_s"}, {"maximise": "grasp_force_N"}]
+FRONT = [{"maximise": "peak_bending_speed_deg_s"}, {"minimise": "mass_g"}]

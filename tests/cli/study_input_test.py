@@ -27,7 +27,10 @@ class StudyInput(ProgramTest):
             return {"constraints": list(limits)}
 
         for changes, message in (
-            ({"objective": FRONT[0]}, '/objective: unknown key; did you mean "objectives"?'),
+            ({"objective": FRONT[0]}, '/objective: unknown key; the keys here are "actuator", "constraints", '
+             '"description", "format", "name", "objectives", "operating_point", "search", "variables"'),
+            ({"objectives": None, "objective": FRONT},
+             '/objectives: is missing; is "objective" meant to be it?'),
             ({"variables": None}, "/variables: is missing"),
             ({"variables": {}}, "/variables: needs at least one variable"),
             ({"objectives": []}, "/objectives: must have 1 to 3 elements; got an array of 0"),

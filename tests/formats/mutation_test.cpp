@@ -7,10 +7,13 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 
+#include "coilwright/formats/actuator_file.hpp"
 #include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/input_signal.hpp"
 #include "coilwright/formats/pair_file.hpp"
+#include "coilwright/formats/study_file.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -19,6 +22,13 @@ using Read = std::function<void(const std::string& text)>;
 
 void read_as_pair(const std::string& text) {
   (void)parse_pair(text, "x");
+}
+void read_as_actuator(const std::string& text) {
+  (void)parse_actuator(text, "x");
+}
+// Beside the actuator that it names, so that an undamaged study is read to its end.
+void read_as_study(const std::string& text) {
+  (void)parse_study(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/x");
 }
 void read_as_signal(const std::string& text) {
   (void)parse_input_signal(text, "x");
@@ -37,7 +47,7 @@ bool accepts(const Read& read, const std::string& text) {
     return true;
   } catch (const InputError& error) {
     const std::string_view line = error.what();
-    EXPECT_TRUE(line.starts_with("x: ")) << line;
+    EXPECT_TRUE(line.starts_with("x: ") || line.starts_with(COILWRIGHT_TEST_DATA)) << line;
     EXPECT_EQ(line.find_first_of("\n\r"), std::string_view::npos) << line;
     return false;
   }
@@ -69,6 +79,23 @@ TEST(DamagedFiles, OfAPairNeverDoMoreThanBeRefused) {
   for (const std::string name : {"pair.json", "two_coils.json", "two_magnets.json"}) {
     damage_at_every_byte(read_as_pair, load(name));
   }
+}
+
+TEST(DamagedFiles, EveryTruncationOfAnActuatorOrAStudyIsRefused) {
+  for (const auto& [name, read] : {std::pair<std::string, Read>{"actuator.json", read_as_actuator},
+                                   {"lumped_model.json", read_as_actuator},
+                                   {"study.json", read_as_study}}) {
+    const std::string text = load(name);
+    ASSERT_TRUE(accepts(read, text)) << name;
+    const std::size_t end = text.rfind('}');
+    for (std::size_t size = 0; size <= end; ++size) EXPECT_FALSE(accepts(read, text.substr(0, size))) << name << size;
+  }
+}
+
+TEST(DamagedFiles, OfActuatorsAndStudiesNeverDoMoreThanBeRefused) {
+  damage_at_every_byte(read_as_actuator, load("actuator.json"));
+  damage_at_every_byte(read_as_actuator, load("lumped_model.json"));
+  damage_at_every_byte(read_as_study, load("study.json"));
 }
 
 TEST(DamagedFiles, OfAnInputSignalNeverDoMoreThanBeRefused) {

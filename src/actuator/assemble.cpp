@@ -1,5 +1,6 @@
 #include "coilwright/actuator/assemble.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -51,7 +52,9 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
   const double wall = mechanics::wall_stiffness(
       {.width = size.width, .height = size.face_height, .thickness = design.body.gap, .young_modulus = modulus});
   const int n = chain.joints();
-  const mechanics::JointMatrix inertia = chain.mass_matrix(mechanics::JointVector::Zero(n));
+  // What resists a joint that closes while the others are free to give way.
+  const mechanics::JointVector mobility =
+      chain.mass_matrix(mechanics::JointVector::Zero(n)).llt().solve(mechanics::JointMatrix::Identity(n, n)).diagonal();
   const double closing_angle = design.choices.faces == FaceContact::walls ? 0.0 : -size.closing_angle;
   std::vector<Hinge> hinges(n);
   for (int j = 0; j < n; ++j) {
@@ -59,7 +62,7 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
                  .damping = design.calibration.joint_damping * strip * design.body.loss_time,
                  .contact = {.closing_angle = closing_angle,
                              .stiffness = wall,
-                             .damping = 2.0 * contact_damping_ratio * std::sqrt(wall * inertia(j, j))}};
+                             .damping = 2.0 * contact_damping_ratio * std::sqrt(wall / mobility[j])}};
   }
   return hinges;
 }

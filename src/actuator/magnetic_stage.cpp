@@ -8,47 +8,32 @@ namespace {
 
 using mechanics::JointMatrix;
 using mechanics::JointVector;
-using mechanics::LinkPoint;
+using mechanics::LinkFrame;
 using mechanics::PlanarChain;
 
-double link_angle(int link, const JointVector& angles) {
-  double sum = 0.0;
-  for (int j = 0; j <= link; ++j) sum += angles[j];
-  return sum;
-}
-
-Eigen::Vector2d axis(double link_angle) {
-  return {std::sin(link_angle), -std::cos(link_angle)};
-}
-Eigen::Vector2d axis_slope(double link_angle) {
-  return {std::cos(link_angle), std::sin(link_angle)};
-}
-
-// dU/d(distance vector) and dU/d(link angle) of both ends.
+// dU/d(distance vector) and dU/d(angle of the second body).
 struct EnergySlope {
   Eigen::Vector2d distance;
-  double first_angle{};
   double second_angle{};
 };
 
-EnergySlope energy_slope(const DistantPair& pair, const Eigen::Vector2d& between, double first_angle,
-                         double second_angle) {
+EnergySlope energy_slope(const DistantPair& pair, const Eigen::Vector2d& between, const LinkFrame& first,
+                         const LinkFrame& second) {
   const double z = between.norm();
   const Eigen::Vector2d unit = between / z;
   const double force = pair.axial_force->value(z);
   if (pair.orientation == DistantPair::Orientation::ignored) return {.distance = -force * unit};
 
   const double energy = pair.axial_energy->value(z);
-  const Eigen::Vector2d a = axis(first_angle);
-  const Eigen::Vector2d b = axis(second_angle);
+  const Eigen::Vector2d a = first.axis();
+  const Eigen::Vector2d b = second.axis();
+  const Eigen::Vector2d b_slope(second.cosine, second.sine);
   const double az = a.dot(unit);
   const double bz = b.dot(unit);
   const double shape = 0.5 * (3.0 * az * bz - a.dot(b));
   const Eigen::Vector2d shape_slope = 1.5 * (bz * (a - az * unit) + az * (b - bz * unit)) / z;
-  return {
-      .distance = -force * shape * unit + energy * shape_slope,
-      .first_angle = 0.5 * energy * (3.0 * bz * axis_slope(first_angle).dot(unit) - axis_slope(first_angle).dot(b)),
-      .second_angle = 0.5 * energy * (3.0 * az * axis_slope(second_angle).dot(unit) - axis_slope(second_angle).dot(a))};
+  return {.distance = -force * shape * unit + energy * shape_slope,
+          .second_angle = 0.5 * energy * (3.0 * az * b_slope.dot(unit) - b_slope.dot(a))};
 }
 
 }  // namespace
@@ -66,17 +51,20 @@ void MagneticStage::add_torques(const PlanarChain& chain, const JointVector& ang
 
 void MagneticStage::add_distant_torques(const PlanarChain& chain, const JointVector& angles,
                                         const CoilCurrents& currents, JointVector& torques) const {
+  const mechanics::LinkFrames frames = chain.frames(angles);
+  const auto frame = [&](int link) -> const LinkFrame& { return frames[static_cast<std::size_t>(link + 1)]; };
   for (const DistantPair& pair : distant_pairs_) {
     const double strength = pair.sense * (pair.coil < 0 ? 1.0 : currents[pair.coil]);
     if (strength == 0.0) continue;
-    const Eigen::Vector2d between = chain.position(pair.second, angles) - chain.position(pair.first, angles);
-    const EnergySlope slope =
-        energy_slope(pair, between, link_angle(pair.first.link, angles), link_angle(pair.second.link, angles));
-    const mechanics::PointJacobian motion = chain.jacobian(pair.second, angles) - chain.jacobian(pair.first, angles);
-    for (int j = 0; j <= pair.second.link; ++j) {
-      double torque = -motion.col(j).dot(slope.distance) - slope.second_angle;
-      if (j <= pair.first.link) torque -= slope.first_angle;
-      torques[j] += strength * torque;
+    const LinkFrame& first = frame(pair.first.link);
+    const LinkFrame& second = frame(pair.second.link);
+    const Eigen::Vector2d centre = second.at(pair.second.along, pair.second.offset);
+    const Eigen::Vector2d between = centre - first.at(pair.first.along, pair.first.offset);
+    const EnergySlope slope = energy_slope(pair, between, first, second);
+    // Joints below the first body move the pair as one and do no work on it; each other turns the second body.
+    for (int j = pair.first.link + 1; j <= pair.second.link; ++j) {
+      const Eigen::Vector2d arm = centre - frame(j).joint;
+      torques[j] += strength * (arm.y() * slope.distance.x() - arm.x() * slope.distance.y() - slope.second_angle);
     }
   }
 }

@@ -223,6 +223,19 @@ Eigen::Vector2d PlanarChain::position(const LinkPoint& point, const JointVector&
   return at + point.along * Eigen::Vector2d(sine, -cosine) + point.offset * Eigen::Vector2d(-cosine, -sine);
 }
 
+LinkFrames PlanarChain::frames(const JointVector& angles) const {
+  LinkFrames out;
+  out[0] = {.joint = Eigen::Vector2d::Zero(), .sine = 0.0, .cosine = 1.0};
+  double absolute = 0.0;
+  Eigen::Vector2d joint = Eigen::Vector2d::Zero();
+  for (int j = 0; j < joints_; ++j) {
+    absolute += angles[j];
+    out[j + 1] = {.joint = joint, .sine = std::sin(absolute), .cosine = std::cos(absolute)};
+    joint += links_[j].length * out[j + 1].axis();
+  }
+  return out;
+}
+
 PointJacobian PlanarChain::jacobian(const LinkPoint& point, const JointVector& angles) const {
   PointJacobian slope = PointJacobian::Zero(2, joints_);
   if (point.link < 0) return slope;

@@ -28,6 +28,21 @@ struct LinkPoint {
 /// d(x, y)/dtheta of a point, (2, n), m/rad.
 using PointJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, max_joints>;
 
+/// Where a link is: its own joint, m, and sine and cosine of its absolute angle.
+struct LinkFrame {
+  Eigen::Vector2d joint;
+  double sine{};
+  double cosine{};
+
+  [[nodiscard]] Eigen::Vector2d axis() const { return {sine, -cosine}; }  ///< along the link, unit length
+  [[nodiscard]] Eigen::Vector2d at(double along, double offset) const {
+    return joint + along * axis() + offset * Eigen::Vector2d(-cosine, -sine);
+  }
+};
+
+/// The base (as link -1), then every link: frame of link i at index i + 1. Those of a shorter chain end earlier.
+using LinkFrames = std::array<LinkFrame, max_joints + 1>;
+
 /// n rigid links in a vertical plane, joined by hinges, hanging from a fixed base joint at the origin.
 ///
 /// Joint angles are relative, rad, all zero where the chain hangs along gravity (-y). A point at (along, offset) of a
@@ -70,6 +85,9 @@ class PlanarChain {
 
   /// Position (x, y) of a point, m.
   [[nodiscard]] Eigen::Vector2d position(const LinkPoint& point, const JointVector& angles) const;
+
+  /// Where all links are: for many points at one pose.
+  [[nodiscard]] LinkFrames frames(const JointVector& angles) const;
 
   /// d(position)/dtheta, (2, n), m/rad.
   [[nodiscard]] PointJacobian jacobian(const LinkPoint& point, const JointVector& angles) const;

@@ -95,6 +95,17 @@ TEST(PlanarChain, KineticEnergyIsThatOfItsMovingMasses) {
   EXPECT_NEAR(chain.kinetic_energy(angles, rates), energy, 1e-9 * energy);
 }
 
+TEST(PlanarChain, FramesPutPointsWherePositionsAre) {
+  const PlanarChain chain(uneven_links(), 9.81, 0.4);
+  const JointVector angles = joint_vector({0.31, -0.52, 0.77});
+  const LinkFrames frames = chain.frames(angles);
+  for (int link = -1; link < 3; ++link) {
+    const LinkPoint point{.link = link, .along = 7.3e-3, .offset = -2.9e-3};
+    const Eigen::Vector2d at = frames[static_cast<std::size_t>(link + 1)].at(point.along, point.offset);
+    EXPECT_LT((at - chain.position(point, angles)).norm(), 1e-17);  // an eps of a few centimetres
+  }
+}
+
 TEST(PlanarChain, GravityTorqueIsTheSlopeOfPotentialEnergyAlsoOnATiltedBase) {
   const PlanarChain chain(uneven_links(), 9.79, 0.23);
   const JointVector angles = joint_vector({0.31, -0.52, 0.77});

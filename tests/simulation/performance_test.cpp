@@ -60,6 +60,12 @@ TEST(Performance, SaysWhyThereIsNone) {
   EXPECT_EQ(reason(endless, 1.0), "the step from rest does not settle: a joint folds, or it rings beyond 60 s");
 }
 
+TEST(Performance, RefusesADutyThatIsNone) {
+  const Design design = actuator::paper_finger();
+  const actuator::Assembly a = actuator::assemble_or_throw(design);
+  EXPECT_NE(actuator::error_text([&] { (void)performance_of(design, a, {.current = 1.0, .duty = 1.5}); }), "");
+}
+
 TEST(Performance, IsTheSameBitsEveryTime) {
   const Design design = actuator::paper_finger();
   const Performance first = at(design, {.current = 1.23});

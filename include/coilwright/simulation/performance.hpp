@@ -37,7 +37,7 @@ struct Heat {
   std::optional<double> coil_temperature;    ///< hottest coil, degC; nothing in a thermal runaway
   std::optional<double> magnet_temperature;  ///< hottest magnet, degC; likewise
   double continuous_current{};               ///< largest steady current for the coils' limit, A
-  double magnet_continuous_current{};        ///< likewise for the magnets' limit, A
+  double magnet_continuous_current{};        ///< likewise for the magnets' limit with joints at 30 degrees, A
   double runaway_current{};                  ///< above it there is no steady state, A
 };
 
@@ -63,7 +63,8 @@ struct NoPerformance {
 /// Motion of any model, also one that is given by its lumps alone.
 [[nodiscard]] std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, double current);
 
-/// Everything of an assembled design. Pure: the same input gives the same bits.
+/// Everything of an assembled design. Pure: the same input gives the same bits. Throws std::invalid_argument for a duty
+/// outside 0 to 1.
 [[nodiscard]] std::variant<Performance, NoPerformance> performance_of(const actuator::Design& design,
                                                                       const actuator::Assembly& assembly,
                                                                       const OperatingPoint& point);

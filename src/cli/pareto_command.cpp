@@ -27,8 +27,8 @@ ExitCode run_pareto(const StudyOptions& options) {
   const sizing::DesignProblem problem(
       read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"}));
   const sizing::Study& study = problem.study();
-  report::OutputFolder folder(options.out);
   const Interruption interruption;
+  report::OutputFolder folder(options.out);
   const sizing::ParetoResult result = [&] {
     ProgressLine line(options);
     sizing::ParetoOptions search = study.search;

@@ -66,8 +66,8 @@ void write_results(report::OutputFolder& folder, const DesignProblem& problem, c
 ExitCode run_size(const StudyOptions& options) {
   const DesignProblem problem(
       read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"}));
-  report::OutputFolder folder(options.out);
   const Interruption interruption;
+  report::OutputFolder folder(options.out);
   const sizing::SearchResult result = [&] {
     ProgressLine line(options);
     sizing::SearchOptions search = problem.study().search;

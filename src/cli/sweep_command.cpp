@@ -39,8 +39,8 @@ ExitCode run_sweep(const StudyOptions& options) {
       read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"}));
   require_grid(problem, options);
   const sizing::Study& study = problem.study();
-  report::OutputFolder folder(options.out);
   const Interruption interruption;
+  report::OutputFolder folder(options.out);
   const std::size_t count = problem.point_count();
   report::SweepTable designs(folder.open("designs.csv"), study);
   sizing::Leaders leaders(problem);

@@ -98,6 +98,10 @@ class Pareto(ProgramTest):
             write_study(self, objectives=objectives, search={"max_evaluations": 1000000, "algorithm": "isres"})
             process = subprocess.Popen([PROGRAM, command, "study.json", "--out", command], cwd=self.folder,
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+            deadline = time.monotonic() + 30
+            while not (self.folder / command).exists():  # from then on Ctrl-C is caught
+                self.assertLess(time.monotonic(), deadline)
+                time.sleep(0.02)
             time.sleep(2)  # enough for some hundred evaluations
             process.send_signal(signal.SIGINT)
             output, errors = process.communicate(timeout=60)

@@ -1,0 +1,59 @@
+"""docs/formats.md: its examples run, its defaults and study names are the program's."""
+
+import json
+import re
+import unittest
+
+from program import DATA, ProgramTest, run
+
+ROOT = DATA.parent.parent
+TEXT = (ROOT / "docs" / "formats.md").read_text()
+
+
+def examples(kind):
+    return re.findall(rf"```json {kind}\n(.*?)```", TEXT, re.DOTALL)
+
+
+def rows_of(section):
+    """Cells of the table under `### section`."""
+    table = TEXT.split(f"\n### {section}\n")[1].split("\n#")[0]
+    return [[cell.strip().strip("`") for cell in line.strip("|").split("|")]
+            for line in table.splitlines() if line.startswith("| `")]
+
+
+class FormatsDocument(ProgramTest):
+    def test_the_examples_run(self):
+        for kind, arguments in (("actuator", ["evaluate", "example.json", "--current", "0.5"]),
+                                ("pair", ["force", "example.json"])):
+            for text in examples(kind):
+                self.write("example.json", text)
+                result = run(*arguments, cwd=self.folder)
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for text in examples("study"):
+            # Its path counts from docs/.
+            self.write("example.json", text.replace("../configs", str(ROOT / "configs")))
+            result = run("size", "example.json", "--out", "out", "--max-evaluations", "40", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual([len(examples(kind)) for kind in ("actuator", "pair", "study")], [2, 1, 1])
+
+    def test_the_defaults_and_study_names_are_the_program_s(self):
+        self.write("plain.json", '{"format": "actuator/1", "configuration": "B"}')
+        self.write("study.json", json.dumps(
+            {"format": "study/1", "name": "x", "actuator": "plain.json", "operating_point": {"current_A": 0.5},
+             "variables": {"turns_axial": {"values": [30]}}, "objectives": [{"minimise": "mass_g"}]}))
+        self.assertEqual(run("size", "study.json", "--out", "out", cwd=self.folder).returncode, 0)
+        written = self.result("out/actuator.json")
+        for section in ("coil", "magnet", "body", "surroundings"):
+            rows = rows_of(section)
+            self.assertEqual({key: float(default) for key, default, *_ in rows}, written[section])
+            for key, _, name, _ in rows:
+                with self.subTest(name):
+                    result = run("evaluate", "plain.json", "--current", "0.5", "--set",
+                                 f"{name}={written[section][key]!r}", cwd=self.folder)
+                    self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual({key: default for key, default, _ in rows_of("model")}, written["model"])
+        self.assertEqual({key: float(default) for key, default, _ in rows_of("calibration")}, written["calibration"])
+
+
+if __name__ == "__main__":
+    unittest.main()

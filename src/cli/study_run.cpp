@@ -80,7 +80,10 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const std::string& text) {
-  if (!shown_) return;
+  using namespace std::chrono_literals;
+  const auto now = std::chrono::steady_clock::now();
+  if (!shown_ || now < next_) return;
+  next_ = now + 100ms;
   const std::size_t rest = length_ > text.size() ? length_ - text.size() : 0;
   std::cerr << '\r' << text << std::string(rest, ' ') << std::flush;
   length_ = text.size();

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -66,11 +68,13 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   [[nodiscard]] bool is_shown() const noexcept { return shown_; }
+  /// Ten times a second at most; what comes in between is left out.
   void show(const std::string& text);
 
  private:
   bool shown_;
   std::size_t length_{};
+  std::chrono::steady_clock::time_point next_{};
 };
 
 /// "1200 of 2000 evaluations, 800 feasible, 31 on the front", to be given to a search; empty when nothing is shown.

@@ -1,9 +1,12 @@
 """`coilwright size`: the answer, its files, and that the answer can be trusted."""
 
 import json
+import os
+import pty
+import subprocess
 import unittest
 
-from program import ProgramTest, run
+from program import PROGRAM, ProgramTest, run
 from study import FRONT, write_study
 
 
@@ -152,6 +155,27 @@ class Size(ProgramTest):
             self.assertEqual(result.returncode, 2)
             self.assertTrue(result.stderr.startswith("coilwright: size: " + message), result.stderr)
             self.assertEqual(result.stderr.count("\n"), 1)
+
+    def test_progress_is_shown_on_a_terminal_and_taken_away_again(self):
+        write_study(self)
+        for arguments, shown in (([], True), (["--quiet"], False)):
+            terminal, stderr = pty.openpty()
+            process = subprocess.Popen([PROGRAM, "size", "study.json", "--out", "out", *arguments], cwd=self.folder,
+                                       stdout=subprocess.PIPE, stderr=stderr)
+            output, _ = process.communicate(timeout=60)
+            os.close(stderr)
+            text = b""
+            try:
+                while piece := os.read(terminal, 4096):
+                    text += piece
+            except OSError:  # how Linux says that the other end is closed
+                pass
+            os.close(terminal)
+            self.assertEqual(process.returncode, 0)
+            self.assertEqual(b" of 60 evaluations" in text, shown)
+            self.assertNotIn(b" of 60 evaluations", output)
+            if shown:
+                self.assertRegex(text, rb"\r +\r$")
 
     def test_results_name_no_place_and_no_time(self):
         write_study(self)

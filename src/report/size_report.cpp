@@ -189,7 +189,8 @@ std::string limits_text(const SizeAnswer& answer) {
 std::string relaxations_text(const SizeAnswer& answer) {
   const Study& study = answer.study;
   const std::vector<BindingConstraint>& bindings = answer.result.sensitivity.binding;
-  if (!answer.result.feasible || answer.result.stop_reason == StopReason::interrupted) return {};
+  // Without steps the surroundings were not looked at: interrupted, or nothing can vary.
+  if (!answer.result.feasible || answer.result.sensitivity.steps.empty()) return {};
   if (bindings.empty()) return "\nNo limit binds.\n";
   std::string text = "\nWhat a limit costs\n";
   for (const BindingConstraint& binding : bindings) {

@@ -128,6 +128,23 @@ TEST(OutputFolder, ShowsItsFilesTogetherOnCommitAndKeepsOthers) {
   EXPECT_THAT(names_in(folder.path()), ElementsAre("front.csv", "notes.txt", "result.json"));
 }
 
+TEST(OutputFolder, RemovesAnOutdatedResultOnCommitOnly) {
+  const TemporaryFolder folder;
+  folder.file("actuator.json", "of an earlier run");
+  {
+    OutputFolder out(folder.path());
+    out.remove("actuator.json");
+  }
+  EXPECT_EQ(content(folder.path() / "actuator.json"), "of an earlier run");
+  OutputFolder out(folder.path());
+  out.remove("actuator.json");
+  out.remove("never_there.json");
+  out.write("result.json", "{}\n");
+  EXPECT_THROW(out.remove("../notes.txt"), std::invalid_argument);
+  out.commit();
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("result.json"));
+}
+
 TEST(OutputFolder, LeavesNoFolderThatItMadeWithoutCommit) {
   const TemporaryFolder folder;
   {

@@ -41,7 +41,7 @@ ExitCode run_pareto(const StudyOptions& options) {
   report::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
   folder.write("result.json", report::to_json(study, result).text());
   folder.commit();
-  std::cout << report::to_text(study, result);
+  std::cout << (options.json ? report::to_json(study, result).text() : report::to_text(study, result));
   if (interruption.requested()) return ExitCode::interrupted;
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
 }

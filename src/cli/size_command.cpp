@@ -84,7 +84,7 @@ ExitCode run_size(const StudyOptions& options) {
   const report::SizeAnswer answer{
       .study = problem.study(), .result = result, .best = best ? &*best : nullptr, .base_seen = base_seen};
   write_results(folder, problem, answer);
-  std::cout << report::to_text(answer);
+  std::cout << (options.json ? report::to_json(answer).text() : report::to_text(answer));
   if (interruption.requested()) return ExitCode::interrupted;
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }

@@ -33,6 +33,7 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--threads", options.threads, "Designs evaluated at once; 0, the default: one per core")
       ->check(number_rule(formats::Rule::between(0, most_threads)));
   command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
+  command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
 
 void add_search_options(CLI::App& command, StudyOptions& options) {

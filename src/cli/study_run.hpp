@@ -23,12 +23,13 @@ struct StudyOptions {
   std::string out;
   unsigned threads = 0;
   bool quiet{false};
+  bool json{false};
   std::optional<std::uint64_t> seed{};
   std::optional<std::size_t> max_evaluations{};
   std::optional<std::string> algorithm{};
 };
 
-/// STUDY.json, --out, --threads and --quiet.
+/// STUDY.json, --out, --threads, --quiet and --json.
 void add_study_options(CLI::App& command, StudyOptions& options);
 
 /// --seed, --max-evaluations and --algorithm, which override what the study says.

@@ -59,8 +59,8 @@ ExitCode run_sweep(const StudyOptions& options) {
   const std::vector<sizing::Leader> best = leaders.all();
   report::write_leaders(folder.open("best.csv"), study, best);
   folder.commit();
-  std::cout << report::leaders_text(study, best)
-            << fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", made, count, ok);
+  const report::SweepAnswer answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
+  std::cout << (options.json ? report::to_json(answer).text() : report::to_text(answer));
   if (made < count) return ExitCode::interrupted;
   return leaders.any_feasible() ? ExitCode::done : ExitCode::infeasible;
 }

@@ -1,5 +1,7 @@
 #include "coilwright/report/sweep_table.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -72,7 +74,28 @@ void write_leaders(std::ostream& out, const Study& study, std::span<const sizing
   }
 }
 
-std::string leaders_text(const Study& study, std::span<const sizing::Leader> leaders) {
+Json to_json(const SweepAnswer& answer) {
+  Json best = Json::array();
+  for (const sizing::Leader& leader : answer.leaders) {
+    const sizing::Evaluation& evaluation = leader.design.evaluation;
+    Json entry = Json::object({{"best_for", answer.study.objectives[leader.objective].quantity->name},
+                               {"status", status_of(evaluation)},
+                               {"variables", variables_json(answer.study, leader.design.point)},
+                               {"objectives", objectives_json(answer.study, evaluation)},
+                               {"constraints", constraints_json(answer.study, evaluation)}});
+    if (!evaluation.failure.empty()) entry.set("reason", evaluation.failure);
+    best.add(std::move(entry));
+  }
+  return Json::object({{"command", "sweep"},
+                       {"study", answer.study.name},
+                       {"designs", answer.designs},
+                       {"evaluated", answer.evaluated},
+                       {"ok", answer.ok},
+                       {"best", std::move(best)}});
+}
+
+std::string to_text(const SweepAnswer& answer) {
+  const auto& [study, designs, evaluated, ok, leaders] = answer;
   TextTable table;
   std::vector<std::string> header;
   add_variable_names(study, header);
@@ -93,7 +116,8 @@ std::string leaders_text(const Study& study, std::span<const sizing::Leader> lea
   }
   std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);
   align.push_back(TextTable::Align::left);
-  return table.text(0, std::move(align));
+  return table.text(0, std::move(align)) +
+         fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", evaluated, designs, ok);
 }
 
 }  // namespace coilwright::report

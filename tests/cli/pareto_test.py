@@ -54,6 +54,10 @@ class Pareto(ProgramTest):
         volume = sum((edge - point[0]) * (1.1 - point[1]) for point, edge in zip(scaled, edges))
         self.assertAlmostEqual(self.result("out/result.json")["hypervolume"], volume, places=9)
 
+    def test_json_prints_the_result_file(self):
+        write_study(self, objectives=FRONT)
+        self.assertEqual(self.pareto("--json"), (self.folder / "out/result.json").read_text())
+
     def test_the_ends_are_printed_and_written(self):
         write_study(self, objectives=FRONT)
         text = self.pareto()

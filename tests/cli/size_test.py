@@ -156,6 +156,10 @@ class Size(ProgramTest):
             self.assertTrue(result.stderr.startswith("coilwright: size: " + message), result.stderr)
             self.assertEqual(result.stderr.count("\n"), 1)
 
+    def test_json_prints_the_result_file(self):
+        write_study(self)
+        self.assertEqual(self.size("--json"), (self.folder / "out/result.json").read_text())
+
     def test_progress_is_shown_on_a_terminal_and_taken_away_again(self):
         write_study(self)
         for arguments, shown in (([], True), (["--quiet"], False)):

@@ -73,6 +73,17 @@ class Sweep(ProgramTest):
         self.sweep(code=3)
         self.assertEqual([row["status"] for row in self.table("out/best.csv")], ["infeasible", "infeasible"])
 
+    def test_json_says_what_the_table_says(self):
+        write_study(self, variables=GRID, objectives=FRONT)
+        answer = json.loads(self.sweep("--json"))
+        self.assertEqual((answer["study"], answer["designs"], answer["evaluated"]), ("small", 32, 32))
+        best = self.table("out/best.csv")
+        self.assertEqual([entry["best_for"] for entry in answer["best"]], [row["best_for"] for row in best])
+        for entry, row in zip(answer["best"], best):
+            self.assertEqual(entry["variables"]["gap_mm"], float(row["gap_mm"]))
+            self.assertEqual(entry["objectives"]["mass_g"], float(row["mass_g"]))
+            self.assertEqual(entry["status"], "ok")
+
     def test_threads_change_no_byte(self):
         write_study(self, variables=GRID, objectives=FRONT)
         outputs = []

@@ -91,7 +91,7 @@ TEST(SweepTable, HasEveryQuantityOnceAndEmptyCellsForWhatIsNot) {
   EXPECT_TRUE(second.starts_with("A,1.2,26,failed,,,")) << second;
 }
 
-TEST(LeadersText, NamesADesignOnceAndSaysWhatIsInTheWay) {
+TEST(SweepText, NamesADesignOnceAndSaysWhatIsInTheWay) {
   const Study asked = study();
   const std::vector<Leader> leaders = {{.configuration = "D", .objective = 0, .design = swept(records[0])},
                                        {.configuration = "D", .objective = 1, .design = swept(records[0])},
@@ -100,11 +100,12 @@ TEST(LeadersText, NamesADesignOnceAndSaysWhatIsInTheWay) {
                                           other.index = 4;
                                           return other;
                                         }()}};
-  EXPECT_EQ(leaders_text(asked, leaders),
+  EXPECT_EQ(to_text(SweepAnswer{.study = asked, .designs = 9, .evaluated = 7, .ok = 2, .leaders = leaders}),
             "configuration  current_A  wire_gauge_AWG  grasp_force_N  best for\n"
             "            D        0.4              30           1.25  current_A, grasp_force_N\n"
             "            A        0.8              26            2.5  nothing feasible; nearest: mass_g <= 64 broken "
-            "by 16 g\n");
+            "by 16 g\n"
+            "\n7 of 9 designs evaluated; 2 keep every limit.\n");
 }
 
 }  // namespace

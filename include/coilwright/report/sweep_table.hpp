@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "coilwright/report/csv_writer.hpp"
+#include "coilwright/report/json.hpp"
 #include "coilwright/sizing/leaders.hpp"
 
 namespace coilwright::report {
@@ -26,8 +29,20 @@ class SweepTable {
 /// The leaders of a sweep as CSV: `best_for` (the objective), then the columns of SweepTable.
 void write_leaders(std::ostream& out, const sizing::Study& study, std::span<const sizing::Leader> leaders);
 
-/// The leaders as a table to read: configuration, objective, variables, objectives, and what is in the way where
-/// nothing is feasible.
-[[nodiscard]] std::string leaders_text(const sizing::Study& study, std::span<const sizing::Leader> leaders);
+/// What `sweep` found, to be printed. Everything referred to must outlive it.
+struct SweepAnswer {
+  const sizing::Study& study;
+  std::size_t designs{};    ///< in the grid
+  std::size_t evaluated{};  ///< of those; fewer after an interruption
+  std::size_t ok{};         ///< of those evaluated: keep every limit
+  std::span<const sizing::Leader> leaders;
+};
+
+/// The counts, and of each leader its configuration, variables, objectives and constraints.
+[[nodiscard]] Json to_json(const SweepAnswer& answer);
+
+/// The leaders as a table to read: variables, objectives, what each is best for, and what is in the way where nothing
+/// is feasible; then the counts.
+[[nodiscard]] std::string to_text(const SweepAnswer& answer);
 
 }  // namespace coilwright::report

@@ -18,7 +18,7 @@ constexpr std::size_t block = 8;
 
 /// Descending Landen transformation (arithmetic-geometric mean) shared by the complete integrals of all three kinds.
 /// Holds 2^n times the means, Bulirsch's p as the fraction p/q (no division per step) and his two coefficients; see
-/// docs/theory-magnetics.md, "One sequence for K, E and Pi".
+/// docs/theory/magnetics.md, "One sequence for K, E and Pi".
 struct Landen {
   Vector arithmetic;  // 2^n a_n
   Vector geometric;   // 2^n g_n

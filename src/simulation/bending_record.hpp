@@ -8,7 +8,7 @@
 namespace coilwright::simulation {
 
 /// The bending angle over one motion, at the ends of the integrator's steps. Between two of them the quintic through
-/// both angles, speeds and accelerations stands for the motion; what that is worth is in docs/theory-simulation.md.
+/// both angles, speeds and accelerations stands for the motion; what that is worth is in docs/theory/simulation.md.
 class BendingRecord {
  public:
   struct Peak {

@@ -20,7 +20,7 @@ struct EngineRun {
 
 /// Model-based search for the front (for one objective: the best design) in rounds of a fixed number of designs: each
 /// round looks at everything known, proposes, evaluates in parallel, learns in the order of proposal. The number of
-/// threads therefore changes nothing but the time. See docs/theory-sizing.md.
+/// threads therefore changes nothing but the time. See docs/theory/sizing.md.
 [[nodiscard]] StopReason run_engine(const EngineRun& run);
 
 }  // namespace coilwright::sizing

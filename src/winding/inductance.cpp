@@ -48,7 +48,7 @@ double chord_integral(double span, double m, double m1, double K, double E) {
 // Mutual inductance of two current sheets of radii a >= b, both of length h and centred on each other, one turn each,
 // divided by 2 mu0 / h^2. Neumann's integral  a b int_0^pi cos(phi) / sqrt(rho^2 + z^2) dphi,
 // rho^2 = a^2 + b^2 - 2 a b cos(phi), is integrated twice over z from 0 to h; the term in asinh(h / rho) is integrated
-// by parts over phi, which leaves complete elliptic integrals (derivation in docs/theory-winding.md).
+// by parts over phi, which leaves complete elliptic integrals (derivation in docs/theory/winding.md).
 double sheet_pair(double a, double b, double h) {
   const double sum = a + b;
   const double span = std::hypot(sum, h);

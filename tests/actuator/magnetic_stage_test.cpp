@@ -224,7 +224,7 @@ Errors errors_at(double angle, Select&& select, WrenchAt&& wrench_at) {
   return {.dipoles = error(oriented), .ignored = error(plain)};
 }
 
-// The table of docs/theory-actuator.md. Both kinds lose little where the torque matters: at 45 degrees it is an eighth
+// The table of docs/theory/actuator.md. Both kinds lose little where the torque matters: at 45 degrees it is an eighth
 // of that of the straight finger.
 TEST(DistantPairs, OfTheMagnetsOfACErrByWhatTheTheoryPageSays) {
   std::printf("  magnet-magnet of C, every joint at one angle: largest joint torque, mN m, and errors\n");

@@ -53,7 +53,7 @@ TEST(PaperFinger, PushesItsMagnetAsTheReviewSays) {
 }
 
 // What each convention is worth on the prototype; the paper measured 1491 deg/s and 1.19 N. These are this model's own
-// figures, kept here so that a change of any of them is seen (docs/theory-simulation.md tells where they come from).
+// figures, kept here so that a change of any of them is seen (docs/theory/simulation.md tells where they come from).
 TEST(PaperFinger, MovesByWhatEachConventionIsWorth) {
   actuator::Design design = actuator::paper_finger();
   design.choices.masses = actuator::SegmentMass::rigid_bodies;

@@ -103,8 +103,8 @@ TEST(Calibration, GivesTheCurrentItWasMadeFor) {
 }
 
 TEST(Calibration, OfTheFingerIsAboveStillAirAndBelowAFan) {
-  // Correlations for still air give about 18 W/(m2 K) here (docs/decisions/thermal-calibration.md), forced air starts
-  // at 25 and ends at 250; the paper's 1.1 A must lie between or something is amiss with areas or heat.
+  // Correlations for still air give about 18 W/(m2 K) here (docs/decisions/0005-thermal-calibration.md), forced air
+  // starts at 25 and ends at 250; the paper's 1.1 A must lie between or something is amiss with areas or heat.
   const double found = calibrate_heat_transfer(finger(), 1.1);
   EXPECT_GT(found, 18.0);
   EXPECT_LT(found, 60.0);

@@ -12,7 +12,7 @@ namespace coilwright::magnetics {
 /// `distance` is from centre to centre, m, any finite value; the force is odd in it. Bodies may overlap: the result
 /// is that of the two current distributions in the same place (a magnet in the bore of a coil is legal and common).
 /// Relative error below 1e-10 except where the force passes through zero (distance -> 0), where the error is below
-/// 1e-13 of the largest force of the pair. Theory and sources: docs/theory-magnetics.md.
+/// 1e-13 of the largest force of the pair. Theory and sources: docs/theory/magnetics.md.
 /// Throws std::invalid_argument when a distance or a current is not finite.
 [[nodiscard]] double axial_force(const ThickCoil& coil, double current, const CylinderMagnet& magnet, double distance);
 /// The same for two magnets of like polarity.

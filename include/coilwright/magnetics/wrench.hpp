@@ -25,7 +25,7 @@ struct Wrench {
 /// least about 3 % of the larger body's size; nearer it grows, mostly to below 1e-5. Bodies that overlap (copper in
 /// magnet): the result is that of the two current distributions in the same place, finite, slow (milliseconds) and good
 /// to about 0.5 %; it is there for a solver that steps past touching, not to design with. Theory and sources:
-/// docs/theory-magnetics.md.
+/// docs/theory/magnetics.md.
 /// Throws std::invalid_argument when a current or a pose is not finite or the axis is zero.
 [[nodiscard]] Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magnet, const Pose& pose);
 /// The same for two magnets.

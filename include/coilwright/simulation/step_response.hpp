@@ -21,7 +21,7 @@ struct StepResponse {
 struct StepLimits {
   double longest = 60.0;  ///< s; a motion that has not died down by then has no result
   /// Error of one step, over angle, rate and change; at 1e-5 the peak speed is good to 1e-5 and the settling time to
-  /// 1e-4 (docs/theory-simulation.md has what was measured).
+  /// 1e-4 (docs/theory/simulation.md has what was measured).
   double relative_accuracy = 1e-5;
 };
 

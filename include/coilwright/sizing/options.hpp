@@ -12,7 +12,7 @@ namespace coilwright::sizing {
 
 /// How the space is searched. `automatic` fits local models to the archive and lets NLopt optimise those; every other
 /// one is an NLopt algorithm run on the problem itself (in `pareto`: on scalarised problems).
-/// Measured in docs/decisions (sizing-search-strategy).
+/// Measured in docs/decisions/0006-search-strategy.md.
 enum class Algorithm {
   automatic,   ///< models of the archive, optimised by NLopt's SLSQP: the default
   cobyla,      ///< NLOPT_LN_COBYLA

@@ -16,7 +16,7 @@ struct CoilSection {
 /// (complete elliptic integrals); the double integral over their radii is a Gauss rule of 4 by 6 points on the triangle
 /// inside the other sheet, graded towards equal radii. Its relative error, against 30 by 40 points: 2e-6 for coils at
 /// least as long as their outer radius (the prototype: 6e-7), 1e-4 down to a tenth of it, 3e-4 down to a fiftieth, 1e-3
-/// for anything flatter. Derivation and checks: docs/theory-winding.md.
+/// for anything flatter. Derivation and checks: docs/theory/winding.md.
 ///
 /// What the uniform current density itself leaves out (round wires with enamel and space between them) is about
 /// +mu0 N a (ln(pitch / bare diameter) + 0.15), Rosa's correction: 0.05 % for the prototype's 450 turns, 1/N of L in

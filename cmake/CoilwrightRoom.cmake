@@ -35,5 +35,5 @@ function(coilwright_test name)
     COILWRIGHT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   coilwright_warnings(${name})
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit)
 endfunction()

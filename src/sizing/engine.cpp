@@ -52,6 +52,7 @@ class Engine {
   void direct_round(const std::vector<Attempt>& list, Algorithm algorithm);
   void descend(const std::vector<Attempt>& list);
   [[nodiscard]] std::vector<std::size_t> parents() const;
+  [[nodiscard]] std::vector<Candidate> surroundings_of_best(const std::vector<Attempt>& list) const;
   void explore(std::vector<Proposal>& batch, std::size_t size);
   void credit(const std::vector<double>& gains, const std::vector<Proposal>& batch);
 
@@ -65,7 +66,8 @@ class Engine {
   std::size_t made_ = 0;
   std::size_t rounds_ = 0;
   bool exhausted_ = false;
-  std::array<double, ways> earned_{1, 1, 1, 1};
+  std::array<double, ways> earned_{1, 1, 0, 1, 1};
+  [[nodiscard]] double earned(Way way) const { return earned_[static_cast<std::size_t>(way)]; }
 };
 
 void Engine::evaluate(std::vector<Proposal> proposals) {
@@ -122,8 +124,7 @@ void Engine::explore(std::vector<Proposal>& batch, std::size_t size) {
   const std::vector<std::size_t> good = parents();
   int misses = 0;
   while (batch.size() < size && !exhausted_) {
-    const double breed = earned_[static_cast<std::size_t>(Way::breed)];
-    const double scatter = earned_[static_cast<std::size_t>(Way::scatter)];
+    const double breed = earned(Way::breed), scatter = earned(Way::scatter);
     const double share = std::clamp(breed / std::max(breed + scatter, 1e-300), 0.3, 0.85);
     Way way = uniform(random_) < share && good.size() >= 3 ? Way::breed : Way::scatter;
     std::optional<Candidate> candidate;
@@ -164,9 +165,24 @@ std::vector<std::size_t> Engine::parents() const {
   return order;
 }
 
+// The answer must be the best of its grid neighbourhood: single steps first, then steps in two variables, of which
+// limits that couple variables may leave nothing else; one per round, half of it near the end.
+std::vector<Candidate> Engine::surroundings_of_best(const std::vector<Attempt>& list) const {
+  const std::size_t best = samples_.front().front();
+  const std::size_t half = round_size() / 2;
+  std::vector<Candidate> near = unknown_neighbours(samples_, best);
+  if (!near.empty()) {
+    near.resize(std::min(near.size(), half));
+    return near;
+  }
+  const auto anchor = std::ranges::find(list, Way::anchor, &Attempt::way);
+  if (anchor == list.end()) return near;
+  return near_misses(samples_, anchor->goal, best, left() < run_.budget / 6 ? half : half / 4);
+}
+
 void Engine::round() {
-  const double model = std::max(earned_[0], earned_[1]);
-  const double free = std::max(earned_[2], earned_[3]);
+  const double model = std::max({earned(Way::gap), earned(Way::anchor), earned(Way::niche)});
+  const double free = std::max(earned(Way::breed), earned(Way::scatter));
   const double share = std::clamp(model / std::max(model + free, 1e-300), 0.5, 0.9);
   const auto wanted = static_cast<std::size_t>(std::lround(share * static_cast<double>(round_size())));
   const std::vector<Attempt> list = planner_.plan(std::min(wanted, left()), rounds_);
@@ -180,9 +196,7 @@ void Engine::round() {
   std::vector<Proposal> batch;
   std::set<std::vector<double>> taken;
   if (samples_.objective_count() == 1 && !samples_.front().empty()) {
-    // The answer must be the best of its grid neighbourhood.
-    for (Candidate& candidate : unknown_neighbours(samples_, samples_.front().front())) {
-      if (batch.size() >= round_size() / 2) break;
+    for (Candidate& candidate : surroundings_of_best(list)) {
       taken.insert(space_.point(candidate.unit, candidate.combination));
       batch.push_back({.candidate = std::move(candidate), .way = Way::breed, .which = 0});
     }

@@ -26,6 +26,8 @@ constexpr double steep = 50.0;
 constexpr double grid_doubt = 0.5;
 // Random starts: ranked by the model (4 us each), only the best two are descended from.
 constexpr std::size_t random_starts = 40;
+// Pairs of grid steps are ranked up to this many axes: 400 points, 2 ms.
+constexpr std::size_t most_axes_in_pairs = 10;
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -41,6 +43,13 @@ std::size_t node_count(std::size_t dimension) {
   return std::min<std::size_t>(quadratic + quadratic / 2 + 8, 90);
 }
 
+// A sample's coordinates, moved to the level that a region holds.
+std::vector<double> at_level(const Region& region, const Sample& sample) {
+  std::vector<double> unit = sample.unit;
+  if (region.level) unit[region.level->axis] = region.level->value;
+  return unit;
+}
+
 /// The goal on the models of one region.
 class LocalModel {
  public:
@@ -48,8 +57,10 @@ class LocalModel {
     const Sample& from = samples[region.from];
     const Sample& to = samples[region.to];
     const std::size_t wanted = node_count(samples.space().dimension());
-    const Samples::Neighbourhood where{
-        .combination = from.combination, .a = from.unit, .b = to.unit, .count = wanted, .apart = region.apart};
+    const std::vector<double> a = at_level(region, from), b = at_level(region, to);
+    Samples::Neighbourhood where{
+        .combination = from.combination, .a = a, .b = b, .count = wanted, .apart = region.apart};
+    if (region.level) where.stretched = region.level->axis;
     nodes_ = samples.nearest(where, Samples::Wanted::evaluated);
     if (nodes_.size() < 3) return;
     fit_values();
@@ -68,6 +79,15 @@ class LocalModel {
     double worst = goal_.kind == Goal::Kind::feasibility || limits.size() == 0 ? 0.0 : limits.maxCoeff();
     if (failure_) worst = std::max(worst, failure_->values(x)[0]);
     return priced(goal_.scalar(y.head(objectives()), limits), worst);
+  }
+
+  /// The least error of the model, in the goal or in a constraint, with which `x` may be progress.
+  [[nodiscard]] double shortfall(const Eigen::VectorXd& x) const {
+    const Eigen::VectorXd y = values_->values(x);
+    const Eigen::VectorXd limits = y.tail(constraints());
+    double worst = goal_.scalar(y.head(objectives()), limits) - goal_.to_beat;
+    if (limits.size() > 0) worst = std::max(worst, limits.maxCoeff());
+    return failure_ ? std::max(worst, failure_->values(x)[0]) : worst;
   }
 
   /// Minimises the goal over the box, from `start`, moving only the axes in `free`.
@@ -233,9 +253,14 @@ std::vector<Ranked> rank_on_grid(const Samples& samples, const LocalModel& model
                                  const Eigen::VectorXd& optimum) {
   const DesignSpace& space = samples.space();
   std::vector<Point> points = grid_points_near(space, optimum);
-  if (space.dimension() <= 10) {
-    append_grid_neighbours(space, samples[region.from].unit, points);
-    if (region.to != region.from) append_grid_neighbours(space, samples[region.to].unit, points);
+  if (space.dimension() <= most_axes_in_pairs) {
+    append_grid_neighbours(space, at_level(region, samples[region.from]), points);
+    if (region.to != region.from) append_grid_neighbours(space, at_level(region, samples[region.to]), points);
+  }
+  if (region.level) {
+    const auto [axis, value] = *region.level;
+    std::erase_if(points,
+                  [&](const Point& point) { return std::abs(point[axis] - value) > 0.5 * space.spacing(axis); });
   }
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -269,10 +294,12 @@ std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Re
   if (space.dimension() == 0) return {};
   const LocalModel model{samples, goal, region};
   if (!model.usable()) return {};
-  const std::vector<Eigen::Index> all = axes_where(space, [](double) { return true; });
-  std::vector<Eigen::VectorXd> starts{as_vector(samples[region.from].unit)};
+  std::vector<Eigen::Index> all = axes_where(space, [](double) { return true; });
+  if (region.level) std::erase(all, static_cast<Eigen::Index>(region.level->axis));
+  if (all.empty()) return {};
+  std::vector<Eigen::VectorXd> starts{as_vector(at_level(region, samples[region.from]))};
   if (region.to != region.from) {
-    starts.emplace_back(as_vector(samples[region.to].unit));
+    starts.emplace_back(as_vector(at_level(region, samples[region.to])));
     starts.emplace_back(0.5 * (starts[0] + starts[1]));
   }
   if (region.seed != 0) {
@@ -282,6 +309,7 @@ std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Re
       for (Eigen::Index axis = 0; axis < x.size(); ++axis) {
         x[axis] = std::lerp(model.box().lower[axis], model.box().upper[axis], uniform(random));
       }
+      if (region.level) x[static_cast<Eigen::Index>(region.level->axis)] = region.level->value;
       starts.push_back(std::move(x));
     }
   }
@@ -307,13 +335,40 @@ std::vector<Candidate> infill(const Samples& samples, const Goal& goal, const Re
     ranked.push_back({.merit = best_merit, .unit = space.snapped(as_std(best))});
   }
   const double doubt = space.has_grid() && goal.kind == Goal::Kind::gap ? grid_doubt : 0.0;
+  double least = goal.to_beat + doubt;
+  if (region.level && !ranked.empty() && ranked.front().merit >= least) {
+    // Few designs of this level may be known: the model learns nothing there unless something is evaluated.
+    for (Ranked& entry : ranked) entry.merit = model.shortfall(as_vector(entry.unit));
+    std::ranges::stable_sort(ranked, {}, &Ranked::merit);
+    least = std::numeric_limits<double>::infinity();
+  }
   std::vector<Candidate> result;
   for (Ranked& entry : ranked) {
-    if (entry.merit >= goal.to_beat + doubt || result.size() == 3) break;
+    if (entry.merit >= least || result.size() == 3) break;
     if (samples.knows(entry.unit, samples[region.from].combination)) continue;
     if (near_known(samples, model.nodes(), entry.unit)) continue;
     result.push_back({.unit = std::move(entry.unit), .combination = samples[region.from].combination});
   }
+  return result;
+}
+
+std::vector<Candidate> near_misses(const Samples& samples, const Goal& goal, std::size_t of, std::size_t count) {
+  const DesignSpace& space = samples.space();
+  if (!space.has_grid() || space.dimension() > most_axes_in_pairs) return {};
+  const LocalModel model{samples, goal, {.from = of, .to = of}};
+  if (!model.usable()) return {};
+  const std::uint64_t combination = samples[of].combination;
+  std::vector<Point> points;
+  append_grid_neighbours(space, samples[of].unit, points);
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::erase_if(points, [&](const Point& point) { return samples.knows(point, combination); });
+  std::vector<Ranked> ranked;
+  for (Point& point : points) ranked.push_back({.merit = model.shortfall(as_vector(point)), .unit = std::move(point)});
+  std::ranges::stable_sort(ranked, {}, &Ranked::merit);
+  ranked.resize(std::min(ranked.size(), count));
+  std::vector<Candidate> result;
+  for (Ranked& entry : ranked) result.push_back({.unit = std::move(entry.unit), .combination = combination});
   return result;
 }
 

@@ -10,6 +10,9 @@
 namespace coilwright::sizing {
 namespace {
 
+// Attempts of a round at niches, for a front (of 16 designs).
+constexpr std::size_t niche_attempts = 3;
+
 // Nodes of a model after a failure stand this far apart: other scales in turn, up to the whole space.
 double apart(int failures) {
   constexpr std::array<double, 5> distances{0.0, 0.03, 0.1, 0.01, 0.3};
@@ -48,7 +51,7 @@ Gap gap_below(const Samples& samples, const UpperBound& bound) {
 }  // namespace
 
 Planner::Planner(const Samples& samples, std::mt19937_64& random)
-    : samples_{samples}, random_{random}, anchor_failures_(samples.objective_count(), 0) {}
+    : samples_{samples}, random_{random}, anchor_failures_(samples.objective_count(), 0), niches_{samples} {}
 
 void Planner::count_anchor(std::size_t objective, double gain) {
   if (objective >= anchor_failures_.size()) return;  // feasibility
@@ -141,13 +144,18 @@ double Planner::single_span() const {
 }
 
 // One objective as small as can be, the others only to break ties.
-Attempt Planner::anchor(std::size_t objective, std::size_t turn, std::size_t rank) {
+Goal Planner::anchor_goal(std::size_t objective) const {
   const FrontFrame& frame = samples_.frame();
   Goal goal{.kind = Goal::Kind::objective, .origin = frame.ideal, .span = Objectives(frame.ideal.size())};
   for (std::size_t k = 0; k < goal.span.size(); ++k) {
     goal.span[k] = (frame.nadir[k] - frame.ideal[k]) * (k == objective ? 1.0 : 1e3);
   }
   if (goal.span.size() == 1) goal.span = {single_span()};
+  return goal;
+}
+
+Attempt Planner::anchor(std::size_t objective, std::size_t turn, std::size_t rank) {
+  Goal goal = anchor_goal(objective);
   goal.to_beat = std::numeric_limits<double>::infinity();
   for (const std::size_t member : samples_.front()) {
     goal.to_beat = std::min(goal.to_beat, goal.scalar(samples_[member]));
@@ -173,6 +181,39 @@ void Planner::add_anchors(std::vector<Attempt>& list, std::size_t wanted) {
   }
 }
 
+std::size_t Planner::best_of(std::size_t objective) const {
+  return *std::ranges::min_element(samples_.front(), {}, [&](std::size_t i) { return samples_[i].values[objective]; });
+}
+
+// An objective alone, among the designs of one level: better than the best of that level, not of all.
+void Planner::add_niches(std::vector<Attempt>& list, std::size_t wanted) {
+  niches_.learn();
+  for (std::size_t slot = 0; slot < wanted; ++slot) {
+    const std::size_t objective = niche_turn_++ % samples_.objective_count();
+    const bool here = niche_turn_ / samples_.objective_count() % 2 == 0;
+    const auto which = here ? Niches::Which::of_the_best : Niches::Which::elsewhere;
+    const std::optional<Niches::Place> place = niches_.next(which, objective);
+    if (!place) continue;
+    Goal goal = anchor_goal(objective);
+    goal.to_beat = std::numeric_limits<double>::infinity();
+    if (place->best) {
+      const Sample& best = samples_[*place->best];
+      if (!best.feasible()) goal = {.kind = Goal::Kind::feasibility};
+      goal.to_beat = goal.scalar(best) - 1e-7;
+    }
+    // Where what the model promises turns out to violate a limit again and again, it is to be built on that side too.
+    const std::optional<std::size_t> first = place->failures % 2 == 1 && place->beyond ? place->beyond : place->best;
+    const std::size_t start = first.value_or(best_of(objective));
+    Region region{.from = start, .to = start, .level = place->level};
+    if (place->failures > 0) {
+      region.margin = 1.0;
+      region.apart = apart(place->failures / 2);
+      region.seed = random_();
+    }
+    list.push_back({.goal = std::move(goal), .region = region, .way = Way::niche, .which = objective});
+  }
+}
+
 void Planner::add_feasibility(std::vector<Attempt>& list, std::size_t wanted) const {
   if (samples_.constraint_count() == 0) return;
   Goal goal{.kind = Goal::Kind::feasibility};
@@ -194,13 +235,16 @@ std::vector<Attempt> Planner::plan(std::size_t wanted, std::size_t round) {
   }
   const std::size_t objectives = samples_.objective_count();
   if (objectives == 1) {
-    add_anchors(list, wanted);
+    const std::size_t niches = niches_.empty() ? 0 : wanted * 3 / 4;
+    add_niches(list, niches);
+    add_anchors(list, wanted - list.size());
     return list;
   }
   const int fewest = *std::ranges::min_element(anchor_failures_);
   const std::size_t anchors = fewest < 4 ? objectives : (round % 4 == 0 ? 1 : 0);
   add_anchors(list, std::min(anchors, wanted));
-  add_gaps(list, wanted - std::min(anchors, wanted));
+  if (!niches_.empty()) add_niches(list, std::min(niche_attempts, wanted - list.size()));
+  add_gaps(list, wanted - list.size());
   return list;
 }
 

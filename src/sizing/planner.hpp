@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "sizing/infill.hpp"
+#include "sizing/niches.hpp"
 #include "sizing/samples.hpp"
 
 namespace coilwright::sizing {
 
 /// How a design came to be proposed.
-enum class Way : std::size_t { gap, anchor, breed, scatter };
-inline constexpr std::size_t ways = 4;
+enum class Way : std::size_t { gap, anchor, niche, breed, scatter };
+inline constexpr std::size_t ways = 5;
 
 /// A goal and where to pursue it.
 struct Attempt {
   Goal goal;
   Region region{};
-  Way way{};            ///< `gap` or `anchor`
+  Way way{};            ///< `gap`, `anchor` or `niche`
   std::size_t which{};  ///< upper bound of a gap; objective of an anchor, or their number for feasibility
 };
 
@@ -39,7 +40,10 @@ class Planner {
  private:
   void add_gaps(std::vector<Attempt>& list, std::size_t wanted);
   void add_anchors(std::vector<Attempt>& list, std::size_t wanted);
+  void add_niches(std::vector<Attempt>& list, std::size_t wanted);
   void add_feasibility(std::vector<Attempt>& list, std::size_t wanted) const;
+  [[nodiscard]] Goal anchor_goal(std::size_t objective) const;
+  [[nodiscard]] std::size_t best_of(std::size_t objective) const;
   [[nodiscard]] Attempt anchor(std::size_t objective, std::size_t turn, std::size_t rank);
   [[nodiscard]] Region gap_region(const Goal& goal, const UpperBound& bound);
   [[nodiscard]] double single_span() const;
@@ -52,6 +56,8 @@ class Planner {
   std::mt19937_64& random_;
   std::vector<int> anchor_failures_;
   std::size_t anchor_turn_ = 0;
+  Niches niches_;
+  std::size_t niche_turn_ = 0;
 };
 
 }  // namespace coilwright::sizing

@@ -98,7 +98,9 @@ std::vector<std::size_t> Samples::nearest(const Neighbourhood& where, Wanted wan
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const Sample& sample = samples_[i];
     if (sample.combination != where.combination || sample.evaluated != (wanted == Wanted::evaluated)) continue;
-    found.emplace_back(squared_distance_to_segment(sample.unit, where.a, where.b), i);
+    double distance = squared_distance_to_segment(sample.unit, where.a, where.b);
+    if (where.stretched) distance += 8 * std::pow(sample.unit[*where.stretched] - where.a[*where.stretched], 2);
+    found.emplace_back(distance, i);
   }
   std::vector<std::size_t> result;
   if (where.apart == 0) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -62,9 +63,10 @@ class Samples {
   /// The surroundings of the segment from `a` to `b`.
   struct Neighbourhood {
     std::uint64_t combination{};
-    std::span<const double> a, b;  ///< unit coordinates
-    std::size_t count{};           ///< samples at most
-    double apart{};                ///< none nearer than this to a nearer one, in the largest coordinate
+    std::span<const double> a, b;            ///< unit coordinates
+    std::size_t count{};                     ///< samples at most
+    double apart{};                          ///< none nearer than this to a nearer one, in the largest coordinate
+    std::optional<std::size_t> stretched{};  ///< an axis in which distances count three times: level with `a` first
   };
   /// The samples of a combination nearest to a segment; nearest first, ties by index.
   [[nodiscard]] std::vector<std::size_t> nearest(const Neighbourhood& where, Wanted wanted) const;

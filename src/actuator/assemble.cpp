@@ -117,9 +117,11 @@ Assembly assemble_fitting(const Design& design) {
   std::vector<Segment> parts = segments(design, size);
   const mechanics::PlanarChain chain = chain_of(design, parts);
   PairCurves curves(design, size);
+  MagneticStage magnetics = magnetics_of(design, size, curves);
+  const double sense = magnetics.hinge_pairs().front().sense;
   Model model({.chain = chain,
                .hinges = hinges_of(design, size, chain),
-               .magnetics = magnetics_of(design, size, curves),
+               .magnetics = std::move(magnetics),
                .coils = coil_count(design.layout),
                .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0}});
   return {.model = std::move(model),
@@ -128,7 +130,7 @@ Assembly assemble_fitting(const Design& design) {
           .coil = electrics_of(design, coil),
           .coils = coil_count(design.layout),
           .magnets = magnet_count(design.layout),
-          .rest_force_per_ampere = curves.rest_force_per_ampere()};
+          .rest_force_per_ampere = sense * curves.rest_force_per_ampere()};
 }
 
 }  // namespace

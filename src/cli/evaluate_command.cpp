@@ -55,7 +55,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   add_actuator_options(*command, options->actuator);
   command->add_option("--current", options->current, "Current in every coil, A; positive bends")
       ->required()
-      ->check(number_rule(formats::finite));
+      ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
   command->add_option("--duty", options->duty, "Fraction of the time that the current is on, for temperatures; 1")
       ->check(number_rule(formats::Rule::between(0.0, 1.0)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();

@@ -195,10 +195,10 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   add_actuator_options(*command, options->actuator);
   CLI::Option_group* input = command->add_option_group("input", "What drives it; one of");
   input->add_option("--step", options->step, "This current in every coil from time 0 on, from rest without current, A")
-      ->check(number_rule(formats::finite));
+      ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
   input->add_option("--sine", options->sine, "AMPLITUDE_A OFFSET_A FREQUENCY_Hz: offset + amplitude sin(2 pi f t)")
       ->expected(3)
-      ->check(number_rule(formats::finite));
+      ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
   input->add_option("--input", options->input,
                     "CSV: time_s and current_A, current1_A.., voltage_V or torque1_Nm.., held between samples");
   input->require_option(1);

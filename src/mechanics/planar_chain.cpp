@@ -70,6 +70,12 @@ PlanarChain::PlanarChain(std::span<const Link> links, double gravity, double bas
     outboard_mass_[i] = outboard;
     along_moment_[i] = links_[i].length * outboard + links_[i].mass * links_[i].com_along;
     offset_moment_[i] = links_[i].mass * links_[i].com_offset;
+    const Link& own = links_[i];
+    const double about_joint = own.length * own.length * outboard + own.inertia +
+                               own.mass * (own.com_along * own.com_along + own.com_offset * own.com_offset);
+    if (!(about_joint > 0.0) || !std::isfinite(about_joint))
+      throw std::invalid_argument(
+          fmt::format("link {}: must have a finite moment of inertia > 0 about its joint; got {}", i, about_joint));
     outboard += links_[i].mass;
   }
 }

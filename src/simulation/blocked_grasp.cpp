@@ -70,8 +70,10 @@ std::optional<BlockedGrasp> blocked_grasp(const actuator::Model& model, const ac
   const JointVector straight = JointVector::Zero(model.joints());
   Wall wall{.model = model, .position = model.chain().position(model.tip(), straight).x(), .stiffness = 0.0};
   const double lever = wall.slope(straight).lpNorm<Eigen::Infinity>();
-  // A hundred times the finger's own stiffness at the tip: each pass below takes two digits off the penetration.
-  wall.stiffness = 100.0 * torque_scale(model) / (lever * lever);
+  // A hundred times what the finger can bring to bear over a radian: each pass below takes two digits off the
+  // penetration, and the first one stays shallow enough not to pass through the wall.
+  const double drive = model.static_residual(straight, currents).lpNorm<Eigen::Infinity>();
+  wall.stiffness = 100.0 * std::max(torque_scale(model), 10.0 * drive) / (lever * lever);
   JointVector angles = straight;
   double force = 0.0;
   for (int pass = 0; pass < 50; ++pass) {

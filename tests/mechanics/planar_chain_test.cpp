@@ -208,6 +208,10 @@ TEST(PlanarChain, RefusesWhatIsNotAChain) {
   links = uneven_links();
   links[2].inertia = std::nan("");
   expect_message([&] { PlanarChain chain(links); }, "link 2: inertia must be finite and >= 0; got nan");
+  links = uneven_links();
+  links[2] = {.length = 0.01, .com_along = 0.0, .com_offset = 0.0, .mass = 0.2, .inertia = 0.0};
+  expect_message([&] { PlanarChain chain(links); },
+                 "link 2: must have a finite moment of inertia > 0 about its joint; got 0");
   expect_message([&] { PlanarChain chain(uneven_links(), -1.0); }, "gravity must be finite and >= 0; got -1");
 }
 

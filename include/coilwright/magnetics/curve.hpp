@@ -58,9 +58,10 @@ class Curve {
 
   /// Value and derivative at x. Outside [lower, upper] the curve goes on as the straight line that continues it with
   /// the same slope: finite and smooth enough for a solver that steps over the end, but not physics. The derivative
-  /// is that of the interpolant; its error is larger than the value's by the usual order.
+  /// is that of the interpolant; its error is larger than the value's by the usual order. NaN for a NaN.
   [[nodiscard]] Sample sample(double x) const noexcept {
-    const double inside = x < lower_ ? lower_ : (x > upper_ ? upper_ : x);
+    // Written so that a NaN picks a piece too (and comes out as NaN): the number of the piece is an index.
+    const double inside = x > lower_ ? (x < upper_ ? x : upper_) : lower_;
     const double distance = inside - origin_;
     // Exponent and first bits of the distance number the piece: piece widths grow with the distance by themselves.
     const auto number = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(distance) >> shift_) - first_);

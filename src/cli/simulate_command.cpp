@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -154,6 +156,8 @@ mechanics::JointVector start_angles(const Options& options, const Driven& driven
        .stiffness = [&](const auto& at) { return model.tangent_stiffness(at, currents); },
        .torque_scale = simulation::torque_scale(model)},
       mechanics::JointVector::Zero(model.joints()));
+  // A rig without springs or gravity stays where it is put: straight.
+  if (!angles && model.coils() == 0) return mechanics::JointVector::Zero(model.joints());
   if (!angles)
     throw std::runtime_error(options.actuator.file + ": has no stable pose under the first input to start from");
   return *angles;
@@ -177,7 +181,17 @@ void write(std::ostream& stream, const NamedInput& input, const std::vector<Stat
   }
 }
 
+// Writing the result over its own input would lose the input.
+void check_output(const Options& options) {
+  for (const std::string& input : std::array{options.actuator.file, options.input}) {
+    std::error_code none;
+    if (!input.empty() && std::filesystem::equivalent(input, options.out, none))
+      throw report::OutputError(options.out, "it is an input of this command", report::OutputError::Stage::preparing);
+  }
+}
+
 void run_simulate(const Options& options) {
+  check_output(options);
   const Driven driven = read_driven(options.actuator);
   const NamedInput input = make_input(options, driven);
   report::OutputFile file(options.out);
@@ -209,7 +223,8 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   command->add_option("--out", options->out, "CSV to write")->required();
   command->footer(
       "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample. A step\n"
-      "starts from rest without current, every other input from the equilibrium under its first sample.\n\n"
+      "starts from rest without current, every other input from the equilibrium under its first sample (a rig without\n"
+      "magnetics that has none: straight).\n\n"
       "Example:\n"
       "  coilwright simulate configs/actuators/paper_finger.json --sine 0.7 0.7 2 --duration-s 2 --out sine.csv");
   command->callback([options] { run_simulate(*options); });

@@ -81,8 +81,11 @@ ExitCode run_size(const StudyOptions& options) {
     throw std::logic_error("the design found gives other numbers when it is evaluated again");
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
-  const report::SizeAnswer answer{
-      .study = problem.study(), .result = result, .best = best ? &*best : nullptr, .base_seen = base_seen};
+  const report::SizeAnswer answer{.study = problem.study(),
+                                  .result = result,
+                                  .best = best ? &*best : nullptr,
+                                  .base = base,
+                                  .base_seen = base_seen};
   write_results(folder, problem, answer);
   std::cout << (options.json ? report::to_json(answer).text() : report::to_text(answer));
   if (interruption.requested()) return ExitCode::interrupted;

@@ -66,7 +66,8 @@ Json operating_json(const simulation::OperatingPoint& point) {
 
 Json base_json(const SizeAnswer& answer) {
   if (!answer.base_seen.failure.empty()) return Json::object({{"reason", answer.base_seen.failure}});
-  return Json::object({{"objectives", objectives_json(answer.study, answer.base_seen)},
+  return Json::object({{"current_A", std::get<EvaluatedDesign>(answer.base).point.current},
+                       {"objectives", objectives_json(answer.study, answer.base_seen)},
                        {"constraints", constraints_json(answer.study, answer.base_seen)}});
 }
 
@@ -158,8 +159,9 @@ std::string objective_lines(const SizeAnswer& answer) {
                           short_number(evaluated->point.duty));
   if (answer.base_seen.failure.empty()) {
     const std::string in_the_way = what_is_in_the_way(answer.study, answer.base_seen);
-    text += fmt::format("the actuator as given: {}{}\n", short_number(answer.base_seen.objectives.front()),
-                        in_the_way.empty() ? "" : " (" + in_the_way + ")");
+    text += fmt::format(
+        "the actuator as given, at {} A: {}{}\n", short_number(std::get<EvaluatedDesign>(answer.base).point.current),
+        short_number(answer.base_seen.objectives.front()), in_the_way.empty() ? "" : " (" + in_the_way + ")");
   } else {
     text += fmt::format("the actuator as given: none ({})\n", answer.base_seen.failure);
   }

@@ -109,10 +109,11 @@ DesignResult DesignProblem::evaluate(std::span<const double> point) const {
 }
 
 DesignResult DesignProblem::evaluate_base() const {
-  if (std::holds_alternative<VariedCurrent>(study_.current))
-    return NotEvaluated{.reason = "the study varies the current, so its actuator has none", .infeasibility = 1.0};
-  return evaluate_design(
-      study_.base, [this](const actuator::Design& design) { return current_of(study_, design).value(); }, study_.duty);
+  const auto current = [this](const actuator::Design& design) {
+    // Where the study varies the current, its actuator is seen at what its own wire carries.
+    return current_of(study_, design).value_or(winding::gauge(design.coil.wire_gauge).chassis_ampacity);
+  };
+  return evaluate_design(study_.base, current, study_.duty);
 }
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {

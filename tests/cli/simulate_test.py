@@ -30,6 +30,27 @@ class Simulate(ProgramTest):
         self.assertAlmostEqual(fastest, self.performance["peak_bending_speed_deg_s"], delta=2.0)
         self.assertLessEqual(fastest, self.performance["peak_bending_speed_deg_s"] * (1 + 1e-6))
 
+    def test_an_input_is_never_overwritten(self):
+        with open(self.folder / "in.csv", "w", encoding="utf-8") as table:
+            table.write("time_s,current_A\n0,1\n0.1,1\n")
+        self.assert_refused(["simulate", PAPER_FINGER, "--input", "in.csv", "--out", "in.csv"],
+                            "in.csv: cannot be written: it is an input of this command")
+
+    def test_a_rig_without_an_equilibrium_starts_straight(self):
+        # A point mass of 2 kg on 1 m without gravity or spring, pushed by 3 N m: x = 3 / (2 * 2) t^2 rad.
+        rig = {"format": "lumped-model/1", "gravity_m_s2": 0, "magnetics": None,
+               "links": [{"length_m": 1, "com_along_m": 1, "com_offset_m": 0, "mass_kg": 2, "inertia_kgm2": 0}],
+               "joints": [{"stiffness_Nm_rad": 0, "damping_Nms_rad": 0}]}
+        with open(self.folder / "rig.json", "w", encoding="utf-8") as file:
+            json.dump(rig, file)
+        with open(self.folder / "push.csv", "w", encoding="utf-8") as table:
+            table.write("time_s,torque1_Nm\n0,3\n1,3\n3,3\n")
+        result = run("simulate", "rig.json", "--input", "push.csv", "--out", "out.csv", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        angles = [float(row["theta1_deg"]) for row in self.table("out.csv")]
+        for angle, time in zip(angles, (0, 1, 3)):
+            self.assertAlmostEqual(angle, math.degrees(0.75 * time * time), places=6)
+
     def test_a_sine_is_what_it_says(self):
         rows = self.simulate("--sine", "0.6", "0.7", "2", "--duration-s", "1.5", "--interval-s", "0.01")
         self.assertEqual(len(rows), 151)

@@ -13,7 +13,8 @@ struct SizeAnswer {
   const sizing::Study& study;           ///< with the options that were used
   const sizing::SearchResult& result;   ///< of the search
   const sizing::DesignResult* best{};   ///< `result.best` evaluated again; nullptr if nothing was evaluated
-  const sizing::Evaluation& base_seen;  ///< what the search would be told of the actuator that the study starts from
+  const sizing::DesignResult& base;     ///< the actuator that the study starts from
+  const sizing::Evaluation& base_seen;  ///< what the search would be told of it
 };
 
 /// result.json of `size`; its keys are in docs/formats.md.

@@ -27,7 +27,8 @@ struct Assembly {
   CoilElectrics coil;             ///< every coil alike
   int coils{};
   int magnets{};
-  double rest_force_per_ampere{};  ///< of the first coil and magnet side by side, at angle 0, N/A, positive for repulsion
+  double
+      rest_force_per_ampere{};  ///< of the first coil and magnet side by side, at angle 0, N/A, positive for repulsion
 
   /// All segments with the rear part, kg; wires not counted.
   [[nodiscard]] double mass() const;

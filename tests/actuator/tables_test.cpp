@@ -62,5 +62,14 @@ TEST(PaperTables, HaveTheCoilThatWasWorkedOutByHand) {
   EXPECT_NEAR(a.coil.resistance, 3.76, 0.005);
 }
 
+// A magnet turned round is repelled by a negative current: what opens the finger stays a positive force.
+TEST(Assembly, CountsPolaritiesInItsRestForce) {
+  Design design = paper_geometry();
+  const double upright = assemble_or_throw(design).rest_force_per_ampere;
+  EXPECT_GT(upright, 0.0);
+  design.layout[1].polarity = -1;
+  EXPECT_EQ(assemble_or_throw(design).rest_force_per_ampere, -upright);
+}
+
 }  // namespace
 }  // namespace coilwright::actuator

@@ -118,5 +118,13 @@ TEST(Curve, GivesUpOnAFunctionThatIsNotSmooth) {
       testing::ThrowsMessage<std::domain_error>(testing::HasSubstr("tolerance 1e-08 not reached with 193 points")));
 }
 
+TEST(Curve, PassesANotANumberOn) {
+  const auto square = [](std::span<const double> x, std::span<double> y) {
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] * x[i];
+  };
+  const Curve curve(square, {.lower = 0.7, .upper = 2.3, .tolerance = 1e-8});
+  EXPECT_TRUE(std::isnan(curve.value(std::numeric_limits<double>::quiet_NaN())));
+}
+
 }  // namespace
 }  // namespace coilwright::magnetics

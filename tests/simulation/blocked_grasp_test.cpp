@@ -113,5 +113,25 @@ TEST(BlockedGrasp, OfLongFingersBalancesAndGrowsWithCurrent) {
   }
 }
 
+// A soft hinge and a strong coil: the tip stays on the wall, and the force goes on with the current as before. The wall
+// was once stiff against the hinge only, and such a finger went through it.
+TEST(BlockedGrasp, HoldsAFingerWhoseCoilsAreFarStrongerThanItsHinges) {
+  actuator::Design design;
+  design.coil = {.inner_radius = 3e-3, .turns_radial = 21, .turns_axial = 16, .wire_gauge = 32};
+  design.magnet.radius = 8.5e-3;
+  design.magnet.length = 14e-3;
+  design.body.gap = 0.6e-3;
+  design.body.bottom_layer = 1.5e-3;
+  const Model model = actuator::assemble_or_throw(design).model;
+  const auto force = [&](double current) {
+    const auto grasp = blocked_grasp(model, model.all_coils(current));
+    return grasp ? grasp->force : 0.0;
+  };
+  const double slope = (force(2.0) - force(1.8)) / 0.2;
+  // Angles hardly change (the joints are at their stops or near), so the line holds to a per cent of the rise.
+  for (const double current : {2.2, 2.6, 3.0})
+    EXPECT_NEAR(force(current), force(2.0) + slope * (current - 2.0), 0.01 * force(2.0)) << current;
+}
+
 }  // namespace
 }  // namespace coilwright::simulation

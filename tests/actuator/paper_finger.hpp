@@ -5,6 +5,7 @@
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design.hpp"
+#include "error_text.hpp"
 
 namespace coilwright::actuator {
 
@@ -37,17 +38,6 @@ inline Design paper_finger() {
   Design design = paper_geometry();
   design.calibration = calibrate(design, paper_measured());
   return design;
-}
-
-/// What the std::invalid_argument says that `call` throws; empty when it throws none.
-template <typename Call>
-std::string error_text(Call&& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
 }
 
 }  // namespace coilwright::actuator

@@ -7,7 +7,7 @@
 
 #include "coilwright/thermal/limits.hpp"
 #include "coilwright/thermal/steady_state.hpp"
-#include "thermal/error_text.hpp"
+#include "error_text.hpp"
 #include "thermal/sample_networks.hpp"
 
 namespace coilwright::thermal {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "thermal/error_text.hpp"
+#include "error_text.hpp"
 #include "thermal/sample_networks.hpp"
 
 namespace coilwright::thermal {

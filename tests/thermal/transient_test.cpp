@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "coilwright/thermal/steady_state.hpp"
-#include "thermal/error_text.hpp"
+#include "error_text.hpp"
 #include "thermal/sample_networks.hpp"
 
 namespace coilwright::thermal {

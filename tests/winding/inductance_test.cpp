@@ -9,7 +9,7 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 
-#include "winding/error_text.hpp"
+#include "error_text.hpp"
 #include "winding/read_table.hpp"
 
 namespace coilwright::winding {

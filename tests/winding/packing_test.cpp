@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "coilwright/winding/winding.hpp"
-#include "winding/error_text.hpp"
+#include "error_text.hpp"
 
 namespace coilwright::winding {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "coilwright/winding/copper.hpp"
 #include "coilwright/winding/inductance.hpp"
-#include "winding/error_text.hpp"
+#include "error_text.hpp"
 
 namespace coilwright::winding {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "coilwright/winding/copper.hpp"
-#include "winding/error_text.hpp"
+#include "error_text.hpp"
 #include "winding/read_table.hpp"
 
 namespace coilwright::winding {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace coilwright::winding {
+namespace coilwright {
 
 /// What the std::invalid_argument says that `call` throws; empty when it throws none.
 template <typename Call>
@@ -16,4 +16,4 @@ std::string error_text(Call&& call) {
   return {};
 }
 
-}  // namespace coilwright::winding
+}  // namespace coilwright

@@ -66,7 +66,8 @@ Pose seen_from_second(const Pose& pose, const Eigen::Quaterniond& to_second) {
 // The independent coaxial cases through the wrench: on a common axis it promises what the axial force does, also with
 // faces level or touching.
 TEST(Wrench, KeepsTenDigitsOnACommonAxis) {
-  for (const auto& c : reference::load("coaxial.json")["cases"]) {
+  const auto data = reference::load("coaxial.json");
+  for (const auto& c : data["cases"]) {
     const std::string kind = c["kind"];
     const Pose pose{.position = {0, 0, c["z"].get<double>()}};
     Wrench result;

@@ -258,9 +258,11 @@ std::vector<Ranked> rank_on_grid(const Samples& samples, const LocalModel& model
     if (region.to != region.from) append_grid_neighbours(space, at_level(region, samples[region.to]), points);
   }
   if (region.level) {
-    const auto [axis, value] = *region.level;
-    std::erase_if(points,
-                  [&](const Point& point) { return std::abs(point[axis] - value) > 0.5 * space.spacing(axis); });
+    // Captured by value under new names: Clang 14 does not capture structured bindings.
+    const auto [level_axis, level_value] = *region.level;
+    std::erase_if(points, [&space, axis = level_axis, value = level_value](const Point& point) {
+      return std::abs(point[axis] - value) > 0.5 * space.spacing(axis);
+    });
   }
   std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());

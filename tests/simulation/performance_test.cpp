@@ -63,7 +63,7 @@ TEST(Performance, SaysWhyThereIsNone) {
 TEST(Performance, RefusesADutyThatIsNone) {
   const Design design = actuator::paper_finger();
   const actuator::Assembly a = actuator::assemble_or_throw(design);
-  EXPECT_EQ(actuator::error_text([&] { (void)performance_of(design, a, {.current = 1.0, .duty = 1.5}); }),
+  EXPECT_EQ(coilwright::error_text([&] { (void)performance_of(design, a, {.current = 1.0, .duty = 1.5}); }),
             "duty: must be from 0 to 1; got 1.5");
 }
 

@@ -145,7 +145,7 @@ TEST(InputSignal, SaysWhatDoesNotFit) {
   const auto text = [&](auto&& change) {
     InputSignal input = good;
     change(input);
-    return actuator::error_text(
+    return coilwright::error_text(
         [&] { (void)simulate(model, input, {.angles = straight(model), .rates = straight(model)}); });
   };
   EXPECT_EQ(text([](InputSignal& s) { s.times.clear(); }), "input: at least one sample is needed; got 0");
@@ -172,12 +172,15 @@ TEST(InputSignal, SamplesStepsAndSines) {
   ASSERT_EQ(sine.times.size(), 17U);
   EXPECT_NEAR(sine.currents[2][1], 1.3, 1e-12);   // a quarter period
   EXPECT_NEAR(sine.currents[6][0], -0.1, 1e-12);  // three quarters
-  EXPECT_EQ(actuator::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = -1.0, .interval = 0.1}); }),
-            "duration must be finite and > 0; got -1");
-  EXPECT_EQ(actuator::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = 1.0, .interval = 0.0}); }),
-            "interval must be finite and > 0; got 0");
-  EXPECT_EQ(actuator::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = 1.0, .interval = 1e-9}); }),
-            "duration / interval must be at most 100000000; got 1000000000");
+  EXPECT_EQ(
+      coilwright::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = -1.0, .interval = 0.1}); }),
+      "duration must be finite and > 0; got -1");
+  EXPECT_EQ(
+      coilwright::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = 1.0, .interval = 0.0}); }),
+      "interval must be finite and > 0; got 0");
+  EXPECT_EQ(
+      coilwright::error_text([&] { (void)step_input(model, {.current = 1.0, .duration = 1.0, .interval = 1e-9}); }),
+      "duration / interval must be at most 100000000; got 1000000000");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@ find_package(TBB 2021 REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(hwy 1.0.3 CONFIG REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
+find_package(Ceres 2.1 CONFIG REQUIRED)
+find_package(glog 0.4 REQUIRED)
 find_package(LibCsv REQUIRED)
 
 if(COILWRIGHT_TESTS)

@@ -25,9 +25,14 @@ function(coilwright_warnings target)
     $<$<BOOL:${COILWRIGHT_WERROR}>:-Werror>)
 endfunction()
 
-# coilwright_test(<name> SOURCES <file>... LINK <target>...)
+# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>])
+#
+# Label unit: seconds, and a minute under the sanitizers. What takes longer has a label of its own.
 function(coilwright_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LINK" ${ARGN})
+  if(NOT TEST_LABEL)
+    set(TEST_LABEL unit)
+  endif()
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
@@ -35,5 +40,5 @@ function(coilwright_test name)
     COILWRIGHT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   coilwright_warnings(${name})
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${TEST_LABEL})
 endfunction()

@@ -8,7 +8,7 @@ cmake --build --preset fuzz
 find build/fuzz/tests/fuzz -maxdepth 1 -type f -name 'fuzz_*' -executable | sort | while read -r fuzzer; do
   echo "$(basename "$fuzzer"), $seconds s"
   corpus=$(mktemp -d)
-  cp tests/data/formats/* "$corpus"
+  find tests/data/formats -maxdepth 1 -type f -exec cp {} "$corpus" \;
   "$fuzzer" -max_total_time="$seconds" -verbosity=0 "$corpus"
   rm -r "$corpus"
 done

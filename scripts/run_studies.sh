@@ -25,6 +25,27 @@ run() {
 mkdir -p results/reference/paper_finger
 "$program" validate >results/reference/paper_finger/summary.txt
 "$program" validate --json >results/reference/paper_finger/result.json
+
+# Before the size studies: one of them starts from the actuator that this diagnosis hands back.
+data=studies/undeclared_effect/data
+echo "== diagnose $data"
+"$program" diagnose "$data" --out results/undeclared_effect --seed 1 2>results/undeclared_effect.log >/dev/null
+mkdir -p results/reference/undeclared_effect
+for file in diagnosis.json actuator.json summary.txt; do
+  cp "results/undeclared_effect/$file" "results/reference/undeclared_effect/$file"
+done
+run undeclared_before size
+run undeclared_after size
+# the design found before, with what is known after
+"$program" evaluate results/reference/undeclared_effect/actuator.json --current 1.2 --duty 0.6 \
+  --set turns_radial=13 --set turns_axial=10 --set wire_gauge_AWG=29 --set magnet_radius_mm=8 \
+  --set magnet_length_mm=14 --set gap_mm=0.6 --set bottom_layer_mm=1.5 \
+  >results/reference/undeclared_effect/uncorrected_design.txt
+
+echo "== paper_residual"
+mkdir -p results/reference/paper_residual
+python3 studies/paper_residual/residual.py "$program" >results/reference/paper_residual/summary.txt
+
 run configurations sweep
 for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size

@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <numbers>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/step_response.hpp"
+#include "coilwright/simulation/transient.hpp"
 #include "straightforward.hpp"
 
 namespace coilwright::simulation {
@@ -78,6 +80,29 @@ void straightforward_twentieth(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(peak_speed({.current = 1.4, .duration = 0.058}));
 }
 BENCHMARK(straightforward_twentieth)->Unit(benchmark::kMillisecond);
+
+// simulate() over 2 s of a sine, 500 samples a second, with effects of the catalogue by their ids.
+void simulated_sine(benchmark::State& state, const std::vector<std::pair<const char*, std::vector<double>>>& effects) {
+  actuator::ModelSpec spec = actuator::assemble_or_throw(finger(magnetics::Fidelity::line_of_centres)).model.spec();
+  for (const auto& effect : effects) spec.effects.push_back({actuator::find_effect(effect.first), effect.second});
+  const actuator::Model model(spec);
+  const InputSignal input =
+      sine_input(model, {.amplitude = 0.7, .offset = 0.7, .frequency = 2.0, .duration = 2.0, .interval = 2e-3});
+  const State start{.angles = mechanics::JointVector::Zero(2), .rates = mechanics::JointVector::Zero(2)};
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(model, input, start));
+}
+BENCHMARK_CAPTURE(simulated_sine, without_effects, {})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(simulated_sine, one_that_does_nothing, {{"force_gain", {1.0 + 1e-15}}})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(simulated_sine, creep, {{"viscoelastic_creep", {0.2, 0.3}}})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(simulated_sine, dry_friction, {{"dry_friction", {3e-4}}})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(simulated_sine, coil_lag, {{"coil_lag", {3e-4}}})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(simulated_sine, gain_creep_and_drag,
+                  {{"force_gain", {0.9}}, {"viscoelastic_creep", {0.2, 0.3}}, {"quadratic_drag", {1e-7}}})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(simulated_sine, lag_creep_and_friction,
+                  {{"coil_lag", {3e-4}}, {"viscoelastic_creep", {0.2, 0.3}}, {"dry_friction", {3e-4}}})
+    ->Unit(benchmark::kMicrosecond);
 
 template <typename Call>
 double seconds(Call&& call) {

@@ -3,9 +3,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "coilwright/mechanics/silicone_hinge.hpp"
 #include "pair_curves.hpp"
@@ -67,6 +70,24 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
   return hinges;
 }
 
+DistantPair::Orientation orientation_of(const Design& design) {
+  return design.choices.torque == magnetics::Fidelity::exact ? DistantPair::Orientation::dipoles
+                                                             : DistantPair::Orientation::ignored;
+}
+
+// Null for a single coil.
+std::shared_ptr<const CoilRow> coil_row_of(const Design& design, const Dimensions& size, const PairCurves& curves,
+                                           const mechanics::PlanarChain& chain) {
+  std::vector<PlacedCoil> coils;
+  for (int i = 0; i < static_cast<int>(design.layout.size()); ++i) {
+    const Component& part = design.layout[i];
+    if (part.kind != ComponentKind::coil) continue;
+    coils.push_back({.coil = curves.coil(), .centre = centre(design, size, i), .polarity = part.polarity * 1.0});
+  }
+  if (coils.size() < 2) return nullptr;
+  return std::make_shared<const CoilRow>(chain, std::move(coils), orientation_of(design));
+}
+
 MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCurves& curves) {
   std::vector<HingePair> hinge_pairs;
   std::vector<DistantPair> distant_pairs;
@@ -83,21 +104,20 @@ MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCur
         hinge_pairs.push_back({.joint = i,
                                .coil = coil_index(design.layout, near_coil ? i : k),
                                .sense = sense,
-                               .torque_per_ampere = curves.hinge_torque()});
+                               .torque_per_ampere = curves.hinge_torque(),
+                               .parts = curves.hinge_parts()});
         continue;
       }
       const bool magnets = !near_coil && !far_coil;
       const AxialCurves& axial = magnets ? curves.magnet_magnet() : curves.coil_magnet();
-      const bool exact = design.choices.torque == magnetics::Fidelity::exact;
-      distant_pairs.push_back(
-          {.first = centre(design, size, i),
-           .second = centre(design, size, k),
-           .coil = magnets ? -1 : coil_index(design.layout, near_coil ? i : k),
-           // Positive current sets a coil's moment against a magnet's.
-           .sense = magnets ? sense : -sense,
-           .orientation = exact ? DistantPair::Orientation::dipoles : DistantPair::Orientation::ignored,
-           .axial_force = axial.force,
-           .axial_energy = axial.energy});
+      distant_pairs.push_back({.first = centre(design, size, i),
+                               .second = centre(design, size, k),
+                               .coil = magnets ? -1 : coil_index(design.layout, near_coil ? i : k),
+                               // Positive current sets a coil's moment against a magnet's.
+                               .sense = magnets ? sense : -sense,
+                               .orientation = orientation_of(design),
+                               .axial_force = axial.force,
+                               .axial_energy = axial.energy});
     }
   }
   return {std::move(hinge_pairs), std::move(distant_pairs)};
@@ -123,7 +143,9 @@ Assembly assemble_fitting(const Design& design) {
                .hinges = hinges_of(design, size, chain),
                .magnetics = std::move(magnetics),
                .coils = coil_count(design.layout),
-               .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0}});
+               .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0},
+               .effects = {},
+               .coil_row = coil_row_of(design, size, curves, chain)});
   return {.model = std::move(model),
           .dimensions = size,
           .segments = std::move(parts),
@@ -131,6 +153,23 @@ Assembly assemble_fitting(const Design& design) {
           .coils = coil_count(design.layout),
           .magnets = magnet_count(design.layout),
           .rest_force_per_ampere = sense * curves.rest_force_per_ampere()};
+}
+
+// An effect that the user asks for and that cannot be in this design: no fault of its shape.
+struct UnfitEffect : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+Assembly with_effects(Assembly assembly, const std::vector<Effect>& effects) {
+  if (effects.empty()) return assembly;
+  ModelSpec spec = assembly.model.spec();
+  spec.effects = effects;
+  try {
+    assembly.model = Model(std::move(spec));
+  } catch (const std::invalid_argument& error) {
+    throw UnfitEffect(error.what());
+  }
+  return assembly;
 }
 
 }  // namespace
@@ -144,7 +183,9 @@ double Assembly::mass() const {
 std::variant<Assembly, Misfits> assemble(const Design& design) {
   if (Misfits broken = misfits(design); !broken.empty()) return broken;
   try {
-    return assemble_fitting(design);
+    return with_effects(assemble_fitting(design), design.effects);
+  } catch (const UnfitEffect& error) {
+    return Misfits{{.rule = error.what(), .excess = 1.0}};
   } catch (const std::logic_error& error) {
     // No rule of ours, but a formula outside its range: a coil that is 1e4 times wider than long, say.
     return Misfits{{.rule = std::string("shape too extreme to compute: ") + error.what(), .excess = 1.0}};

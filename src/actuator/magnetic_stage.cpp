@@ -54,7 +54,8 @@ void MagneticStage::add_distant_torques(const PlanarChain& chain, const JointVec
   const mechanics::LinkFrames frames = chain.frames(angles);
   const auto frame = [&](int link) -> const LinkFrame& { return frames[static_cast<std::size_t>(link + 1)]; };
   for (const DistantPair& pair : distant_pairs_) {
-    const double strength = pair.sense * (pair.coil < 0 ? 1.0 : currents[pair.coil]);
+    const double strength = pair.sense * (pair.coil < 0 ? 1.0 : currents[pair.coil]) *
+                            (pair.second_coil < 0 ? 1.0 : currents[pair.second_coil]);
     if (strength == 0.0) continue;
     const LinkFrame& first = frame(pair.first.link);
     const LinkFrame& second = frame(pair.second.link);

@@ -1,11 +1,8 @@
 #include "pair_curves.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <span>
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
@@ -50,29 +47,11 @@ Range distances(const Design& design, const Dimensions& size, double straight) {
   return {.lower = 0.9 * straight, .upper = std::max(opened, 10.0 * size.body_radius)};
 }
 
-// W(z) = integral of the force from z to infinity; beyond the curve the force is that of two dipoles, which leaves z F
-// / 3.
-magnetics::Curve energy_of(const magnetics::Curve& force) {
-  const double far = force.upper();
-  const double tail = far * force.value(far) / 3.0;
-  const auto energy = [&](std::span<const double> distances, std::span<double> energies) {
-    // Over u = 1/z the integrand F z^2 is smooth, and flat at the far end.
-    const auto integrand = [&](double u) { return force.value(1.0 / u) / (u * u); };
-    for (std::size_t i = 0; i < distances.size(); ++i)
-      energies[i] =
-          tail + boost::math::quadrature::gauss<double, 20>::integrate(integrand, 1.0 / far, 1.0 / distances[i]);
-  };
-  return magnetics::Curve(energy, {.lower = force.lower(), .upper = far, .tolerance = curve_tolerance});
-}
-
-AxialCurves axial_curves(magnetics::Curve force) {
-  AxialCurves curves;
-  curves.energy = std::make_shared<const magnetics::Curve>(energy_of(force));
-  curves.force = std::make_shared<const magnetics::Curve>(std::move(force));
-  return curves;
-}
-
 }  // namespace
+
+magnetics::ThickCoil PairCurves::coil() const {
+  return thick_coil(design_, size_);
+}
 
 double PairCurves::rest_force_per_ampere() const {
   // Like senses attract; positive current is the sense that repels.
@@ -80,15 +59,21 @@ double PairCurves::rest_force_per_ampere() const {
                                  size_.coil_half_pitch + size_.magnet_half_pitch);
 }
 
+std::shared_ptr<const HingePairParts> PairCurves::hinge_parts() {
+  if (!hinge_parts_)
+    hinge_parts_ = std::make_shared<const HingePairParts>(HingePairParts::Spec{
+        .coil = coil(),
+        .magnet = magnet_of(design_),
+        .geometry = {.coil_offset = size_.coil_half_pitch,
+                     .magnet_offset = size_.magnet_half_pitch,
+                     .axis_offset = size_.axis_offset},
+        .fidelity = design_.choices.torque,
+        .range = {.lower = -size_.closing_angle, .upper = widest_angle, .tolerance = curve_tolerance}});
+  return hinge_parts_;
+}
+
 std::shared_ptr<const magnetics::Curve> PairCurves::hinge_torque() {
-  if (!hinge_torque_) {
-    const magnetics::HingeGeometry geometry{.coil_offset = size_.coil_half_pitch,
-                                            .magnet_offset = size_.magnet_half_pitch,
-                                            .axis_offset = size_.axis_offset};
-    hinge_torque_ = std::make_shared<const magnetics::Curve>(
-        magnetics::torque_curve(thick_coil(design_, size_), magnet_of(design_), geometry, design_.choices.torque,
-                                {.lower = -size_.closing_angle, .upper = widest_angle, .tolerance = curve_tolerance}));
-  }
+  if (!hinge_torque_) hinge_torque_ = hinge_parts()->torque();
   return hinge_torque_;
 }
 

@@ -12,12 +12,14 @@ struct Outcome;
 /// it ends otherwise than well. `outcome` outlives the parsing.
 using AddCommand = void (*)(CLI::App& app, Outcome& outcome);
 
+void add_diagnose_command(CLI::App& app, Outcome& outcome);
 void add_evaluate_command(CLI::App& app, Outcome& outcome);
 void add_force_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_simulate_command(CLI::App& app, Outcome& outcome);
 void add_size_command(CLI::App& app, Outcome& outcome);
 void add_sweep_command(CLI::App& app, Outcome& outcome);
+void add_twin_command(CLI::App& app, Outcome& outcome);
 void add_validate_command(CLI::App& app, Outcome& outcome);
 
 }  // namespace coilwright::cli

@@ -10,6 +10,8 @@ constexpr std::array commands = {
     &coilwright::cli::add_simulate_command, &coilwright::cli::add_force_command,
     &coilwright::cli::add_size_command,  // the search
     &coilwright::cli::add_sweep_command,    &coilwright::cli::add_pareto_command,
+    &coilwright::cli::add_diagnose_command,  // the measurement
+    &coilwright::cli::add_twin_command,
     &coilwright::cli::add_validate_command,  // the proof
 };
 

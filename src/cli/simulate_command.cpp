@@ -144,10 +144,14 @@ NamedInput make_input(const Options& options, const Driven& driven) {
                                                               .interval = options.interval}));
 }
 
+actuator::CoilCurrents start_currents(const Options& options, const actuator::Model& model, const InputSignal& signal) {
+  return options.step ? model.all_coils(0.0) : signal.currents.front();
+}
+
 // A step starts hanging without current; every other input in the equilibrium of its own first sample.
 mechanics::JointVector start_angles(const Options& options, const Driven& driven, const InputSignal& signal) {
   const actuator::Model& model = driven.model;
-  const actuator::CoilCurrents currents = options.step ? model.all_coils(0.0) : signal.currents.front();
+  const actuator::CoilCurrents currents = start_currents(options, model, signal);
   const mechanics::JointVector torques =
       signal.joint_torques.empty() ? mechanics::JointVector::Zero(model.joints()) : signal.joint_torques.front();
   const auto angles = simulation::creep_to_equilibrium(
@@ -163,7 +167,26 @@ mechanics::JointVector start_angles(const Options& options, const Driven& driven
   return *angles;
 }
 
-void write(std::ostream& stream, const NamedInput& input, const std::vector<State>& states) {
+// The joints as they are, and of the bending angle what the camera shows.
+struct Recording {
+  std::vector<State> states;
+  std::vector<double> bending;  // rad
+};
+
+Recording record(const actuator::Model& model, const InputSignal& signal, const State& start) {
+  Recording out{.states = simulation::simulate(model, signal, start), .bending = {}};
+  const auto show = [&](const std::vector<State>& states) {
+    for (const State& state : states) out.bending.push_back(model.observed(model.bending_angle(state.angles)));
+  };
+  if (model.delay() > 0.0)
+    show(simulation::simulate_seen(model, signal, start));
+  else
+    show(out.states);
+  return out;
+}
+
+void write(std::ostream& stream, const NamedInput& input, const Recording& recording) {
+  const std::vector<State>& states = recording.states;
   constexpr double degrees = 180.0 / std::numbers::pi;
   std::vector<std::string> columns{"time_s"};
   columns.insert(columns.end(), input.names.begin(), input.names.end());
@@ -175,7 +198,7 @@ void write(std::ostream& stream, const NamedInput& input, const std::vector<Stat
     row.assign(1, input.signal.times[i]);
     row.insert(row.end(), input.values[i].begin(), input.values[i].end());
     for (const double angle : states[i].angles) row.push_back(angle * degrees);
-    row.push_back(states[i].angles.sum() * degrees);
+    row.push_back(recording.bending[i] * degrees);
     row.push_back(states[i].rates.sum() * degrees);
     csv.row(row);
   }
@@ -195,9 +218,11 @@ void run_simulate(const Options& options) {
   const Driven driven = read_driven(options.actuator);
   const NamedInput input = make_input(options, driven);
   report::OutputFile file(options.out);
-  const State start{.angles = start_angles(options, driven, input.signal),
-                    .rates = mechanics::JointVector::Zero(driven.model.joints())};
-  write(file.stream(), input, simulation::simulate(driven.model, input.signal, start));
+  const actuator::Model& model = driven.model;
+  State start{.angles = start_angles(options, driven, input.signal),
+              .rates = mechanics::JointVector::Zero(model.joints())};
+  start.internal = model.settled(start.angles, start_currents(options, model, input.signal));
+  write(file.stream(), input, record(model, input.signal, start));
   file.commit();
 }
 
@@ -222,7 +247,10 @@ void add_simulate_command(CLI::App& app, Outcome&) {
       ->check(number_rule(formats::positive));
   command->add_option("--out", options->out, "CSV to write")->required();
   command->footer(
-      "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample. A step\n"
+      "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample: the "
+      "bending\n"
+      "angle as the camera shows it, where an effect says that it shows another one or late, the rest as it is. A "
+      "step\n"
       "starts from rest without current, every other input from the equilibrium under its first sample (a rig without\n"
       "magnetics that has none: straight).\n\n"
       "Example:\n"

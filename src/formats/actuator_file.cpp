@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "actuator_reader.hpp"
 #include "coilwright/formats/json_document.hpp"
 #include "coilwright/formats/object_reader.hpp"
 #include "design_reader.hpp"
-#include "lumped_model_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -13,17 +13,28 @@ namespace {
 enum class Format { design, lumped_model };
 
 ActuatorFile read_actuator_file(const Document& document) {
+  ActuatorContent read = read_actuator_content(document);
+  if (auto* design = std::get_if<actuator::Design>(&read.content))
+    return {.name = std::move(read.name), .content = std::move(*design)};
+  try {
+    return {.name = std::move(read.name), .content = actuator::Model(spec_of(std::get<LumpedModel>(read.content)))};
+  } catch (const std::invalid_argument& mistake) {
+    throw document.root().error_without_value(mistake.what());
+  }
+}
+
+}  // namespace
+
+ActuatorContent read_actuator_content(const Document& document) {
   return read_object(document.root(), [](ObjectReader& in) {
     const auto format =
         in.choice<Format>("format", {{"actuator/1", Format::design}, {"lumped-model/1", Format::lumped_model}});
     std::string name = in.text_or("name", "");
     (void)in.text_or("description", "");
-    if (format == Format::design) return ActuatorFile{.name = std::move(name), .content = read_design(in)};
-    return ActuatorFile{.name = std::move(name), .content = read_lumped_model(in)};
+    if (format == Format::design) return ActuatorContent{.name = std::move(name), .content = read_design(in)};
+    return ActuatorContent{.name = std::move(name), .content = read_lumped_model(in)};
   });
 }
-
-}  // namespace
 
 ActuatorFile read_actuator(const std::filesystem::path& path) {
   return read_actuator_file(read_json(path));

@@ -99,7 +99,10 @@ void CsvHeader::finish() const {
       const bool same_quantity = quantity_of(names_[i]) == quantity_of(asked) || names_[i] == quantity_of(asked);
       if (same_quantity) throw error(names_[i], "unknown unit; did you mean " + in_quotes(asked) + "?");
     }
-    throw error(names_[i], "unknown column" + did_you_mean(names_[i], asked_for_));
+    std::vector<std::string> absent;
+    for (const std::string& asked : asked_for_)
+      if (index_of(asked) == names_.size()) absent.push_back(asked);
+    throw error(names_[i], "unknown column" + did_you_mean(names_[i], absent));
   }
 }
 

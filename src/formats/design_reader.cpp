@@ -7,6 +7,7 @@
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/dimensions.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
+#include "effects_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -135,6 +136,7 @@ Design read_design(ObjectReader& in) {
   if (measured && in.find("calibration"))
     throw in.node().error_without_value(R"(gives "measured" and "calibration"; only one of them may be there)");
   read_section(in, "calibration", design);
+  design.effects = read_effects(in);
   if (measured) {
     try {
       design.calibration = actuator::calibrate(design, read_measured(*measured));

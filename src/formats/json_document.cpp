@@ -1,9 +1,13 @@
 #include "coilwright/formats/json_document.hpp"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "input_file.hpp"
 #include "json_parser.hpp"
+#include "json_pointer.hpp"
 #include "json_value.hpp"
 
 namespace coilwright::formats {
@@ -20,6 +24,47 @@ Document& Document::operator=(Document&&) noexcept = default;
 
 Node Document::root() const {
   return Node(content_->file, content_->root, {}, {});
+}
+
+namespace {
+
+// Where a number may stand; a key that is new is made. Null where the pointer leads nowhere.
+JsonValue* number_at(JsonValue& root, std::string_view pointer) {
+  const auto steps = pointer_steps(pointer);
+  if (!steps || steps->empty()) return nullptr;
+  JsonValue* value = &root;
+  for (std::size_t i = 0; i < steps->size(); ++i) {
+    const std::string& step = (*steps)[i];
+    if (auto* array = std::get_if<JsonValue::Array>(&value->content)) {
+      const auto index = array_index(step);
+      if (!index || *index >= array->size()) return nullptr;
+      value = &(*array)[*index];
+    } else if (auto* object = std::get_if<JsonValue::Object>(&value->content)) {
+      const auto found = std::ranges::find(*object, step, [](const auto& member) { return member.first; });
+      if (found != object->end()) {
+        value = &found->second;
+      } else if (i + 1 == steps->size()) {
+        value = &object->emplace_back(step, JsonValue{.content = 0.0}).second;
+      } else {
+        return nullptr;
+      }
+    } else {
+      return nullptr;
+    }
+  }
+  return std::holds_alternative<double>(value->content) ? value : nullptr;
+}
+
+}  // namespace
+
+Document Document::with_numbers(const std::map<std::string, double>& numbers) const {
+  Content copy = *content_;
+  for (const auto& [pointer, number] : numbers) {
+    JsonValue* value = number_at(copy.root, pointer);
+    if (value == nullptr) throw std::invalid_argument("pointer must lead to a number; got " + pointer);
+    value->content = number;
+  }
+  return Document(std::make_unique<const Content>(std::move(copy)));
 }
 
 Document parse_json(std::string_view text, std::string file) {

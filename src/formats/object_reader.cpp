@@ -42,6 +42,22 @@ std::optional<Node> ObjectReader::find_not_null(std::string_view key) {
   return node;
 }
 
+std::optional<Node> ObjectReader::find_in_any_unit(std::string_view key) {
+  const auto wanted = split_unit(key);
+  for (const std::string& present : node_.keys()) {
+    const auto name = split_unit(present);
+    if (name && wanted && name->quantity == wanted->quantity && name->unit.dimension == wanted->unit.dimension)
+      return find(present);
+  }
+  return find(key);
+}
+
+Node ObjectReader::at_in_any_unit(std::string_view key) {
+  auto node = find_in_any_unit(key);
+  if (!node) throw missing(key);
+  return *std::move(node);
+}
+
 Node ObjectReader::at(std::string_view key) {
   auto node = find(key);
   if (!node) throw missing(key);

@@ -1,6 +1,11 @@
 #include "coilwright/report/actuator_json.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 #include "coilwright/actuator/parameters.hpp"
 #include "coilwright/formats/units.hpp"
@@ -53,19 +58,79 @@ Json choices_json(const ModelChoices& choices) {
        {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"}});
 }
 
+// Whole numbers as a person writes them.
+Json number_json(double value) {
+  constexpr double exact = 9007199254740992.0;  // 2^53: beyond, a double skips integers
+  const bool whole = value == std::floor(value) && std::abs(value) < exact;
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json copy_of(const formats::Node& node) {
+  using Kind = formats::Node::Kind;
+  switch (node.kind()) {
+    case Kind::null:
+      return {};
+    case Kind::boolean:
+      return node.boolean();
+    case Kind::number:
+      return number_json(node.number());
+    case Kind::text:
+      return node.text();
+    case Kind::array: {
+      Json out = Json::array();
+      for (const formats::Node& element : node.elements()) out.add(copy_of(element));
+      return out;
+    }
+    case Kind::object:
+      break;
+  }
+  Json out = Json::object();
+  for (const formats::Node& member : node.members()) out.set(member.key(), copy_of(member));
+  return out;
+}
+
+Json lumped_json(const formats::UpdatedLumpedModel& lumped) {
+  Json out = Json::object();
+  for (const formats::Node& member : lumped.document.root().members())
+    if (member.key() != "effects") out.set(member.key(), copy_of(member));
+  if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
+  return out;
+}
+
 }  // namespace
 
+Json to_json(std::span<const Effect> effects) {
+  Json out = Json::array();
+  for (const Effect& effect : effects) {
+    Json values = Json::object();
+    for (std::size_t i = 0; i < effect.values.size(); ++i) {
+      const EffectParameter& parameter = effect.kind->parameters()[i];
+      const formats::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
+      values.set(std::string(parameter.key), formats::from_si(effect.values[i], unit));
+    }
+    out.add(Json::object({{"id", effect.kind->id()}, {"parameters", std::move(values)}}));
+  }
+  return out;
+}
+
 Json to_json(const Design& design, const std::string& name) {
-  return Json::object({{"format", "actuator/1"},
-                       {"name", name},
-                       {"layout", layout_json(design.layout)},
-                       {"polarity", polarity_json(design.layout)},
-                       {"coil", section_json(design, "coil")},
-                       {"magnet", section_json(design, "magnet")},
-                       {"body", section_json(design, "body")},
-                       {"surroundings", section_json(design, "surroundings")},
-                       {"model", choices_json(design.choices)},
-                       {"calibration", section_json(design, "calibration")}});
+  Json out = Json::object({{"format", "actuator/1"},
+                           {"name", name},
+                           {"layout", layout_json(design.layout)},
+                           {"polarity", polarity_json(design.layout)},
+                           {"coil", section_json(design, "coil")},
+                           {"magnet", section_json(design, "magnet")},
+                           {"body", section_json(design, "body")},
+                           {"surroundings", section_json(design, "surroundings")},
+                           {"model", choices_json(design.choices)},
+                           {"calibration", section_json(design, "calibration")}});
+  if (!design.effects.empty()) out.set("effects", to_json(design.effects));
+  return out;
+}
+
+Json to_json(const formats::UpdatedActuator& actuator, const std::string& name) {
+  if (const auto* design = std::get_if<Design>(&actuator)) return to_json(*design, name);
+  return lumped_json(std::get<formats::UpdatedLumpedModel>(actuator));
 }
 
 }  // namespace coilwright::report

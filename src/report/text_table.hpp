@@ -14,6 +14,7 @@ class TextTable {
 
   /// Every row has a cell a column.
   void row(std::vector<std::string> cells);
+  [[nodiscard]] std::size_t rows() const { return rows_.size(); }
   /// Of the last row.
   [[nodiscard]] std::size_t columns() const { return rows_.empty() ? 0 : rows_.back().size(); }
   /// `indent` spaces before each line; columns not named in `align` are to the right.

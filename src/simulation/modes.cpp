@@ -1,38 +1,66 @@
 #include "coilwright/simulation/modes.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
+#include <complex>
 #include <numbers>
+#include <numeric>
+
+#include "linear_system.hpp"
 
 namespace coilwright::simulation {
 namespace {
 
 constexpr int most_states = 2 * mechanics::max_joints;
-using StateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_states, most_states>;
+using ChainMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_states, most_states>;
+
+void add_mode(std::complex<double> value, std::vector<Mode>& out) {
+  if (value.imag() < 0.0) return;  // its conjugate stands for both
+  const double size = std::abs(value);
+  out.push_back(
+      {.natural_frequency = size / (2.0 * std::numbers::pi), .damping_ratio = size > 0.0 ? -value.real() / size : 0.0});
+}
+
+// As many real eigenvalues as there are states of effects in the system are those states' own: the ones in which they
+// take the greatest part (participation factors: right times left eigenvector, entry by entry).
+std::vector<Mode> modes_beside_effects(const LinearSystem& system) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.matrix);
+  const Eigen::MatrixXcd right = solver.eigenvectors();
+  const Eigen::MatrixXcd left = right.inverse();
+  const Eigen::Index size = system.matrix.rows();
+  const auto part = [&](Eigen::Index mode) {
+    double sum = 0.0;
+    for (Eigen::Index i = size - system.relaxing; i < size; ++i) sum += std::abs(right(i, mode) * left(mode, i));
+    return sum;
+  };
+  std::vector<Eigen::Index> real;
+  std::vector<Mode> out;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (solver.eigenvalues()[i].imag() == 0.0)
+      real.push_back(i);
+    else
+      add_mode(solver.eigenvalues()[i], out);
+  }
+  std::ranges::stable_sort(real, std::greater<>(), part);
+  for (std::size_t i = std::min(real.size(), static_cast<std::size_t>(system.relaxing)); i < real.size(); ++i)
+    add_mode(solver.eigenvalues()[real[i]], out);
+  return out;
+}
+
+std::vector<Mode> modes_of_chain(const ChainMatrix& companion) {
+  const Eigen::EigenSolver<ChainMatrix> solver(companion, false);
+  std::vector<Mode> out;
+  for (Eigen::Index i = 0; i < companion.rows(); ++i) add_mode(solver.eigenvalues()[i], out);
+  return out;
+}
 
 }  // namespace
 
 std::vector<Mode> modes(const actuator::Model& model, const mechanics::JointVector& angles,
                         const actuator::CoilCurrents& currents) {
-  const int n = model.joints();
-  const Eigen::LLT<mechanics::JointMatrix> mass(model.chain().mass_matrix(angles));
-  StateMatrix companion = StateMatrix::Zero(2 * n, 2 * n);
-  companion.topRightCorner(n, n).setIdentity();
-  companion.bottomLeftCorner(n, n) = -mass.solve(model.tangent_stiffness(angles, currents));
-  mechanics::JointMatrix damping = mechanics::JointMatrix::Zero(n, n);
-  damping.diagonal() = model.damping(angles);
-  companion.bottomRightCorner(n, n) = -mass.solve(damping);
-
-  const Eigen::EigenSolver<StateMatrix> solver(companion, false);
-  std::vector<Mode> out;
-  for (int i = 0; i < 2 * n; ++i) {
-    const std::complex<double> value = solver.eigenvalues()[i];
-    if (value.imag() < 0.0) continue;  // its conjugate stands for both
-    const double size = std::abs(value);
-    out.push_back({.natural_frequency = size / (2.0 * std::numbers::pi),
-                   .damping_ratio = size > 0.0 ? -value.real() / size : 0.0});
-  }
+  const LinearSystem system = linear_system(model, angles, currents);
+  std::vector<Mode> out = system.relaxing == 0 ? modes_of_chain(system.matrix) : modes_beside_effects(system);
   std::ranges::sort(out, {}, &Mode::natural_frequency);
   return out;
 }

@@ -36,19 +36,22 @@ Heat heat_of(const Design& design, const Assembly& assembly, const OperatingPoin
   return heat;
 }
 
-}  // namespace
+// As it hangs at rest, for good.
+actuator::Model cold(const actuator::Model& model, const mechanics::JointVector& rest) {
+  return model.with_slow_states_held(model.settled(rest, model.all_coils(0.0)));
+}
 
-std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, double current) {
-  if (!std::isfinite(current)) return NoPerformance{"the current is not finite"};
+// Current by which the first coil's force is worked out, A.
+double force_current(const actuator::Model& model, const mechanics::JointVector& rest, double current) {
+  if (!model.has_terms()) return current;
+  return cold(model, rest).strength(rest, model.all_coils(current))[0];
+}
+
+// What a model does from `motion.rest_angles` on. Slow effects are held: a cold actuator's step.
+std::variant<Motion, NoPerformance> driven(const actuator::Model& model, double current, Motion out) {
   const actuator::CoilCurrents off = model.all_coils(0.0);
   const actuator::CoilCurrents on = model.all_coils(current);
-  Motion out;
-
-  const auto rest = find_equilibrium(model, off, mechanics::JointVector::Zero(model.joints()));
-  if (!rest) return NoPerformance{"no stable rest pose: a joint folds without current"};
-  out.rest_angles = *rest;
-
-  const auto step = step_response(model, on, *rest);
+  const auto step = step_response(model, on, out.rest_angles);
   if (!step) return NoPerformance{"the step from rest does not settle: a joint folds, or it rings beyond 60 s"};
   out.steady_angles = step->steady_angles;
   out.peak_bending_speed = step->peak_speed;
@@ -67,6 +70,20 @@ std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, doub
   return out;
 }
 
+}  // namespace
+
+std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, double current) {
+  if (!std::isfinite(current)) return NoPerformance{"the current is not finite"};
+  const actuator::CoilCurrents off = model.all_coils(0.0);
+  Motion out;
+
+  const auto rest = find_equilibrium(model, off, mechanics::JointVector::Zero(model.joints()));
+  if (!rest) return NoPerformance{"no stable rest pose: a joint folds without current"};
+  out.rest_angles = *rest;
+  if (!model.has_slow_states()) return driven(model, current, std::move(out));
+  return driven(cold(model, *rest), current, std::move(out));
+}
+
 std::variant<Performance, NoPerformance> performance_of(const Design& design, const Assembly& assembly,
                                                         const OperatingPoint& point) {
   std::variant<Motion, NoPerformance> motion = motion_of(assembly.model, point.current);
@@ -74,7 +91,8 @@ std::variant<Performance, NoPerformance> performance_of(const Design& design, co
   Performance out;
   out.motion = std::get<Motion>(std::move(motion));
   out.heat = heat_of(design, assembly, point);
-  out.axial_force = point.current * assembly.rest_force_per_ampere;
+  out.axial_force =
+      force_current(assembly.model, out.motion.rest_angles, point.current) * assembly.rest_force_per_ampere;
   out.mass = assembly.mass();
   out.coil_resistance = assembly.coil.resistance;
   out.inductance = assembly.coil.inductance;

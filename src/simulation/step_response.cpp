@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "arrival.hpp"
 #include "basin.hpp"
 #include "bending_record.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
@@ -27,23 +28,34 @@ class Destination {
  public:
   Destination(const actuator::Model& model, const actuator::CoilCurrents& currents, const JointVector& rest)
       : model_(model), currents_(currents), rest_(rest) {
-    look_from(rest);
+    look_from(rest, 0.0);
   }
 
-  void look_from(const JointVector& angles) {
+  void look_from(const JointVector& angles, double time) {
     const std::optional<JointVector> target = find_equilibrium(model_, currents_, angles);
     if (!target) return;
     if (basin_ && (*target - basin_->equilibrium()).lpNorm<Eigen::Infinity>() < 1e-9) return;
-    basin_.emplace(model_, currents_,
-                   Basin::Spec{.equilibrium = *target, .excursion = settling_band * change_to(*target, rest_)});
+    const double change = change_to(*target, rest_);
+    basin_.emplace(model_, currents_, Basin::Spec{.equilibrium = *target, .excursion = settling_band * change});
+    if (model_.has_terms())
+      arrival_.emplace(linear_system(model_, *target, currents_),
+                       Arrival::Spec{.equilibrium = *target, .change = change, .band = settling_band, .start = time});
   }
   [[nodiscard]] const std::optional<Basin>& basin() const { return basin_; }
+
+  // Where the motion ends, once it cannot leave the settling band about that any more.
+  [[nodiscard]] std::optional<JointVector> reached(double time, const State& state) {
+    if (arrival_) return arrival_->at(time, state.angles);
+    if (basin_ && basin_->holds(state)) return basin_->equilibrium();
+    return std::nullopt;
+  }
 
  private:
   const actuator::Model& model_;
   const actuator::CoilCurrents& currents_;
   const JointVector& rest_;
   std::optional<Basin> basin_;
+  std::optional<Arrival> arrival_;  // instead, where effects act
 };
 
 StepResponse measure(const BendingRecord& record, double start, const JointVector& steady) {
@@ -60,9 +72,14 @@ StepResponse measure(const BendingRecord& record, double start, const JointVecto
   return out;
 }
 
+// Effects' states have units of their own. Those that are smaller than angles where they matter are torques, of a few
+// thousandths of a newton metre in a finger.
+constexpr double internal_share = 1e-2;
+
 // A tenth of the relative accuracy of the change, so that a motion near its end does not ask for more than its start.
 Stepper::Tolerance tolerance_for(double relative, double change) {
-  return {.relative = relative, .absolute = 0.1 * relative * change};
+  const double absolute = 0.1 * relative * change;
+  return {.relative = relative, .absolute = absolute, .internal = internal_share * absolute};
 }
 
 }  // namespace
@@ -74,7 +91,8 @@ std::optional<StepResponse> step_response(const actuator::Model& model, const ac
       destination.basin() ? change_to(destination.basin()->equilibrium(), rest) : std::numbers::pi / 180.0;
   Stepper stepper(model, tolerance_for(limits.relative_accuracy, change));
   const int n = model.joints();
-  stepper.start(0.0, {.angles = rest, .rates = JointVector::Zero(n)},
+  stepper.start(0.0,
+                {.angles = rest, .rates = JointVector::Zero(n), .internal = model.settled(rest, model.all_coils(0.0))},
                 {.currents = currents, .applied = JointVector::Zero(n)});
   BendingRecord record(stepper.bending());
   for (int step = 0; step < most_steps && stepper.time() < limits.longest; ++step) {
@@ -83,9 +101,9 @@ std::optional<StepResponse> step_response(const actuator::Model& model, const ac
     if (!now.angles.allFinite() || now.angles.lpNorm<Eigen::Infinity>() > std::numbers::pi) return std::nullopt;
     const double speed_before = record.last().speed;
     record.add(stepper.bending());
-    if (speed_before * record.last().speed < 0.0) destination.look_from(now.angles);
-    if (destination.basin() && destination.basin()->holds(now))
-      return measure(record, rest.sum(), destination.basin()->equilibrium());
+    if (speed_before * record.last().speed < 0.0) destination.look_from(now.angles, stepper.time());
+    if (const std::optional<JointVector> end = destination.reached(stepper.time(), now))
+      return measure(record, rest.sum(), *end);
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #include "stepper.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -12,33 +13,82 @@ namespace odeint = boost::numeric::odeint;
 PackedState pack(const State& state) {
   PackedState values(state.angles.data(), state.angles.data() + state.angles.size());
   values.insert(values.end(), state.rates.data(), state.rates.data() + state.rates.size());
+  values.insert(values.end(), state.internal.data(), state.internal.data() + state.internal.size());
   return values;
 }
 
+// Of a drive's state and in its unit: nearer than this to where it ends is there. Below the error of a step.
+constexpr double drive_tolerance = 1e-10;
+
 }  // namespace
 
+double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState& values, const PackedState& slopes,
+                                    const PackedState& errors, double step) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double floor = i < internal_begin_ ? tolerance_.absolute : tolerance_.internal;
+    const double allowed = floor + tolerance_.relative * (std::abs(values[i]) + std::abs(step) * std::abs(slopes[i]));
+    largest = std::max(largest, std::abs(errors[i]) / allowed);
+  }
+  return largest;
+}
+
 Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
-    : model_(model), controlled_(Controlled::error_checker_type(tolerance.absolute, tolerance.relative)) {}
+    : model_(model), controlled_(ErrorChecker(tolerance, model.joints())) {}
 
 void Stepper::derive(const PackedState& values, PackedState& slopes) const {
-  const State state = unpack(values);
-  const mechanics::JointVector accelerations =
-      model_.accelerations(state.angles, state.rates, input_.currents, input_.applied);
-  std::copy_n(state.rates.data(), state.rates.size(), slopes.data());
-  std::copy_n(accelerations.data(), accelerations.size(), slopes.data() + state.rates.size());
+  const int n = model_.joints();
+  const auto count = static_cast<std::size_t>(model_.internal_states());
+  const mechanics::JointVector angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+  const mechanics::JointVector rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
+  mechanics::JointVector accelerations;
+  std::fill_n(slopes.data() + 2 * n, count, 0.0);
+  model_.derivative(angles, rates, {values.data() + 2 * n, count}, input_.currents, input_.applied, accelerations,
+                    {slopes.data() + 2 * n, count});
+  std::copy_n(rates.data(), n, slopes.data());
+  std::copy_n(accelerations.data(), n, slopes.data() + n);
 }
 
 void Stepper::start(double time, const State& state, Input input) {
   input_ = std::move(input);
   time_ = previous_time_ = time;
   values_ = pack(state);
-  slopes_.resize(values_.size());
+  if (model_.drive_states() > 0) drive_end_ = model_.settled(state.angles, input_.currents).head(model_.drive_states());
+  slopes_.assign(values_.size(), 0.0);
   derive(values_, slopes_);
   previous_values_ = values_;
   previous_slopes_ = slopes_;
 }
 
+// The drive's states tend to constants while the input is held. An explicit method that takes a lag of microseconds at
+// the edge of its stability never gets there: it keeps an error about its tolerance, and steps of the lag's own length
+// for good. Until they have arrived no step is longer than the time in which the last of them would at its present
+// speed. The last, not the first: a lag that follows a warming coil passes its own end on the way, at full speed.
+void Stepper::approach_drive_end() {
+  const double* states = values_.data() + 2 * model_.joints();
+  const double* slopes = slopes_.data() + 2 * model_.joints();
+  double arrival = 0.0;
+  for (Eigen::Index i = 0; i < drive_end_.size(); ++i) {
+    const double away = std::abs(drive_end_[i] - states[i]);
+    if (away > drive_tolerance) arrival = std::max(arrival, slopes[i] == 0.0 ? next_step_ : away / std::abs(slopes[i]));
+  }
+  if (arrival > 0.0) next_step_ = std::min(next_step_, arrival);
+}
+
+// Put where they end exactly, they stand still, and ask for no step at all.
+void Stepper::rest_drive() {
+  Eigen::Map<Eigen::VectorXd> states(values_.data() + 2 * model_.joints(), drive_end_.size());
+  if (!((states - drive_end_).lpNorm<Eigen::Infinity>() <= drive_tolerance)) return;
+  states = drive_end_;
+  drive_end_.resize(0);
+  derive(values_, slopes_);
+}
+
 void Stepper::step() {
+  if (drive_end_.size() > 0) {
+    rest_drive();
+    approach_drive_end();
+  }
   std::swap(values_, previous_values_);
   std::swap(slopes_, previous_slopes_);
   previous_time_ = time_;
@@ -46,10 +96,11 @@ void Stepper::step() {
   const double contact = first_contact();
   // A change of the faces' contact in the first or last thousandth of a step is as good as at its end.
   const double share = (contact - previous_time_) / (time_ - previous_time_);
-  if (share < 1e-3 || share > 1.0 - 1e-3) return;
-  next_step_ = contact - previous_time_;
-  time_ = previous_time_;
-  advance();
+  if (share >= 1e-3 && share <= 1.0 - 1e-3) {
+    next_step_ = contact - previous_time_;
+    time_ = previous_time_;
+    advance();
+  }
 }
 
 double Stepper::first_contact() const {
@@ -87,17 +138,18 @@ State Stepper::at(double time) const {
 }
 
 Stepper::Bending Stepper::bending() const {
-  const auto middle = values_.begin() + model_.joints();
-  return {.time = time_,
-          .angle = std::accumulate(values_.begin(), middle, 0.0),
-          .speed = std::accumulate(middle, values_.end(), 0.0),
-          .acceleration = std::accumulate(slopes_.begin() + model_.joints(), slopes_.end(), 0.0)};
+  const int n = model_.joints();
+  const auto sum = [n](const PackedState& values, int first) {
+    return std::accumulate(values.begin() + first, values.begin() + first + n, 0.0);
+  };
+  return {.time = time_, .angle = sum(values_, 0), .speed = sum(values_, n), .acceleration = sum(slopes_, n)};
 }
 
 State Stepper::unpack(const PackedState& values) const {
   const int n = model_.joints();
   return {.angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n),
-          .rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n)};
+          .rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n),
+          .internal = Eigen::Map<const Eigen::VectorXd>(values.data() + 2 * n, model_.internal_states())};
 }
 
 }  // namespace coilwright::simulation

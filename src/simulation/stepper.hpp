@@ -1,6 +1,8 @@
 #pragma once
 
 #include <boost/container/static_vector.hpp>
+#include <boost/numeric/odeint/algebra/default_operations.hpp>
+#include <boost/numeric/odeint/algebra/range_algebra.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/type_traits/integral_constant.hpp>
@@ -10,8 +12,9 @@
 
 namespace coilwright::simulation {
 
-/// Angles, then rates (and the slopes of both), base to tip; no heap.
-using PackedState = boost::container::static_vector<double, 2 * static_cast<std::size_t>(mechanics::max_joints)>;
+/// Angles, then rates, base to tip, then the effects' states (and the slopes of all three); no heap.
+using PackedState = boost::container::static_vector<double, 2 * static_cast<std::size_t>(mechanics::max_joints) +
+                                                                actuator::max_internal_states>;
 
 }  // namespace coilwright::simulation
 
@@ -27,10 +30,11 @@ class Stepper {
     actuator::CoilCurrents currents;
     mechanics::JointVector applied;
   };
-  /// Allowed error of one step in every angle and rate: absolute + relative (|x| + h |dx/dt|).
+  /// Allowed error of one step in every state x: absolute + relative (|x| + h |dx/dt|).
   struct Tolerance {
     double relative{};  ///< dimensionless
     double absolute{};  ///< rad for angles, rad/s for rates
+    double internal{};  ///< the same for an effect's state, in its SI unit
   };
   /// Bending angle (sum of the joint angles) and its derivatives at one time.
   struct Bending {
@@ -56,10 +60,27 @@ class Stepper {
   [[nodiscard]] Bending bending() const;
 
  private:
-  using Controlled =
-      boost::numeric::odeint::controlled_runge_kutta<boost::numeric::odeint::runge_kutta_dopri5<PackedState>>;
+  using Pair = boost::numeric::odeint::runge_kutta_dopri5<PackedState>;
+
+  // Odeint's own, but with a floor of their own for the effects' states.
+  class ErrorChecker {
+   public:
+    using algebra_type = Pair::algebra_type;
+    using operations_type = Pair::operations_type;
+    ErrorChecker(const Tolerance& tolerance, int joints)
+        : tolerance_(tolerance), internal_begin_(2 * static_cast<std::size_t>(joints)) {}
+    [[nodiscard]] double error(algebra_type& algebra, const PackedState& values, const PackedState& slopes,
+                               const PackedState& errors, double step) const;
+
+   private:
+    Tolerance tolerance_;
+    std::size_t internal_begin_;
+  };
+  using Controlled = boost::numeric::odeint::controlled_runge_kutta<Pair, ErrorChecker>;
 
   void advance();
+  void approach_drive_end();
+  void rest_drive();
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
   void derive(const PackedState& values, PackedState& slopes) const;
   [[nodiscard]] State unpack(const PackedState& values) const;
@@ -67,6 +88,8 @@ class Stepper {
   const actuator::Model& model_;
   Controlled controlled_;
   Input input_;
+  // Where the drive's states end under the held input; empty once they are there, and for a model without any.
+  Eigen::VectorXd drive_end_;
   double time_ = 0.0;
   double previous_time_ = 0.0;
   double next_step_ = 1e-4;  // s; a hundredth of the fastest mode of a finger, adapted at once

@@ -91,6 +91,18 @@ TEST(Model, AcceleratesByTorquesAndWhatIsApplied) {
   EXPECT_LT(balance.lpNorm<Eigen::Infinity>(), 1e-15);  // of torques of 1e-2: rounding
 }
 
+TEST(Model, TellsMagneticsAndHingesApartAsBenchesDo) {
+  const Assembly a = finger(Configuration::B);
+  const JointVector angles = uneven(2);
+  const CoilCurrents currents = uneven_currents(2);
+  const JointVector still = JointVector::Zero(2);
+  const JointVector springs = a.model.hinge_torques(angles);
+  const JointVector magnets = a.model.magnetic_torques(angles, currents);
+  for (int j = 0; j < 2; ++j) EXPECT_DOUBLE_EQ(springs[j], -a.model.hinges()[j].stiffness * angles[j]);
+  EXPECT_LT((springs + magnets - a.model.torques(angles, still, currents)).norm(), 1e-18);
+  EXPECT_GT(magnets.minCoeff(), 0.0);
+}
+
 TEST(Model, DampsMoreWhereAStopIsPressed) {
   const Assembly a = finger(Configuration::B);
   const Hinge& hinge = a.model.hinges()[1];

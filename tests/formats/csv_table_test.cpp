@@ -157,7 +157,7 @@ TEST(CsvTable, AllowsIgnoredColumnsButNotTextInThem) {
   EXPECT_EQ(testing::error_of([&] { (void)read("time_s,theta1_deg\n1,x\n"); }),
             "x.csv: line 2: column theta1_deg: must be a finite number; got \"x\"");
   EXPECT_EQ(testing::error_of([&] { (void)read("time_s,theta1_deg,theta3_deg\n1,2,3\n"); }),
-            "x.csv: line 1: column theta3_deg: unknown column; did you mean \"theta1_deg\"?");
+            "x.csv: line 1: column theta3_deg: unknown column; did you mean \"theta2_deg\"?");
 }
 
 TEST(CsvTable, ReadsFilesLongerThanABlockWithoutLosingLineNumbers) {

@@ -10,9 +10,12 @@
 #include <utility>
 
 #include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/formats/dataset_file.hpp"
+#include "coilwright/formats/experiment_file.hpp"
 #include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/input_signal.hpp"
 #include "coilwright/formats/pair_file.hpp"
+#include "coilwright/formats/run_file.hpp"
 #include "coilwright/formats/study_file.hpp"
 
 namespace coilwright::formats {
@@ -29,6 +32,16 @@ void read_as_actuator(const std::string& text) {
 // Beside the actuator that it names, so that an undamaged study is read to its end.
 void read_as_study(const std::string& text) {
   (void)parse_study(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/x");
+}
+void read_as_experiment(const std::string& text) {
+  (void)parse_experiment(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/x");
+}
+// Beside the runs that it names, so that an undamaged set is read to its end.
+void read_as_dataset(const std::string& text) {
+  (void)parse_dataset(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/dataset/x");
+}
+Read read_as_run(measurement::RunKind kind) {
+  return [kind](const std::string& text) { (void)parse_run(text, "x", {.name = "x", .kind = kind, .sigma = 0.3}); };
 }
 void read_as_signal(const std::string& text) {
   (void)parse_input_signal(text, "x");
@@ -98,11 +111,40 @@ TEST(DamagedFiles, OfActuatorsAndStudiesNeverDoMoreThanBeRefused) {
   damage_at_every_byte(read_as_study, load("study.json"));
 }
 
+TEST(DamagedFiles, OfAnExperimentNeverDoMoreThanBeRefused) {
+  const std::string text = load("experiment.json");
+  ASSERT_TRUE(accepts(read_as_experiment, text));
+  for (std::size_t size = 0; size <= text.rfind('}'); ++size)
+    EXPECT_FALSE(accepts(read_as_experiment, text.substr(0, size))) << size;
+  damage_at_every_byte(read_as_experiment, text);
+}
+
 TEST(DamagedFiles, OfAnInputSignalNeverDoMoreThanBeRefused) {
   const std::string text = load("input.csv");
   ASSERT_TRUE(accepts(read_as_signal, text));
   for (std::size_t size = 0; size < text.size(); ++size) accepts(read_as_signal, text.substr(0, size));
   damage_at_every_byte(read_as_signal, text);
+}
+
+TEST(DamagedFiles, OfADatasetNeverDoMoreThanBeRefused) {
+  const std::string text = load("dataset/dataset.json");
+  ASSERT_TRUE(accepts(read_as_dataset, text));
+  const std::size_t end = text.rfind('}');
+  for (std::size_t size = 0; size <= end; ++size) EXPECT_FALSE(accepts(read_as_dataset, text.substr(0, size))) << size;
+  damage_at_every_byte(read_as_dataset, text);
+}
+
+TEST(DamagedFiles, OfARunNeverDoMoreThanBeRefused) {
+  using enum measurement::RunKind;
+  for (const auto& [name, kind] :
+       {std::pair{"dataset/step.csv", transient}, std::pair{"dataset/swing.csv", transient},
+        std::pair{"dataset/bench.csv", static_torque}, std::pair{"dataset/wall.csv", blocked_force}}) {
+    const std::string text = load(name);
+    const Read read = read_as_run(kind);
+    ASSERT_TRUE(accepts(read, text)) << name;
+    for (std::size_t size = 0; size < text.size(); ++size) accepts(read, text.substr(0, size));
+    damage_at_every_byte(read, text);
+  }
 }
 
 TEST(DamagedFiles, OfRandomBytesNeverDoMoreThanBeRefused) {

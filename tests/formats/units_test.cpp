@@ -51,6 +51,15 @@ TEST(Units, ConvertAnglesAndTemperatures) {
   EXPECT_NEAR(to_si(1.0, unit("stiffness_Nmm_deg")), 0.05729577951308232, 1e-17);  // one rounding of 0.057
 }
 
+// Keys of the effects' parameters (docs/theory/effects.md).
+TEST(Units, KnowWhatIsOverAUnit) {
+  EXPECT_EQ(split_unit("coefficient_1_rad2")->quantity, "coefficient");
+  EXPECT_EQ(split_unit("sharpness_1_rad")->quantity, "sharpness");
+  EXPECT_EQ(split_unit("fade_1_A2")->quantity, "fade");
+  EXPECT_EQ(split_unit("conductance_1_Ohm")->quantity, "conductance");
+  EXPECT_EQ(to_si(0.4, unit("drag_Nmms2_rad2")), 0.0004);
+}
+
 TEST(Units, OfTheMeasuredDataFormatAreAllThere) {
   for (const std::string suffix :
        {"s", "A", "V", "Nm", "Nmm", "N", "deg", "rad", "deg_s", "rad_s", "degC", "m", "mm"}) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "coilwright/actuator/effect.hpp"
 #include "coilwright/actuator/layout.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
@@ -101,6 +104,7 @@ struct Design {
   Surroundings surroundings{};
   ModelChoices choices{};
   Calibration calibration{};
+  std::vector<Effect> effects{};  ///< that the model has beside its stages; each kind at most once
 };
 
 }  // namespace coilwright::actuator

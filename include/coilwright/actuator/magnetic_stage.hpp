@@ -3,14 +3,14 @@
 #include <memory>
 #include <vector>
 
+#include "coilwright/actuator/coil_currents.hpp"
 #include "coilwright/magnetics/curve.hpp"
 #include "coilwright/mechanics/joint_vector.hpp"
 #include "coilwright/mechanics/planar_chain.hpp"
 
 namespace coilwright::actuator {
 
-/// Current of each coil, A, base to tip. Positive opens the joints of a coil of polarity +1 beside a magnet of +1.
-using CoilCurrents = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mechanics::max_joints + 1, 1>;
+class HingePairParts;
 
 /// A coil and a magnet on the two sides of one joint: torque = sense * current * curve(angle).
 struct HingePair {
@@ -18,9 +18,11 @@ struct HingePair {
   int coil{};
   double sense = 1.0;                                         ///< product of the two polarities
   std::shared_ptr<const magnetics::Curve> torque_per_ampere;  ///< of one joint angle, N m/A, opening positive
+  std::shared_ptr<const HingePairParts> parts{};              ///< what it is made of; null where only a curve is known
 };
 
 /// Two components with at least one joint and one component between them.
+/// A coil's strength is its current, a magnet's is 1; the pair's is the product of the two.
 ///
 /// The pair's energy is strength * axial energy at the distance of the centres, with the orientation of two dipoles
 /// where `orientation` says so: W(z) (3 (a.z)(b.z) - a.b) / 2, which is exact on the axis and far away. Without it the
@@ -30,11 +32,14 @@ struct DistantPair {
 
   mechanics::LinkPoint first;
   mechanics::LinkPoint second;
-  int coil = -1;       ///< index of the coil whose current scales the pair; -1: two magnets, no current
-  double sense = 1.0;  ///< +1 where like moments (both along the chain at unit current) face each other
+  int coil = -1;         ///< index of the coil whose current scales the pair; -1: two magnets, no current
+  int second_coil = -1;  ///< index of a second coil whose current scales it too; -1: not a pair of coils
+  double sense = 1.0;    ///< +1 where like moments (both along the chain at unit current) face each other
   Orientation orientation = Orientation::dipoles;
-  std::shared_ptr<const magnetics::Curve> axial_force;   ///< of like moments on the second, N (per A), of the distance
-  std::shared_ptr<const magnetics::Curve> axial_energy;  ///< W with -dW/dz = axial_force and W(infinity) = 0, J (per A)
+  std::shared_ptr<const magnetics::Curve>
+      axial_force;  ///< of like moments on the second, N (per A, A^2), of the distance
+  std::shared_ptr<const magnetics::Curve>
+      axial_energy;  ///< W with -dW/dz = axial_force and W(infinity) = 0, J (per A, A^2)
 };
 
 /// Second stage of a model: joint angles and coil currents in, joint torques out.

@@ -1,33 +1,31 @@
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
-#include "coilwright/actuator/magnetic_stage.hpp"
-#include "coilwright/mechanics/face_contact.hpp"
-#include "coilwright/mechanics/planar_chain.hpp"
+#include "coilwright/actuator/model_spec.hpp"
 
 namespace coilwright::actuator {
 
-/// One joint's own torques: spring, damper, constant, and the faces that meet when it closes.
-struct Hinge {
-  double stiffness{};      ///< k, N m/rad; >= 0
-  double damping{};        ///< b, N m s/rad; >= 0
-  double torque_offset{};  ///< added at every angle, N m
-  mechanics::FaceContact contact{};
-};
+/// Since when a model stands at rest: for longer than all that its effects remember, or as a recorded run finds it
+/// (which differs for heat alone: see EffectTerm::begin).
+enum class AtRest { settled, run_start };
 
-/// An actuator as the simulation sees it: drive, magnetics, hinge, chain, camera in a row. Immutable.
+/// An actuator as the simulation sees it: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what
+/// is large.
+///
+/// Effects may carry states of their own (currents, heat, creep, bristles). What is asked of a pose at rest (torques,
+/// equilibria, stiffness) is answered with these states settled there: after a hold that outlasts them all.
 class Model {
  public:
-  struct Spec {
-    mechanics::PlanarChain chain;
-    std::vector<Hinge> hinges;  ///< one per joint
-    MagneticStage magnetics;
-    int coils{};               ///< how many currents the magnetics take; >= 0
-    mechanics::LinkPoint tip;  ///< what touches first when the finger grasps
-  };
-  /// Throws std::invalid_argument where counts do not match or a hinge value breaks its rule.
+  using Spec = ModelSpec;
+  /// Throws std::invalid_argument where counts do not match, a hinge value breaks its rule, or an effect is given
+  /// twice, breaks its rules or cannot be in this model.
   explicit Model(Spec spec);
+
+  /// What it was made of: the stages before any effect was built in, and the effects.
+  [[nodiscard]] const Spec& spec() const noexcept { return nominal_ ? *nominal_ : spec_; }
 
   [[nodiscard]] int joints() const noexcept { return spec_.chain.joints(); }
   [[nodiscard]] int coils() const noexcept { return spec_.coils; }
@@ -36,34 +34,109 @@ class Model {
   [[nodiscard]] const MagneticStage& magnetics() const noexcept { return spec_.magnetics; }
   [[nodiscard]] const mechanics::LinkPoint& tip() const noexcept { return spec_.tip; }
 
+  /// Whether any effect acts while the model runs.
+  [[nodiscard]] bool has_terms() const noexcept { return !terms_.empty(); }
+  /// How many states of their own the effects have.
+  [[nodiscard]] int internal_states() const noexcept { return internal_states_; }
+  /// How many of these belong to the drive; they come first and follow from the command alone, not from the motion.
+  [[nodiscard]] int drive_states() const noexcept { return drive_states_; }
+  /// The effects' states at rest at `angles` (rad) under `command` (A).
+  [[nodiscard]] InternalStates settled(const mechanics::JointVector& angles, const CoilCurrents& command,
+                                       AtRest since = AtRest::settled) const;
+
+  /// The currents as the force sees them in the magnetics after a long hold at `angles` (rad) under `command` (A): what
+  /// drive and magnets make of it.
+  [[nodiscard]] CoilCurrents strength(const mechanics::JointVector& angles, const CoilCurrents& command) const;
+
+  /// Whether an effect moves so slowly that a step response is taken with it held.
+  [[nodiscard]] bool has_slow_states() const noexcept;
+  /// This model with the states of its slow effects held for good where `internal` (all states of this model) has them;
+  /// they are no longer among the states of the result.
+  [[nodiscard]] Model with_slow_states_held(const InternalStates& internal) const;
+
   /// The same current in every coil: one driver.
   [[nodiscard]] CoilCurrents all_coils(double current) const { return CoilCurrents::Constant(coils(), current); }
 
   /// Joint torques of magnetics and hinges, N m: everything but gravity and inertia.
   [[nodiscard]] mechanics::JointVector torques(const mechanics::JointVector& angles,
-                                               const mechanics::JointVector& rates, const CoilCurrents& currents) const;
+                                               const mechanics::JointVector& rates, const CoilCurrents& currents,
+                                               AtRest since = AtRest::settled) const;
+
+  /// Of the magnetics alone, at rest under `command` (A), N m: what a torque bench with a bare joint reads.
+  [[nodiscard]] mechanics::JointVector magnetic_torques(const mechanics::JointVector& angles,
+                                                        const CoilCurrents& command) const;
+
+  /// Of the hinges alone, at rest without current, N m: what a gauge that holds the joints reads, with its sign turned.
+  [[nodiscard]] mechanics::JointVector hinge_torques(const mechanics::JointVector& angles) const;
 
   /// Joint accelerations, rad/s^2, under `currents` (A) and further joint torques `applied` (N m).
   [[nodiscard]] mechanics::JointVector accelerations(const mechanics::JointVector& angles,
                                                      const mechanics::JointVector& rates, const CoilCurrents& currents,
                                                      const mechanics::JointVector& applied) const;
 
+  /// The whole equation of motion: accelerations, rad/s^2, and slopes of the effects' states `internal` (each in its
+  /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans have
+  /// internal_states() entries.
+  void derivative(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
+                  std::span<const double> internal, const CoilCurrents& command, const mechanics::JointVector& applied,
+                  mechanics::JointVector& accelerations, std::span<double> internal_slopes) const;
+
   /// Torque left over at rest, N m: zero in an equilibrium.
   [[nodiscard]] mechanics::JointVector static_residual(const mechanics::JointVector& angles,
-                                                       const CoilCurrents& currents) const;
+                                                       const CoilCurrents& currents,
+                                                       AtRest since = AtRest::settled) const;
 
   /// -d(static residual)/d(angle), (n, n), N m/rad; an equilibrium is stable where it is positive definite.
   [[nodiscard]] mechanics::JointMatrix tangent_stiffness(const mechanics::JointVector& angles,
-                                                         const CoilCurrents& currents) const;
+                                                         const CoilCurrents& currents,
+                                                         AtRest since = AtRest::settled) const;
 
   /// Damping of every joint at rest at `angles`, N m s/rad: of its hinge, and of its stop where that is pressed.
   [[nodiscard]] mechanics::JointVector damping(const mechanics::JointVector& angles) const;
 
-  /// What the camera sees: the sum of the joint angles, rad.
+  /// The same as (n, n) under currents (A), with what the effects add: of small motions about a pose at rest.
+  [[nodiscard]] mechanics::JointMatrix damping(const mechanics::JointVector& angles, const CoilCurrents& command) const;
+
+  /// The sum of the joint angles, rad: what a true camera sees.
   [[nodiscard]] static double bending_angle(const mechanics::JointVector& angles) { return angles.sum(); }
 
+  /// What the camera shows of an angle, rad: of the bending angle, or of a single joint's.
+  [[nodiscard]] double observed(double angle) const;
+  /// How long ago the motion was that the camera shows now, s; >= 0.
+  [[nodiscard]] double delay() const;
+
  private:
-  Spec spec_;
+  // An effect at work, and where its states are: among those of the model, or held.
+  struct Term {
+    std::shared_ptr<const EffectTerm> effect;
+    Stage stage{};
+    bool held{};
+    int first{};
+  };
+  [[nodiscard]] EffectTerm::Own own(const Term& term, const double* states, double* slopes) const;
+  void number_states();
+  // Terms of the stages drive, magnetics and hinge to chain, in this order, and of the camera last.
+  [[nodiscard]] std::span<const Term> terms(Stage first, Stage last) const;
+
+  // Currents as the force sees them, A.
+  [[nodiscard]] CoilCurrents strength(const CoilCurrents& command, const double* states, double* slopes) const;
+  // Of the hinges but for the terms; writes every joint.
+  void own_hinge_torques(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
+                         mechanics::JointVector& torques) const;
+  // Of magnetics and hinges but for the terms; writes every joint.
+  void stage_torques(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
+                     const CoilCurrents& strength, mechanics::JointVector& torques) const;
+  void add_term_torques(const EffectTerm::Motion& motion, const CoilCurrents& strength, const double* states,
+                        double* slopes, mechanics::JointVector& torques) const;
+  void add_term_stiffness(const mechanics::JointVector& angles, const CoilCurrents& command, AtRest since,
+                          mechanics::JointMatrix& stiffness) const;
+
+  Spec spec_;                            // with the effects built in
+  std::shared_ptr<const Spec> nominal_;  // without; null where there are none
+  std::vector<Term> terms_;
+  std::vector<double> held_;  // states that are held
+  int internal_states_ = 0;
+  int drive_states_ = 0;
 };
 
 }  // namespace coilwright::actuator

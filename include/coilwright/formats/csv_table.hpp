@@ -65,6 +65,8 @@ class CsvTable {
   /// The values of a quantity in SI: column("theta1") is in rad, also where the file says theta1_deg.
   /// Throws std::out_of_range when no such column was kept.
   [[nodiscard]] std::span<const double> column(std::string_view quantity) const;
+  /// The name of that column in the file: name("theta1") is "theta1_deg". Throws as column() does.
+  [[nodiscard]] const std::string& name(std::string_view quantity) const { return names_[index_of(quantity)]; }
   /// Throws InputError at the first value that does not exceed the one before it.
   void require_increasing(std::string_view quantity) const;
   /// An error at one value, for readers with rules of their own. Shows the value in the file's unit.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ class Document {
   Document& operator=(Document&&) noexcept;
 
   [[nodiscard]] Node root() const;
+  /// A copy with other numbers at some JSON pointers (RFC 6901): each must lead to a number, or to a key that its
+  /// object does not have yet. Throws std::invalid_argument where one does not.
+  [[nodiscard]] Document with_numbers(const std::map<std::string, double>& numbers) const;
 
  private:
   struct Content;

@@ -33,6 +33,10 @@ class ObjectReader {
   [[nodiscard]] std::optional<Node> find(std::string_view key);
   /// The same, but null counts as absent.
   [[nodiscard]] std::optional<Node> find_not_null(std::string_view key);
+  /// The value under the key, or under one that differs from it in the unit only: "h_m" where "h_mm" is asked for.
+  [[nodiscard]] std::optional<Node> find_in_any_unit(std::string_view key);
+  /// The same for a key that must be there.
+  [[nodiscard]] Node at_in_any_unit(std::string_view key);
   /// The one key of `keys` that is there. Throws when none or more than one is.
   [[nodiscard]] std::string one_of(std::initializer_list<std::string_view> keys);
 

@@ -31,6 +31,9 @@ class Rule {
            (value < upper_.value || (upper_.included && value == upper_.value));
   }
 
+  [[nodiscard]] constexpr double lower() const { return lower_.value; }
+  [[nodiscard]] constexpr double upper() const { return upper_.value; }
+
   /// "must be > 0", "must be from 2 to 5", "must be > 0 and <= 1", "must be finite".
   [[nodiscard]] std::string text() const;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "coilwright/actuator/model.hpp"
@@ -8,16 +10,32 @@
 
 namespace coilwright::simulation {
 
-/// How exact a transient is: relative error of a step in every angle and rate, with a floor of 1e-9 rad and 1e-9 rad/s.
+/// How exact a transient is: relative error of a step in every angle, rate and state of an effect, with a floor of 1e-9
+/// rad, rad/s, or whatever SI unit the effect's state has (A, K, N m, or none).
 struct Accuracy {
   double relative = 1e-7;
+  /// Steps that a whole call may take before it gives up, besides the limit between two changes of the input; for
+  /// callers that would rather have no answer than a slow one.
+  double most_steps = std::numeric_limits<double>::infinity();
 };
 
-/// The state at every sample of `input`, from `start` at the first. Dormand-Prince 5(4) with dense output
+/// The state at every sample of `input`, from `start` at the first; the states of effects, where `start` has none,
+/// settled there under the first input. Dormand-Prince 5(4) with dense output
 /// (Boost.Odeint); the steps do not see the samples unless the input changes there. Throws std::invalid_argument for an
 /// input that does not fit the model, std::runtime_error naming the time where the motion cannot be followed (a joint
-/// beyond 180 degrees, or more than 1e6 steps between two changes of the input).
+/// beyond 180 degrees, or more than 1e6 steps between two changes of the input, 1e5 a second added where effects have
+/// states).
 [[nodiscard]] std::vector<State> simulate(const actuator::Model& model, const InputSignal& input, const State& start,
                                           const Accuracy& accuracy = {});
+
+/// The same motion at `times` (s, increasing) instead; each from the first to the last sample of the input, else
+/// std::invalid_argument.
+[[nodiscard]] std::vector<State> simulate_at(const actuator::Model& model, const InputSignal& input, const State& start,
+                                             std::span<const double> times, const Accuracy& accuracy = {});
+
+/// The same motion as old as the camera shows it: at every sample of `input` the state model.delay() earlier, which is
+/// `start` for the first ones. What is shown of an angle is model.observed(angle).
+[[nodiscard]] std::vector<State> simulate_seen(const actuator::Model& model, const InputSignal& input,
+                                               const State& start, const Accuracy& accuracy = {});
 
 }  // namespace coilwright::simulation

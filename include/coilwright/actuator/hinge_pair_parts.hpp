@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "coilwright/magnetics/curve.hpp"
+#include "coilwright/magnetics/cylinder_magnet.hpp"
+#include "coilwright/magnetics/hinge_torque.hpp"
+#include "coilwright/magnetics/thick_coil.hpp"
+
+namespace coilwright::actuator {
+
+/// What a hinge pair is made of, and the curves of torque per ampere that follow from it. Shared and immutable to look
+/// at; the exact curve is built when first asked for (0.1 to 1 s of field evaluations at most), once for all threads.
+class HingePairParts {
+ public:
+  struct Spec {
+    magnetics::ThickCoil coil;
+    magnetics::CylinderMagnet magnet;
+    magnetics::HingeGeometry geometry;
+    magnetics::Fidelity fidelity{};  ///< by which the model takes the pair's torque
+    magnetics::Curve::Spec range;    ///< of joint angles, rad
+    /// Where the curve by the line of centres starts instead, rad: the coaxial force is smooth where parts overlap, and
+    /// a chain without stops swings there. Given up for `range` where that is not so.
+    std::optional<double> line_of_centres_lower{};
+  };
+  explicit HingePairParts(const Spec& spec) : spec_(spec) {}
+
+  [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
+  /// Torque per ampere by the fidelity of the spec, N m/A over rad: magnetics::torque_curve and its errors.
+  [[nodiscard]] std::shared_ptr<const magnetics::Curve> torque() const;
+  /// The same with the whole force and torque of the tilted, displaced pair. Safe from any thread.
+  [[nodiscard]] std::shared_ptr<const magnetics::Curve> exact_torque() const;
+
+ private:
+  [[nodiscard]] std::shared_ptr<const magnetics::Curve> curve(magnetics::Fidelity fidelity,
+                                                              const magnetics::Curve::Spec& range) const;
+
+  Spec spec_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const magnetics::Curve> exact_;
+};
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/effect.hpp"
+#include "coilwright/formats/json_document.hpp"
+#include "coilwright/measurement/declared_model.hpp"
+
+namespace coilwright::formats {
+
+/// A lumped model's file with other numbers.
+struct UpdatedLumpedModel {
+  Document document;                      ///< as it was read, but for its numbers; its "effects" count no more
+  std::vector<actuator::Effect> effects;  ///< all of the model
+};
+
+/// An actuator after a diagnosis: what report::to_json() writes.
+using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
+
+/// The model that a data set declares, and the way back into its file.
+struct DeclaredActuator {
+  std::string name;                  ///< of the actuator
+  measurement::DeclaredModel model;  ///< keeps what it needs; build() may be called from many threads at once
+  /// The actuator with `calibration` (SI, one value per model.calibration, inside the bounds) and `effects` beside
+  /// those that its file declares; one of a kind that is there already takes its place. A lumped model that is written
+  /// and read back is build()'s to the bit; a design's stiffness and damping go through factors that round. Throws
+  /// std::invalid_argument where the numbers make no model.
+  std::function<UpdatedActuator(std::span<const double> calibration, const std::vector<actuator::Effect>& effects)>
+      updated;
+};
+
+/// The names of the numbers that may be calibrated, and where they are from.
+struct Calibrate {
+  /// `joint_stiffness`, `joint_damping`, or a JSON pointer to a number of the actuator file. The two are one value for
+  /// all joints; where a lumped model's joints differ, it is their mean, and each keeps its ratio to it.
+  std::span<const std::string> names;
+  std::string file;                         ///< dataset.json, for errors about a name
+  std::string_view pointer = "/calibrate";  ///< of the list in it
+};
+
+/// Reads the declared model of a data set and finds the numbers that may be calibrated in it. A number that the file
+/// leaves out and that has a default can be named too. Throws InputError: of the actuator file where that is at fault;
+/// of the data set, at the name, where it leads nowhere, to no number or to one that no fit can move (a whole number, a
+/// choice), and where two names mean the same.
+[[nodiscard]] DeclaredActuator read_declared_actuator(const std::filesystem::path& actuator,
+                                                      const Calibrate& calibrate);
+
+/// The same for a text in memory; `file` is the name its errors carry.
+[[nodiscard]] DeclaredActuator parse_declared_actuator(std::string_view text, std::string file,
+                                                       const Calibrate& calibrate);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "coilwright/formats/input_error.hpp"
+#include "coilwright/measurement/dataset.hpp"
+
+namespace coilwright::formats {
+
+/// What a data set says of a run beside its CSV file.
+struct RunEntry {
+  std::string name{};  ///< the file, as the data set calls it
+  measurement::RunKind kind{};
+  measurement::Start start{};
+  std::optional<double> window{};  ///< s
+  /// In the unit of the run's measured column; where a transient has several: of its first angle column (that of the
+  /// bending angle before those of the joints), and where it has rates only, of its first rate.
+  std::optional<double> sigma{};
+};
+
+/// A run as its file gives it.
+struct RunFile {
+  measurement::Run run;
+  /// Why the run cannot be used though its file is well formed: an angle that no finger reaches. Not thrown by the
+  /// reader, because a run that is held out is not to be looked at.
+  std::optional<InputError> objection{};
+};
+
+/// Reads the CSV file of a run. Columns by kind (units of one dimension are interchangeable):
+/// transient: time_s, one input (current_A; current1_A, ..; voltage_V; torque1_Nm, ..), at least one of
+/// bending_angle_deg, theta1_deg, .., omega1_rad_s, ..;
+/// static_torque: angle_deg, current_A, torque_Nmm; joint_stiffness: angle_deg, torque_Nmm;
+/// blocked_force: current_A, force_N; temperature: time_s, current_A, temperature_degC.
+/// Throws InputError naming file, line, column and rule.
+[[nodiscard]] RunFile read_run(const std::filesystem::path& path, const RunEntry& entry);
+
+/// The same for a text in memory; `file` is the name its errors carry.
+[[nodiscard]] RunFile parse_run(std::string_view text, std::string file, const RunEntry& entry);
+
+}  // namespace coilwright::formats

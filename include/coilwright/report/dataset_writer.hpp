@@ -1,0 +1,26 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "coilwright/measurement/dataset.hpp"
+#include "coilwright/report/json.hpp"
+
+namespace coilwright::report {
+
+/// A run and whether fits must not see it.
+struct RunInRole {
+  const measurement::Run& run;
+  bool validate{};
+};
+
+/// dataset.json of a measured-data/1 set; `actuator` is the declared model's file, counted from the set's folder.
+[[nodiscard]] Json dataset_json(const std::string& name, const std::string& actuator, std::span<const RunInRole> runs);
+
+/// The CSV file of a run: the columns of its kind, then its channels under their names, in the units of the names.
+/// Twelve digits, far beyond any instrument: what a resolution of 0.02 deg made 30.02 is not written as
+/// 30.020000000000003.
+void write_run(std::ostream& out, const measurement::Run& run);
+
+}  // namespace coilwright::report

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "coilwright/actuator/effect.hpp"
+#include "coilwright/measurement/twin.hpp"
+#include "coilwright/report/json.hpp"
+
+namespace coilwright::report {
+
+/// What is hidden in the data of a twin, and how they came about.
+struct TwinAnswer {
+  std::string dataset{};   ///< folder of the data set
+  std::string actuator{};  ///< file that it was made from
+  std::string experiment{};
+  std::span<const actuator::Effect> effects{};
+  const measurement::Instruments& instruments;
+  std::uint64_t seed{};
+};
+
+/// The answer's file; its keys are in docs/formats-experiment.md.
+[[nodiscard]] Json to_json(const TwinAnswer& answer);
+
+}  // namespace coilwright::report

@@ -1,0 +1,51 @@
+#include <limits>
+
+#include "coilwright/actuator/model_spec.hpp"
+#include "links.hpp"
+#include "starts.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+// RigScale knows torques and motion, not lengths: centres of mass of a finger, an arm, and an axis written as a link of
+// unit length lie this far from their joints, m.
+constexpr double levers[] = {0.03, 0.2, 1.0};
+
+class AddedMass final : public DescribedEffect {
+ public:
+  AddedMass()
+      : DescribedEffect({.id = "added_mass",
+                         .stage = Stage::chain,
+                         .missing = "a payload at the tip segment that the model does not have",
+                         .equation = "m_tip -> m_tip + dm, at the segment's centre of mass",
+                         .source = "point mass at a link's centre of mass; definition",
+                         .parameters = {{.key = "mass_g",
+                                         .text = "besides the declared mass of the last link",
+                                         .denominator = milli,
+                                         .lower = 0.0,
+                                         .upper = std::numeric_limits<double>::infinity(),
+                                         .absent = 0.0}}}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    const double inertia = scale.torque * scale.angle / (scale.rate * scale.rate);
+    std::vector<std::vector<double>> out;
+    for (const double lever : levers) out.push_back({0.1 * inertia / (lever * lever)});
+    return out;
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    std::vector<mechanics::Link> links = links_of(spec.chain);
+    links.back().mass += values[0];
+    spec.chain = mechanics::PlanarChain(links, spec.chain.gravity(), spec.chain.base_tilt());
+    return nullptr;
+  }
+};
+
+}  // namespace
+
+const EffectKind& added_mass() {
+  static const AddedMass kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

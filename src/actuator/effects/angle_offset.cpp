@@ -1,0 +1,50 @@
+#include "coilwright/actuator/model_spec.hpp"
+#include "starts.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+class AngleOffsetTerm final : public EffectTerm {
+ public:
+  explicit AngleOffsetTerm(double offset) : offset_(offset) {}
+
+  double observed(double angle) const override { return angle + offset_; }
+
+ private:
+  double offset_;
+};
+
+// After the scale: an offset is what the sensor shows at zero.
+class AngleOffset final : public DescribedEffect {
+ public:
+  AngleOffset()
+      : DescribedEffect({.id = "angle_offset",
+                         .stage = Stage::camera,
+                         .missing = "the sensor's zero is off",
+                         .equation = "y = theta + theta_b, every angle shown",
+                         .source = "definition",
+                         .parameters = {{.key = "angle_deg",
+                                         .text = "shown at angle zero",
+                                         .denominator = degrees,
+                                         .lower = -10.0 / degrees,
+                                         .upper = 10.0 / degrees,
+                                         .absent = 0.0}}}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& /*scale*/) const override {
+    return one_by_one({1.0 / degrees, -1.0 / degrees});
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& /*spec*/) const override {
+    if (values[0] == 0.0) return nullptr;
+    return std::make_unique<AngleOffsetTerm>(values[0]);
+  }
+};
+
+}  // namespace
+
+const EffectKind& angle_offset() {
+  static const AngleOffset kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

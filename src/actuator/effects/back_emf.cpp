@@ -1,0 +1,91 @@
+#include <limits>
+#include <utility>
+
+#include "coilwright/actuator/model_spec.hpp"
+#include "starts.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+using mechanics::JointMatrix;
+using mechanics::JointVector;
+
+// The pairs whose torque is proportional to a current: magnets that pull at each other induce nothing, and what coils
+// induce in each other is left out as being small (1 % of a magnet's).
+MagneticStage driven_pairs(const MagneticStage& magnetics) {
+  std::vector<DistantPair> distant;
+  for (const DistantPair& pair : magnetics.distant_pairs())
+    if (pair.coil >= 0 && pair.second_coil < 0) distant.push_back(pair);
+  return {magnetics.hinge_pairs(), std::move(distant)};
+}
+
+class BackEmfTerm final : public EffectTerm {
+ public:
+  BackEmfTerm(MagneticStage driven, int coils, double conductance)
+      : driven_(std::move(driven)), coils_(coils), conductance_(conductance) {}
+
+  // A coil with torques g_j per ampere sees the voltage sum g_j omega_j and drives kappa times it through itself.
+  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+                   JointVector& torques) const override {
+    for (int c = 0; c < coils_; ++c) {
+      const JointVector per_ampere = torque_per_ampere(motion, c);
+      torques -= conductance_ * per_ampere.dot(motion.rates) * per_ampere;
+    }
+  }
+
+  void add_damping(const Motion& motion, const CoilCurrents& /*strength*/, JointMatrix& damping) const override {
+    for (int c = 0; c < coils_; ++c) {
+      const JointVector per_ampere = torque_per_ampere(motion, c);
+      damping += conductance_ * per_ampere * per_ampere.transpose();
+    }
+  }
+
+ private:
+  JointVector torque_per_ampere(const Motion& motion, int coil) const {
+    CoilCurrents unit = CoilCurrents::Zero(coils_);
+    unit[coil] = 1.0;
+    JointVector torque = JointVector::Zero(motion.angles.size());
+    driven_.add_torques(motion.chain, motion.angles, unit, torque);
+    return torque;
+  }
+
+  MagneticStage driven_;
+  int coils_;
+  double conductance_;
+};
+
+class BackEmf final : public DescribedEffect {
+ public:
+  BackEmf()
+      : DescribedEffect({.id = "back_emf",
+                         .stage = Stage::magnetics,
+                         .missing = "motion drives currents of its own through closed coils or metal nearby",
+                         .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
+                         .source = "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
+                                   "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
+                         .parameters = {{.key = "conductance_1_Ohm",
+                                         .text = "1/R of a coil under a voltage drive; less what eddy currents leave",
+                                         .lower = 0.0,
+                                         .upper = std::numeric_limits<double>::infinity(),
+                                         .absent = 0.0}}}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    const double per_ampere = scale.torque / scale.current;
+    const double whole = scale.torque / (per_ampere * per_ampere * scale.rate);
+    return one_by_one({0.02 * whole, 0.2 * whole});
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    if (values[0] == 0.0) return nullptr;
+    return std::make_unique<BackEmfTerm>(driven_pairs(spec.magnetics), spec.coils, values[0]);
+  }
+};
+
+}  // namespace
+
+const EffectKind& back_emf() {
+  static const BackEmf kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

@@ -1,0 +1,46 @@
+#include "coilwright/actuator/model_spec.hpp"
+#include "links.hpp"
+#include "starts.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+class BaseTilt final : public DescribedEffect {
+ public:
+  BaseTilt()
+      : DescribedEffect({.id = "base_tilt",
+                         .stage = Stage::chain,
+                         .missing = "the mounting is not level",
+                         .equation = "V(theta_1, ...) -> V(theta_1 + phi, ...): gravity turned by phi",
+                         .source = "definition; mechanics::PlanarChain",
+                         .parameters = {{.key = "angle_deg",
+                                         .text = "of the whole chain towards opening, besides the declared tilt",
+                                         .denominator = degrees,
+                                         .lower = -45.0 / degrees,
+                                         .upper = 45.0 / degrees,
+                                         .absent = 0.0}}}) {}
+
+  std::optional<std::string> inapplicable(const ModelSpec& spec) const override {
+    if (spec.chain.gravity() == 0.0) return "the model has no gravity";
+    return std::nullopt;
+  }
+
+  std::vector<std::vector<double>> starts(const RigScale& /*scale*/) const override {
+    return one_by_one({2.0 / degrees, -2.0 / degrees});
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    const mechanics::PlanarChain& level = spec.chain;
+    spec.chain = mechanics::PlanarChain(links_of(level), level.gravity(), level.base_tilt() + values[0]);
+    return nullptr;
+  }
+};
+
+}  // namespace
+
+const EffectKind& base_tilt() {
+  static const BaseTilt kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "coilwright/actuator/model_spec.hpp"
+#include "mobility.hpp"
+#include "starts.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+using mechanics::FaceContact;
+
+constexpr std::array sides = {-1.0, 1.0};
+
+// As the faces of a finger (assemble.cpp): rebounds with about 40 % of the speed.
+constexpr double damping_ratio = 0.3;
+
+// A stop on which a joint rings faster than this, rad/s, looks the same to a camera and costs ever shorter steps: it is
+// taken as this stiff.
+constexpr double fastest_ring = 5e3;
+
+class StopTerm final : public EffectTerm {
+ public:
+  StopTerm(std::vector<FaceContact> stops, double side) : stops_(std::move(stops)), side_(side) {}
+
+  // An opening limit is a closing one seen from the other side.
+  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+                   mechanics::JointVector& torques) const override {
+    for (std::size_t j = 0; j < stops_.size(); ++j) {
+      const int at = static_cast<int>(j);
+      torques[at] -= side_ * stops_[j].torque(-side_ * motion.angles[at], -side_ * motion.rates[at]);
+    }
+  }
+
+  void add_damping(const Motion& motion, const CoilCurrents& /*strength*/,
+                   mechanics::JointMatrix& damping) const override {
+    for (std::size_t j = 0; j < stops_.size(); ++j) {
+      const int at = static_cast<int>(j);
+      if (-side_ * motion.angles[at] < stops_[j].closing_angle) damping(at, at) += stops_[j].damping;
+    }
+  }
+
+ private:
+  std::vector<FaceContact> stops_;  // in the mirrored angle -side theta
+  double side_;
+};
+
+class EndStop final : public DescribedEffect {
+ public:
+  EndStop()
+      : DescribedEffect({.id = "end_stop",
+                         .stage = Stage::hinge,
+                         .missing = "something stops the joints: a limit, a cable, segments that meet",
+                         .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
+                         .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
+                         .parameters = {{.key = "angle_deg",
+                                         .text = "joint angle at which the stop is met, every joint",
+                                         .denominator = degrees,
+                                         .lower = -180.0 / degrees,
+                                         .upper = 180.0 / degrees},
+                                        {.key = "stiffness_Nmm_rad",
+                                         .text = "of the stop",
+                                         .denominator = milli,
+                                         .lower = 0.0,
+                                         .upper = std::numeric_limits<double>::infinity(),
+                                         .absent = 0.0},
+                                        {.key = "side",
+                                         .text = "1: limits opening, -1: limits closing",
+                                         .lower = -1.0,
+                                         .upper = 1.0,
+                                         .choices = sides}}}) {}
+
+  // A fit sees a stop only where the motion presses it: from close inside either end of the motion inwards.
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    const double range = scale.upper_angle - scale.lower_angle;
+    const double stiffness = 10.0 * scale.torque / scale.angle;
+    std::vector<std::vector<double>> out;
+    for (const double side : sides) {
+      const double end = side > 0.0 ? scale.upper_angle : scale.lower_angle;
+      for (const double inwards : {0.03, 0.15, 0.35}) {
+        const double angle = end - side * inwards * range;
+        out.push_back({std::clamp(angle, parameters()[0].lower, parameters()[0].upper), stiffness, side});
+      }
+    }
+    return out;
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    if (values[1] == 0.0) return nullptr;
+    const double side = values[2];
+    const mechanics::JointVector mobility = joint_mobility(spec.chain);
+    std::vector<FaceContact> stops;
+    for (const double m : mobility) {
+      const double stiffness = std::min(values[1], fastest_ring * fastest_ring / m);
+      stops.push_back({.closing_angle = -side * values[0],
+                       .stiffness = stiffness,
+                       .damping = 2.0 * damping_ratio * std::sqrt(stiffness / m)});
+    }
+    return std::make_unique<StopTerm>(std::move(stops), side);
+  }
+};
+
+}  // namespace
+
+const EffectKind& end_stop() {
+  static const EndStop kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

@@ -1,0 +1,84 @@
+#include <array>
+#include <limits>
+
+#include "coilwright/actuator/model_spec.hpp"
+#include "starts.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::array sides = {-1.0, 1.0};
+
+// The matter is as large as half its distance: keeps the pull finite and smooth where the angle reaches it.
+constexpr double size = 0.5;
+
+class AttractionTerm final : public EffectTerm {
+ public:
+  AttractionTerm(double torque, double range, double side) : torque_(torque), range_(range), side_(side) {}
+
+  // The magnet nearest the base, on the first link, is what iron attracts; a coil without current is copper.
+  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+                   mechanics::JointVector& torques) const override {
+    const double distance = 1.0 - side_ * motion.angles[0] / range_;
+    const double closeness = (1.0 + size * size) / (distance * distance + size * size);
+    torques[0] += torque_ * closeness * closeness;
+  }
+
+ private:
+  double torque_;
+  double range_;
+  double side_;
+};
+
+class StaticAttraction final : public DescribedEffect {
+ public:
+  StaticAttraction()
+      : DescribedEffect({.id = "static_attraction",
+                         .stage = Stage::magnetics,
+                         .missing = "iron or another magnet nearby pulls or pushes without any current",
+                         .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
+                         .source = "a dipole's force on its image in iron falls with the fourth power of the distance "
+                                   "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
+                         .parameters = {{.key = "torque_Nmm",
+                                         .text = "torque at angle zero, opening positive",
+                                         .denominator = milli,
+                                         .lower = -infinity,
+                                         .upper = infinity,
+                                         .absent = 0.0},
+                                        {.key = "range_deg",
+                                         .text = "angle from zero to where the matter is",
+                                         .denominator = degrees,
+                                         .lower = 5.0 / degrees,
+                                         .upper = 180.0 / degrees},
+                                        {.key = "side",
+                                         .text = "where the matter is: 1 opening, -1 closing",
+                                         .lower = -1.0,
+                                         .upper = 1.0,
+                                         .choices = sides}}}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    std::vector<std::vector<double>> out;
+    for (const double side : sides)
+      for (const double range : {30.0 / degrees, 50.0 / degrees, 90.0 / degrees})
+        out.push_back({0.05 * scale.torque, range, side});
+    return out;
+  }
+
+  // A rig without coils can have iron beside it as well as any other.
+  std::optional<std::string> inapplicable(const ModelSpec& /*spec*/) const override { return std::nullopt; }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& /*spec*/) const override {
+    if (values[0] == 0.0) return nullptr;
+    return std::make_unique<AttractionTerm>(values[0], values[1], values[2]);
+  }
+};
+
+}  // namespace
+
+const EffectKind& static_attraction() {
+  static const StaticAttraction kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/formats/dataset_file.hpp"
+#include "coilwright/formats/declared_actuator.hpp"
+#include "coilwright/formats/input_error.hpp"
+#include "coilwright/measurement/diagnosis.hpp"
+#include "coilwright/report/actuator_json.hpp"
+#include "coilwright/report/diagnosis_report.hpp"
+#include "coilwright/report/output_folder.hpp"
+#include "coilwright/report/residual_table.hpp"
+#include "commands.hpp"
+#include "end_on_signal.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using actuator::Effect;
+using measurement::Diagnosis;
+
+constexpr const char* actuator_name = "actuator.json";
+constexpr int most_threads = 1024;
+
+struct Options {
+  std::string dataset;
+  std::optional<std::string> actuator;
+  std::string out;
+  int threads = 0;
+  std::uint64_t seed = 1;
+  bool quiet{false};
+};
+
+std::filesystem::path declared_path(const Options& options, const formats::DatasetFile& set) {
+  if (options.actuator) return *options.actuator;
+  if (set.actuator) return *set.actuator;
+  throw formats::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
+}
+
+// Results among the data would be taken for data, or lie over the actuator that the data declare.
+void check_output(const Options& options, const formats::DatasetFile& set, const std::filesystem::path& declared) {
+  const auto refuse = [&](const std::filesystem::path& path, const char* reason) {
+    return report::OutputError(path, reason, report::OutputError::Stage::preparing);
+  };
+  std::error_code none;
+  const std::filesystem::path folder = std::filesystem::path(set.file).parent_path();
+  if (std::filesystem::equivalent(folder.empty() ? "." : folder, options.out, none))
+    throw refuse(options.out, "it is the folder of the data set");
+  const std::filesystem::path written = std::filesystem::path(options.out) / actuator_name;
+  if (std::filesystem::equivalent(declared, written, none)) throw refuse(written, "it is an input of this command");
+  // Known before the work, whether it can be written.
+  const report::OutputFolder trial(options.out);
+}
+
+// A set that does not fit its model, or a model that cannot be simulated, is bad data and not a failure of the program.
+Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, const formats::DeclaredActuator& declared,
+                   const std::filesystem::path& declared_file) {
+  const EndOnSignal nothing_to_save;
+  // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed};
+  if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
+  try {
+    return measurement::diagnose(set.data, declared.model, how);
+  } catch (const std::invalid_argument& misfit) {
+    throw formats::InputError({.file = set.file, .rule = misfit.what()});
+  } catch (const std::runtime_error& lost) {
+    throw formats::InputError({.file = declared_file.string(), .rule = lost.what()});
+  }
+}
+
+std::vector<double> values_of(const std::vector<measurement::Estimate>& estimates) {
+  std::vector<double> values;
+  for (const measurement::Estimate& each : estimates) values.push_back(each.value);
+  return values;
+}
+
+std::vector<Effect> effects_of(const Diagnosis& diagnosis) {
+  std::vector<Effect> effects;
+  for (const measurement::AddedEffect& each : diagnosis.effects)
+    effects.push_back({.kind = each.kind, .values = values_of(each.parameters)});
+  return effects;
+}
+
+const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
+  if (const auto* design = std::get_if<actuator::Design>(&file.content)) return design->effects;
+  return std::get<actuator::Model>(file.content).spec().effects;
+}
+
+// The updated actuator, checked where it will be used: its text is read back and must have every effect.
+std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
+  const std::vector<Effect> added = effects_of(diagnosis);
+  const std::string text =
+      report::to_json(declared.updated(values_of(diagnosis.calibration), added), declared.name).text();
+  const formats::ActuatorFile back = formats::parse_actuator(text, actuator_name);
+  for (const Effect& effect : added) {
+    bool there = false;
+    for (const Effect& read : effects_of(back)) there = there || read.kind == effect.kind;
+    if (!there) throw std::logic_error(fmt::format("{} is lost when the actuator is read back", effect.kind->id()));
+  }
+  return text;
+}
+
+void write(const Options& options, const report::DiagnosisAnswer& answer, const std::string& actuator) {
+  report::OutputFolder folder(options.out);
+  const std::string summary = report::to_text(answer);
+  folder.write("diagnosis.json", report::to_json(answer).text());
+  folder.write(actuator_name, actuator);
+  report::write_residuals(folder.open("residuals.csv"), answer.diagnosis.replays);
+  folder.write("summary.txt", summary);
+  folder.commit();
+  std::cout << summary;
+}
+
+void run_diagnose(const Options& options) {
+  const formats::DatasetFile set = formats::read_dataset(options.dataset);
+  const std::filesystem::path declared_file = declared_path(options, set);
+  const formats::DeclaredActuator declared =
+      formats::read_declared_actuator(declared_file, {.names = set.calibrate, .file = set.file});
+  check_output(options, set, declared_file);
+  const Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
+  const std::string actuator = actuator_text(diagnosis, declared);
+  write(options,
+        {.diagnosis = diagnosis,
+         .dataset = set.data.name,
+         .updated_actuator = actuator_name,
+         .held_out = set.data.held_out,
+         .seed = options.seed},
+        actuator);
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("diagnose", "Which effect a model lacks to explain measured data");
+  command->add_option("DATASET_DIR", options->dataset, "A data set (measured-data/1): its folder")->required();
+  command->add_option("--actuator", options->actuator, "The declared model, instead of the one that the set names");
+  command->add_option("--out", options->out, "Folder to write results to; made if it is not there")->required();
+  command->add_option("--threads", options->threads, "Fits made at once; 0, the default: one per core")
+      ->check(number_rule(formats::Rule::between(0, most_threads)));
+  command->add_option("--seed", options->seed, "Of the starts drawn beside those that effects propose; 1")
+      ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
+  command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();
+  command->footer(
+      "Prints a summary, and writes it with diagnosis.json (verdict, effects with intervals, errors, rivals, what to\n"
+      "measure next), actuator.json (the actuator with the effects, for every other command) and residuals.csv\n"
+      "(measured, declared, before, after at every sample). Ends with 0 whatever the verdict. Ctrl-C writes nothing;\n"
+      "the exit code is then 130.\n\n"
+      "Example:\n"
+      "  coilwright diagnose measured/finger-2024-03-11 --out results/diagnosis");
+  command->callback([options] { run_diagnose(*options); });
+}
+
+}  // namespace coilwright::cli

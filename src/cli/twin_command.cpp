@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "coilwright/formats/declared_actuator.hpp"
+#include "coilwright/formats/effect_argument.hpp"
+#include "coilwright/formats/experiment_file.hpp"
+#include "coilwright/formats/input_error.hpp"
+#include "coilwright/measurement/twin.hpp"
+#include "coilwright/report/dataset_writer.hpp"
+#include "coilwright/report/output_file.hpp"
+#include "coilwright/report/output_folder.hpp"
+#include "coilwright/report/twin_answer.hpp"
+#include "commands.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using actuator::Effect;
+using measurement::Experiment;
+using measurement::Run;
+
+constexpr const char* actuator_name = "actuator.json";
+
+struct Options {
+  std::string actuator;
+  std::string experiment;
+  std::vector<std::string> effects;  // "dry_friction:torque_Nmm=0.6"
+  std::vector<std::string> noise;    // "angle_deg=0.3"
+  std::uint64_t seed = 1;
+  std::string out;
+};
+
+// The folder's name without a slash at its end, which would put its neighbour inside.
+std::filesystem::path folder_of(const Options& options) {
+  const std::filesystem::path out(options.out);
+  return out.has_filename() ? out : out.parent_path();
+}
+
+Experiment read_experiment(const Options& options) {
+  Experiment experiment = formats::read_experiment(options.experiment);
+  for (const std::string& argument : options.noise) formats::set_noise(experiment.instruments, argument);
+  return experiment;
+}
+
+// The effects to be hidden, each of which this actuator must be able to have, once.
+std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpec& nominal) {
+  std::vector<Effect> hidden;
+  for (const std::string& argument : options.effects) {
+    const Effect effect = formats::parse_effect(argument);
+    const auto refuse = [&](std::string rule) {
+      return formats::InputError({.file = argument, .rule = std::move(rule)});
+    };
+    if (std::ranges::count(hidden, effect.kind, &Effect::kind) > 0) throw refuse("must not be there twice");
+    if (std::ranges::count(nominal.effects, effect.kind, &Effect::kind) > 0)
+      throw refuse("is declared in " + options.actuator + " already");
+    if (const auto reason = effect.kind->inapplicable(nominal))
+      throw refuse(fmt::format("cannot be in {}: {}", options.actuator, *reason));
+    hidden.push_back(effect);
+  }
+  return hidden;
+}
+
+std::vector<Run> act_out(const Options& options, const Experiment& experiment, const measurement::DeclaredModel& rig,
+                         const std::vector<Effect>& hidden) {
+  const auto refuse = [&](const std::exception& reason) {
+    return formats::InputError({.file = options.experiment, .rule = reason.what()});
+  };
+  try {
+    return measurement::act_out(experiment, rig, hidden, options.seed);
+  } catch (const std::invalid_argument& misfit) {
+    throw refuse(misfit);
+  } catch (const std::runtime_error& lost) {
+    throw refuse(lost);
+  }
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Writing over the actuator would lose it.
+void check_output(const Options& options) {
+  const auto written = folder_of(options) / actuator_name;
+  std::error_code none;
+  if (std::filesystem::equivalent(options.actuator, written, none))
+    throw report::OutputError(written, "it is an input of this command", report::OutputError::Stage::preparing);
+}
+
+void write(const Options& options, const Experiment& experiment, const std::vector<Effect>& hidden,
+           const std::vector<Run>& runs) {
+  const std::filesystem::path out = folder_of(options);
+  report::OutputFolder folder(out);
+  // Not in the folder: whoever gets that does not get the answer with it.
+  std::filesystem::path beside = out;
+  beside += ".answer.json";
+  report::OutputFile answer(beside);
+  answer.stream() << report::to_json(report::TwinAnswer{.dataset = out.filename().string(),
+                                                        .actuator = options.actuator,
+                                                        .experiment = options.experiment,
+                                                        .effects = hidden,
+                                                        .instruments = experiment.instruments,
+                                                        .seed = options.seed})
+                         .text();
+  std::vector<report::RunInRole> in_roles;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    in_roles.push_back({.run = runs[i], .validate = experiment.runs[i].validate});
+    report::write_run(folder.open(runs[i].name), runs[i]);
+  }
+  folder.write("dataset.json", report::dataset_json(experiment.name, actuator_name, in_roles).text());
+  folder.write(actuator_name, content_of(options.actuator));
+  answer.close();
+  folder.commit();
+  answer.commit();
+  std::size_t samples = 0;
+  for (const Run& run : runs) samples += run.samples();
+  std::cout << fmt::format("{} runs, {} samples in {}; the answer is in {}\n", runs.size(), samples, out.string(),
+                           beside.string());
+}
+
+void run_twin(const Options& options) {
+  check_output(options);
+  const formats::DeclaredActuator rig =
+      formats::read_declared_actuator(options.actuator, {.names = {}, .file = options.actuator});
+  const Experiment experiment = read_experiment(options);
+  const std::vector<Effect> hidden = read_hidden(options, rig.model.build({}));
+  write(options, experiment, hidden, act_out(options, experiment, rig.model, hidden));
+}
+
+}  // namespace
+
+void add_twin_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("twin", "A data set as a rig would give it, with an effect hidden in it");
+  command->add_option("ACTUATOR.json", options->actuator, "A design (actuator/1) or a lumped model (lumped-model/1)")
+      ->required();
+  command->add_option("--experiment", options->experiment, "What is to be done on the rig (experiment/1)")->required();
+  command
+      ->add_option("--effect", options->effects,
+                   "ID:KEY=VALUE,..: an effect that the actuator has and its file does not say; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--noise", options->noise,
+                   "QUANTITY=VALUE: of an instrument, other than the experiment has it; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--seed", options->seed, "Of the noise; 1")
+      ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
+  command->add_option("--out", options->out, "Folder to write the data set to; made if it is not there")->required();
+  command->footer(
+      "Writes a measured-data/1 set (dataset.json, actuator.json as it was given, a CSV file a run) into the folder,\n"
+      "and what is hidden in it beside the folder, DIR.answer.json. The same arguments give the same bytes.\n\n"
+      "Example:\n"
+      "  coilwright twin configs/actuators/paper_finger.json --experiment configs/experiments/paper.json \\\n"
+      "    --effect dry_friction:torque_Nmm=0.6 --seed 7 --out results/twin");
+  command->callback([options] { run_twin(*options); });
+}
+
+}  // namespace coilwright::cli

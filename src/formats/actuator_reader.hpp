@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/formats/json_document.hpp"
+#include "lumped_model_reader.hpp"
+
+namespace coilwright::formats {
+
+/// An actuator file in terms of its own numbers.
+struct ActuatorContent {
+  std::string name;
+  std::variant<actuator::Design, LumpedModel> content;
+};
+
+[[nodiscard]] ActuatorContent read_actuator_content(const Document& document);
+
+}  // namespace coilwright::formats

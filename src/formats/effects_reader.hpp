@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "coilwright/actuator/effect.hpp"
+#include "coilwright/formats/object_reader.hpp"
+
+namespace coilwright::formats {
+
+/// The rule of an effect's parameter in the unit of its key.
+[[nodiscard]] Rule rule_of(const actuator::EffectParameter& parameter);
+
+/// The key "effects" of an actuator file, `[{"id": "dry_friction", "parameters": {"torque_Nmm": 0.61}}]`: effects that
+/// the model has beside its stages. Empty where the key is absent.
+[[nodiscard]] std::vector<actuator::Effect> read_effects(ObjectReader& in);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,175 @@
+#include "coilwright/measurement/diagnosis.hpp"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "attribution.hpp"
+#include "final_errors.hpp"
+#include "intervals.hpp"
+#include "localisation.hpp"
+#include "next_experiment.hpp"
+#include "usable_runs.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+// Where structure remains: the share of what is above the noise that an effect must remove, the first and each later
+// one. With enough samples every flexible term is significant; what does not halve the rest of a model that is known to
+// be incomplete takes the shape of what is missing.
+constexpr double least_share = 0.2;
+constexpr double least_later_share = 0.5;
+
+// Notes how long each phase took and how many runs it simulated.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::vector<Phase>& phases) : phases_(phases) {}
+  void lap(std::string name) {
+    const auto now = std::chrono::steady_clock::now();
+    const long runs = simulated_runs();
+    phases_.push_back({.name = std::move(name),
+                       .seconds = std::chrono::duration<double>(now - last_).count(),
+                       .simulated_runs = runs - last_runs_});
+    last_ = now;
+    last_runs_ = runs;
+  }
+
+ private:
+  std::vector<Phase>& phases_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  long last_runs_ = simulated_runs();
+};
+
+// What each step of an attribution explains.
+std::vector<Evidence> evidence_of(std::span<const Record> records, const DeclaredModel& declared,
+                                  const Attribution& found) {
+  std::vector<Evidence> out;
+  for (std::size_t i = 1; i < found.steps.size(); ++i) {
+    const Scored& without = found.steps[i - 1];
+    const Scored& with = found.steps[i];
+    const auto numbers = static_cast<double>(with.hypothesis.size() - without.hypothesis.size());
+    const double charge = numbers * std::log(static_cast<double>(with.fit.samples()) / found.unit);
+    out.push_back({.chi_square_before = without.fit.chi_square,
+                   .chi_square_after = with.fit.chi_square,
+                   .criterion_gain = (without.fit.chi_square - with.fit.chi_square) / found.unit - charge,
+                   .cross_validated_gain = cross_validated_gain(records, declared, without, with),
+                   .correlation_time = correlation_time(scaled_residuals(records, with.fit))});
+  }
+  return out;
+}
+
+// Share of the squared residual above the noise that a step removes.
+double explained_share(const Scored& without, const Scored& with) {
+  const auto noise = static_cast<double>(without.fit.samples());
+  return (without.fit.chi_square - with.fit.chi_square) / (without.fit.chi_square - noise);
+}
+
+bool supported(const Scored& without, const Scored& with, const Evidence& evidence) {
+  if (with.adequacy.noise_only()) return true;
+  const double least = without.hypothesis.effects().empty() ? least_share : least_later_share;
+  return explained_share(without, with) >= least && !(evidence.cross_validated_gain <= 0.0);
+}
+
+bool all_present(const Scored& s, const std::vector<Estimate>& all) {
+  for (std::size_t i = 0; i < s.hypothesis.effects().size(); ++i)
+    if (!excludes_absent(s, estimates_of_effect(s, all, i), i)) return false;
+  return true;
+}
+
+Verdict verdict_of(const Attribution& found) {
+  if (found.steps.size() == 1)
+    return found.before().adequacy.noise_only() ? Verdict::no_missing_effect : Verdict::unexplained;
+  return found.after().adequacy.noise_only() ? Verdict::explained : Verdict::partly_explained;
+}
+
+// What a reader should not miss: a verdict rests on the fit runs and on structure alone.
+void warn(const std::vector<Record>& records, Diagnosis& out) {
+  constexpr double much = 1.5;
+  const bool given = std::ranges::any_of(records, [](const Record& record) { return record.run->sigma.has_value(); });
+  if (given && out.after.level > much)
+    out.warnings.push_back(
+        {.run = "", .text = fmt::format("what is left is {:.3g} times the noise that the set gives", out.after.level)});
+  if (out.verdict == Verdict::partly_explained || out.verdict == Verdict::unexplained) return;
+  for (const ErrorComparison& errors : out.validate_errors)
+    if (errors.after.rmse > much * errors.noise_floor_rmse)
+      out.warnings.push_back(
+          {.run = "",
+           .text =
+               fmt::format("on the runs that no fit has seen the error is {:.3g} times the noise: another regime, a "
+                           "start that is not as declared, or another effect",
+                           errors.after.rmse / errors.noise_floor_rmse)});
+}
+
+Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, const DiagnosisOptions& options) {
+  Diagnosis out{.warnings = data.warnings};
+  Stopwatch watch(out.phases);
+  const Hypothesis as_written(declared, {});
+  const actuator::Model nominal = as_written.model_at(as_written.start());
+  const std::vector<Run> runs = usable_runs(data.fit, out.warnings);
+  std::vector<Record> records;
+  for (const Run& run : runs) records.push_back(prepare(run, declared, nominal));
+  FinalErrors::check(data.validate, declared, nominal);
+  for (const Record& record : records) out.noise.insert(out.noise.end(), record.noise.begin(), record.noise.end());
+  watch.lap("noise");
+
+  Attribution found =
+      attribute({.records = records, .declared = &declared, .seed = options.seed, .progress = options.progress});
+  watch.lap("comparison");
+
+  std::vector<Evidence> evidence = evidence_of(records, declared, found);
+  watch.lap("cross-validation");
+  std::vector<Estimate> all = estimates(records, declared, found.after(), found.unit);
+  // An effect that is not needed, or that cannot be told from nothing, is taken back, the last first.
+  while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), evidence.back()) ||
+                                    !all_present(found.after(), all))) {
+    found.steps.pop_back();
+    evidence.pop_back();
+    found.rivals.clear();
+    found.indistinguishable.clear();
+    all = estimates(records, declared, found.after(), unit_of_evidence(records, found.after()));
+  }
+  watch.lap("intervals");
+
+  out.verdict = verdict_of(found);
+  out.before = found.before().adequacy;
+  out.after = found.after().adequacy;
+  out.candidates = std::move(found.candidates);
+  out.indistinguishable = found.indistinguishable;
+  out.calibration.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(declared.calibration.size()));
+  for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
+    out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
+                           .parameters = estimates_of_effect(found.after(), all, i),
+                           .evidence = evidence[i]});
+  out.residual = localise(records, found.after());
+  watch.lap("localisation");
+  out.next_experiment = next_experiment(records, declared, found);
+  watch.lap("next experiment");
+
+  const ThreeModels models{.declared = {.hypothesis = as_written, .fit = {.values = as_written.start()}},
+                           .before = found.before(),
+                           .after = found.after()};
+  const FinalErrors fitted(runs, declared, models);
+  const FinalErrors validated(data.validate, declared, models);
+  out.fit_errors = fitted.errors();
+  out.validate_errors = validated.errors();
+  for (const FinalErrors* errors : {&fitted, &validated}) {
+    out.replays.insert(out.replays.end(), errors->replays().begin(), errors->replays().end());
+    out.warnings.insert(out.warnings.end(), errors->warnings().begin(), errors->warnings().end());
+  }
+  warn(records, out);
+  watch.lap("final errors");
+  return out;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Dataset& data, const DeclaredModel& declared, const DiagnosisOptions& options) {
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  return arena.execute([&] { return diagnose_here(data, declared, options); });
+}
+
+}  // namespace coilwright::measurement

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <atomic>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coilwright/measurement/adequacy.hpp"
+#include "hypothesis.hpp"
+#include "record.hpp"
+
+namespace coilwright::measurement {
+
+/// How a fit reads: residual of every run over its noise, and what their slopes say of the parameters.
+struct RunFit {
+  Eigen::VectorXd residuals{};    ///< (measured - predicted) / sigma: window after window, channel after channel
+  Eigen::VectorXd predictions{};  ///< SI, in the same order
+  /// Normal equations of this run with the start of each window eliminated: (p, p) and (p).
+  Eigen::MatrixXd normal{};
+  Eigen::VectorXd slope{};
+  std::vector<simulation::State> starts{};  ///< of each window
+};
+
+/// A hypothesis fitted to all records.
+struct Fit {
+  Eigen::VectorXd values{};  ///< as Hypothesis::parameters
+  double chi_square{};       ///< of all residuals
+  std::vector<RunFit> runs{};
+  Eigen::MatrixXd normal{};      ///< sum over the runs
+  std::vector<char> at_bound{};  ///< per parameter: it ended at a physical bound
+  /// All residuals one under the other, with the pull of free starts towards the measurement, and their slopes by the
+  /// parameters with what the starts of their windows can absorb taken out; `start_bases` spans that, window by window.
+  Eigen::VectorXd stacked{};
+  Eigen::MatrixXd slopes{};
+  std::vector<Eigen::MatrixXd> start_bases{};
+  [[nodiscard]] std::size_t samples() const;
+};
+
+/// How long a fit may go on.
+struct FitEffort {
+  int iterations = 25;
+  double tolerance = 1e-5;  ///< of the relative fall of chi^2 in a step
+};
+
+/// Bounded least squares of `hypothesis` over `records` by Ceres, from `start` (clamped to the bounds), free starts of
+/// windows fitted along. Slopes by forward differences, in parallel; the answer does not depend on the threads.
+/// `held`: a parameter kept at its value in `start`. Nothing where the model at `start` cannot be simulated.
+struct FitRequest {
+  const Hypothesis* hypothesis{};
+  std::span<const Record> records{};
+  const DeclaredModel* declared{};
+  Eigen::VectorXd start{};
+  const Fit* starts_from{};  ///< a fit whose window starts are taken over; null: from the measurement
+  std::optional<Eigen::Index> held{};
+  FitEffort effort{};
+};
+[[nodiscard]] std::optional<Fit> fit(const FitRequest& request);
+
+/// Residuals at given values, only the starts of the windows being fitted. Nothing where the model cannot be simulated.
+[[nodiscard]] std::optional<Fit> evaluate_at(const FitRequest& request);
+
+/// Where the residuals of `base` would go if `request` (the same records, a larger hypothesis at its start) held: their
+/// difference, with all that the parameters and starts of `base` can absorb taken out. Rows as `base.stacked`.
+[[nodiscard]] std::optional<Eigen::VectorXd> direction(const FitRequest& request, const Fit& base);
+
+/// The residuals of a fit as tests of noise take them: a series a channel of a run.
+[[nodiscard]] std::vector<ScaledResidual> scaled_residuals(std::span<const Record> records, const Fit& fit);
+
+/// Runs simulated since the program started: for the profile of where time goes.
+[[nodiscard]] long simulated_runs();
+
+}  // namespace coilwright::measurement

@@ -1,0 +1,78 @@
+#include "localisation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "coilwright/measurement/residual_torque.hpp"
+#include "prediction.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+using simulation::State;
+
+// Measured angles of `quantity` over the windows of a record, as the model's joints have them: what the camera adds is
+// taken off. A delay is left in: it is no torque, and shows as one that goes with the rate.
+void add_angles(const Record& record, Quantity quantity, const actuator::Model& model, MeasuredMotion& motion) {
+  // Offset and scale are a straight line.
+  const double offset = model.observed(0.0);
+  const double scale = model.observed(1.0) - offset;
+  for (std::size_t c = 0; c < record.run->channels.size(); ++c) {
+    const Channel& channel = record.run->channels[c];
+    if (channel.quantity != quantity) continue;
+    std::vector<double> values;
+    for (const Window& window : record.windows)
+      for (std::size_t i = window.first; i < window.last; ++i) values.push_back((channel.values[i] - offset) / scale);
+    motion.angles.push_back(std::move(values));
+    motion.sigma.push_back(record.noise[c].sigma / scale);
+  }
+}
+
+void append(const simulation::InputSignal& more, simulation::InputSignal& all) {
+  all.times.insert(all.times.end(), more.times.begin(), more.times.end());
+  all.currents.insert(all.currents.end(), more.currents.begin(), more.currents.end());
+  all.joint_torques.insert(all.joint_torques.end(), more.joint_torques.begin(), more.joint_torques.end());
+}
+
+// The model's own motion, window by window, from the starts that the fit found.
+bool simulate_windows(const Record& record, const RunFit& fitted, const actuator::Model& model,
+                      MeasuredMotion& motion) {
+  motion.starts.clear();
+  Eigen::VectorXd internal;
+  for (std::size_t w = 0; w < record.windows.size(); ++w) {
+    const Window& window = record.windows[w];
+    std::optional<State> start = record.has_nuisances() ? fitted.starts[w] : rest_start(model, window);
+    if (!start) return false;
+    start->internal = internal;
+    std::optional<WindowPrediction> predicted = predict_window(model, record, window, *start);
+    if (!predicted) return false;
+    if (record.has_nuisances()) internal = predicted->states.back().internal;
+    motion.starts.push_back(motion.simulated.size());
+    motion.simulated.insert(motion.simulated.end(), predicted->states.begin(), predicted->states.end());
+    append(window.input, motion.input);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<ResidualTorque> localise(std::span<const Record> records, const Scored& fitted) {
+  const actuator::Model model = fitted.hypothesis.model_at(fitted.fit.values);
+  std::vector<MeasuredMotion> motions;
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    if (!records[r].is_motion()) continue;
+    MeasuredMotion& motion = motions.emplace_back();
+    motion.run = records[r].run->name;
+    add_angles(records[r], Quantity::joint_angle, model, motion);
+    if (motion.angles.size() != static_cast<std::size_t>(model.joints())) {
+      motion.angles.clear();
+      motion.sigma.clear();
+      add_angles(records[r], Quantity::bending_angle, model, motion);
+    }
+    if (motion.angles.empty() || !simulate_windows(records[r], fitted.fit.runs[r], model, motion)) motions.pop_back();
+  }
+  if (motions.empty()) return std::nullopt;
+  return residual_torque(motions, model);
+}
+
+}  // namespace coilwright::measurement

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "coilwright/measurement/dataset.hpp"
+#include "coilwright/measurement/declared_model.hpp"
+#include "coilwright/measurement/noise.hpp"
+#include "coilwright/simulation/input_signal.hpp"
+#include "coilwright/simulation/state.hpp"
+
+namespace coilwright::measurement {
+
+/// A stretch of a motion that is simulated in one go.
+struct Window {
+  std::size_t first{};              ///< sample
+  std::size_t last{};               ///< one beyond
+  simulation::InputSignal input{};  ///< of these samples
+  simulation::State guess{};        ///< from the measurement; not for runs that start at rest
+  simulation::State guess_sigma{};  ///< how well the measurement tells it
+
+  [[nodiscard]] std::size_t samples() const { return last - first; }
+};
+
+/// A run as fits use it: inputs as the model takes them, noise, windows. Refers to the run.
+struct Record {
+  const Run* run{};
+  std::vector<NoiseLevel> noise{};  ///< one a channel
+  std::vector<Window> windows{};    ///< of a transient; empty on a bench
+
+  [[nodiscard]] bool is_motion() const { return run->kind == RunKind::transient; }
+  /// Whether where its windows start is fitted with the rest.
+  [[nodiscard]] bool has_nuisances() const { return is_motion() && run->start != Start::at_rest; }
+};
+
+/// Throws std::invalid_argument naming the run where it does not fit the model: number of coils or joints, a voltage
+/// without a resistance, a temperature without heat paths, a window of fewer than five samples.
+[[nodiscard]] Record prepare(const Run& run, const DeclaredModel& declared, const actuator::Model& nominal);
+
+}  // namespace coilwright::measurement

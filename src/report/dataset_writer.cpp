@@ -1,0 +1,119 @@
+#include "coilwright/report/dataset_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "coilwright/report/csv_writer.hpp"
+#include "report/measured_unit.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace measurement;
+
+std::string_view word(RunKind kind) {
+  switch (kind) {
+    case RunKind::transient:
+      return "transient";
+    case RunKind::static_torque:
+      return "static_torque";
+    case RunKind::joint_stiffness:
+      return "joint_stiffness";
+    case RunKind::blocked_force:
+      return "blocked_force";
+    case RunKind::temperature:
+      return "temperature";
+  }
+  return "";
+}
+
+std::string_view word(Drive drive) {
+  switch (drive) {
+    case Drive::current:
+      return "current";
+    case Drive::voltage:
+      return "voltage";
+    case Drive::torque:
+      return "torque";
+  }
+  return "";
+}
+
+std::string_view word(Start start) {
+  switch (start) {
+    case Start::at_rest:
+      return "at_rest";
+    case Start::measured:
+      return "measured";
+    case Start::free:
+      return "free";
+  }
+  return "";
+}
+
+Json run_json(const RunInRole& each) {
+  const Run& run = each.run;
+  Json out = Json::object({{"file", run.name}, {"kind", word(run.kind)}, {"role", each.validate ? "validate" : "fit"}});
+  if (run.kind == RunKind::transient) out.set("drive", word(run.drive)).set("start", word(run.start));
+  if (run.window) out.set("window_s", *run.window);
+  if (run.sigma) {
+    const std::string& column = run.channels.front().name;
+    out.set("sigma", formats::from_si(*run.sigma, difference_unit_of(column)));
+  }
+  return out;
+}
+
+double twelve_digits(double value) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 11);
+  double rounded{};
+  std::from_chars(text.data(), written.ptr, rounded);
+  return rounded == 0.0 ? 0.0 : rounded;  // no -0
+}
+
+// How the inputs of a run are called: one for all coils, or one a coil or joint.
+std::vector<std::string> input_columns(const Run& run) {
+  if (run.inputs.empty()) return {};
+  const std::size_t width = run.inputs.front().size();
+  if (run.drive == Drive::voltage) return {"voltage_V"};
+  if (run.drive == Drive::current && width == 1) return {"current_A"};
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= width; ++i)
+    names.push_back(run.drive == Drive::current ? fmt::format("current{}_A", i) : fmt::format("torque{}_Nm", i));
+  return names;
+}
+
+}  // namespace
+
+Json dataset_json(const std::string& name, const std::string& actuator, std::span<const RunInRole> runs) {
+  Json list = Json::array();
+  for (const RunInRole& each : runs) list.add(run_json(each));
+  return Json::object(
+      {{"format", "measured-data/1"}, {"name", name}, {"actuator", actuator}, {"runs", std::move(list)}});
+}
+
+void write_run(std::ostream& out, const Run& run) {
+  std::vector<std::string> columns;
+  if (!run.times.empty()) columns.emplace_back("time_s");
+  if (!run.angles.empty()) columns.emplace_back("angle_deg");
+  for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
+  for (const Channel& channel : run.channels) columns.push_back(channel.name);
+  CsvWriter csv(out, columns);
+  std::vector<double> row;
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    row.clear();
+    if (!run.times.empty()) row.push_back(run.times[i]);
+    if (!run.angles.empty()) row.push_back(in_column_unit(run.angles[i], "angle_deg"));
+    if (!run.inputs.empty()) row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
+    for (const Channel& channel : run.channels) row.push_back(in_column_unit(channel.values[i], channel.name));
+    for (double& value : row) value = twelve_digits(value);
+    csv.row(row);
+  }
+}
+
+}  // namespace coilwright::report

@@ -1,0 +1,56 @@
+#include "report/diagnosis_words.hpp"
+
+#include <algorithm>
+
+#include "coilwright/formats/units.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using measurement::ErrorComparison;
+using measurement::Quantity;
+using measurement::Verdict;
+
+int rank(const ErrorComparison* comparison) {
+  if (comparison->quantity == Quantity::bending_angle) return 0;
+  if (comparison->quantity == Quantity::joint_angle) return 1;
+  return 2;
+}
+
+}  // namespace
+
+std::string_view word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::no_missing_effect:
+      return "no_missing_effect";
+    case Verdict::explained:
+      return "explained";
+    case Verdict::partly_explained:
+      return "partly_explained";
+    case Verdict::unexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
+std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds) {
+  std::vector<std::string> out;
+  for (const actuator::EffectKind* kind : kinds) out.emplace_back(kind->id());
+  return out;
+}
+
+std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> comparisons) {
+  std::vector<const ErrorComparison*> out;
+  for (const ErrorComparison& each : comparisons) out.push_back(&each);
+  std::ranges::stable_sort(out, {}, rank);
+  return out;
+}
+
+EstimateInUnit in_unit(const measurement::Estimate& estimate) {
+  const formats::Unit unit{.suffix = estimate.key, .dimension = "", .denominator = estimate.denominator};
+  return {.value = formats::from_si(estimate.value, unit),
+          .lower = formats::from_si(estimate.lower, unit),
+          .upper = formats::from_si(estimate.upper, unit)};
+}
+
+}  // namespace coilwright::report

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/measurement/diagnosis.hpp"
+
+namespace coilwright::report {
+
+/// "partly_explained".
+[[nodiscard]] std::string_view word(measurement::Verdict verdict);
+
+/// Ids of some kinds of effects.
+[[nodiscard]] std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds);
+
+/// The comparison that a reader looks at first (an angle where there is one), then the others as they come.
+[[nodiscard]] std::vector<const measurement::ErrorComparison*> main_first(
+    std::span<const measurement::ErrorComparison> comparisons);
+
+/// An estimate's numbers in the unit of its key.
+struct EstimateInUnit {
+  double value{}, lower{}, upper{};
+};
+[[nodiscard]] EstimateInUnit in_unit(const measurement::Estimate& estimate);
+
+}  // namespace coilwright::report

@@ -1,0 +1,79 @@
+#include "report/measured_unit.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace coilwright::report {
+namespace {
+
+using measurement::Quantity;
+
+constexpr formats::Unit as_it_is{.suffix = "", .dimension = ""};
+
+formats::Unit unit_named(std::string_view suffix) {
+  for (const formats::Unit& unit : formats::units())
+    if (unit.suffix == suffix) return unit;
+  return as_it_is;
+}
+
+}  // namespace
+
+std::string_view name_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bending_angle:
+    case Quantity::joint_angle:
+      return "angle";
+    case Quantity::joint_rate:
+      return "joint_rate";
+    case Quantity::torque:
+      return "torque";
+    case Quantity::force:
+      return "force";
+    case Quantity::temperature:
+      return "temperature";
+  }
+  return "";
+}
+
+formats::Unit error_unit(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bending_angle:
+    case Quantity::joint_angle:
+      return unit_named("deg");
+    case Quantity::joint_rate:
+      return unit_named("deg_s");
+    case Quantity::torque:
+      return unit_named("Nmm");
+    case Quantity::force:
+      return unit_named("N");
+    case Quantity::temperature:
+      return unit_named("K");
+  }
+  return as_it_is;
+}
+
+formats::Unit difference_unit_of(std::string_view column) {
+  const auto split = formats::split_unit(column);
+  if (!split) return as_it_is;
+  return split->unit.offset == 0.0 ? split->unit : unit_named("K");
+}
+
+double in_column_unit(double value, std::string_view column) {
+  return formats::from_si(value, difference_unit_of(column));
+}
+
+formats::Unit variable_unit(std::string_view variable) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> table = {
+      {{"angle", "deg"}, {"rate", "deg_s"}, {"current", "A"}, {"time", "s"}, {"frequency", "Hz"}}};
+  for (const auto& [name, suffix] : table)
+    if (name == variable) return unit_named(suffix);
+  return as_it_is;
+}
+
+std::string with_unit(std::string_view name, const formats::Unit& unit) {
+  return unit.suffix.empty() ? std::string(name) : fmt::format("{}_{}", name, unit.suffix);
+}
+
+}  // namespace coilwright::report

@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+#include <limits>
+
+#include "actuator/effects/rig.hpp"
+#include "coilwright/actuator/model.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+constexpr double inertia = 6.7e-6;
+constexpr double stiffness = 12.5e-3;
+
+TEST(JointAsymmetry, ScalesEverySecondSpringOnly) {
+  const ModelSpec nominal = finger(Configuration::D);
+  const WithEffect rig = with_effect("joint_asymmetry", {1.17}, nominal);
+  ASSERT_EQ(nominal.hinges.size(), 5u);
+  for (const int j : {0, 2, 4}) EXPECT_EQ(rig.spec.hinges[j].stiffness, nominal.hinges[j].stiffness);
+  for (const int j : {1, 3}) {
+    EXPECT_DOUBLE_EQ(rig.spec.hinges[j].stiffness, 1.17 * nominal.hinges[0].stiffness);
+    EXPECT_EQ(rig.spec.hinges[j].damping, nominal.hinges[j].damping);
+  }
+}
+
+TEST(RestAngle, IsWhereAJointStaysByItself) {
+  constexpr double angle = 0.061;
+  const Model model(with_effect("rest_angle", {angle}, rotor(inertia, stiffness)).spec);
+  const auto residual = [&](double at) {
+    return model.static_residual(JointVector::Constant(1, at), CoilCurrents::Zero(0))[0];
+  };
+  EXPECT_NEAR(residual(angle), 0.0, 1e-18);  // rounding of 8e-4
+  EXPECT_NEAR(residual(0.5) - residual(0.2), -0.3 * stiffness, 1e-17);
+}
+
+// Duffing's period in closed form: 4 K(m) / sqrt(w0^2 (1 + beta A^2)), m = beta A^2 / (2 (1 + beta A^2)).
+TEST(StiffnessHardening, ShortensTheSwingWithItsAmplitude) {
+  constexpr double beta = 1.3;
+  const WithEffect rig = with_effect("stiffness_hardening", {beta}, rotor(inertia, stiffness));
+  for (const double amplitude : {0.2, 0.9}) {
+    const double square = beta * amplitude * amplitude;
+    const double modulus = std::sqrt(square / (2.0 * (1.0 + square)));
+    const double period = 4.0 * boost::math::ellint_1(modulus) / std::sqrt(stiffness / inertia * (1.0 + square));
+    Numbers y = {amplitude, 0.0};
+    follow_rotor(rig, 0.0, y, 3.0 * period);
+    EXPECT_NEAR(y[0], amplitude, 1e-6);
+    EXPECT_NEAR(y[1], 0.0, 1e-5);  // of a peak rate of 40 rad/s
+  }
+}
+
+TEST(StiffnessHardening, NeverLetsGoWhereItSoftens) {
+  constexpr double beta = -0.3;
+  const WithEffect rig = with_effect("stiffness_hardening", {beta}, rotor(inertia, stiffness));
+  const auto whole = [&](double angle) { return torque_of(rig, angle, 0.0) - stiffness * angle; };
+  EXPECT_NEAR(whole(0.6), -stiffness * 0.6 * (1.0 - 0.3 * 0.36), 1e-17);
+  const double turn = 1.0 / std::sqrt(0.9);
+  const double largest = 2.0 / 3.0 * stiffness * turn;
+  for (const double angle : {turn, 1.3, 2.9}) {
+    EXPECT_NEAR(whole(angle), -largest, 1e-16);
+    EXPECT_NEAR(whole(-angle), largest, 1e-16);
+  }
+}
+
+TEST(ViscoelasticCreep, RelaxesAfterAStepWithItsTimeConstant) {
+  constexpr double ratio = 0.35;
+  constexpr double time_constant = 0.7;
+  constexpr double step = 0.4;
+  const WithEffect rig = with_effect("viscoelastic_creep", {ratio, time_constant}, rotor(inertia, stiffness));
+  const JointVector before = JointVector::Constant(1, 0.15);
+  const JointVector still = JointVector::Zero(1);
+  Numbers y(1);
+  rig.term->settle({.chain = rig.spec.chain, .angles = before, .rates = still}, CoilCurrents::Zero(0), y.data());
+  EXPECT_EQ(torque_of(rig, 0.15, 0.0, y.data()), 0.0);
+  EXPECT_NEAR(torque_of(rig, 0.15 + step, 0.0, y.data()), -ratio * stiffness * step, 1e-17);
+  follow(y, 1.1,
+         [&](const Numbers& at, Numbers& dy, double) { (void)torque_of(rig, 0.15 + step, 0.0, at.data(), dy.data()); });
+  EXPECT_NEAR(torque_of(rig, 0.15 + step, 0.0, y.data()), -ratio * stiffness * step * std::exp(-1.1 / time_constant),
+              1e-9 * stiffness);
+}
+
+// Loss modulus of the standard linear solid: kappa k w T / (1 + (w T)^2); a cycle takes pi A^2 times that.
+TEST(ViscoelasticCreep, TakesTheWorkOfItsLossModulusFromACycle) {
+  constexpr double ratio = 0.35;
+  constexpr double time_constant = 0.05;
+  constexpr double amplitude = 0.3;
+  const WithEffect rig = with_effect("viscoelastic_creep", {ratio, time_constant}, rotor(inertia, stiffness));
+  for (const double omega : {4.0, 20.0, 90.0}) {
+    const auto slope = [&](const Numbers& at, Numbers& dy, double time) {
+      const double rate = amplitude * omega * std::cos(omega * time);
+      dy[1] = -torque_of(rig, amplitude * std::sin(omega * time), rate, &at[0], &dy[0]) * rate;
+    };
+    const double period = 2.0 * M_PI / omega;
+    Numbers y(2, 0.0);
+    follow(y, std::ceil(1.5 / period) * period, slope);  // 30 time constants forget the start
+    const double before = y[1];
+    follow(y, period, slope);
+    const double product = omega * time_constant;
+    const double expected = M_PI * amplitude * amplitude * ratio * stiffness * product / (1.0 + product * product);
+    EXPECT_NEAR(y[1] - before, expected, 1e-6 * expected) << omega;
+  }
+}
+
+TEST(ViscoelasticCreep, IsSlowWhereAStepIsOverBefore) {
+  EXPECT_TRUE(with_effect("viscoelastic_creep", {0.3, 15.0}, rotor(inertia, stiffness)).term->slow());
+  EXPECT_FALSE(with_effect("viscoelastic_creep", {0.3, 0.2}, rotor(inertia, stiffness)).term->slow());
+}
+
+// J w' = -c w^2 from w0: w0 / (1 + c w0 t / J).
+TEST(QuadraticDrag, SlowsAFreeRotorHyperbolically) {
+  constexpr double drag = 3e-7;
+  const WithEffect rig = with_effect("quadratic_drag", {drag}, rotor(inertia));
+  for (const double start : {20.0, -4.0}) {
+    Numbers y = {0.0, start};
+    follow_rotor(rig, 0.0, y, 2.5);
+    EXPECT_NEAR(y[1], start / (1.0 + drag * std::abs(start) * 2.5 / inertia), 1e-7);
+  }
+}
+
+TEST(EndStop, PushesOnlyBeyondItsAngleAndAwayFromIt) {
+  for (const double side : {-1.0, 1.0}) {
+    const WithEffect rig = with_effect("end_stop", {0.4, 0.9, side}, rotor(inertia));
+    EXPECT_EQ(torque_of(rig, 0.4 - side * 1e-9, side * 5.0), 0.0);
+    EXPECT_NEAR(torque_of(rig, 0.4 + side * 0.01, 0.0), -side * 0.9 * 0.01, 1e-16);
+    EXPECT_EQ(torque_of(rig, 0.4 + side * 0.01, -side * 50.0), 0.0);  // leaves faster than the stop can follow
+    EXPECT_LT(side * torque_of(rig, 0.4 + side * 0.01, side * 1.0), -0.9 * 0.01);
+  }
+}
+
+// A linear spring and damper that never pull: the speed after over before is exp(-zeta phi / sqrt(1 - zeta^2)) with
+// phi = pi - asin(2 zeta sqrt(1 - zeta^2)), for zeta < 1/sqrt(2).
+TEST(EndStop, ReboundsWithTheSpeedOfItsDampingRatio) {
+  constexpr double zeta = 0.3;
+  const double root = std::sqrt(1.0 - zeta * zeta);
+  const double expected = std::exp(-zeta / root * (M_PI - std::asin(2.0 * zeta * root)));
+  for (const double side : {-1.0, 1.0}) {
+    const WithEffect rig = with_effect("end_stop", {0.1, 0.9, side}, rotor(inertia));
+    Numbers y = {0.1 - side * 0.05, side * 3.0};
+    follow_rotor(rig, 0.0, y, 0.1);
+    EXPECT_NEAR(y[1], -side * 3.0 * expected, 1e-5);
+    EXPECT_LT(side * y[0], side * 0.1);
+  }
+}
+
+TEST(EndStop, DampsSmallMotionsWhereItIsPressed) {
+  const WithEffect rig = with_effect("end_stop", {0.4, 0.9, 1.0}, rotor(inertia));
+  const auto damping = [&](double angle) {
+    mechanics::JointMatrix out = mechanics::JointMatrix::Zero(1, 1);
+    const JointVector angles = JointVector::Constant(1, angle);
+    const JointVector still = JointVector::Zero(1);
+    rig.term->add_damping({.chain = rig.spec.chain, .angles = angles, .rates = still}, CoilCurrents::Zero(0), out);
+    return out(0, 0);
+  };
+  EXPECT_EQ(damping(0.39), 0.0);
+  EXPECT_DOUBLE_EQ(damping(0.41), 2.0 * 0.3 * std::sqrt(0.9 * inertia));
+}
+
+TEST(EndStop, IsNoStifferThanAnyCameraCouldTell) {
+  const double cap = 5e3 * 5e3 * inertia;
+  const WithEffect rig = with_effect("end_stop", {0.4, 1e9, 1.0}, rotor(inertia));
+  EXPECT_NEAR(torque_of(rig, 0.41, 0.0), -0.01 * cap, 1e-12 * cap);
+}
+
+}  // namespace
+}  // namespace coilwright::actuator

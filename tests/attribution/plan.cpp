@@ -1,0 +1,83 @@
+#include "attribution/plan.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "truth/hidden.hpp"
+#include "truth/random.hpp"
+
+namespace attribution {
+namespace {
+
+constexpr std::array row = {Category::one, Category::nothing, Category::one,
+                            Category::two, Category::one,     Category::outsider};
+
+std::vector<std::string> ids(bool outsider) {
+  std::vector<std::string> out;
+  for (const truth::HiddenKind& kind : truth::hidden_kinds())
+    if (kind.outsider == outsider) out.push_back(kind.id);
+  return out;
+}
+
+// The n-th of an endless row in which each comes once a round, in an order drawn anew for every round.
+std::string in_turn(std::vector<std::string> all, int n, std::uint64_t seed) {
+  const int size = static_cast<int>(all.size());
+  truth::Random random(seed + 1000003u * static_cast<std::uint64_t>(n / size));
+  for (int i = size - 1; i > 0; --i) std::swap(all[i], all[random.below(i + 1)]);
+  return all[n % size];
+}
+
+std::vector<std::string> pair(truth::Random& random) {
+  std::vector<std::string> all = ids(false);
+  std::erase(all, "coil_coil_force");
+  const int size = static_cast<int>(all.size());
+  const int first = random.below(size);
+  const int second = (first + 1 + random.below(size - 1)) % size;
+  return {all[first], all[second]};
+}
+
+}  // namespace
+
+std::string_view name_of(Category category) {
+  switch (category) {
+    case Category::one:
+      return "one";
+    case Category::nothing:
+      return "nothing";
+    case Category::two:
+      return "two";
+    case Category::outsider:
+      return "outsider";
+  }
+  return "";
+}
+
+std::vector<Case> plan(int first, int count, std::uint64_t seed) {
+  std::vector<Case> cases;
+  for (int number = first; number < first + count; ++number) {
+    const int place = number % static_cast<int>(row.size());
+    const int round = number / static_cast<int>(row.size());
+    truth::Random random(seed * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(number));
+    Case next{.number = number, .category = row[place], .order = {}};
+    next.order.seed = random.seed();
+    switch (next.category) {
+      case Category::one:
+        next.order.hidden = {in_turn(ids(false), 3 * round + place / 2, seed)};
+        next.order.find_rivals = true;
+        break;
+      case Category::two:
+        next.order.hidden = pair(random);
+        break;
+      case Category::outsider:
+        next.order.hidden = {in_turn(ids(true), round, seed)};
+        break;
+      case Category::nothing:
+        break;
+    }
+    cases.push_back(std::move(next));
+  }
+  return cases;
+}
+
+}  // namespace attribution

@@ -1,0 +1,104 @@
+#include "attribution/score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace attribution {
+namespace {
+
+namespace measurement = coilwright::measurement;
+using coilwright::measurement::Diagnosis;
+using coilwright::measurement::Estimate;
+
+bool contains(const std::vector<std::string>& ids, const std::string& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+bool stands_for(const Outcome& outcome, const std::string& reported, const std::string& hidden) {
+  if (reported == hidden) return true;
+  return std::any_of(outcome.ambiguous.begin(), outcome.ambiguous.end(),
+                     [&](const auto& set) { return contains(set, reported) && contains(set, hidden); });
+}
+
+bool is_found(const Outcome& outcome) {
+  if (outcome.reported.empty() || outcome.answer.hidden.empty()) return false;
+  if (outcome.answer.hidden.size() == 1)
+    return stands_for(outcome, outcome.reported.front(), outcome.answer.hidden.front().id);
+  return std::all_of(outcome.answer.hidden.begin(), outcome.answer.hidden.end(), [&](const auto& hidden) {
+    return std::any_of(outcome.reported.begin(), outcome.reported.end(),
+                       [&](const std::string& id) { return stands_for(outcome, id, hidden.id); });
+  });
+}
+
+bool reports_exactly(const Outcome& outcome) {
+  return outcome.reported.size() == outcome.answer.hidden.size() &&
+         std::all_of(outcome.answer.hidden.begin(), outcome.answer.hidden.end(),
+                     [&](const auto& hidden) { return contains(outcome.reported, hidden.id); });
+}
+
+bool inside(const Estimate& estimate, double value) {
+  return estimate.lower <= value && value <= estimate.upper;
+}
+
+// An interval without bounds holds everything and proves nothing: it is not counted.
+bool counts(const Estimate& estimate) {
+  return estimate.determined && std::isfinite(estimate.lower) && std::isfinite(estimate.upper);
+}
+
+Count effect_intervals(const Outcome& outcome, const Diagnosis& diagnosis) {
+  Count count;
+  for (const measurement::AddedEffect& effect : diagnosis.effects)
+    for (const truth::HiddenEffect& hidden : outcome.answer.hidden) {
+      if (hidden.id != effect.kind->id()) continue;
+      for (const Estimate& estimate : effect.parameters)
+        for (const truth::HiddenEffect::Number& number : hidden.numbers) {
+          // a side is one of two and has no interval
+          if (number.key != estimate.key || number.key == "side" || !counts(estimate)) continue;
+          count.add(inside(estimate, number.value / estimate.denominator));
+        }
+    }
+  return count;
+}
+
+Count calibration_intervals(const truth::Answer& answer, const Diagnosis& diagnosis) {
+  Count count;
+  for (const Estimate& estimate : diagnosis.calibration) {
+    if (!counts(estimate)) continue;
+    if (estimate.key.starts_with("joint_stiffness")) count.add(inside(estimate, answer.joint_stiffness));
+    if (estimate.key.starts_with("joint_damping")) count.add(inside(estimate, answer.joint_damping));
+  }
+  return count;
+}
+
+// Against the noise that really is in the file, its rounding included, and not what the diagnosis takes it for.
+std::optional<double> error_over_floor(const truth::Answer& answer, const Diagnosis& diagnosis) {
+  std::optional<double> worst;
+  for (const measurement::ErrorComparison& error : diagnosis.validate_errors)
+    worst =
+        std::max(worst.value_or(0.0), error.after.rmse / std::hypot(answer.noise, answer.resolution / std::sqrt(12.0)));
+  return worst;
+}
+
+}  // namespace
+
+Outcome score(const Case& asked, const truth::Answer& answer, const Diagnosis& diagnosis) {
+  Outcome outcome{.number = asked.number, .category = asked.category, .answer = answer, .verdict = diagnosis.verdict};
+  for (const measurement::AddedEffect& effect : diagnosis.effects) outcome.reported.emplace_back(effect.kind->id());
+  for (const auto& set : diagnosis.indistinguishable) {
+    std::vector<std::string>& ids = outcome.ambiguous.emplace_back();
+    for (const auto* kind : set) ids.emplace_back(kind->id());
+  }
+  outcome.found = is_found(outcome);
+  outcome.alone = !answer.hidden.empty() && reports_exactly(outcome) && outcome.ambiguous.empty();
+  outcome.determined = std::all_of(answer.hidden.begin(), answer.hidden.end(),
+                                   [](const auto& hidden) { return hidden.visible && hidden.rivals.empty(); });
+  outcome.error_over_floor = error_over_floor(answer, diagnosis);
+  if (reports_exactly(outcome)) {
+    outcome.effect_intervals = effect_intervals(outcome, diagnosis);
+    outcome.calibration_intervals = calibration_intervals(answer, diagnosis);
+  }
+  return outcome;
+}
+
+}  // namespace attribution

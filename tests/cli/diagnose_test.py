@@ -1,0 +1,145 @@
+"""`coilwright diagnose`: what is written and where, the same bytes on any number of threads, and data that are bad."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, ProgramTest, run
+
+# A pendulum of 0.5 kg on 0.2 m, with damping and no spring: quick to simulate.
+ROD = {"format": "lumped-model/1", "name": "rod", "gravity_m_s2": 9.81, "magnetics": None,
+       "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0, "mass_kg": 0.5, "inertia_kgm2": 0}],
+       "joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 0.005}]}
+
+
+def swing(name, role, torque, frequency):
+    return {"file": name, "role": role, "duration_s": 2, "drive": "torque",
+            "input": {"sine": {"amplitude_Nmm": torque, "frequency_Hz": frequency}}}
+
+
+PLAN = {"format": "experiment/1", "name": "rod", "sampling_rate_Hz": 100, "noise": {"angle_deg": 0.2},
+        "measure": ["theta1_deg"],
+        "runs": [swing("slow.csv", "fit", 300, 0.5), swing("quick.csv", "fit", 150, 1.5),
+                 swing("other.csv", "validate", 250, 0.8)]}
+
+
+class Diagnose(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("rod.json", json.dumps(ROD))
+        self.write("plan.json", json.dumps(PLAN))
+
+    def twin(self, *arguments):
+        result = run("twin", "rod.json", "--experiment", "plan.json", "--out", "set", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def diagnose(self, out, *arguments):
+        result = run("diagnose", "set", "--out", out, *arguments, cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def test_the_hidden_effect_is_found_and_everything_is_written(self):
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        result = self.diagnose("out")
+        self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
+                         {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt"})
+        self.assertEqual(result.stdout, (self.folder / "out" / "summary.txt").read_text())
+        self.assertNotEqual(result.stderr, "")  # progress
+        found = self.result("out/diagnosis.json")
+        self.assertEqual((found["format"], found["verdict"]), ("diagnosis/1", "explained"))
+        self.assertEqual([effect["id"] for effect in found["effects"]], ["dry_friction"])
+        torque = found["effects"][0]["parameters"]["torque_Nmm"]
+        self.assertLess(abs(torque["value"] - 25), 2)
+        self.assertLess(torque["ci95"][0], torque["value"])
+        self.assertEqual(found["updated_actuator"], "actuator.json")
+        errors = found["error"]["validate"]
+        self.assertLess(errors["after"]["rmse_deg"], errors["before"]["rmse_deg"])
+        self.assertLessEqual(errors["after"]["rmse_deg"], 1.1 * errors["noise_floor_rmse_deg"])
+        self.assertEqual(set(found["error"]["fit"]), set(errors))
+        rows = self.table("out/residuals.csv")
+        self.assertEqual(len(rows), 3 * 201)
+        self.assertEqual({row["run"]: row["role"] for row in rows},
+                         {"slow.csv": "fit", "quick.csv": "fit", "other.csv": "validate"})
+        # Its errors are those of the report: a second route to them.
+        held_out = [float(row["measured"]) - float(row["after"]) for row in rows if row["role"] == "validate"]
+        rmse = (sum(error * error for error in held_out) / len(held_out)) ** 0.5
+        self.assertAlmostEqual(rmse, errors["after"]["rmse_deg"], places=9)
+
+    def test_the_updated_actuator_is_taken_by_the_other_commands_and_lacks_nothing(self):
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        self.diagnose("out")
+        self.write("push.csv", "time_s,torque1_Nm\n0,0\n0.1,0.3\n1,0.3\n")
+        moved = {}
+        for actuator in ("rod.json", "out/actuator.json"):
+            result = run("simulate", actuator, "--input", "push.csv", "--out", "moved.csv", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            moved[actuator] = float(self.table("moved.csv")[-1]["theta1_deg"])
+        self.assertNotAlmostEqual(moved["rod.json"], moved["out/actuator.json"], places=1)
+        self.diagnose("again", "--actuator", "out/actuator.json")
+        self.assertEqual(self.result("again/diagnosis.json")["verdict"], "no_missing_effect")
+
+    def test_any_number_of_threads_gives_the_same_bytes(self):
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        self.diagnose("one", "--threads", "1", "--quiet")
+        self.assertEqual(self.diagnose("two", "--threads", "2", "--quiet").stderr, "")
+        for name in ("diagnosis.json", "actuator.json", "residuals.csv", "summary.txt"):
+            self.assertEqual(self.files()[f"one/{name}"], self.files()[f"two/{name}"], name)
+
+    def test_bad_data_is_refused_and_leaves_nothing(self):
+        self.twin()
+        good = self.result("set/dataset.json")
+
+        def refused(message, *arguments, **changes):
+            self.write("set/dataset.json", json.dumps({**good, **changes}))
+            self.assert_refused(["diagnose", "set", "--out", "out", *arguments], message)
+
+        refused('set/dataset.json: /format: must be "measured-data/1"; got text "measured-data/2"',
+                format="measured-data/2")
+        refused('set/dataset.json: names no "actuator"; one must be given with --actuator', actuator=None)
+        refused("nowhere.json: cannot be opened: No such file or directory", "--actuator", "nowhere.json")
+        self.write("set/dataset.json", json.dumps(good))
+        self.assert_refused(["diagnose", "set", "--out", "set"],
+                            "set: cannot be written: it is the folder of the data set")
+        refused("diagnose: --threads: must be from 0 to 1024; got \"-1\" (see coilwright diagnose --help)",
+                "--threads", "-1")
+        self.write("set/slow.csv", "time_s,torque1_Nm,theta1_deg\n0,0,1\n0.01,0,x\n")
+        refused('set/slow.csv: line 3: column theta1_deg: must be a finite number; got "x"')
+
+    def test_a_set_that_does_not_fit_its_model_is_bad_data(self):
+        self.twin()
+        self.write("set/slow.csv", "time_s,current_A,theta1_deg\n" + "".join(
+            f"{i / 100},{i % 7},{i % 5}\n" for i in range(50)))
+        data = self.result("set/dataset.json")
+        data["runs"][0]["drive"] = "current"
+        self.write("set/dataset.json", json.dumps(data))
+        self.assert_refused(["diagnose", "set", "--out", "out"],
+                            "set/dataset.json: slow.csv: drives coils, and the model has none")
+
+    def test_an_actuator_that_is_an_input_is_never_overwritten(self):
+        self.twin()
+        (self.folder / "out").mkdir()
+        self.write("out/actuator.json", json.dumps(ROD))
+        self.assert_refused(["diagnose", "set", "--actuator", "out/actuator.json", "--out", "out"],
+                            "out/actuator.json: cannot be written: it is an input of this command")
+
+    def test_an_interrupt_ends_with_130_and_leaves_nothing(self):
+        plan = {**PLAN, "runs": [swing(f"run{i}.csv", "fit", 100 + 40 * i, 0.3 + 0.2 * i) for i in range(8)]}
+        self.write("plan.json", json.dumps(plan))
+        self.twin("--effect", "dry_friction:torque_Nmm=25", "--effect", "quadratic_drag:drag_Nmms2_rad2=1")
+        before = self.files()
+        with subprocess.Popen([PROGRAM, "diagnose", "set", "--out", "out"], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as process:
+            self.assertNotEqual(process.stderr.readline(), b"")  # it is at work
+            os.kill(process.pid, signal.SIGINT)
+            started = time.monotonic()
+            self.assertEqual(process.wait(), 130)
+            self.assertLess(time.monotonic() - started, 5)
+            self.assertEqual(process.stdout.read(), b"")
+        self.assertEqual(self.files(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

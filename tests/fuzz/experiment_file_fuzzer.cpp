@@ -1,0 +1,8 @@
+#include "coilwright/formats/experiment_file.hpp"
+
+#include "reads_or_refuses.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return coilwright::fuzz::reads_or_refuses(
+      data, size, [](std::string_view text) { (void)coilwright::formats::parse_experiment(text, "x"); });
+}

@@ -1,0 +1,121 @@
+#include "coilwright/measurement/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <concepts>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "coilwright/report/diagnosis_report.hpp"
+#include "measurement/random_numbers.hpp"
+#include "measurement/slide.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+// Nobody but its friend opens a seal: no member, no conversion, no iteration. (The friend is named in dataset.hpp.)
+template <typename T>
+concept ShowsItsMember = requires(T& sealed) {
+  sealed.runs_;
+};
+template <typename T>
+concept ShowsRuns = requires(T& sealed) {
+  sealed.runs();
+};
+template <typename T>
+concept IsARange = requires(T& sealed) {
+  sealed.begin();
+}
+|| requires(T& sealed) {
+  sealed[0];
+}
+|| requires(T& sealed) {
+  *sealed;
+};
+static_assert(!ShowsItsMember<SealedRuns> && !ShowsItsMember<const SealedRuns>);
+static_assert(!ShowsRuns<SealedRuns> && !IsARange<SealedRuns>);
+static_assert(!std::convertible_to<SealedRuns, std::vector<measurement::Run>>);
+
+// Measured with an angle that is read 10 standard deviations too high.
+measurement::Run misread(const std::string& name, double amplitude, std::uint64_t seed) {
+  Normal normal(seed);
+  measurement::Run run = slide_run(150, {}, [&] { return 10.0 * noise + noise * normal(); });
+  run.name = name;
+  for (std::size_t i = 0; i < run.times.size(); ++i) run.channels.front().values[i] *= amplitude;
+  return run;
+}
+
+Dataset set_with(std::vector<measurement::Run> validate) {
+  Dataset data{.name = "slide", .validate = SealedRuns(std::move(validate))};
+  data.fit = {misread("a.csv", 1.0, 1), misread("b.csv", 1.0, 2)};
+  return data;
+}
+
+nlohmann::ordered_json report_of(const Dataset& data, int threads) {
+  const Diagnosis diagnosis = diagnose(data, slide(2.2, 2.7), {.threads = threads});
+  return nlohmann::ordered_json::parse(
+      report::to_json({.diagnosis = diagnosis, .dataset = data.name, .updated_actuator = "actuator.json"}).text());
+}
+
+// Without the errors on validate runs, and the warning that is about them and comes after all else.
+std::string without_validate_errors(nlohmann::ordered_json report) {
+  report["error"].erase("validate");
+  auto& warnings = report["warnings"];
+  for (std::size_t i = warnings.size(); i-- > 0;)
+    if (warnings[i].dump().find("no fit has seen") != std::string::npos) warnings.erase(i);
+  return report.dump();
+}
+
+TEST(Firewall, GarbageInValidateRunsMovesNothingButTheirErrors) {
+  const nlohmann::ordered_json right = report_of(set_with({misread("v.csv", 1.0, 3)}), 2);
+  ASSERT_EQ(right["verdict"], "explained");
+  ASSERT_FALSE(right["effects"].empty());
+
+  measurement::Run noisy = misread("v.csv", 1.0, 4);
+  Normal normal(5);
+  for (double& value : noisy.channels.front().values) value = normal();
+  measurement::Run constant = misread("v.csv", 0.0, 6);
+  measurement::Run pushed_hard = misread("v.csv", -40.0, 7);
+  for (std::vector<double>& row : pushed_hard.inputs) row.front() *= 25.0;
+  for (const measurement::Run& garbage : {noisy, constant, pushed_hard}) {
+    const nlohmann::ordered_json wrong = report_of(set_with({garbage}), 2);
+    EXPECT_NE(wrong["error"]["validate"], right["error"]["validate"]);
+    EXPECT_EQ(without_validate_errors(wrong), without_validate_errors(right));
+  }
+}
+
+TEST(Diagnose, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const Dataset data = set_with({misread("v.csv", 1.0, 3)});
+  EXPECT_EQ(report_of(data, 1).dump(), report_of(data, 2).dump());
+}
+
+TEST(Diagnose, GivesTheSameBytesWhereWindowsStartAnywhere) {
+  Dataset data;
+  data.name = "slide";
+  data.fit.push_back(pushed_run());
+  data.fit.front().start = Start::free;
+  data.fit.front().window = 0.2;
+  EXPECT_EQ(report_of(data, 1).dump(), report_of(data, 2).dump());
+}
+
+TEST(Diagnose, FindsTheMisreadAngle) {
+  const Diagnosis diagnosis = diagnose(set_with({misread("v.csv", 1.0, 3)}), slide(2.2, 2.7), {.threads = 2});
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects.front().kind->id(), "angle_offset");
+  const Estimate& angle = diagnosis.effects.front().parameters.front();
+  EXPECT_NEAR(angle.value, 10.0 * noise, 0.3 * noise);
+  EXPECT_LE(angle.lower, 10.0 * noise);
+  EXPECT_GE(angle.upper, 10.0 * noise);
+}
+
+TEST(Diagnose, NeverReportsANegativeDrag) {
+  Dataset data;
+  data.fit.push_back(pushed_run());
+  const Diagnosis diagnosis = diagnose(data, slide(true_mass, true_damping), {.threads = 2});
+  EXPECT_FALSE(diagnosis.before.noise_only());
+  for (const AddedEffect& effect : diagnosis.effects) EXPECT_NE(effect.kind->id(), "quadratic_drag");
+}
+
+}  // namespace
+}  // namespace coilwright::measurement

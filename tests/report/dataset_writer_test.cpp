@@ -1,0 +1,102 @@
+#include "coilwright/report/dataset_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "coilwright/formats/dataset_file.hpp"
+#include "temporary_folder.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace measurement;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Run motion() {
+  Run run{.name = "step.csv", .kind = RunKind::transient, .drive = Drive::current, .start = Start::free};
+  for (int i = 0; i < 8; ++i) {
+    run.times.push_back(i / 500.0);
+    run.inputs.push_back({i < 2 ? 0.0 : 1.4, 0.0});
+  }
+  run.channels = {{.name = "bending_angle_deg", .quantity = Quantity::bending_angle},
+                  {.name = "omega1_rad_s", .quantity = Quantity::joint_rate}};
+  for (int i = 0; i < 8; ++i) {
+    run.channels[0].values.push_back((30.0 + 0.02 * i) * degree);
+    run.channels[1].values.push_back(-0.5 * i);
+  }
+  return run;
+}
+
+Run bench() {
+  return {.name = "bench.csv",
+          .kind = RunKind::static_torque,
+          .angles = {0.0, 20 * degree},
+          .inputs = {{1.4}, {1.4}},
+          .channels = {{.name = "torque_Nmm", .quantity = Quantity::torque, .values = {0.0251, 0.0123}}}};
+}
+
+Run heat() {
+  return {.name = "heat.csv",
+          .kind = RunKind::temperature,
+          .times = {0.0, 1.0},
+          .inputs = {{1.0}, {1.0}},
+          .channels = {{.name = "temperature_degC", .quantity = Quantity::temperature, .values = {25.0, 25.5}}}};
+}
+
+std::string table_of(const Run& run) {
+  std::ostringstream out;
+  write_run(out, run);
+  return out.str();
+}
+
+TEST(DatasetWriter, WritesReadingsAsAnInstrumentShowsThem) {
+  const std::string text = table_of(motion());
+  EXPECT_TRUE(
+      text.starts_with("time_s,current1_A,current2_A,bending_angle_deg,omega1_rad_s\n"
+                       "0,0,0,30,0\n"
+                       "0.002,0,0,30.02,-0.5\n"
+                       "0.004,1.4,0,30.04,-1\n"
+                       "0.006,1.4,0,30.06,-1.5\n"))
+      << text;
+  EXPECT_EQ(table_of(bench()), "angle_deg,current_A,torque_Nmm\n0,1.4,25.1\n20,1.4,12.3\n");
+  EXPECT_EQ(table_of(heat()), "time_s,current_A,temperature_degC\n0,1,25\n1,1,25.5\n");
+}
+
+TEST(DatasetWriter, WritesASetThatIsReadBack) {
+  const auto fit = motion();
+  const auto other = bench();
+  auto torque = motion();
+  torque.name = "torque.csv";
+  torque.drive = Drive::torque;
+  torque.window = 0.01;
+  torque.sigma = 0.3 * degree;
+  const ::coilwright::testing::TemporaryFolder folder;
+  const std::vector<RunInRole> runs = {{.run = fit}, {.run = torque}, {.run = other, .validate = true}};
+  const auto set = folder.file("dataset.json", dataset_json("a twin", "actuator.json", runs).text());
+  for (const RunInRole& each : runs) (void)folder.file(each.run.name, table_of(each.run));
+  const formats::DatasetFile back = formats::read_dataset(set);
+  EXPECT_EQ(back.data.name, "a twin");
+  EXPECT_EQ(back.actuator, folder.path() / "actuator.json");
+  EXPECT_EQ(back.data.validate.count(), 1u);
+  ASSERT_EQ(back.data.fit.size(), 2u);
+  const auto& read = back.data.fit[0];
+  EXPECT_EQ(read.name, "step.csv");
+  EXPECT_EQ(read.start, Start::free);
+  EXPECT_EQ(read.times, fit.times);
+  EXPECT_EQ(read.inputs, fit.inputs);
+  ASSERT_EQ(read.channels.size(), 2u);
+  // Twelve digits were written.
+  for (std::size_t i = 0; i < fit.samples(); ++i)
+    EXPECT_NEAR(read.channels[0].values[i], fit.channels[0].values[i], 1e-12) << i;
+  EXPECT_EQ(read.channels[1].values, fit.channels[1].values);
+  EXPECT_EQ(back.data.fit[1].drive, Drive::torque);
+  EXPECT_EQ(back.data.fit[1].window, 0.01);
+  EXPECT_NEAR(back.data.fit[1].sigma.value(), 0.3 * degree, 1e-15);
+}
+
+}  // namespace
+}  // namespace coilwright::report

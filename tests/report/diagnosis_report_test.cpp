@@ -1,0 +1,340 @@
+#include "coilwright/report/diagnosis_report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "report/named_effect.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace measurement;
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double degree = std::numbers::pi / 180.0;
+
+const NamedEffect dry_friction("dry_friction", "Coulomb friction at the hinges");
+const NamedEffect coil_heating("coil_heating", "the coil's resistance rises");
+const NamedEffect magnet_heating("magnet_heating", "the remanence falls");
+
+Errors degrees(double mae, double rmse, double max) {
+  return {.mae = mae * degree, .rmse = rmse * degree, .max = max * degree};
+}
+
+ErrorComparison comparison(Quantity quantity, std::size_t samples, double noise_floor) {
+  return {.quantity = quantity,
+          .samples = samples,
+          .declared = {},
+          .before = {},
+          .after = {},
+          .noise_floor_rmse = noise_floor};
+}
+
+// The example of measured-data/1, as values in memory.
+Diagnosis example() {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::explained;
+  diagnosis.effects = {
+      {.kind = &dry_friction,
+       .parameters = {{.key = "torque_Nmm", .denominator = 1e3, .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
+       .evidence = {.chi_square_before = 52000.0,
+                    .chi_square_after = 12000.0,
+                    .criterion_gain = 800.0,
+                    .cross_validated_gain = 0.97,
+                    .correlation_time = 4.0}}};
+  diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
+  diagnosis.validate_errors = {{.quantity = Quantity::bending_angle,
+                                .samples = 900,
+                                .declared = degrees(2.9, 3.5, 9.1),
+                                .before = degrees(1.1, 1.4, 5.0),
+                                .after = degrees(0.24, 0.30, 1.2),
+                                .noise_floor_rmse = 0.30 * degree}};
+  diagnosis.calibration = {
+      {.key = "joint_stiffness_Nmm_rad", .denominator = 1e3, .value = 12.4e-3, .lower = 12.3e-3, .upper = 12.5e-3}};
+  diagnosis.after = {.level = 1.01, .structure = 0.8, .where = "step_1.4A.csv, 20 ms"};
+  return diagnosis;
+}
+
+DiagnosisAnswer answer_of(const Diagnosis& diagnosis) {
+  return {.diagnosis = diagnosis,
+          .dataset = "finger-2024-03-11",
+          .updated_actuator = "actuator.json",
+          .held_out = {},
+          .seed = 7};
+}
+
+ordered_json json_of(const Diagnosis& diagnosis) {
+  return ordered_json::parse(to_json(answer_of(diagnosis)).text());
+}
+
+std::string text_of(const Diagnosis& diagnosis) {
+  return to_text(answer_of(diagnosis));
+}
+
+std::vector<std::string> keys_of(const ordered_json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+// Every key of `expected` is in `seen`, in the same order among themselves and with the same value; more may be there.
+void expect_holds(const ordered_json& seen, const ordered_json& expected, const std::string& pointer) {
+  if (!expected.is_object()) {
+    if (expected.is_array() && !expected.empty() && expected[0].is_object()) {
+      ASSERT_EQ(seen.size(), expected.size()) << pointer;
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        expect_holds(seen[i], expected[i], pointer + "/" + std::to_string(i));
+      return;
+    }
+    EXPECT_EQ(seen, expected) << pointer;
+    return;
+  }
+  ASSERT_TRUE(seen.is_object()) << pointer;
+  const std::vector<std::string> there = keys_of(seen);
+  auto from = there.begin();
+  for (const auto& [key, value] : expected.items()) {
+    from = std::find(from, there.end(), key);
+    ASSERT_NE(from, there.end()) << pointer << "/" << key << " is missing, or not in the order of the format";
+    expect_holds(seen[key], value, pointer + "/" + key);
+  }
+}
+
+TEST(DiagnosisJson, IsTheFormatsExampleToTheLetter) {
+  const auto example_of_the_format = ordered_json::parse(R"({
+    "format": "diagnosis/1",
+    "verdict": "explained",
+    "effects": [
+      {"id": "dry_friction", "parameters": {"torque_Nmm": {"value": 0.61, "ci95": [0.58, 0.64]}}, "evidence": {}}
+    ],
+    "indistinguishable": [["coil_heating", "magnet_heating"]],
+    "error": {
+      "validate": {
+        "declared": {"mae_deg": 2.9, "rmse_deg": 3.5, "max_deg": 9.1},
+        "before":   {"mae_deg": 1.1, "rmse_deg": 1.4, "max_deg": 5.0},
+        "after":    {"mae_deg": 0.24, "rmse_deg": 0.30, "max_deg": 1.2},
+        "noise_floor_rmse_deg": 0.30
+      },
+      "fit": {}
+    },
+    "calibration": {"joint_stiffness_Nmm_rad": {"value": 12.4, "ci95": [12.3, 12.5]}},
+    "updated_actuator": "actuator.json",
+    "next_experiment": null
+  })");
+  expect_holds(json_of(example()), example_of_the_format, "");
+  const auto first = keys_of(json_of(example()));
+  EXPECT_THAT(std::vector(first.begin(), first.begin() + 8),
+              ElementsAre("format", "verdict", "effects", "indistinguishable", "error", "calibration",
+                          "updated_actuator", "next_experiment"));
+}
+
+TEST(DiagnosisJson, HasAWordForEachVerdict) {
+  Diagnosis diagnosis;
+  for (const auto& [verdict, word] :
+       {std::pair(Verdict::no_missing_effect, "no_missing_effect"), std::pair(Verdict::explained, "explained"),
+        std::pair(Verdict::partly_explained, "partly_explained"), std::pair(Verdict::unexplained, "unexplained")}) {
+    diagnosis.verdict = verdict;
+    EXPECT_EQ(json_of(diagnosis)["verdict"], word);
+  }
+}
+
+TEST(DiagnosisJson, GivesEvidenceAsNumbers) {
+  const auto evidence = json_of(example())["effects"][0]["evidence"];
+  EXPECT_EQ(evidence, ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 12000.0,
+      "criterion_gain": 800.0, "cross_validated_gain": 0.97, "correlation_time_samples": 4.0})"));
+}
+
+TEST(DiagnosisJson, HasNullForASideWithoutABound) {
+  Diagnosis diagnosis = example();
+  Estimate& estimate = diagnosis.effects[0].parameters[0];
+  estimate.lower = -infinity;
+  auto parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
+  EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, 0.64]})"));
+  estimate.upper = infinity;
+  estimate.determined = false;
+  parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
+  EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, null], "determined": false})"));
+  diagnosis.effects[0].evidence.cross_validated_gain = nan;
+  EXPECT_TRUE(json_of(diagnosis)["effects"][0]["evidence"]["cross_validated_gain"].is_null());
+}
+
+TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
+  Diagnosis diagnosis = example();
+  ErrorComparison torque = comparison(Quantity::torque, 12, 1e-3);
+  torque.after = {.mae = 0.5e-3, .rmse = 0.75e-3, .max = 2e-3};
+  ErrorComparison rate = comparison(Quantity::joint_rate, 3, 0.5 * degree);
+  ErrorComparison heat = comparison(Quantity::temperature, 4, 0.25);
+  ErrorComparison force = comparison(Quantity::force, 5, 0.125);
+  // An angle comes first wherever it stands.
+  diagnosis.validate_errors.insert(diagnosis.validate_errors.begin(), torque);
+  for (const auto& each : {rate, heat, force}) diagnosis.validate_errors.push_back(each);
+  const auto block = json_of(diagnosis)["error"]["validate"];
+  EXPECT_EQ(block["after"]["rmse_deg"], 0.30);
+  EXPECT_EQ(block["quantity"], "angle");
+  EXPECT_EQ(block["samples"], 900);
+  EXPECT_EQ(block["torque"]["after"], ordered_json::parse(R"({"mae_Nmm": 0.5, "rmse_Nmm": 0.75, "max_Nmm": 2.0})"));
+  EXPECT_EQ(block["torque"]["noise_floor_rmse_Nmm"], 1.0);
+  EXPECT_EQ(block["torque"]["samples"], 12);
+  EXPECT_EQ(block["joint_rate"]["noise_floor_rmse_deg_s"], 0.5);
+  EXPECT_EQ(block["temperature"]["noise_floor_rmse_K"], 0.25);
+  EXPECT_EQ(block["force"]["noise_floor_rmse_N"], 0.125);
+}
+
+TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
+  Diagnosis diagnosis;
+  diagnosis.fit_errors = {comparison(Quantity::force, 5, 0.125)};
+  const auto block = json_of(diagnosis)["error"];
+  EXPECT_EQ(block["fit"]["noise_floor_rmse_N"], 0.125);
+  EXPECT_EQ(block["fit"]["after"], ordered_json::parse(R"({"mae_N": 0.0, "rmse_N": 0.0, "max_N": 0.0})"));
+  EXPECT_EQ(block["validate"], ordered_json::object());
+}
+
+TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
+  Diagnosis diagnosis = example();
+  diagnosis.next_experiment = {
+      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
+  diagnosis.candidates = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
+                          {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
+  diagnosis.residual = ResidualTorque{
+      .rms = 0.2e-3,
+      .smallest_visible = 0.05e-3,
+      .dependences =
+          {{.variable = "rate", .explained = 0.5, .at = {-90.0 * degree, 90.0 * degree}, .residual = {0.1e-3, -0.1e-3}},
+           {.variable = "current history", .explained = 0.25, .at = {1.0}, .residual = {nan}}},
+      .frequency = 5.0};
+  diagnosis.noise = {{.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .source = "given"},
+                     {.run = "b.csv", .channel = "torque_Nm", .sigma = 0.002, .source = "second differences"},
+                     {.run = "c.csv", .channel = "temperature_degC", .sigma = 0.5, .source = "given"}};
+  diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}, {.run = "", .text = "few runs"}};
+  const auto json = json_of(diagnosis);
+  EXPECT_EQ(json["next_experiment"], ordered_json::parse(R"({"kind": "hot_hold", "input": "1.05 A for 60 s",
+      "why": "they part when hot", "separation": 8.5})"));
+  EXPECT_EQ(json["candidates"][0]["effects"], ordered_json({"coil_heating", "dry_friction"}));
+  EXPECT_TRUE(json["candidates"][0]["remark"].is_null());
+  EXPECT_EQ(json["candidates"][1]["remark"], "interval includes absent");
+  EXPECT_EQ(json["residual"], ordered_json::parse(R"({"rms_Nmm": 0.2, "smallest_visible_Nmm": 0.05, "dependences": [
+      {"variable": "rate", "explained": 0.5, "at_deg_s": [-90.0, 90.0], "residual_Nmm": [0.1, -0.1]},
+      {"variable": "current history", "explained": 0.25, "at": [1.0], "residual_Nmm": [null]}],
+      "frequency_Hz": 5.0})"));
+  EXPECT_EQ(json["noise"], ordered_json::parse(R"([
+      {"run": "a.csv", "channel": "bending_angle_deg", "sigma_deg": 0.3, "source": "given"},
+      {"run": "b.csv", "channel": "torque_Nm", "sigma_Nm": 0.002, "source": "second differences"},
+      {"run": "c.csv", "channel": "temperature_degC", "sigma_K": 0.5, "source": "given"}])"));
+  EXPECT_EQ(json["warnings"],
+            ordered_json::parse(R"([{"run": "a.csv", "text": "saturated"}, {"run": null, "text": "few runs"}])"));
+  EXPECT_EQ(json["adequacy"]["after"]["noise_only"], true);
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["dataset"], "finger-2024-03-11");
+}
+
+TEST(DiagnosisJson, SaysNothingOfTime) {
+  Diagnosis diagnosis = example();
+  const std::string text = to_json(answer_of(diagnosis)).text();
+  diagnosis.phases = {{.name = "pairs", .seconds = 12.5, .simulated_runs = 4000}};
+  EXPECT_EQ(to_json(answer_of(diagnosis)).text(), text);
+}
+
+TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
+  Diagnosis diagnosis = example();
+  diagnosis.next_experiment = {
+      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
+  diagnosis.noise = {{.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .source = "given"}};
+  diagnosis.noise.push_back({.run = "b.csv", .channel = "torque_Nmm", .sigma = 2e-5, .source = "estimated from x"});
+  diagnosis.noise.push_back({.run = "c.csv", .channel = "torque_Nmm", .sigma = 1e-5, .source = "estimated from y"});
+  diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}};
+  diagnosis.replays = {{.run = "a.csv", .validate = false}, {.run = "b.csv", .validate = true}};
+  EXPECT_EQ(text_of(diagnosis),
+            "finger-2024-03-11: explained\n"
+            "\n"
+            "The declared model lacks dry_friction; with it, what is left over is noise.\n"
+            "\n"
+            "What it lacks\n"
+            "  dry_friction: Coulomb friction at the hinges\n"
+            "    torque_Nmm  0.61  0.58 to 0.64 (95 %)\n"
+            "    chi^2 on the fit runs 5.2e+04 -> 1.2e+04; takes away 97 % of the error above the noise on runs left "
+            "out in turn\n"
+            "\n"
+            "Errors on the runs that no fit has seen\n"
+            "  angle, deg  as declared  fitted anew  with effects\n"
+            "    mean              2.9          1.1          0.24\n"
+            "    rmse              3.5          1.4           0.3  noise alone: 0.3\n"
+            "    largest           9.1            5           1.2\n"
+            "\n"
+            "What else it could be\n"
+            "  these data cannot tell apart: coil_heating, magnet_heating\n"
+            "\n"
+            "The experiment that would tell\n"
+            "  hot_hold: 1.05 A for 60 s\n"
+            "  they part when hot (predictions differ by 8.5 times the noise)\n"
+            "\n"
+            "Warnings\n"
+            "  a.csv: saturated\n"
+            "\n"
+            "Declared numbers, fitted anew\n"
+            "  joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)\n"
+            "\n"
+            "Noise\n"
+            "  bending_angle_deg  0.3 deg in 1 run, given\n"
+            "  torque_Nmm         0.01 to 0.02 Nmm in 2 runs, estimated (diagnosis.json says how)\n"
+            "\n"
+            "Runs\n"
+            "  fitted: a.csv\n"
+            "  kept from the fit: b.csv\n");
+}
+
+TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
+  Diagnosis diagnosis = example();
+  diagnosis.residual = ResidualTorque{.rms = 0.2e-3,
+                                      .smallest_visible = 0.05e-3,
+                                      .dependences = {{.variable = "sign of rate", .explained = 0.5}},
+                                      .frequency = 5.0};
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("What is left over, as a joint torque")));
+  diagnosis.verdict = Verdict::partly_explained;
+  diagnosis.after.structure = 3.0;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("What is left over, as a joint torque\n"
+                                            "  rms 0.2 Nmm, where noise alone gives 0.05 Nmm\n"
+                                            "  depends\n"
+                                            "    on sign of rate  50 %\n"
+                                            "  strongest line at 5 Hz\n"
+                                            "  worst in step_1.4A.csv, 20 ms (3 times what noise may show)\n"));
+}
+
+TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {
+  Diagnosis diagnosis = example();
+  Estimate& estimate = diagnosis.effects[0].parameters[0];
+  estimate.upper = infinity;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at least 0.58 (95 %)"));
+  estimate = {.key = estimate.key, .denominator = 1e3, .value = 0.61e-3, .lower = -infinity, .upper = 0.64e-3};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at most 0.64 (95 %)"));
+  estimate.determined = false;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  not determined by these data"));
+}
+
+TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
+  Diagnosis diagnosis = example();
+  Estimate& estimate = diagnosis.effects[0].parameters[0];
+  estimate.value = 12.50034e-3;
+  estimate.lower = 12.49921e-3;
+  estimate.upper = 12.50147e-3;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("torque_Nmm  12.5003  12.4992 to 12.5015 (95 %)"));
+  estimate.lower = 3.456e-3;
+  estimate.upper = 25.0e-3;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("torque_Nmm  12.5  3.46 to 25 (95 %)"));
+}
+
+TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {
+  const Diagnosis diagnosis = example();
+  DiagnosisAnswer answer = answer_of(diagnosis);
+  answer.held_out = {"b.csv", "f.csv"};
+  EXPECT_THAT(to_text(answer), HasSubstr("chosen for that by the tool (the set names none): b.csv, f.csv\n"));
+}
+
+}  // namespace
+}  // namespace coilwright::report

@@ -1,0 +1,171 @@
+#include "truth/hidden.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+namespace truth {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double milli = 1e3;  // mm, ms, mN, mA, g in a kg
+
+using Strength = std::function<void(Quirks&, double)>;
+using Shape = std::function<void(Random&, Quirks&)>;
+
+// A number that grows from absent to a bound.
+Strength grow(double Quirks::*member, double absent, double bound) {
+  return [=](Quirks& quirks, double share) { quirks.*member = absent + share * (bound - absent); };
+}
+
+HiddenKind plain(std::string id, std::vector<HiddenNumber> numbers, double Quirks::*member, double absent, double bound,
+                 Shape shape = nullptr) {
+  return {
+      .id = std::move(id), .numbers = std::move(numbers), .draw = [=](Random& random, const Reach&, Quirks& quirks) {
+        if (shape) shape(random, quirks);
+        return grow(member, absent, bound);
+      }};
+}
+
+// The same, on either side of absent.
+HiddenKind two_sided(std::string id, std::vector<HiddenNumber> numbers, double Quirks::*member, double absent,
+                     double lower, double upper) {
+  return {.id = std::move(id), .numbers = std::move(numbers), .draw = [=](Random& random, const Reach&, Quirks&) {
+            return grow(member, absent, random.sign() > 0.0 ? upper : lower);
+          }};
+}
+
+HiddenKind there_or_not(std::string id, bool Quirks::*member) {
+  return {.id = std::move(id), .numbers = {}, .draw = [=](Random&, const Reach&, Quirks& quirks) -> Strength {
+            quirks.*member = true;
+            return [](Quirks&, double) {};
+          }};
+}
+
+HiddenKind outsider(HiddenKind kind) {
+  kind.outsider = true;
+  return kind;
+}
+
+HiddenKind end_stop() {
+  return {.id = "end_stop",
+          .numbers = {{"angle_deg", &Quirks::stop_angle, degrees},
+                      {"stiffness_Nmm_rad", &Quirks::stop_stiffness, milli},
+                      {"side", &Quirks::stop_side}},
+          .draw = [](Random& random, const Reach& reach, Quirks& quirks) {
+            quirks.stop_side = random.sign();
+            quirks.stop_stiffness = random.log_uniform(0.06, 0.6);  // 5 to 50 times the hinge
+            const double free = quirks.stop_side > 0.0 ? reach.highest : reach.lowest;
+            const double middle = 0.5 * (reach.highest + reach.lowest);
+            return grow(&Quirks::stop_angle, free, middle);
+          }};
+}
+
+HiddenKind static_attraction() {
+  return {.id = "static_attraction",
+          .numbers = {{"torque_Nmm", &Quirks::attraction, milli},
+                      {"range_deg", &Quirks::attraction_range, degrees},
+                      {"side", &Quirks::attraction_side}},
+          .draw = [](Random& random, const Reach&, Quirks& quirks) {
+            quirks.attraction_side = random.sign();
+            quirks.attraction_range = random.log_uniform(0.6, 1.5);
+            return grow(&Quirks::attraction, 0.0, quirks.attraction_side * 4e-3);  // iron pulls towards itself
+          }};
+}
+
+Shape between(double Quirks::*member, double lower, double upper) {
+  return [=](Random& random, Quirks& quirks) { quirks.*member = random.log_uniform(lower, upper); };
+}
+
+// A time constant, and whether runs start warm.
+Shape heat(double Quirks::*time, double lower, double upper) {
+  return [=](Random& random, Quirks& quirks) {
+    between(time, lower, upper)(random, quirks);
+    quirks.warm_start = random.sign() > 0.0 ? 1.0 : 0.0;
+  };
+}
+
+// Bounds are what a finger of this size could still be sold with; where a strength is out of reach the answer says so.
+std::vector<HiddenKind> all_kinds() {
+  using Q = Quirks;
+  return {
+      plain("driver_deadband", {{"current_A", &Q::deadband}}, &Q::deadband, 0.0, 0.4),
+      plain("driver_saturation", {{"current_A", &Q::saturation}}, &Q::saturation, 1.4, 0.4),
+      two_sided("current_offset", {{"current_mA", &Q::current_offset, milli}}, &Q::current_offset, 0.0, -0.3, 0.3),
+      plain("coil_heating",
+            {{"fade_1_A2", &Q::coil_fade}, {"time_constant_s", &Q::coil_time}, {"warm_start", &Q::warm_start}},
+            &Q::coil_fade, 0.0, 0.4, heat(&Q::coil_time, 1.0, 15.0)),
+      plain("coil_lag", {{"time_constant_ms", &Q::current_lag, milli}}, &Q::current_lag, 0.0, 0.05),
+      two_sided("force_gain", {{"gain", &Q::force_gain}}, &Q::force_gain, 1.0, 0.6, 1.4),
+      plain("magnet_heating",
+            {{"loss_1_A2", &Q::magnet_loss}, {"time_constant_s", &Q::magnet_time}, {"warm_start", &Q::warm_start}},
+            &Q::magnet_loss, 0.0, 0.1, heat(&Q::magnet_time, 2.0, 30.0)),
+      there_or_not("off_axis_force", &Q::off_axis),
+      there_or_not("coil_coil_force", &Q::coil_coil),
+      static_attraction(),
+      plain("back_emf", {{"conductance_1_Ohm", &Q::motional_conductance}}, &Q::motional_conductance, 0.0, 3.0),
+      two_sided("joint_asymmetry", {{"stiffness_ratio", &Q::second_stiffness_ratio}}, &Q::second_stiffness_ratio, 1.0,
+                0.4, 2.5),
+      two_sided("rest_angle", {{"angle_deg", &Q::rest_angle, degrees}}, &Q::rest_angle, 0.0, -0.4, 0.4),
+      two_sided("stiffness_hardening", {{"coefficient_1_rad2", &Q::hardening}}, &Q::hardening, 0.0, -1.0 / 3.0, 5.0),
+      plain("viscoelastic_creep", {{"stiffness_ratio", &Q::creep_share}, {"time_constant_s", &Q::creep_time}},
+            &Q::creep_share, 0.0, 1.5, between(&Q::creep_time, 0.03, 5.0)),
+      plain("hysteresis", {{"amplitude_Nmm", &Q::hysteresis, milli}, {"sharpness_1_rad", &Q::hysteresis_sharpness}},
+            &Q::hysteresis, 0.0, 4e-3, between(&Q::hysteresis_sharpness, 2.0, 20.0)),
+      plain("dry_friction", {{"torque_Nmm", &Q::friction, milli}}, &Q::friction, 0.0, 4e-3),
+      plain("quadratic_drag", {{"drag_Nmms2_rad2", &Q::drag, milli}}, &Q::drag, 0.0, 3e-5),
+      end_stop(),
+      plain("added_mass", {{"mass_g", &Q::added_mass, milli}}, &Q::added_mass, 0.0, 20e-3),
+      two_sided("base_tilt", {{"angle_deg", &Q::base_tilt, degrees}}, &Q::base_tilt, 0.0, -0.5, 0.5),
+      plain("measurement_delay", {{"delay_ms", &Q::delay, milli}}, &Q::delay, 0.0, 0.06),
+      two_sided("angle_scale", {{"scale", &Q::angle_scale}}, &Q::angle_scale, 1.0, 0.7, 1.3),
+      two_sided("angle_offset", {{"angle_deg", &Q::angle_offset, degrees}}, &Q::angle_offset, 0.0, -0.17, 0.17),
+
+      outsider(plain("shaken_base", {{"acceleration_m_s2", &Q::shake}, {"frequency_Hz", &Q::shake_frequency}},
+                     &Q::shake, 0.0, 20.0, between(&Q::shake_frequency, 2.0, 25.0))),
+      outsider(two_sided("drifting_stiffness", {{"share_1_h", &Q::drift}}, &Q::drift, 0.0, -1.2, 1.2)),
+      outsider(plain("mullins_softening", {{"share", &Q::mullins}, {"angle_deg", &Q::mullins_angle, degrees}},
+                     &Q::mullins, 0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
+      outsider(plain("random_cable", {{"torque_Nmm_s0.5", &Q::cable, milli}}, &Q::cable, 0.0, 4e-3)),
+      outsider(plain("mounting_mode",
+                     {{"mass_ratio", &Q::mount_compliance},
+                      {"frequency_Hz", &Q::mount_frequency},
+                      {"damping_ratio", &Q::mount_damping}},
+                     &Q::mount_compliance, 0.0, 3.0,
+                     [](Random& random, Quirks& quirks) {
+                       quirks.mount_frequency = random.log_uniform(6.0, 25.0);
+                       quirks.mount_damping = random.log_uniform(0.01, 0.05);
+                     })),
+      outsider(plain("loose_contact", {{"share", &Q::contact_loss}, {"rate_1_s", &Q::contact_rate}}, &Q::contact_loss,
+                     0.0, 1.0, between(&Q::contact_rate, 1.0, 3.0))),
+      outsider(plain("torque_ripple", {{"torque_Nmm", &Q::ripple, milli}, {"periods", &Q::ripple_count}}, &Q::ripple,
+                     0.0, 4e-3, between(&Q::ripple_count, 15.0, 45.0))),
+      outsider(plain("mains_hum", {{"amplitude_deg", &Q::hum, degrees}}, &Q::hum, 0.0, 0.2)),
+      outsider(plain("frozen_frames",
+                     {{"length_ms", &Q::frozen_frames, milli},
+                      {"rate_1_s", &Q::frozen_rate},
+                      {"jitter_ms", &Q::stamp_jitter, milli}},
+                     &Q::frozen_frames, 0.0, 0.3,
+                     [](Random& random, Quirks& quirks) {
+                       quirks.frozen_rate = random.log_uniform(2.0, 8.0);
+                       quirks.stamp_jitter = random.log_uniform(0.3e-3, 1.5e-3);
+                     })),
+  };
+}
+
+}  // namespace
+
+std::span<const HiddenKind> hidden_kinds() {
+  static const std::vector<HiddenKind> kinds = all_kinds();
+  return kinds;
+}
+
+const HiddenKind& hidden_kind(std::string_view id) {
+  for (const HiddenKind& kind : hidden_kinds())
+    if (kind.id == id) return kind;
+  throw std::invalid_argument(fmt::format("hidden effect: must be one of the table; got \"{}\"", id));
+}
+
+}  // namespace truth

@@ -2,22 +2,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "coilwright/measurement/diagnosis.hpp"
-#include "fit.hpp"
+#include "trial.hpp"
 
 namespace coilwright::measurement {
-
-/// A hypothesis and how well it does.
-struct Scored {
-  Hypothesis hypothesis;
-  Fit fit{};
-  Adequacy adequacy{};
-};
 
 /// What the comparison of all hypotheses came to.
 struct Attribution {
@@ -40,15 +31,5 @@ struct AttributionRequest {
 };
 /// Throws std::runtime_error where the declared model cannot be simulated.
 [[nodiscard]] Attribution attribute(const AttributionRequest& request);
-
-/// By how much hypothesis `b` predicts runs that it was not fitted to better than `a`: each fit run is left out in turn
-/// (one Gauss-Newton step from the fit to all), and the share of the squared residual above the noise that b removes is
-/// taken. NaN for a single run.
-[[nodiscard]] double cross_validated_gain(std::span<const Record> records, const DeclaredModel& declared,
-                                          const Scored& a, const Scored& b);
-
-/// Chi^2 that counts as one independent piece of evidence: 1 where the residual is white noise of the known level, more
-/// where it is larger or correlated.
-[[nodiscard]] double unit_of_evidence(std::span<const Record> records, const Scored& reference);
 
 }  // namespace coilwright::measurement

@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "attribution.hpp"
+#include "cross_validation.hpp"
 #include "final_errors.hpp"
 #include "intervals.hpp"
 #include "localisation.hpp"
 #include "next_experiment.hpp"
+#include "residual_blocks.hpp"
 #include "usable_runs.hpp"
 
 namespace coilwright::measurement {
@@ -45,33 +46,26 @@ class Stopwatch {
 };
 
 // What each step of an attribution explains.
-std::vector<Evidence> evidence_of(std::span<const Record> records, const DeclaredModel& declared,
-                                  const Attribution& found) {
+std::vector<Evidence> evidence_of(std::span<const Record> records, const Attribution& found) {
   std::vector<Evidence> out;
   for (std::size_t i = 1; i < found.steps.size(); ++i) {
     const Scored& without = found.steps[i - 1];
     const Scored& with = found.steps[i];
-    const auto numbers = static_cast<double>(with.hypothesis.size() - without.hypothesis.size());
-    const double charge = numbers * std::log(static_cast<double>(with.fit.samples()) / found.unit);
-    out.push_back({.chi_square_before = without.fit.chi_square,
-                   .chi_square_after = with.fit.chi_square,
-                   .criterion_gain = (without.fit.chi_square - with.fit.chi_square) / found.unit - charge,
-                   .cross_validated_gain = cross_validated_gain(records, declared, without, with),
-                   .correlation_time = correlation_time(scaled_residuals(records, with.fit))});
+    out.push_back(evidence(records, without, with, found.unit));
+    out.back().cross_validated_gain = cross_validated_gain(records, without, with);
   }
   return out;
 }
 
 // Share of the squared residual above the noise that a step removes.
 double explained_share(const Scored& without, const Scored& with) {
-  const auto noise = static_cast<double>(without.fit.samples());
-  return (without.fit.chi_square - with.fit.chi_square) / (without.fit.chi_square - noise);
+  return (without.fit.chi_square - with.fit.chi_square) / without.excess();
 }
 
-bool supported(const Scored& without, const Scored& with, const Evidence& evidence) {
+bool supported(const Scored& without, const Scored& with, const Evidence& step) {
   if (with.adequacy.noise_only()) return true;
   const double least = without.hypothesis.effects().empty() ? least_share : least_later_share;
-  return explained_share(without, with) >= least && !(evidence.cross_validated_gain <= 0.0);
+  return explained_share(without, with) >= least && !(step.cross_validated_gain <= 0.0);
 }
 
 bool all_present(const Scored& s, const std::vector<Estimate>& all) {
@@ -120,17 +114,17 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
       attribute({.records = records, .declared = &declared, .seed = options.seed, .progress = options.progress});
   watch.lap("comparison");
 
-  std::vector<Evidence> evidence = evidence_of(records, declared, found);
+  std::vector<Evidence> gains = evidence_of(records, found);
   watch.lap("cross-validation");
-  std::vector<Estimate> all = estimates(records, declared, found.after(), found.unit);
+  std::vector<Estimate> all = estimates(records, found.after(), found.unit);
   // An effect that is not needed, or that cannot be told from nothing, is taken back, the last first.
-  while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), evidence.back()) ||
+  while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), gains.back()) ||
                                     !all_present(found.after(), all))) {
     found.steps.pop_back();
-    evidence.pop_back();
+    gains.pop_back();
     found.rivals.clear();
     found.indistinguishable.clear();
-    all = estimates(records, declared, found.after(), unit_of_evidence(records, found.after()));
+    all = estimates(records, found.after(), unit_of_evidence(records, found.after()));
   }
   watch.lap("intervals");
 
@@ -143,10 +137,10 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = estimates_of_effect(found.after(), all, i),
-                           .evidence = evidence[i]});
+                           .evidence = gains[i]});
   out.residual = localise(records, found.after());
   watch.lap("localisation");
-  out.next_experiment = next_experiment(records, declared, found);
+  out.next_experiment = next_experiment(records, found);
   watch.lap("next experiment");
 
   const ThreeModels models{.declared = {.hypothesis = as_written, .fit = {.values = as_written.start()}},

@@ -17,24 +17,20 @@ struct RunPrediction {
   std::vector<std::vector<double>> channels;
 };
 
-// A window's values stand channel after channel: back to one vector a channel over the run.
+// One vector a channel over the run.
 RunPrediction by_channel(const Record& record, const Eigen::VectorXd& predictions) {
   const std::size_t channels = record.run->channels.size();
   RunPrediction out{.channels = std::vector<std::vector<double>>(channels)};
   Eigen::Index at = 0;
-  const auto append = [&](std::size_t samples) {
+  for (const Stretch& stretch : record.stretches())
     for (std::size_t c = 0; c < channels; ++c)
-      for (std::size_t i = 0; i < samples; ++i) out.channels[c].push_back(predictions[at++]);
-  };
-  if (!record.is_motion()) append(record.run->samples());
-  for (const Window& window : record.windows) append(window.samples());
+      for (std::size_t i = 0; i < stretch.samples(); ++i) out.channels[c].push_back(predictions[at++]);
   return out;
 }
 
-std::optional<RunPrediction> predict(const Record& record, const DeclaredModel& declared, const Scored& model) {
+std::optional<RunPrediction> predict(const Record& record, const Scored& model) {
   const std::span<const Record> one(&record, 1);
-  const auto fitted =
-      evaluate_at({.hypothesis = &model.hypothesis, .records = one, .declared = &declared, .start = model.fit.values});
+  const auto fitted = evaluate_at({.hypothesis = &model.hypothesis, .records = one, .start = model.fit.values});
   if (!fitted) return std::nullopt;
   return by_channel(record, fitted->runs.front().predictions);
 }
@@ -112,7 +108,7 @@ void FinalErrors::take(const std::vector<Run>& runs, const DeclaredModel& declar
   const std::array three{&models.declared, &models.before, &models.after};
   std::vector<std::array<std::optional<RunPrediction>, 3>> predictions(records.size());
   tbb::parallel_for(std::size_t{0}, 3 * records.size(), [&](std::size_t task) {
-    predictions[task / 3][task % 3] = predict(records[task / 3], declared, *three[task % 3]);
+    predictions[task / 3][task % 3] = predict(records[task / 3], *three[task % 3]);
   });
   std::vector<Quantity> order;
   std::vector<Tally> tallies;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "attribution.hpp"
+#include "scored.hpp"
 
 namespace coilwright::measurement {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <atomic>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,7 +48,6 @@ struct FitEffort {
 struct FitRequest {
   const Hypothesis* hypothesis{};
   std::span<const Record> records{};
-  const DeclaredModel* declared{};
   Eigen::VectorXd start{};
   const Fit* starts_from{};  ///< a fit whose window starts are taken over; null: from the measurement
   std::optional<Eigen::Index> held{};
@@ -57,17 +55,11 @@ struct FitRequest {
 };
 [[nodiscard]] std::optional<Fit> fit(const FitRequest& request);
 
-/// Residuals at given values, only the starts of the windows being fitted. Nothing where the model cannot be simulated.
+/// Residuals at given values, only the starts of the windows being fitted; no slopes by the parameters (zero in the
+/// answer). Nothing where the model cannot be simulated.
 [[nodiscard]] std::optional<Fit> evaluate_at(const FitRequest& request);
-
-/// Where the residuals of `base` would go if `request` (the same records, a larger hypothesis at its start) held: their
-/// difference, with all that the parameters and starts of `base` can absorb taken out. Rows as `base.stacked`.
-[[nodiscard]] std::optional<Eigen::VectorXd> direction(const FitRequest& request, const Fit& base);
 
 /// The residuals of a fit as tests of noise take them: a series a channel of a run.
 [[nodiscard]] std::vector<ScaledResidual> scaled_residuals(std::span<const Record> records, const Fit& fit);
-
-/// Runs simulated since the program started: for the profile of where time goes.
-[[nodiscard]] long simulated_runs();
 
 }  // namespace coilwright::measurement

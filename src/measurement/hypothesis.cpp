@@ -40,14 +40,27 @@ Hypothesis::Hypothesis(const DeclaredModel& declared, std::vector<actuator::Effe
   }
 }
 
+Eigen::VectorXd Hypothesis::scales() const {
+  Eigen::VectorXd out(size());
+  for (Eigen::Index i = 0; i < size(); ++i) out[i] = parameters_[static_cast<std::size_t>(i)].scale;
+  return out;
+}
+
+Eigen::VectorXd Hypothesis::clamped(Eigen::VectorXd values) const {
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)];
+    values[i] = std::clamp(values[i], parameter.lower, parameter.upper);
+  }
+  return values;
+}
+
 Eigen::VectorXd Hypothesis::start() const {
   Eigen::VectorXd out(size());
   Eigen::Index at = 0;
   for (const CalibrationParameter& number : declared_->calibration) out[at++] = number.declared;
   for (std::size_t e = 0; e < effects_.size(); ++e)
     for (const std::size_t number : shares_[e].numbers) out[at++] = effects_[e].values[number];
-  for (Eigen::Index i = 0; i < size(); ++i) out[i] = std::clamp(out[i], parameters_[i].lower, parameters_[i].upper);
-  return out;
+  return clamped(std::move(out));
 }
 
 std::vector<actuator::Effect> Hypothesis::effects_at(const Eigen::VectorXd& values) const {
@@ -62,10 +75,14 @@ std::span<const double> Hypothesis::calibration_in(const Eigen::VectorXd& values
   return {values.data(), declared_->calibration.size()};
 }
 
-actuator::Model Hypothesis::model_at(const Eigen::VectorXd& values) const {
+actuator::ModelSpec Hypothesis::spec_at(const Eigen::VectorXd& values) const {
   actuator::ModelSpec spec = declared_->build(calibration_in(values));
   for (actuator::Effect& effect : effects_at(values)) spec.effects.push_back(std::move(effect));
-  return actuator::Model(std::move(spec));
+  return spec;
+}
+
+actuator::Model Hypothesis::model_at(const Eigen::VectorXd& values) const {
+  return actuator::Model(spec_at(values));
 }
 
 }  // namespace coilwright::measurement

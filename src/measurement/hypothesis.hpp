@@ -27,9 +27,14 @@ class Hypothesis {
   /// Refers to `declared`. `effects` carry the values from which a fit starts.
   Hypothesis(const DeclaredModel& declared, std::vector<actuator::Effect> effects);
 
+  [[nodiscard]] const DeclaredModel& declared() const noexcept { return *declared_; }
   [[nodiscard]] const std::vector<actuator::Effect>& effects() const noexcept { return effects_; }
   [[nodiscard]] const std::vector<FitParameter>& parameters() const noexcept { return parameters_; }
   [[nodiscard]] Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(parameters_.size()); }
+  /// Sizes of usual changes, one per parameter.
+  [[nodiscard]] Eigen::VectorXd scales() const;
+  /// `values` moved inside the bounds.
+  [[nodiscard]] Eigen::VectorXd clamped(Eigen::VectorXd values) const;
   /// Calibration as declared, effects at their starts.
   [[nodiscard]] Eigen::VectorXd start() const;
   /// The effects with the numbers of `values`.
@@ -42,6 +47,8 @@ class Hypothesis {
     std::vector<std::size_t> numbers{};  ///< which of the kind's parameters they are
   };
   [[nodiscard]] const Share& share(std::size_t i) const noexcept { return shares_[i]; }
+  /// All that makes the model. Throws std::invalid_argument where the calibration makes none.
+  [[nodiscard]] actuator::ModelSpec spec_at(const Eigen::VectorXd& values) const;
   /// The model. Throws std::invalid_argument where the values make none.
   [[nodiscard]] actuator::Model model_at(const Eigen::VectorXd& values) const;
 

@@ -20,8 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Standard deviations from the curvature at the optimum; infinite where the data say nothing.
 Eigen::VectorXd standard_deviations(const Scored& s, double unit) {
   const Eigen::Index p = s.hypothesis.size();
-  Eigen::VectorXd scales(p);
-  for (Eigen::Index i = 0; i < p; ++i) scales[i] = s.hypothesis.parameters()[static_cast<std::size_t>(i)].scale;
+  const Eigen::VectorXd scales = s.hypothesis.scales();
   const Eigen::MatrixXd scaled = scales.asDiagonal() * s.fit.normal * scales.asDiagonal();
   Eigen::VectorXd out = Eigen::VectorXd::Constant(p, infinity);
   if (p == 0) return out;
@@ -48,9 +47,8 @@ Eigen::VectorXd standard_deviations(const Scored& s, double unit) {
 // Chi^2 over its least value at held values of one parameter, everything else fitted anew.
 class Profile {
  public:
-  Profile(std::span<const Record> records, const DeclaredModel& declared, const Scored& s, Eigen::Index parameter,
-          double unit)
-      : records_(records), declared_(declared), s_(s), parameter_(parameter), unit_(unit), last_(s.fit.values) {}
+  Profile(std::span<const Record> records, const Scored& s, Eigen::Index parameter, double unit)
+      : records_(records), s_(s), parameter_(parameter), unit_(unit), last_(s.fit.values) {}
 
   // How far above the 95 % limit; positive outside the interval.
   double operator()(double value) {
@@ -58,7 +56,6 @@ class Profile {
     start[parameter_] = value;
     const auto fitted = fit({.hypothesis = &s_.hypothesis,
                              .records = records_,
-                             .declared = &declared_,
                              .start = start,
                              .starts_from = &s_.fit,
                              .held = parameter_,
@@ -98,7 +95,6 @@ class Profile {
  private:
   static constexpr int most_doublings = 8;
   std::span<const Record> records_;
-  const DeclaredModel& declared_;
   const Scored& s_;
   Eigen::Index parameter_;
   double unit_;
@@ -117,20 +113,19 @@ Estimate local_estimate(const FitParameter& parameter, double value, double devi
 
 }  // namespace
 
-std::vector<Estimate> estimates(std::span<const Record> records, const DeclaredModel& declared, const Scored& s,
-                                double unit) {
+std::vector<Estimate> estimates(std::span<const Record> records, const Scored& s, double unit) {
   const Eigen::VectorXd deviations = standard_deviations(s, unit);
   std::vector<Estimate> out;
   for (Eigen::Index i = 0; i < s.hypothesis.size(); ++i)
     out.push_back(
         local_estimate(s.hypothesis.parameters()[static_cast<std::size_t>(i)], s.fit.values[i], deviations[i]));
-  const std::size_t calibrated = declared.calibration.size();
+  const std::size_t calibrated = s.hypothesis.declared().calibration.size();
   const std::size_t sides = 2 * (out.size() - calibrated);
   tbb::parallel_for(std::size_t{0}, sides, [&](std::size_t side) {
     const std::size_t i = calibrated + side / 2;
     const FitParameter& parameter = s.hypothesis.parameters()[i];
     const auto index = static_cast<Eigen::Index>(i);
-    Profile profile(records, declared, s, index, unit);
+    Profile profile(records, s, index, unit);
     double step = 1.05 * normal_95 * deviations[index];
     if (!std::isfinite(step)) step = parameter.scale;
     if (side % 2 == 0)

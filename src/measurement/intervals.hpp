@@ -3,14 +3,13 @@
 #include <span>
 #include <vector>
 
-#include "attribution.hpp"
+#include "scored.hpp"
 
 namespace coilwright::measurement {
 
 /// Estimates of all parameters of `s`, in its order: calibration with intervals from the slopes, the numbers of effects
 /// with profile likelihood (all else fitted anew at each held value), 95 %. `unit`: chi^2 that counts as one.
-[[nodiscard]] std::vector<Estimate> estimates(std::span<const Record> records, const DeclaredModel& declared,
-                                              const Scored& s, double unit);
+[[nodiscard]] std::vector<Estimate> estimates(std::span<const Record> records, const Scored& s, double unit);
 
 /// The estimates of effect `i` of `s`, choices included, in the order of its kind's parameters.
 [[nodiscard]] std::vector<Estimate> estimates_of_effect(const Scored& s, const std::vector<Estimate>& all,

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "attribution.hpp"
+#include "scored.hpp"
 
 namespace coilwright::measurement {
 

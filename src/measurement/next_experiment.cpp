@@ -119,7 +119,7 @@ std::vector<Proposal> menu(const Rig& rig) {
                    .change =
                        [](ModelSpec& spec) {
                          std::erase_if(spec.effects, [](const actuator::Effect& effect) {
-                           return effect.kind->id() == "back_emf" || effect.kind->id() == "current_offset";
+                           return effect.kind->needs_closed_circuit();
                          });
                        }});
   return out;
@@ -144,15 +144,8 @@ Window window_of(const Proposal& proposal, const Rig& rig, const Model& model) {
   return window;
 }
 
-ModelSpec spec_of(const DeclaredModel& declared, const Scored& s) {
-  ModelSpec spec = declared.build(s.hypothesis.calibration_in(s.fit.values));
-  for (actuator::Effect& effect : s.hypothesis.effects_at(s.fit.values)) spec.effects.push_back(std::move(effect));
-  return spec;
-}
-
-std::optional<Eigen::VectorXd> predicted(const Proposal& proposal, const Rig& rig, const DeclaredModel& declared,
-                                         const Scored& s) {
-  ModelSpec spec = spec_of(declared, s);
+std::optional<Eigen::VectorXd> predicted(const Proposal& proposal, const Rig& rig, const Scored& s) {
+  ModelSpec spec = s.hypothesis.spec_at(s.fit.values);
   if (proposal.change) proposal.change(spec);
   const Model model(std::move(spec));
   const Run camera{.kind = RunKind::transient,
@@ -167,8 +160,8 @@ std::optional<Eigen::VectorXd> predicted(const Proposal& proposal, const Rig& ri
 }
 
 // Torque of the first joint over its angle at full and half current, and its spring alone, over the bench's accuracy.
-std::optional<Eigen::VectorXd> bench_torques(const Rig& rig, const DeclaredModel& declared, const Scored& s) {
-  const Model model(spec_of(declared, s));
+std::optional<Eigen::VectorXd> bench_torques(const Rig& rig, const Scored& s) {
+  const Model model = s.hypothesis.model_at(s.fit.values);
   std::vector<double> values;
   for (int i = 0; i <= 16; ++i) {
     JointVector angles = JointVector::Zero(model.joints());
@@ -217,12 +210,12 @@ Rig rig_of(std::span<const Record> records, const Model& model) {
 
 }  // namespace
 
-std::optional<NextExperiment> next_experiment(std::span<const Record> records, const DeclaredModel& declared,
-                                              const Attribution& attribution) {
+std::optional<NextExperiment> next_experiment(std::span<const Record> records, const Attribution& attribution) {
   if (attribution.rivals.empty()) return std::nullopt;
   std::vector<const Scored*> rivals{&attribution.after()};
   for (const Scored& rival : attribution.rivals) rivals.push_back(&rival);
-  const Model model(spec_of(declared, attribution.after()));
+  const Scored& after = attribution.after();
+  const Model model = after.hypothesis.model_at(after.fit.values);
   const Rig rig = rig_of(records, model);
   if (rig.amplitude <= 0.0 || rig.sigma <= 0.0) return std::nullopt;
 
@@ -232,8 +225,7 @@ std::optional<NextExperiment> next_experiment(std::span<const Record> records, c
     std::vector<std::optional<Eigen::VectorXd>> predictions;
     double scale = 1.0;
     for (const Scored* rival : rivals) {
-      predictions.push_back(i < proposals.size() ? predicted(proposals[i], rig, declared, *rival)
-                                                 : bench_torques(rig, declared, *rival));
+      predictions.push_back(i < proposals.size() ? predicted(proposals[i], rig, *rival) : bench_torques(rig, *rival));
       if (i == proposals.size())
         scale = std::max(bench_accuracy * predictions.front()->lpNorm<Eigen::Infinity>(), 1e-12);
     }

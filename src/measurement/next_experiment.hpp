@@ -11,7 +11,6 @@ namespace coilwright::measurement {
 /// two of their predictions over the noise of the first angle channel. Nothing without rivals, or where no run shows a
 /// difference of half the noise.
 [[nodiscard]] std::optional<NextExperiment> next_experiment(std::span<const Record> records,
-                                                            const DeclaredModel& declared,
                                                             const Attribution& attribution);
 
 }  // namespace coilwright::measurement

@@ -189,6 +189,7 @@ NoiseLevel noise_of(const Run& run, const Channel& channel) {
   NoiseLevel level{.run = run.name, .channel = channel.name};
   if (run.sigma && is_meant(run, channel)) {
     level.sigma = *run.sigma;
+    level.given = true;
     level.source = "given";
     return level;
   }

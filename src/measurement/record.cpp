@@ -155,6 +155,13 @@ std::vector<Window> windows_of(const Run& run) {
 
 }  // namespace
 
+std::vector<Stretch> Record::stretches() const {
+  if (!is_motion()) return {{.first = 0, .last = run->samples()}};
+  std::vector<Stretch> out;
+  for (const Window& window : windows) out.push_back({.first = window.first, .last = window.last});
+  return out;
+}
+
 Record prepare(const Run& run, const DeclaredModel& declared, const Model& nominal) {
   check_channels(run, nominal);
   check_inputs(run, declared, nominal);

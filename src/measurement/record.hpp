@@ -22,12 +22,22 @@ struct Window {
   [[nodiscard]] std::size_t samples() const { return last - first; }
 };
 
+/// Samples that follow each other without a new start.
+struct Stretch {
+  std::size_t first{};
+  std::size_t last{};  ///< one beyond
+  [[nodiscard]] std::size_t samples() const { return last - first; }
+};
+
 /// A run as fits use it: inputs as the model takes them, noise, windows. Refers to the run.
 struct Record {
   const Run* run{};
   std::vector<NoiseLevel> noise{};  ///< one a channel
   std::vector<Window> windows{};    ///< of a transient; empty on a bench
 
+  /// Of its predictions and residuals, which stand stretch after stretch, in each channel after channel: its windows,
+  /// or all samples of a bench.
+  [[nodiscard]] std::vector<Stretch> stretches() const;
   [[nodiscard]] bool is_motion() const { return run->kind == RunKind::transient; }
   /// Whether where its windows start is fitted with the rest.
   [[nodiscard]] bool has_nuisances() const { return is_motion() && run->start != Start::at_rest; }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "measurement/attribution.hpp"
+#include "measurement/fit.hpp"
 #include "measurement/intervals.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slide.hpp"
@@ -26,11 +26,9 @@ struct Prepared {
   std::vector<Record> records;
 };
 
-Fit fitted(const Prepared& prepared, const DeclaredModel& declared) {
-  auto found = fit({.hypothesis = &prepared.hypothesis,
-                    .records = prepared.records,
-                    .declared = &declared,
-                    .start = prepared.hypothesis.start()});
+Fit fitted(const Prepared& prepared) {
+  auto found =
+      fit({.hypothesis = &prepared.hypothesis, .records = prepared.records, .start = prepared.hypothesis.start()});
   EXPECT_TRUE(found.has_value());
   return found.value_or(Fit{});
 }
@@ -38,7 +36,7 @@ Fit fitted(const Prepared& prepared, const DeclaredModel& declared) {
 TEST(Fit, RecoversMassAndDampingOfTheClosedForm) {
   const DeclaredModel declared = slide(3.0, 1.0);  // half and three times what is true
   const auto run = slide_run(300, {}, no_error);
-  const Fit found = fitted(Prepared(declared, run), declared);
+  const Fit found = fitted(Prepared(declared, run));
   // As far off as the integrator's relative accuracy of 1e-6 lets it be.
   EXPECT_NEAR(found.values[0], true_mass, 1e-5 * true_mass);
   EXPECT_NEAR(found.values[1], true_damping, 1e-5 * true_damping);
@@ -50,10 +48,8 @@ TEST(Fit, ResidualsAreMeasuredLessPredictedOverTheNoise) {
   const DeclaredModel declared = slide(true_mass, true_damping);
   const auto run = slide_run(100, {}, [] { return 2.0 * noise; });
   const Prepared prepared(declared, run);
-  const auto there = evaluate_at({.hypothesis = &prepared.hypothesis,
-                                  .records = prepared.records,
-                                  .declared = &declared,
-                                  .start = prepared.hypothesis.start()});
+  const auto there = evaluate_at(
+      {.hypothesis = &prepared.hypothesis, .records = prepared.records, .start = prepared.hypothesis.start()});
   ASSERT_TRUE(there.has_value());
   for (const double residual : there->runs.front().residuals) EXPECT_NEAR(residual, 2.0, 1e-2);
   EXPECT_NEAR(there->chi_square, 400.0, 4.0);
@@ -63,14 +59,10 @@ TEST(Fit, SlopesAreThoseOfTheClosedForm) {
   const DeclaredModel declared = slide(true_mass, true_damping);
   const auto run = slide_run(100, {}, no_error);
   const Prepared prepared(declared, run);
-  const auto there = evaluate_at({.hypothesis = &prepared.hypothesis,
-                                  .records = prepared.records,
-                                  .declared = &declared,
-                                  .start = prepared.hypothesis.start()});
-  ASSERT_TRUE(there.has_value());
+  const Fit there = fitted(prepared);  // stays at the truth
   // From rest the motion is a function of u/m and d/m; so m d/dm + d d/dd is minus the motion's own size, x(u).
-  for (Eigen::Index i = 0; i < there->slopes.rows(); ++i) {
-    const double along = true_mass * there->slopes(i, 0) + true_damping * there->slopes(i, 1);
+  for (Eigen::Index i = 0; i < there.slopes.rows(); ++i) {
+    const double along = true_mass * there.slopes(i, 0) + true_damping * there.slopes(i, 1);
     EXPECT_NEAR(along * noise, run.channels.front().values[static_cast<std::size_t>(i)], 2e-4);
   }
 }
@@ -84,8 +76,8 @@ TEST(Fit, IntervalsCoverTheTruthAsOftenAsTheySay) {
     Normal normal(static_cast<std::uint64_t>(seed));
     const auto run = slide_run(200, {}, [&] { return noise * normal(); });
     const Prepared prepared(declared, run);
-    const Scored scored{.hypothesis = prepared.hypothesis, .fit = fitted(prepared, declared)};
-    const std::vector<Estimate> all = estimates(prepared.records, declared, scored, 1.0);
+    const Scored scored{.hypothesis = prepared.hypothesis, .fit = fitted(prepared)};
+    const std::vector<Estimate> all = estimates(prepared.records, scored, 1.0);
     ASSERT_EQ(all.size(), 2u);
     mass += all[0].lower <= true_mass && true_mass <= all[0].upper ? 1 : 0;
     damping += all[1].lower <= true_damping && true_damping <= all[1].upper ? 1 : 0;
@@ -100,7 +92,7 @@ TEST(Fit, StaysWithinPhysicalBounds) {
   const DeclaredModel declared = slide(true_mass, true_damping);
   const auto run = pushed_run();
   const Prepared prepared(declared, run, {{.kind = find_effect("quadratic_drag"), .values = {0.1}}});
-  const Fit found = fitted(prepared, declared);
+  const Fit found = fitted(prepared);
   EXPECT_EQ(found.values[2], 0.0);
   EXPECT_TRUE(found.at_bound[2]);
   EXPECT_FALSE(found.at_bound[0]);
@@ -112,7 +104,6 @@ TEST(Fit, KeepsAHeldParameter) {
   const Prepared prepared(declared, run);
   const auto found = fit({.hypothesis = &prepared.hypothesis,
                           .records = prepared.records,
-                          .declared = &declared,
                           .start = prepared.hypothesis.start(),
                           .held = 1});
   ASSERT_TRUE(found.has_value());
@@ -129,7 +120,7 @@ TEST(Fit, FindsWhereEveryWindowStarts) {
   run.window = 1.0;
   const Prepared prepared(declared, run);
   ASSERT_EQ(prepared.records.front().windows.size(), 4u);
-  const Fit found = fitted(prepared, declared);
+  const Fit found = fitted(prepared);
   // Each window has 100 samples; position at its start is known to about 2 noise / sqrt(100), the speed to about four
   // times that a second. Five standard deviations.
   Place place = start;

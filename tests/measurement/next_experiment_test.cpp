@@ -53,7 +53,7 @@ struct Rig {
     Attribution found;
     found.steps = {fitted({}), fitted({chosen})};
     for (const Effect& rival : rivals) found.rivals.push_back(fitted({rival}));
-    return next_experiment(records, declared, found);
+    return next_experiment(records, found);
   }
 
   DeclaredModel declared;

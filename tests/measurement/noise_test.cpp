@@ -131,6 +131,7 @@ TEST(Noise, TakesWhatIsGiven) {
   run.sigma = 0.25;
   const NoiseLevel level = noise_of(run, run.channels.front());
   EXPECT_EQ(level.sigma, 0.25);
+  EXPECT_TRUE(level.given);
   EXPECT_EQ(level.source, "given");
   EXPECT_EQ(level.run, "run.csv");
   EXPECT_EQ(level.channel, "bending_angle_deg");

@@ -118,6 +118,9 @@ class EffectKind {
   /// Its numbers; empty for an effect that is there or not.
   [[nodiscard]] virtual std::span<const EffectParameter> parameters() const = 0;
 
+  /// Whether it is gone while the coils' circuit is open: a driver's bias, what motion induces.
+  [[nodiscard]] virtual bool needs_closed_circuit() const { return false; }
+
   /// Why it cannot be in this model (no coils, one joint only, already exact): one line; nothing when it can.
   [[nodiscard]] virtual std::optional<std::string> inapplicable(const ModelSpec& spec) const;
   /// Parameter values, SI, worth starting a fit from on such a rig; at least one vector, inside the bounds, not absent.

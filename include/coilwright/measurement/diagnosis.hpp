@@ -118,6 +118,7 @@ struct NoiseLevel {
   std::string run{};
   std::string channel{};
   double sigma{};        ///< SI
+  bool given{};          ///< by the set, not estimated
   std::string source{};  ///< "given", or how it was estimated
 };
 

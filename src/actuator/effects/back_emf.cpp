@@ -69,6 +69,8 @@ class BackEmf final : public DescribedEffect {
                                          .upper = std::numeric_limits<double>::infinity(),
                                          .absent = 0.0}}}) {}
 
+  bool needs_closed_circuit() const override { return true; }
+
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double per_ampere = scale.torque / scale.current;
     const double whole = scale.torque / (per_ampere * per_ampere * scale.rate);

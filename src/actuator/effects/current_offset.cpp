@@ -30,6 +30,8 @@ class CurrentOffset final : public DescribedEffect {
                                          .upper = 5.0,
                                          .absent = 0.0}}}) {}
 
+  bool needs_closed_circuit() const override { return true; }
+
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     return one_by_one({0.02 * scale.current, -0.02 * scale.current});
   }

@@ -45,15 +45,12 @@ class Stopwatch {
   long last_runs_ = simulated_runs();
 };
 
-// What each step of an attribution explains.
-std::vector<Evidence> evidence_of(std::span<const Record> records, const Attribution& found) {
-  std::vector<Evidence> out;
-  for (std::size_t i = 1; i < found.steps.size(); ++i) {
-    const Scored& without = found.steps[i - 1];
-    const Scored& with = found.steps[i];
-    out.push_back(evidence(records, without, with, found.unit));
-    out.back().cross_validated_gain = cross_validated_gain(records, without, with);
-  }
+// What step `i` of an attribution explains.
+Evidence evidence_of(std::span<const Record> records, const Attribution& found, std::size_t i) {
+  const Scored& without = found.steps[i - 1];
+  const Scored& with = found.steps[i];
+  Evidence out = evidence(records, without, with, found.unit);
+  out.cross_validated_gain = cross_validated_gain(records, without, with);
   return out;
 }
 
@@ -72,6 +69,28 @@ bool all_present(const Scored& s, const std::vector<Estimate>& all) {
   for (std::size_t i = 0; i < s.hypothesis.effects().size(); ++i)
     if (!excludes_absent(s, estimates_of_effect(s, all, i), i)) return false;
   return true;
+}
+
+// What stands of an attribution.
+struct Standing {
+  std::vector<Evidence> gains{};      // of each step
+  std::vector<Estimate> estimates{};  // of the last
+};
+
+// An effect that is not needed, or that cannot be told from nothing, is taken back, the last first.
+Standing what_stands(std::span<const Record> records, Attribution& found) {
+  Standing out{.estimates = estimates(records, found.steps.back(), found.unit)};
+  for (std::size_t i = 1; i < found.steps.size(); ++i) out.gains.push_back(evidence_of(records, found, i));
+  while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), out.gains.back()) ||
+                                    !all_present(found.after(), out.estimates))) {
+    found.steps.pop_back();
+    out.gains.pop_back();
+    found.rivals.clear();
+    found.indistinguishable.clear();
+    out.estimates = estimates(records, found.steps.back(), unit_of_evidence(records, found.after()));
+    if (!out.gains.empty()) out.gains.back() = evidence_of(records, found, found.steps.size() - 1);
+  }
+  return out;
 }
 
 Verdict verdict_of(const Attribution& found) {
@@ -114,19 +133,9 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
       attribute({.records = records, .declared = &declared, .seed = options.seed, .progress = options.progress});
   watch.lap("comparison");
 
-  std::vector<Evidence> gains = evidence_of(records, found);
-  watch.lap("cross-validation");
-  std::vector<Estimate> all = estimates(records, found.after(), found.unit);
-  // An effect that is not needed, or that cannot be told from nothing, is taken back, the last first.
-  while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), gains.back()) ||
-                                    !all_present(found.after(), all))) {
-    found.steps.pop_back();
-    gains.pop_back();
-    found.rivals.clear();
-    found.indistinguishable.clear();
-    all = estimates(records, found.after(), unit_of_evidence(records, found.after()));
-  }
-  watch.lap("intervals");
+  const Standing standing = what_stands(records, found);
+  const std::vector<Estimate>& all = standing.estimates;
+  watch.lap("intervals and cross-validation");
 
   out.verdict = verdict_of(found);
   out.before = found.before().adequacy;
@@ -137,7 +146,7 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = estimates_of_effect(found.after(), all, i),
-                           .evidence = gains[i]});
+                           .evidence = standing.gains[i]});
   out.residual = localise(records, found.after());
   watch.lap("localisation");
   out.next_experiment = next_experiment(records, found);

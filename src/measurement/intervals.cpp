@@ -7,7 +7,10 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+
+#include "trial.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -16,6 +19,10 @@ namespace {
 constexpr double chi_square_95 = 3.8414588206941254;
 constexpr double normal_95 = 1.959963984540054;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+// A profile that meets a chi^2 so much smaller, in pieces of evidence, has found an optimum that the fit had missed;
+// less is where fits end.
+constexpr double worth_moving = 0.2;
+constexpr int most_moves = 8;
 
 // Standard deviations from the curvature at the optimum; infinite where the data say nothing.
 Eigen::VectorXd standard_deviations(const Scored& s, double unit) {
@@ -44,61 +51,101 @@ Eigen::VectorXd standard_deviations(const Scored& s, double unit) {
   return out;
 }
 
+// A number whose physical range has a zero at its end at most, and that is not there, is profiled in its logarithm: the
+// data may leave decades of it open.
+bool is_magnitude(const FitParameter& parameter, double value) {
+  return parameter.lower >= 0.0 && value > 0.0;
+}
+
 // Chi^2 over its least value at held values of one parameter, everything else fitted anew.
 class Profile {
  public:
-  Profile(std::span<const Record> records, const Scored& s, Eigen::Index parameter, double unit)
-      : records_(records), s_(s), parameter_(parameter), unit_(unit), last_(s.fit.values) {}
-
-  // How far above the 95 % limit; positive outside the interval.
-  double operator()(double value) {
-    Eigen::VectorXd start = last_;
-    start[parameter_] = value;
-    const auto fitted = fit({.hypothesis = &s_.hypothesis,
-                             .records = records_,
-                             .start = start,
-                             .starts_from = &s_.fit,
-                             .held = parameter_,
-                             .effort = {.iterations = 8, .tolerance = 1e-6}});
-    if (!fitted) return chi_square_95;  // a model that cannot move is no explanation
-    last_ = fitted->values;
-    return (fitted->chi_square - s_.fit.chi_square) / unit_ - chi_square_95;
+  Profile(std::span<const Record> records, const Scored& s, Eigen::Index index, double unit)
+      : records_(records), s_(s), index_(index), unit_(unit), last_(s.fit.values), best_(s.fit.values) {
+    const FitParameter& parameter = s.hypothesis.parameters()[static_cast<std::size_t>(index)];
+    lower_ = parameter.lower;
+    upper_ = parameter.upper;
+    scale_ = parameter.scale;
+    logarithmic_ = is_magnitude(parameter, s.fit.values[index]);
   }
 
-  // Where the limit is passed on the way from the estimate by `step` (signed) and on, at most to `bound`; an infinity
-  // where it never is.
-  double crossing(double step, double bound) {
+  // Where the 95 % limit is passed on the way down (-1) or up (1) from the estimate, at most to the physical bound; an
+  // infinity where it never is. `deviation` of the estimate from the curvature; may be infinite.
+  double crossing(double way, double deviation) {
     last_ = s_.fit.values;
-    const double centre = s_.fit.values[parameter_];
+    const double estimate = s_.fit.values[index_];
+    const double centre = coordinate(estimate);
+    const double bound = coordinate(way > 0.0 ? upper_ : lower_);
+    const double step = way * first_step(estimate, deviation);
     double inside = centre;
     double inside_value = -chi_square_95;
     for (int i = 0; i < most_doublings; ++i) {
       const double wanted = centre + step * std::pow(2.0, i);
-      const double at = step > 0.0 ? std::min(wanted, bound) : std::max(wanted, bound);
-      const double value = (*this)(at);
-      if (value >= 0.0) {
-        std::uintmax_t evaluations = 6;
-        const auto close = [&](double a, double b) { return std::abs(a - b) <= 0.01 * std::abs(at - centre); };
-        const auto [a, b] = at > inside ? boost::math::tools::toms748_solve(std::ref(*this), inside, at, inside_value,
-                                                                            value, close, evaluations)
-                                        : boost::math::tools::toms748_solve(std::ref(*this), at, inside, value,
-                                                                            inside_value, close, evaluations);
-        return 0.5 * (a + b);
-      }
+      const double at = way > 0.0 ? std::min(wanted, bound) : std::max(wanted, bound);
+      const double value = above_limit(at);
+      if (value >= 0.0) return value_at(root(inside, inside_value, at, value, 0.01 * std::abs(at - centre)));
       if (at == bound) break;
       inside = at;
       inside_value = value;
     }
-    return std::copysign(infinity, step);
+    return std::copysign(infinity, way);
   }
+
+  // The smallest chi^2 that was met, and where: that of the estimate if nothing better was.
+  [[nodiscard]] double best_chi_square() const { return best_chi_square_; }
+  [[nodiscard]] const Eigen::VectorXd& best() const { return best_; }
 
  private:
   static constexpr int most_doublings = 8;
+
+  [[nodiscard]] double coordinate(double value) const { return logarithmic_ ? std::log(value) : value; }
+  [[nodiscard]] double value_at(double coordinate) const { return logarithmic_ ? std::exp(coordinate) : coordinate; }
+
+  [[nodiscard]] double first_step(double estimate, double deviation) const {
+    double step = 1.05 * normal_95 * deviation;
+    if (!std::isfinite(step)) step = scale_;
+    return logarithmic_ ? std::min(step / estimate, std::numbers::ln2) : step;
+  }
+
+  // How far above the 95 % limit; positive outside the interval.
+  double above_limit(double coordinate) {
+    Eigen::VectorXd start = last_;
+    start[index_] = value_at(coordinate);
+    const auto fitted = fit({.hypothesis = &s_.hypothesis,
+                             .records = records_,
+                             .start = start,
+                             .starts_from = &s_.fit,
+                             .held = index_,
+                             .effort = {.iterations = 8, .tolerance = 1e-6}});
+    if (!fitted) return chi_square_95;  // a model that cannot move is no explanation
+    last_ = fitted->values;
+    if (fitted->chi_square < best_chi_square_) {
+      best_chi_square_ = fitted->chi_square;
+      best_ = fitted->values;
+    }
+    return (fitted->chi_square - s_.fit.chi_square) / unit_ - chi_square_95;
+  }
+
+  double root(double inside, double inside_value, double outside, double outside_value, double tolerance) {
+    std::uintmax_t evaluations = 6;
+    const auto function = [this](double coordinate) { return above_limit(coordinate); };
+    const auto close = [&](double a, double b) { return std::abs(a - b) <= tolerance; };
+    const auto [a, b] = inside < outside ? boost::math::tools::toms748_solve(function, inside, outside, inside_value,
+                                                                             outside_value, close, evaluations)
+                                         : boost::math::tools::toms748_solve(function, outside, inside, outside_value,
+                                                                             inside_value, close, evaluations);
+    return 0.5 * (a + b);
+  }
+
   std::span<const Record> records_;
   const Scored& s_;
-  Eigen::Index parameter_;
+  Eigen::Index index_;
   double unit_;
+  double lower_{}, upper_{}, scale_{};
+  bool logarithmic_{};
   Eigen::VectorXd last_;
+  Eigen::VectorXd best_;
+  double best_chi_square_ = s_.fit.chi_square;
 };
 
 Estimate local_estimate(const FitParameter& parameter, double value, double deviation) {
@@ -111,31 +158,50 @@ Estimate local_estimate(const FitParameter& parameter, double value, double devi
   return out;
 }
 
-}  // namespace
+// Estimates about the fit of `s`, and the best values that a profile met.
+struct Look {
+  std::vector<Estimate> all{};
+  double chi_square{};
+  Eigen::VectorXd values{};
+};
 
-std::vector<Estimate> estimates(std::span<const Record> records, const Scored& s, double unit) {
+Look look_around(std::span<const Record> records, const Scored& s, double unit) {
   const Eigen::VectorXd deviations = standard_deviations(s, unit);
-  std::vector<Estimate> out;
+  Look out{.all = {}, .chi_square = s.fit.chi_square, .values = s.fit.values};
   for (Eigen::Index i = 0; i < s.hypothesis.size(); ++i)
-    out.push_back(
+    out.all.push_back(
         local_estimate(s.hypothesis.parameters()[static_cast<std::size_t>(i)], s.fit.values[i], deviations[i]));
   const std::size_t calibrated = s.hypothesis.declared().calibration.size();
-  const std::size_t sides = 2 * (out.size() - calibrated);
-  tbb::parallel_for(std::size_t{0}, sides, [&](std::size_t side) {
+  std::vector<Profile> sides;
+  for (std::size_t i = calibrated; i < out.all.size(); ++i)
+    for (int side = 0; side < 2; ++side) sides.emplace_back(records, s, static_cast<Eigen::Index>(i), unit);
+  tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t side) {
     const std::size_t i = calibrated + side / 2;
-    const FitParameter& parameter = s.hypothesis.parameters()[i];
-    const auto index = static_cast<Eigen::Index>(i);
-    Profile profile(records, s, index, unit);
-    double step = 1.05 * normal_95 * deviations[index];
-    if (!std::isfinite(step)) step = parameter.scale;
-    if (side % 2 == 0)
-      out[i].lower = profile.crossing(-step, parameter.lower);
-    else
-      out[i].upper = profile.crossing(step, parameter.upper);
+    Estimate& estimate = out.all[i];
+    const double deviation = deviations[static_cast<Eigen::Index>(i)];
+    (side % 2 == 0 ? estimate.lower : estimate.upper) = sides[side].crossing(side % 2 == 0 ? -1.0 : 1.0, deviation);
   });
-  for (std::size_t i = calibrated; i < out.size(); ++i)
-    out[i].determined = std::isfinite(out[i].lower) || std::isfinite(out[i].upper);
+  for (const Profile& profile : sides) {
+    if (profile.best_chi_square() >= out.chi_square) continue;
+    out.chi_square = profile.best_chi_square();
+    out.values = profile.best();
+  }
+  for (std::size_t i = calibrated; i < out.all.size(); ++i)
+    out.all[i].determined = std::isfinite(out.all[i].lower) || std::isfinite(out.all[i].upper);
   return out;
+}
+
+}  // namespace
+
+std::vector<Estimate> estimates(std::span<const Record> records, Scored& s, double unit) {
+  for (int moves = 0;; ++moves) {
+    Look look = look_around(records, s, unit);
+    if (moves == most_moves || s.fit.chi_square - look.chi_square < worth_moving * unit) return look.all;
+    const auto there =
+        fitted_to_end(records, {.hypothesis = s.hypothesis, .start = look.values, .starts_from = &s.fit});
+    if (!there || there->fit.chi_square >= s.fit.chi_square) return look.all;
+    s = *there;
+  }
 }
 
 std::vector<Estimate> estimates_of_effect(const Scored& s, const std::vector<Estimate>& all, std::size_t i) {

@@ -8,8 +8,10 @@
 namespace coilwright::measurement {
 
 /// Estimates of all parameters of `s`, in its order: calibration with intervals from the slopes, the numbers of effects
-/// with profile likelihood (all else fitted anew at each held value), 95 %. `unit`: chi^2 that counts as one.
-[[nodiscard]] std::vector<Estimate> estimates(std::span<const Record> records, const Scored& s, double unit);
+/// with profile likelihood (all else fitted anew at each held value), 95 %; magnitudes, which no bound lets fall to
+/// zero or below, in their logarithm. `unit`: chi^2 that counts as one. Where a profile passes a better optimum than
+/// the fit had found, `s` is moved there first.
+[[nodiscard]] std::vector<Estimate> estimates(std::span<const Record> records, Scored& s, double unit);
 
 /// The estimates of effect `i` of `s`, choices included, in the order of its kind's parameters.
 [[nodiscard]] std::vector<Estimate> estimates_of_effect(const Scored& s, const std::vector<Estimate>& all,

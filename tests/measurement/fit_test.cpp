@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "measurement/fit.hpp"
 #include "measurement/intervals.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slide.hpp"
@@ -76,7 +75,7 @@ TEST(Fit, IntervalsCoverTheTruthAsOftenAsTheySay) {
     Normal normal(static_cast<std::uint64_t>(seed));
     const auto run = slide_run(200, {}, [&] { return noise * normal(); });
     const Prepared prepared(declared, run);
-    const Scored scored{.hypothesis = prepared.hypothesis, .fit = fitted(prepared)};
+    Scored scored{.hypothesis = prepared.hypothesis, .fit = fitted(prepared)};
     const std::vector<Estimate> all = estimates(prepared.records, scored, 1.0);
     ASSERT_EQ(all.size(), 2u);
     mass += all[0].lower <= true_mass && true_mass <= all[0].upper ? 1 : 0;

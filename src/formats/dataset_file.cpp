@@ -9,12 +9,12 @@
 #include "coilwright/formats/object_reader.hpp"
 #include "coilwright/formats/run_file.hpp"
 #include "coilwright/measurement/quality.hpp"
+#include "run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 using measurement::Dataset;
-using measurement::Drive;
 using measurement::Run;
 using measurement::RunKind;
 using measurement::Start;
@@ -24,26 +24,10 @@ constexpr std::size_t most_runs = 10'000;
 
 enum class Role { fit, validate };
 
-Drive read_drive(const Node& node) {
-  return node.choice<Drive>({{"current", Drive::current}, {"voltage", Drive::voltage}, {"torque", Drive::torque}});
-}
-
-std::string_view word(Drive drive) {
-  switch (drive) {
-    case Drive::current:
-      return "current";
-    case Drive::voltage:
-      return "voltage";
-    case Drive::torque:
-      break;
-  }
-  return "torque";
-}
-
 // The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.
 void check_drive(const Run& run, const Node& node) {
   if (run.kind != RunKind::joint_stiffness && read_drive(node) != run.drive)
-    throw node.error("must be \"" + std::string(word(run.drive)) + "\", as the input column of the file says");
+    throw node.error("must be \"" + std::string(name_of(run.drive)) + "\", as the input column of the file says");
 }
 
 void check_start(const Run& run, const Node& node) {
@@ -70,14 +54,10 @@ Entry read_entry(const Node& node, std::set<std::filesystem::path>& met) {
   return read_object(node, [&](ObjectReader& in) {
     const Node file = in.at("file");
     RunEntry entry{.name = file.text()};
-    entry.kind = in.choice<RunKind>("kind", {{"transient", RunKind::transient},
-                                             {"static_torque", RunKind::static_torque},
-                                             {"joint_stiffness", RunKind::joint_stiffness},
-                                             {"blocked_force", RunKind::blocked_force},
-                                             {"temperature", RunKind::temperature}});
+    entry.kind = read_run_kind(in.at("kind"));
     const Role role = in.choice<Role>("role", {{"fit", Role::fit}, {"validate", Role::validate}});
-    entry.start = in.choice_or("start", Start::at_rest,
-                               {{"at_rest", Start::at_rest}, {"measured", Start::measured}, {"free", Start::free}});
+    const auto start = in.find("start");
+    entry.start = start ? read_start(*start) : Start::at_rest;
     const auto window = in.find_not_null("window_s");
     if (window) entry.window = window->quantity(positive);
     if (const auto sigma = in.find_not_null("sigma")) entry.sigma = sigma->number(positive);
@@ -89,7 +69,7 @@ Entry read_entry(const Node& node, std::set<std::filesystem::path>& met) {
     in.finish();  // a mistake in this entry is told before one in its file
     Entry out{.file = read_run(file.path(), entry), .role = role};
     if (drive) check_drive(out.file.run, *drive);
-    if (const auto start = in.find("start")) check_start(out.file.run, *start);
+    if (start) check_start(out.file.run, *start);
     if (window) check_window(out.file.run, *window);
     return out;
   });

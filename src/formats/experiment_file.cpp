@@ -14,6 +14,7 @@
 #include "coilwright/formats/json_document.hpp"
 #include "coilwright/formats/object_reader.hpp"
 #include "coilwright/formats/spelling.hpp"
+#include "run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -213,10 +214,10 @@ void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
 
 void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
   Run& run = planned.plan;
-  run.drive = in.choice_or("drive", Drive::current,
-                           {{"current", Drive::current}, {"voltage", Drive::voltage}, {"torque", Drive::torque}});
-  run.start = in.choice_or("start", Start::at_rest,
-                           {{"at_rest", Start::at_rest}, {"measured", Start::measured}, {"free", Start::free}});
+  const auto drive = in.find("drive");
+  run.drive = drive ? read_drive(*drive) : Drive::current;
+  const auto start = in.find("start");
+  run.start = start ? read_start(*start) : Start::at_rest;
   if (const auto angles = in.find("start_angles_deg")) {
     if (run.start == Start::at_rest) throw angles->error("must not be there where the start is \"at_rest\"");
     planned.start_angles = angles->quantities(Length::at_least(1), angle_rule);
@@ -278,12 +279,8 @@ PlannedRun read_run(const Node& node, const Defaults& defaults) {
     PlannedRun planned;
     planned.plan.name = read_file_name(in.at("file"));
     planned.validate = in.choice<bool>("role", {{"fit", false}, {"validate", true}});
-    planned.plan.kind = in.choice_or("kind", RunKind::transient,
-                                     {{"transient", RunKind::transient},
-                                      {"static_torque", RunKind::static_torque},
-                                      {"joint_stiffness", RunKind::joint_stiffness},
-                                      {"blocked_force", RunKind::blocked_force},
-                                      {"temperature", RunKind::temperature}});
+    const auto kind = in.find("kind");
+    planned.plan.kind = kind ? read_run_kind(*kind) : RunKind::transient;
     if (planned.plan.kind == RunKind::transient)
       read_transient(in, defaults, planned);
     else if (planned.plan.kind == RunKind::temperature)

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <charconv>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,50 +15,11 @@ namespace {
 
 using namespace measurement;
 
-std::string_view word(RunKind kind) {
-  switch (kind) {
-    case RunKind::transient:
-      return "transient";
-    case RunKind::static_torque:
-      return "static_torque";
-    case RunKind::joint_stiffness:
-      return "joint_stiffness";
-    case RunKind::blocked_force:
-      return "blocked_force";
-    case RunKind::temperature:
-      return "temperature";
-  }
-  return "";
-}
-
-std::string_view word(Drive drive) {
-  switch (drive) {
-    case Drive::current:
-      return "current";
-    case Drive::voltage:
-      return "voltage";
-    case Drive::torque:
-      return "torque";
-  }
-  return "";
-}
-
-std::string_view word(Start start) {
-  switch (start) {
-    case Start::at_rest:
-      return "at_rest";
-    case Start::measured:
-      return "measured";
-    case Start::free:
-      return "free";
-  }
-  return "";
-}
-
 Json run_json(const RunInRole& each) {
   const Run& run = each.run;
-  Json out = Json::object({{"file", run.name}, {"kind", word(run.kind)}, {"role", each.validate ? "validate" : "fit"}});
-  if (run.kind == RunKind::transient) out.set("drive", word(run.drive)).set("start", word(run.start));
+  Json out =
+      Json::object({{"file", run.name}, {"kind", name_of(run.kind)}, {"role", each.validate ? "validate" : "fit"}});
+  if (run.kind == RunKind::transient) out.set("drive", name_of(run.drive)).set("start", name_of(run.start));
   if (run.window) out.set("window_s", *run.window);
   if (run.sigma) {
     const std::string& column = run.channels.front().name;

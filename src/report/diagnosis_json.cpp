@@ -173,7 +173,7 @@ Json warnings_json(const Diagnosis& diagnosis) {
 
 Json to_json(const DiagnosisAnswer& answer) {
   const Diagnosis& diagnosis = answer.diagnosis;
-  Json out = Json::object({{"format", "diagnosis/1"}, {"verdict", word(diagnosis.verdict)}});
+  Json out = Json::object({{"format", "diagnosis/1"}, {"verdict", name_of(diagnosis.verdict)}});
   out.set("effects", effects_json(diagnosis)).set("indistinguishable", indistinguishable_json(diagnosis));
   out.set("error", Json::object({{"validate", comparisons_json(diagnosis.validate_errors)},
                                  {"fit", comparisons_json(diagnosis.fit_errors)}}));

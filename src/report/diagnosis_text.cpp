@@ -239,7 +239,7 @@ std::string runs_text(const DiagnosisAnswer& answer) {
 
 std::string to_text(const DiagnosisAnswer& answer) {
   const Diagnosis& diagnosis = answer.diagnosis;
-  return fmt::format("{}: {}\n\n{}\n", answer.dataset, word(diagnosis.verdict), verdict_sentence(diagnosis)) +
+  return fmt::format("{}: {}\n\n{}\n", answer.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis)) +
          effects_text(diagnosis) + errors_text(diagnosis) + rivals_text(diagnosis) + experiment_text(diagnosis) +
          residual_text(diagnosis) + warnings_text(diagnosis) + calibration_text(diagnosis) + noise_text(diagnosis) +
          runs_text(answer);

@@ -9,7 +9,6 @@ namespace {
 
 using measurement::ErrorComparison;
 using measurement::Quantity;
-using measurement::Verdict;
 
 int rank(const ErrorComparison* comparison) {
   if (comparison->quantity == Quantity::bending_angle) return 0;
@@ -18,20 +17,6 @@ int rank(const ErrorComparison* comparison) {
 }
 
 }  // namespace
-
-std::string_view word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::no_missing_effect:
-      return "no_missing_effect";
-    case Verdict::explained:
-      return "explained";
-    case Verdict::partly_explained:
-      return "partly_explained";
-    case Verdict::unexplained:
-      return "unexplained";
-  }
-  return "";
-}
 
 std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds) {
   std::vector<std::string> out;

@@ -2,15 +2,11 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "coilwright/measurement/diagnosis.hpp"
 
 namespace coilwright::report {
-
-/// "partly_explained".
-[[nodiscard]] std::string_view word(measurement::Verdict verdict);
 
 /// Ids of some kinds of effects.
 [[nodiscard]] std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds);

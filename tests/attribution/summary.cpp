@@ -17,20 +17,6 @@ using coilwright::measurement::Verdict;
 
 constexpr double tolerated_error = 1.1;  // times the noise floor
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::no_missing_effect:
-      return "no_missing_effect";
-    case Verdict::explained:
-      return "explained";
-    case Verdict::partly_explained:
-      return "partly_explained";
-    case Verdict::unexplained:
-      return "unexplained";
-  }
-  return "";
-}
-
 std::string hidden_ids(const Outcome& outcome) {
   std::vector<std::string> ids;
   for (const truth::HiddenEffect& hidden : outcome.answer.hidden) ids.push_back(hidden.id);

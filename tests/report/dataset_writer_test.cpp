@@ -1,5 +1,6 @@
 #include "coilwright/report/dataset_writer.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,6 +14,7 @@ namespace coilwright::report {
 namespace {
 
 using namespace measurement;
+using ::testing::HasSubstr;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -51,6 +53,11 @@ std::string table_of(const Run& run) {
   std::ostringstream out;
   write_run(out, run);
   return out.str();
+}
+
+std::string entry(const Run& run) {
+  const std::vector<RunInRole> runs = {{.run = run}};
+  return dataset_json("words", "actuator.json", runs).text();
 }
 
 TEST(DatasetWriter, WritesReadingsAsAnInstrumentShowsThem) {
@@ -96,6 +103,20 @@ TEST(DatasetWriter, WritesASetThatIsReadBack) {
   EXPECT_EQ(back.data.fit[1].drive, Drive::torque);
   EXPECT_EQ(back.data.fit[1].window, 0.01);
   EXPECT_NEAR(back.data.fit[1].sigma.value(), 0.3 * degree, 1e-15);
+}
+
+TEST(DatasetWriter, HasTheWordOfTheFormatForEachKindDriveAndStart) {
+  EXPECT_THAT(entry({.kind = RunKind::transient}), HasSubstr(R"("kind": "transient")"));
+  EXPECT_THAT(entry({.kind = RunKind::static_torque}), HasSubstr(R"("kind": "static_torque")"));
+  EXPECT_THAT(entry({.kind = RunKind::joint_stiffness}), HasSubstr(R"("kind": "joint_stiffness")"));
+  EXPECT_THAT(entry({.kind = RunKind::blocked_force}), HasSubstr(R"("kind": "blocked_force")"));
+  EXPECT_THAT(entry({.kind = RunKind::temperature}), HasSubstr(R"("kind": "temperature")"));
+  EXPECT_THAT(entry({.drive = Drive::current}), HasSubstr(R"("drive": "current")"));
+  EXPECT_THAT(entry({.drive = Drive::voltage}), HasSubstr(R"("drive": "voltage")"));
+  EXPECT_THAT(entry({.drive = Drive::torque}), HasSubstr(R"("drive": "torque")"));
+  EXPECT_THAT(entry({.start = Start::at_rest}), HasSubstr(R"("start": "at_rest")"));
+  EXPECT_THAT(entry({.start = Start::measured}), HasSubstr(R"("start": "measured")"));
+  EXPECT_THAT(entry({.start = Start::free}), HasSubstr(R"("start": "free")"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,11 @@ enum class Start {
   measured,  ///< in the first measured state
   free       ///< anywhere: a nuisance of the fit
 };
+
+/// The word in a data set: "static_torque", "current", "at_rest".
+[[nodiscard]] std::string_view name_of(RunKind kind);
+[[nodiscard]] std::string_view name_of(Drive drive);
+[[nodiscard]] std::string_view name_of(Start start);
 
 /// What a column measures.
 enum class Quantity { bending_angle, joint_angle, joint_rate, torque, force, temperature };

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/actuator/effect.hpp"
@@ -20,6 +21,9 @@ enum class Verdict {
   partly_explained,   ///< an effect helps significantly, structure remains
   unexplained         ///< structure remains and no candidate is supported
 };
+
+/// "partly_explained".
+[[nodiscard]] std::string_view name_of(Verdict verdict);
 
 /// A fitted number.
 struct Estimate {

@@ -20,6 +20,7 @@
 #include "coilwright/report/actuator_json.hpp"
 #include "coilwright/report/diagnosis_report.hpp"
 #include "coilwright/report/output_folder.hpp"
+#include "coilwright/report/phase_table.hpp"
 #include "coilwright/report/residual_table.hpp"
 #include "commands.hpp"
 #include "end_on_signal.hpp"
@@ -131,6 +132,7 @@ void run_diagnose(const Options& options) {
       formats::read_declared_actuator(declared_file, {.names = set.calibrate, .file = set.file});
   check_output(options, set, declared_file);
   const Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
+  if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   const std::string actuator = actuator_text(diagnosis, declared);
   write(options,
         {.diagnosis = diagnosis,

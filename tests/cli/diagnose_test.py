@@ -47,7 +47,7 @@ class Diagnose(ProgramTest):
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
                          {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt"})
         self.assertEqual(result.stdout, (self.folder / "out" / "summary.txt").read_text())
-        self.assertNotEqual(result.stderr, "")  # progress
+        self.assertIn("best with 1 effect: dry_friction", result.stderr)  # progress
         found = self.result("out/diagnosis.json")
         self.assertEqual((found["format"], found["verdict"]), ("diagnosis/1", "explained"))
         self.assertEqual([effect["id"] for effect in found["effects"]], ["dry_friction"])
@@ -87,6 +87,20 @@ class Diagnose(ProgramTest):
         self.assertEqual(self.diagnose("two", "--threads", "2", "--quiet").stderr, "")
         for name in ("diagnosis.json", "actuator.json", "residuals.csv", "summary.txt"):
             self.assertEqual(self.files()[f"one/{name}"], self.files()[f"two/{name}"], name)
+
+    def test_where_the_time_went_ends_the_progress_and_is_in_no_file(self):
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        result = self.diagnose("out")
+        head, *phases = result.stderr[result.stderr.index("  phase "):].splitlines()
+        self.assertEqual(head.split(), ["phase", "s", "simulated", "runs"])
+        rows = [line.rsplit(maxsplit=2) for line in phases]
+        runs = {name.strip(): int(simulated) for name, _, simulated in rows}
+        self.assertEqual(list(runs)[-1], "total")
+        self.assertGreater(runs["comparison"], 0)
+        self.assertEqual(runs.pop("total"), sum(runs.values()))
+        for name, content in self.files().items():
+            if name.startswith("out/"):
+                self.assertNotIn(b"simulated runs", content, name)
 
     def test_bad_data_is_refused_and_leaves_nothing(self):
         self.twin()

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -134,18 +135,22 @@ std::string hypothesis(const Candidate& candidate) {
   return candidate.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(ids(candidate.effects), " + "));
 }
 
+std::string compared_text(const Diagnosis& diagnosis) {
+  if (diagnosis.candidates.empty()) return {};
+  TextTable table;
+  table.row({"", "chi^2"});
+  for (const Candidate& each :
+       std::span(diagnosis.candidates).first(std::min(diagnosis.candidates.size(), most_candidates)))
+    table.row({hypothesis(each), number(each.evidence.chi_square_after), each.remark});
+  return "\nCompared, best first\n" + table.text(2, {left, right, left});
+}
+
 std::string rivals_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const auto& set : diagnosis.indistinguishable)
     text += fmt::format("  these data cannot tell apart: {}\n", fmt::join(ids(set), ", "));
   if (!text.empty()) text = "\nWhat else it could be\n" + text;
-  TextTable table;
-  for (const Candidate& each : diagnosis.candidates) {
-    if (table.rows() == most_candidates) break;
-    table.row({hypothesis(each), fmt::format("chi^2 {}", number(each.evidence.chi_square_after)), each.remark});
-  }
-  if (table.rows() > 0) text += "\nCompared, best first\n" + table.text(2, {left, right, left});
-  return text;
+  return text + compared_text(diagnosis);
 }
 
 std::string experiment_text(const Diagnosis& diagnosis) {

@@ -329,6 +329,22 @@ TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("torque_Nmm  12.5  3.46 to 25 (95 %)"));
 }
 
+TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
+  Diagnosis diagnosis = example();
+  const auto with_chi_square = [](double value) {
+    return Evidence{.chi_square_after = value, .correlation_time = 4.0};
+  };
+  diagnosis.candidates = {
+      {.effects = {&coil_heating, &magnet_heating}, .evidence = with_chi_square(444.25), .remark = ""},
+      {.effects = {&dry_friction}, .evidence = with_chi_square(12000.0), .remark = "interval includes absent"},
+      {.effects = {}, .evidence = with_chi_square(52000.0), .remark = ""}};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("Compared, best first\n"
+                                            "                                   chi^2\n"
+                                            "  coil_heating + magnet_heating    444.2\n"
+                                            "  dry_friction                   1.2e+04  interval includes absent\n"
+                                            "  no effect                      5.2e+04\n"));
+}
+
 TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {
   const Diagnosis diagnosis = example();
   DiagnosisAnswer answer = answer_of(diagnosis);

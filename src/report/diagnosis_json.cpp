@@ -113,7 +113,7 @@ Json candidates_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const Candidate& candidate : diagnosis.candidates)
     out.add(Json::object({{"effects", ids_json(candidate.effects)},
-                          {"evidence", evidence_json(candidate.evidence)},
+                          {"evidence", weighed(candidate) ? evidence_json(candidate.evidence) : Json(nullptr)},
                           {"remark", text_or_null(candidate.remark)}}));
   return out;
 }

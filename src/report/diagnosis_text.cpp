@@ -141,7 +141,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
   table.row({"", "chi^2"});
   for (const Candidate& each :
        std::span(diagnosis.candidates).first(std::min(diagnosis.candidates.size(), most_candidates)))
-    table.row({hypothesis(each), number(each.evidence.chi_square_after), each.remark});
+    table.row({hypothesis(each), weighed(each) ? number(each.evidence.chi_square_after) : "none", each.remark});
   return "\nCompared, best first\n" + table.text(2, {left, right, left});
 }
 

@@ -24,6 +24,11 @@ std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds)
   return out;
 }
 
+// The residual of any fit has a correlation time of at least one sample.
+bool weighed(const measurement::Candidate& candidate) {
+  return candidate.remark.empty() || candidate.evidence.correlation_time > 0.0;
+}
+
 std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> comparisons) {
   std::vector<const ErrorComparison*> out;
   for (const ErrorComparison& each : comparisons) out.push_back(&each);

@@ -234,6 +234,19 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
   EXPECT_EQ(json["dataset"], "finger-2024-03-11");
 }
 
+TEST(DiagnosisJson, HasNoEvidenceOfAHypothesisThatWasRuledOutWithoutAFit) {
+  Diagnosis diagnosis = example();
+  const Evidence fitted{.chi_square_before = 52000.0, .chi_square_after = 12000.0, .correlation_time = 1.0};
+  diagnosis.candidates = {{.effects = {&dry_friction}, .evidence = fitted, .remark = ""},
+                          {.effects = {&magnet_heating}, .evidence = fitted, .remark = "interval includes absent"},
+                          {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
+  const auto candidates = json_of(diagnosis)["candidates"];
+  EXPECT_EQ(candidates[0]["evidence"]["chi_square_after"], 12000.0);
+  EXPECT_EQ(candidates[1]["evidence"]["chi_square_after"], 12000.0);
+  EXPECT_EQ(candidates[2],
+            ordered_json::parse(R"({"effects": ["coil_heating"], "evidence": null, "remark": "no coils"})"));
+}
+
 TEST(DiagnosisJson, SaysNothingOfTime) {
   Diagnosis diagnosis = example();
   const std::string text = to_json(answer_of(diagnosis)).text();
@@ -337,12 +350,14 @@ TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
   diagnosis.candidates = {
       {.effects = {&coil_heating, &magnet_heating}, .evidence = with_chi_square(444.25), .remark = ""},
       {.effects = {&dry_friction}, .evidence = with_chi_square(12000.0), .remark = "interval includes absent"},
-      {.effects = {}, .evidence = with_chi_square(52000.0), .remark = ""}};
+      {.effects = {}, .evidence = with_chi_square(52000.0), .remark = ""},
+      {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
   EXPECT_THAT(text_of(diagnosis), HasSubstr("Compared, best first\n"
                                             "                                   chi^2\n"
                                             "  coil_heating + magnet_heating    444.2\n"
                                             "  dry_friction                   1.2e+04  interval includes absent\n"
-                                            "  no effect                      5.2e+04\n"));
+                                            "  no effect                      5.2e+04\n"
+                                            "  coil_heating                      none  no coils\n"));
 }
 
 TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {

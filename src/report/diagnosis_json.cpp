@@ -36,15 +36,27 @@ Json ids_json(std::span<const actuator::EffectKind* const> kinds) {
 
 Json estimate_json(const Estimate& estimate) {
   const EstimateInUnit shown = in_unit(estimate);
-  Json out = Json::object({{"value", number_or_null(shown.value)},
-                           {"ci95", Json::array({number_or_null(shown.lower), number_or_null(shown.upper)})}});
+  Json interval = Json::array();
+  interval.add(number_or_null(shown.lower)).add(number_or_null(shown.upper));
+  Json out = Json::object({{"value", number_or_null(shown.value)}, {"ci95", std::move(interval)}});
   if (!estimate.determined) out.set("determined", false);
   return out;
+}
+
+Json choice_json(const Estimate& chosen) {
+  return Json::object({{"value", number_or_null(in_unit(chosen).value)}, {"ci95", nullptr}, {"choice", true}});
 }
 
 Json estimates_json(std::span<const Estimate> estimates) {
   Json out = Json::object();
   for (const Estimate& each : estimates) out.set(each.key, estimate_json(each));
+  return out;
+}
+
+Json parameters_json(const AddedEffect& effect) {
+  Json out = Json::object();
+  for (const Estimate& each : effect.parameters)
+    out.set(each.key, is_choice(*effect.kind, each) ? choice_json(each) : estimate_json(each));
   return out;
 }
 
@@ -60,7 +72,7 @@ Json effects_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const AddedEffect& effect : diagnosis.effects)
     out.add(Json::object({{"id", effect.kind->id()},
-                          {"parameters", estimates_json(effect.parameters)},
+                          {"parameters", parameters_json(effect)},
                           {"evidence", evidence_json(effect.evidence)}}));
   return out;
 }

@@ -70,14 +70,22 @@ std::string interval_text(const Estimate& estimate, const EstimateInUnit& shown,
   return "no bound on either side (95 %)";
 }
 
-std::string estimates_text(const std::vector<Estimate>& estimates, std::size_t indent) {
+std::vector<std::string> estimate_row(const Estimate& estimate) {
+  const EstimateInUnit shown = in_unit(estimate);
+  const int digits = digits_of(shown);
+  return {estimate.key, fmt::format("{:.{}g}", shown.value, digits), interval_text(estimate, shown, digits)};
+}
+
+std::string parameters_text(const AddedEffect& effect) {
+  if (effect.parameters.empty()) return "    (no number of its own)\n";
   TextTable table;
-  for (const Estimate& each : estimates) {
-    const EstimateInUnit shown = in_unit(each);
-    const int digits = digits_of(shown);
-    table.row({each.key, fmt::format("{:.{}g}", shown.value, digits), interval_text(each, shown, digits)});
+  for (const Estimate& each : effect.parameters) {
+    if (is_choice(*effect.kind, each))
+      table.row({each.key, number(in_unit(each).value), "(chosen)"});
+    else
+      table.row(estimate_row(each));
   }
-  return table.text(indent, {left, right, left});
+  return table.text(4, {left, right, left});
 }
 
 std::string effects_text(const Diagnosis& diagnosis) {
@@ -85,7 +93,7 @@ std::string effects_text(const Diagnosis& diagnosis) {
   std::string text = "\nWhat it lacks\n";
   for (const AddedEffect& each : diagnosis.effects) {
     text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->missing());
-    text += each.parameters.empty() ? "    (no number of its own)\n" : estimates_text(each.parameters, 4);
+    text += parameters_text(each);
     const Evidence& evidence = each.evidence;
     text += fmt::format("    chi^2 on the fit runs {} -> {}", number(evidence.chi_square_before),
                         number(evidence.chi_square_after));
@@ -99,7 +107,9 @@ std::string effects_text(const Diagnosis& diagnosis) {
 
 std::string calibration_text(const Diagnosis& diagnosis) {
   if (diagnosis.calibration.empty()) return {};
-  return "\nDeclared numbers, fitted anew\n" + estimates_text(diagnosis.calibration, 2);
+  TextTable table;
+  for (const Estimate& each : diagnosis.calibration) table.row(estimate_row(each));
+  return "\nDeclared numbers, fitted anew\n" + table.text(2, {left, right, left});
 }
 
 std::string comparison_text(const ErrorComparison& comparison) {

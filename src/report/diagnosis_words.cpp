@@ -36,6 +36,12 @@ std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> 
   return out;
 }
 
+bool is_choice(const actuator::EffectKind& kind, const measurement::Estimate& estimate) {
+  return std::ranges::any_of(kind.parameters(), [&](const actuator::EffectParameter& parameter) {
+    return parameter.key == estimate.key && !parameter.choices.empty();
+  });
+}
+
 EstimateInUnit in_unit(const measurement::Estimate& estimate) {
   const formats::Unit unit{.suffix = estimate.key, .dimension = "", .denominator = estimate.denominator};
   return {.value = formats::from_si(estimate.value, unit),

@@ -19,6 +19,9 @@ namespace coilwright::report {
 [[nodiscard]] std::vector<const measurement::ErrorComparison*> main_first(
     std::span<const measurement::ErrorComparison> comparisons);
 
+/// Whether a number of an effect is one of a few choices, each of which was tried: there is no interval about it.
+[[nodiscard]] bool is_choice(const actuator::EffectKind& kind, const measurement::Estimate& estimate);
+
 /// An estimate's numbers in the unit of its key.
 struct EstimateInUnit {
   double value{}, lower{}, upper{};

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -24,6 +25,9 @@ constexpr double degree = std::numbers::pi / 180.0;
 const NamedEffect dry_friction("dry_friction", "Coulomb friction at the hinges");
 const NamedEffect coil_heating("coil_heating", "the coil's resistance rises");
 const NamedEffect magnet_heating("magnet_heating", "the remanence falls");
+constexpr std::array sides = {-1.0, 1.0};
+const NamedEffect end_stop("end_stop", "a stop",
+                           {{.key = "angle_deg", .text = "where"}, {.key = "side", .text = "which", .choices = sides}});
 
 Errors degrees(double mae, double rmse, double max) {
   return {.mae = mae * degree, .rmse = rmse * degree, .max = max * degree};
@@ -36,6 +40,18 @@ ErrorComparison comparison(Quantity quantity, std::size_t samples, double noise_
           .before = {},
           .after = {},
           .noise_floor_rmse = noise_floor};
+}
+
+// Stiff at 40 degrees, on the lower side.
+AddedEffect stopped() {
+  return {.kind = &end_stop,
+          .parameters = {{.key = "angle_deg",
+                          .denominator = 180.0 / std::numbers::pi,
+                          .value = 40.0 * degree,
+                          .lower = 39.0 * degree,
+                          .upper = 41.0 * degree},
+                         {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0}},
+          .evidence = {}};
 }
 
 // The example of measured-data/1, as values in memory.
@@ -163,6 +179,15 @@ TEST(DiagnosisJson, HasNullForASideWithoutABound) {
   EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, null], "determined": false})"));
   diagnosis.effects[0].evidence.cross_validated_gain = nan;
   EXPECT_TRUE(json_of(diagnosis)["effects"][0]["evidence"]["cross_validated_gain"].is_null());
+}
+
+TEST(DiagnosisJson, HasNoIntervalAboutAChoice) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects = {stopped()};
+  const auto parameters = json_of(diagnosis)["effects"][0]["parameters"];
+  EXPECT_NEAR(parameters["angle_deg"]["ci95"][0].get<double>(), 39.0, 1e-12);  // some roundings
+  EXPECT_FALSE(parameters["angle_deg"].contains("choice"));
+  EXPECT_EQ(parameters["side"], ordered_json::parse(R"({"value": -1.0, "ci95": null, "choice": true})"));
 }
 
 TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
@@ -328,6 +353,14 @@ TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at most 0.64 (95 %)"));
   estimate.determined = false;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  not determined by these data"));
+}
+
+TEST(DiagnosisText, SaysOfAChoiceThatItIsOne) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects = {stopped()};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("  end_stop: a stop\n"
+                                            "    angle_deg  40  39 to 41 (95 %)\n"
+                                            "    side       -1  (chosen)\n"));
 }
 
 TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {

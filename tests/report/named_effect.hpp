@@ -10,16 +10,17 @@
 
 namespace coilwright::report {
 
-/// An effect that has a name and nothing else: enough for a report.
+/// An effect that has a name, perhaps numbers, and nothing else: enough for a report.
 class NamedEffect final : public actuator::EffectKind {
  public:
-  NamedEffect(std::string id, std::string missing) : id_(std::move(id)), missing_(std::move(missing)) {}
+  NamedEffect(std::string id, std::string missing, std::vector<actuator::EffectParameter> parameters = {})
+      : id_(std::move(id)), missing_(std::move(missing)), parameters_(std::move(parameters)) {}
   [[nodiscard]] std::string_view id() const override { return id_; }
   [[nodiscard]] actuator::Stage stage() const override { return actuator::Stage::hinge; }
   [[nodiscard]] std::string_view missing() const override { return missing_; }
   [[nodiscard]] std::string_view equation() const override { return ""; }
   [[nodiscard]] std::string_view source() const override { return ""; }
-  [[nodiscard]] std::span<const actuator::EffectParameter> parameters() const override { return {}; }
+  [[nodiscard]] std::span<const actuator::EffectParameter> parameters() const override { return parameters_; }
   [[nodiscard]] std::vector<std::vector<double>> starts(const actuator::RigScale&) const override { return {{}}; }
   [[nodiscard]] std::unique_ptr<const actuator::EffectTerm> build(std::span<const double>,
                                                                   actuator::ModelSpec&) const override {
@@ -29,6 +30,7 @@ class NamedEffect final : public actuator::EffectKind {
  private:
   std::string id_;
   std::string missing_;
+  std::vector<actuator::EffectParameter> parameters_;
 };
 
 }  // namespace coilwright::report

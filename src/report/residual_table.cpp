@@ -25,7 +25,8 @@ Axis axis_of(const Replay& replay) {
 }
 
 CsvCell cell(double value, std::string_view column) {
-  return std::isfinite(value) ? CsvCell(in_column_unit(value, column)) : CsvCell();
+  if (!std::isfinite(value)) return {};
+  return in_column_unit(value, column) + 0.0;  // no -0
 }
 
 void check(const Replay& replay) {

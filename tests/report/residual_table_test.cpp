@@ -1,5 +1,6 @@
 #include "coilwright/report/residual_table.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -69,6 +70,18 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
             "bench.csv,validate,torque_Nmm,,20,,12.3,12.1,12.2,12.4\n"
             "\"wall, firm.csv\",fit,force_N,,,1.4,1.19,1,1.1,1.2\n"
             "hot.csv,fit,temperature_degC,60,,,80.5,70,75,80\n");
+}
+
+TEST(ResidualTable, HasNoNegativeZero) {
+  const std::vector<Replay> replays = {{.run = "a.csv",
+                                        .quantity = Quantity::bending_angle,
+                                        .channel = "bending_angle_deg",
+                                        .at = {-0.0},
+                                        .measured = {-0.0},
+                                        .declared = {deg(-0.5)},
+                                        .before = {-0.0},
+                                        .after = {0.0}}};
+  EXPECT_THAT(table_of(replays), ::testing::EndsWith("\na.csv,fit,bending_angle_deg,0,,,0,-0.5,0,0\n"));
 }
 
 TEST(ResidualTable, RefusesVectorsOfUnequalLengthBeforeItWrites) {

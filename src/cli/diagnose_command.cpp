@@ -25,6 +25,7 @@
 #include "commands.hpp"
 #include "end_on_signal.hpp"
 #include "number_rule.hpp"
+#include "threads_option.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -33,7 +34,6 @@ using actuator::Effect;
 using measurement::Diagnosis;
 
 constexpr const char* actuator_name = "actuator.json";
-constexpr int most_threads = 1024;
 
 struct Options {
   std::string dataset;
@@ -151,8 +151,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   command->add_option("DATASET_DIR", options->dataset, "A data set (measured-data/1): its folder")->required();
   command->add_option("--actuator", options->actuator, "The declared model, instead of the one that the set names");
   command->add_option("--out", options->out, "Folder to write results to; made if it is not there")->required();
-  command->add_option("--threads", options->threads, "Fits made at once; 0, the default: one per core")
-      ->check(number_rule(formats::Rule::between(0, most_threads)));
+  add_threads_option(*command, options->threads, "Fits made at once");
   command->add_option("--seed", options->seed, "Of the starts drawn beside those that effects propose; 1")
       ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
   command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();

@@ -10,11 +10,10 @@
 #include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/study_file.hpp"
 #include "number_rule.hpp"
+#include "threads_option.hpp"
 
 namespace coilwright::cli {
 namespace {
-
-constexpr int most_threads = 1024;
 
 std::string algorithm_complaint(const std::string& name) {
   try {
@@ -30,8 +29,7 @@ std::string algorithm_complaint(const std::string& name) {
 void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("STUDY.json", options.study, "A study (study/1)")->required();
   command.add_option("--out", options.out, "Folder to write results to; made if it is not there")->required();
-  command.add_option("--threads", options.threads, "Designs evaluated at once; 0, the default: one per core")
-      ->check(number_rule(formats::Rule::between(0, most_threads)));
+  add_threads_option(command, options.threads, "Designs evaluated at once");
   command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
   command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
@@ -54,7 +52,7 @@ sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& obje
                                .place = "/objectives",
                                .rule = std::string(objectives.rule),
                                .value = fmt::format("{}", count)});
-  study.search.threads = options.threads;
+  study.search.threads = static_cast<unsigned>(options.threads);
   if (options.seed) study.search.seed = *options.seed;
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);

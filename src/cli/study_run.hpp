@@ -21,7 +21,7 @@ namespace coilwright::cli {
 struct StudyOptions {
   std::string study;
   std::string out;
-  unsigned threads = 0;
+  int threads = 0;
   bool quiet{false};
   bool json{false};
   std::optional<std::uint64_t> seed{};

@@ -47,7 +47,7 @@ ExitCode run_sweep(const StudyOptions& options) {
   std::size_t ok = 0;
   const std::size_t made = [&] {
     ProgressLine line(options);
-    return sizing::sweep(problem, {.threads = options.threads, .stop = interruption.token()},
+    return sizing::sweep(problem, {.threads = study.search.threads, .stop = interruption.token()},
                          [&](const sizing::SweptDesign& design) {
                            designs.row(design);
                            leaders.consider(design);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -68,7 +69,6 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
 // A set that does not fit its model, or a model that cannot be simulated, is bad data and not a failure of the program.
 Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, const formats::DeclaredActuator& declared,
                    const std::filesystem::path& declared_file) {
-  const EndOnSignal nothing_to_save;
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed};
@@ -114,33 +114,44 @@ std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredAct
   return text;
 }
 
-void write(const Options& options, const report::DiagnosisAnswer& answer, const std::string& actuator) {
-  report::OutputFolder folder(options.out);
-  const std::string summary = report::to_text(answer);
-  folder.write("diagnosis.json", report::to_json(answer).text());
-  folder.write(actuator_name, actuator);
-  report::write_residuals(folder.open("residuals.csv"), answer.diagnosis.replays);
-  folder.write("summary.txt", summary);
-  folder.commit();
-  std::cout << summary;
-}
+// All that is to be written.
+struct Found {
+  Diagnosis diagnosis;
+  std::string dataset;
+  std::vector<std::string> held_out;
+  std::string actuator;
+};
 
-void run_diagnose(const Options& options) {
+Found find(const Options& options) {
+  const EndOnSignal nothing_to_save;
   const formats::DatasetFile set = formats::read_dataset(options.dataset);
   const std::filesystem::path declared_file = declared_path(options, set);
   const formats::DeclaredActuator declared =
       formats::read_declared_actuator(declared_file, {.names = set.calibrate, .file = set.file});
   check_output(options, set, declared_file);
-  const Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
+  Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
-  const std::string actuator = actuator_text(diagnosis, declared);
-  write(options,
-        {.diagnosis = diagnosis,
-         .dataset = set.data.name,
-         .updated_actuator = actuator_name,
-         .held_out = set.data.held_out,
-         .seed = options.seed},
-        actuator);
+  std::string actuator = actuator_text(diagnosis, declared);
+  return {.diagnosis = std::move(diagnosis),
+          .dataset = set.data.name,
+          .held_out = set.data.held_out,
+          .actuator = std::move(actuator)};
+}
+
+void write(const Options& options, const Found& found) {
+  const report::DiagnosisAnswer answer{.diagnosis = found.diagnosis,
+                                       .dataset = found.dataset,
+                                       .updated_actuator = actuator_name,
+                                       .held_out = found.held_out,
+                                       .seed = options.seed};
+  report::OutputFolder folder(options.out);
+  const std::string summary = report::to_text(answer);
+  folder.write("diagnosis.json", report::to_json(answer).text());
+  folder.write(actuator_name, found.actuator);
+  report::write_residuals(folder.open("residuals.csv"), found.diagnosis.replays);
+  folder.write("summary.txt", summary);
+  folder.commit();
+  std::cout << summary;
 }
 
 }  // namespace
@@ -158,11 +169,11 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   command->footer(
       "Prints a summary, and writes it with diagnosis.json (verdict, effects with intervals, errors, rivals, what to\n"
       "measure next), actuator.json (the actuator with the effects, for every other command) and residuals.csv\n"
-      "(measured, declared, before, after at every sample). Ends with 0 whatever the verdict. Ctrl-C writes nothing;\n"
-      "the exit code is then 130.\n\n"
+      "(measured, declared, before, after at every sample). Ends with 0 whatever the verdict. Ctrl-C writes nothing,\n"
+      "and says so; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose measured/finger-2024-03-11 --out results/diagnosis");
-  command->callback([options] { run_diagnose(*options); });
+  command->callback([options] { write(*options, find(*options)); });
 }
 
 }  // namespace coilwright::cli

@@ -2,13 +2,18 @@
 
 #include <unistd.h>
 
+#include <string_view>
+
 #include "outcome.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-// Of all that could be done here, _exit alone is safe in a signal handler while other threads work.
+constexpr std::string_view message = "coilwright: interrupted: nothing is written\n";
+
+// Of all that could be done here, write and _exit alone are safe in a signal handler while other threads work.
 extern "C" void end_now(int) {
+  [[maybe_unused]] const ssize_t said = write(STDERR_FILENO, message.data(), message.size());
   _exit(static_cast<int>(ExitCode::interrupted));
 }
 

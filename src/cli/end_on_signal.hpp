@@ -4,8 +4,8 @@
 
 namespace coilwright::cli {
 
-/// While it lives, SIGINT or SIGTERM ends the program at once with ExitCode::interrupted: for long work that has
-/// written nothing yet and has nothing to save.
+/// While it lives, SIGINT or SIGTERM says on standard error that nothing is written, and ends the program at once with
+/// ExitCode::interrupted: for long work that has nothing to save.
 class EndOnSignal {
  public:
   EndOnSignal();

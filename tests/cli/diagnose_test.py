@@ -153,6 +153,7 @@ class Diagnose(ProgramTest):
             self.assertEqual(process.wait(), 130)
             self.assertLess(time.monotonic() - started, 5)
             self.assertEqual(process.stdout.read(), b"")
+            self.assertEqual(process.stderr.read().splitlines()[-1], b"coilwright: interrupted: nothing is written")
         self.assertEqual(self.files(), before)
 
 

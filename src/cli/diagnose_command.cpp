@@ -25,6 +25,7 @@
 #include "coilwright/report/residual_table.hpp"
 #include "commands.hpp"
 #include "end_on_signal.hpp"
+#include "keep_inputs.hpp"
 #include "number_rule.hpp"
 #include "threads_option.hpp"
 
@@ -34,7 +35,10 @@ namespace {
 using actuator::Effect;
 using measurement::Diagnosis;
 
+constexpr const char* diagnosis_name = "diagnosis.json";
 constexpr const char* actuator_name = "actuator.json";
+constexpr const char* residuals_name = "residuals.csv";
+constexpr const char* summary_name = "summary.txt";
 
 struct Options {
   std::string dataset;
@@ -51,17 +55,18 @@ std::filesystem::path declared_path(const Options& options, const formats::Datas
   throw formats::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
 }
 
-// Results among the data would be taken for data, or lie over the actuator that the data declare.
+// Results among the data would be taken for data, or lie over them or the actuator that they declare.
 void check_output(const Options& options, const formats::DatasetFile& set, const std::filesystem::path& declared) {
-  const auto refuse = [&](const std::filesystem::path& path, const char* reason) {
-    return report::OutputError(path, reason, report::OutputError::Stage::preparing);
-  };
   std::error_code none;
   const std::filesystem::path folder = std::filesystem::path(set.file).parent_path();
   if (std::filesystem::equivalent(folder.empty() ? "." : folder, options.out, none))
-    throw refuse(options.out, "it is the folder of the data set");
-  const std::filesystem::path written = std::filesystem::path(options.out) / actuator_name;
-  if (std::filesystem::equivalent(declared, written, none)) throw refuse(written, "it is an input of this command");
+    throw report::OutputError(options.out, "it is the folder of the data set", report::OutputError::Stage::preparing);
+  std::vector<std::filesystem::path> inputs = set.run_files;
+  inputs.insert(inputs.end(), {set.file, declared});
+  std::vector<std::filesystem::path> outputs;
+  for (const char* name : {diagnosis_name, actuator_name, residuals_name, summary_name})
+    outputs.push_back(std::filesystem::path(options.out) / name);
+  keep_inputs(inputs, outputs);
   // Known before the work, whether it can be written.
   const report::OutputFolder trial(options.out);
 }
@@ -146,10 +151,10 @@ void write(const Options& options, const Found& found) {
                                        .seed = options.seed};
   report::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
-  folder.write("diagnosis.json", report::to_json(answer).text());
+  folder.write(diagnosis_name, report::to_json(answer).text());
   folder.write(actuator_name, found.actuator);
-  report::write_residuals(folder.open("residuals.csv"), found.diagnosis.replays);
-  folder.write("summary.txt", summary);
+  report::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
+  folder.write(summary_name, summary);
   folder.commit();
   std::cout << summary;
 }

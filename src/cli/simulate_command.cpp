@@ -21,6 +21,7 @@
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "commands.hpp"
+#include "keep_inputs.hpp"
 #include "number_rule.hpp"
 
 namespace coilwright::cli {
@@ -206,11 +207,8 @@ void write(std::ostream& stream, const NamedInput& input, const Recording& recor
 
 // Writing the result over its own input would lose the input.
 void check_output(const Options& options) {
-  for (const std::string& input : std::array{options.actuator.file, options.input}) {
-    std::error_code none;
-    if (!input.empty() && std::filesystem::equivalent(input, options.out, none))
-      throw report::OutputError(options.out, "it is an input of this command", report::OutputError::Stage::preparing);
-  }
+  keep_inputs(std::array<std::filesystem::path, 2>{options.actuator.file, options.input},
+              std::array<std::filesystem::path, 1>{options.out});
 }
 
 void run_simulate(const Options& options) {

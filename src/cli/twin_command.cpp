@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <array>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include "coilwright/report/output_folder.hpp"
 #include "coilwright/report/twin_answer.hpp"
 #include "commands.hpp"
+#include "keep_inputs.hpp"
 #include "number_rule.hpp"
 
 namespace coilwright::cli {
@@ -91,12 +93,11 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Writing over the actuator would lose it.
+// Writing over the actuator or the experiment would lose it.
 void check_output(const Options& options) {
-  const auto written = folder_of(options) / actuator_name;
-  std::error_code none;
-  if (std::filesystem::equivalent(options.actuator, written, none))
-    throw report::OutputError(written, "it is an input of this command", report::OutputError::Stage::preparing);
+  const std::filesystem::path folder = folder_of(options);
+  keep_inputs(std::array<std::filesystem::path, 2>{options.actuator, options.experiment},
+              std::array{folder / actuator_name, folder / "dataset.json"});
 }
 
 void write(const Options& options, const Experiment& experiment, const std::vector<Effect>& hidden,

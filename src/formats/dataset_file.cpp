@@ -22,6 +22,9 @@ using measurement::Start;
 // Far beyond any set that a rig fills, and near enough that a wrong file is refused at once.
 constexpr std::size_t most_runs = 10'000;
 
+// In the column's unit. Outside, no instrument: a fit would drown in it, or overflow.
+constexpr Rule sigma_rule = Rule::between(1e-12, 1e12);
+
 enum class Role { fit, validate };
 
 // The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.
@@ -60,7 +63,7 @@ Entry read_entry(const Node& node, std::set<std::filesystem::path>& met) {
     entry.start = start ? read_start(*start) : Start::at_rest;
     const auto window = in.find_not_null("window_s");
     if (window) entry.window = window->quantity(positive);
-    if (const auto sigma = in.find_not_null("sigma")) entry.sigma = sigma->number(positive);
+    if (const auto sigma = in.find_not_null("sigma")) entry.sigma = sigma->number(sigma_rule);
     const auto drive = entry.kind == RunKind::transient ? std::optional(in.at("drive")) : in.find("drive");
     if (drive) (void)read_drive(*drive);
     std::error_code unreadable;
@@ -89,7 +92,7 @@ std::vector<std::string> read_calibrate(ObjectReader& in) {
   return names;
 }
 
-Dataset read_runs(const Node& node) {
+Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> met;
   std::map<std::string, InputError> objections;
   std::vector<Run> validate;
@@ -99,6 +102,7 @@ Dataset read_runs(const Node& node) {
     if (entry.file.objection) objections.emplace(entry.file.run.name, *entry.file.objection);
     (entry.role == Role::fit ? data.fit : validate).push_back(std::move(entry.file.run));
   }
+  files.assign(met.begin(), met.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
   data.validate = measurement::SealedRuns(std::move(validate));
   measurement::hold_out(data);
@@ -118,7 +122,7 @@ DatasetFile read_document(const Document& document) {
     out.calibrate = read_calibrate(in);
     const Node runs = in.at("runs");
     in.finish();
-    out.data = read_runs(runs);
+    out.data = read_runs(runs, out.run_files);
     out.data.name = std::move(name);
     return out;
   });

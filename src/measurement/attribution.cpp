@@ -53,11 +53,19 @@ std::string names(const Scored& s) {
   return out;
 }
 
+// The inputs of the first run by itself that the model cannot follow.
+std::string inputs_that_fail(std::span<const Record> records, const Trial& trial) {
+  for (std::size_t r = 0; r < records.size(); ++r)
+    if (!evaluate_at(asking(records.subspan(r, 1), trial))) return "the inputs of " + records[r].run->name;
+  return "these inputs";
+}
+
 Scored recalibrated(std::span<const Record> records, const DeclaredModel& declared) {
   Trial trial{.hypothesis = Hypothesis(declared, {})};
   trial.start = trial.hypothesis.start();
   auto fitted = fitted_to_end(records, trial);
-  if (!fitted) throw std::runtime_error("the declared model cannot be simulated under these inputs");
+  if (!fitted)
+    throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(records, trial));
   return std::move(*fitted);
 }
 

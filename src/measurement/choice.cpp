@@ -28,11 +28,12 @@ bool has_an_absent_effect(const Scored& s) {
   return std::ranges::any_of(s.hypothesis.effects_at(s.fit.values), is_absent);
 }
 
-template <typename Rule>
-void rule_out(std::vector<Scored>& all, const char* remark, std::vector<Candidate>& candidates, Rule&& rule) {
+template <typename Rule, typename Weigh>
+void rule_out(std::vector<Scored>& all, const char* remark, std::vector<Candidate>& candidates, Rule&& rule,
+              Weigh&& weigh) {
   std::erase_if(all, [&](const Scored& s) {
     if (!rule(s)) return false;
-    candidates.push_back({.effects = s.kinds(), .remark = remark});
+    candidates.push_back({.effects = s.kinds(), .evidence = weigh(s), .remark = remark});
     return true;
   });
 }
@@ -85,15 +86,16 @@ std::vector<Kinds> sets_of(const Kinds& chosen, const std::vector<Scored>& rival
 
 void choose(std::span<const Record> records, std::vector<Scored> all, Attribution& out) {
   const Scored& before = out.before();
-  rule_out(all, "fits best where it is absent", out.candidates, has_an_absent_effect);
+  const auto weigh = [&](const Scored& s) { return evidence(records, before, s, out.unit); };
+  rule_out(all, "fits best where it is absent", out.candidates, has_an_absent_effect, weigh);
   // What is no better than the same model without it was not improved by any of its starts.
-  rule_out(all, "fits no better than without it", out.candidates,
-           [&](const Scored& s) { return s.fit.chi_square > before.fit.chi_square * (1.0 + 1e-9); });
+  rule_out(
+      all, "fits no better than without it", out.candidates,
+      [&](const Scored& s) { return s.fit.chi_square > before.fit.chi_square * (1.0 + 1e-9); }, weigh);
   const auto against = [&](const Scored& s) { return criterion(s, out.unit); };
   std::ranges::stable_sort(all, {}, against);
   std::vector<Candidate> ranked;
-  for (const Scored& s : all)
-    ranked.push_back({.effects = s.kinds(), .evidence = evidence(records, before, s, out.unit)});
+  for (const Scored& s : all) ranked.push_back({.effects = s.kinds(), .evidence = weigh(s)});
   out.candidates.insert(out.candidates.begin(), ranked.begin(), ranked.end());
   if (all.empty() || against(before) - against(all.front()) < decisive) return;
 

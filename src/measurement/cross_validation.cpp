@@ -5,23 +5,30 @@
 #include <Eigen/QR>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace coilwright::measurement {
 namespace {
 
-// Chi^2 of a run at values that it had no part in.
-double held_out_chi_square(std::span<const Record> records, const Scored& s, std::size_t run) {
+// From the fit to all runs to the fit without one of them.
+Eigen::VectorXd step_without(const Scored& s, std::size_t run) {
   const Eigen::MatrixXd others = s.fit.normal - s.fit.runs[run].normal;
   const Eigen::VectorXd scales = s.hypothesis.scales();
   const Eigen::MatrixXd scaled = scales.asDiagonal() * others * scales.asDiagonal();
   // Residuals r with slope dr/dx: the others' optimum lies at +N^-1 g of the run left out, for at the common optimum
   // all slopes add up to nothing.
-  Eigen::VectorXd step = scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * s.fit.runs[run].slope);
-  step = scales.asDiagonal() * step.cwiseMax(-1.0).cwiseMin(1.0);
-  const auto there = evaluate_at({.hypothesis = &s.hypothesis,
-                                  .records = records.subspan(run, 1),
-                                  .start = s.hypothesis.clamped(s.fit.values + step)});
+  const Eigen::VectorXd step =
+      scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * s.fit.runs[run].slope);
+  return scales.asDiagonal() * step.cwiseMax(-1.0).cwiseMin(1.0);
+}
+
+// Chi^2 of a run at values that it had no part in.
+double held_out_chi_square(std::span<const Record> records, const Scored& s, std::size_t run) {
+  Eigen::VectorXd values = s.fit.values;
+  if (values.size() > 0) values = s.hypothesis.clamped(values + step_without(s, run));
+  const auto there =
+      evaluate_at({.hypothesis = &s.hypothesis, .records = records.subspan(run, 1), .start = std::move(values)});
   return there ? there->chi_square : std::numeric_limits<double>::infinity();
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "attribution.hpp"
@@ -75,11 +76,12 @@ bool all_present(const Scored& s, const std::vector<Estimate>& all) {
 struct Standing {
   std::vector<Evidence> gains{};      // of each step
   std::vector<Estimate> estimates{};  // of the last
+  double unit{};                      // of its evidence
 };
 
 // An effect that is not needed, or that cannot be told from nothing, is taken back, the last first.
 Standing what_stands(std::span<const Record> records, Attribution& found) {
-  Standing out{.estimates = estimates(records, found.steps.back(), found.unit)};
+  Standing out{.estimates = estimates(records, found.steps.back(), found.unit), .unit = found.unit};
   for (std::size_t i = 1; i < found.steps.size(); ++i) out.gains.push_back(evidence_of(records, found, i));
   while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), out.gains.back()) ||
                                     !all_present(found.after(), out.estimates))) {
@@ -87,7 +89,8 @@ Standing what_stands(std::span<const Record> records, Attribution& found) {
     out.gains.pop_back();
     found.rivals.clear();
     found.indistinguishable.clear();
-    out.estimates = estimates(records, found.steps.back(), unit_of_evidence(records, found.after()));
+    out.unit = unit_of_evidence(records, found.after());
+    out.estimates = estimates(records, found.steps.back(), out.unit);
     if (!out.gains.empty()) out.gains.back() = evidence_of(records, found, found.steps.size() - 1);
   }
   return out;
@@ -99,22 +102,41 @@ Verdict verdict_of(const Attribution& found) {
   return found.after().adequacy.noise_only() ? Verdict::explained : Verdict::partly_explained;
 }
 
+// Why a model that explains the fit runs is off on others.
+std::string why_larger(const ErrorComparison& errors) {
+  constexpr double deviations = 2.0;
+  const double open = std::hypot(errors.noise_floor_rmse, deviations * errors.uncertainty_rmse);
+  return errors.after.rmse <= open
+             ? "no more than the uncertainty of the fitted numbers leaves open there; fit such a run too"
+             : "another regime, a start that is not as declared, or another effect";
+}
+
 // What a reader should not miss: a verdict rests on the fit runs and on structure alone.
-void warn(const std::vector<Record>& records, Diagnosis& out) {
+void warn(const std::vector<Record>& records, const DeclaredModel& declared, Diagnosis& out) {
   constexpr double much = 1.5;
   const bool given = std::ranges::any_of(records, [](const Record& record) { return record.run->sigma.has_value(); });
   if (given && out.after.level > much)
     out.warnings.push_back(
         {.run = "", .text = fmt::format("what is left is {:.3g} times the noise that the set gives", out.after.level)});
+  if (given && out.after.level < 1.0 / much)
+    out.warnings.push_back({.run = "",
+                            .text = fmt::format("what is left is only {:.3g} times the noise that the set gives: an "
+                                                "effect may hide in it",
+                                                out.after.level)});
+  if (out.verdict != Verdict::no_missing_effect)
+    for (const std::string& number : declared.held_effects)
+      out.warnings.push_back(
+          {.run = "", .text = fmt::format("{} stays as declared; it is fitted anew if calibrate names it", number)});
+  for (const ErrorComparison& errors : out.validate_errors)
+    if (errors.after.rmse > errors.before.rmse + 0.1 * errors.noise_floor_rmse)
+      out.warnings.push_back({.run = "", .text = "on the runs that no fit has seen the effects make the error larger"});
   if (out.verdict == Verdict::partly_explained || out.verdict == Verdict::unexplained) return;
   for (const ErrorComparison& errors : out.validate_errors)
     if (errors.after.rmse > much * errors.noise_floor_rmse)
       out.warnings.push_back(
           {.run = "",
-           .text =
-               fmt::format("on the runs that no fit has seen the error is {:.3g} times the noise: another regime, a "
-                           "start that is not as declared, or another effect",
-                           errors.after.rmse / errors.noise_floor_rmse)});
+           .text = fmt::format("on the runs that no fit has seen the error is {:.3g} times the noise: {}",
+                               errors.after.rmse / errors.noise_floor_rmse, why_larger(errors))});
 }
 
 Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, const DiagnosisOptions& options) {
@@ -122,6 +144,7 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
   Stopwatch watch(out.phases);
   const Hypothesis as_written(declared, {});
   const actuator::Model nominal = as_written.model_at(as_written.start());
+  for (const Run& run : data.fit) check(run, declared, nominal);
   const std::vector<Run> runs = usable_runs(data.fit, out.warnings);
   std::vector<Record> records;
   for (const Run& run : runs) records.push_back(prepare(run, declared, nominal));
@@ -154,7 +177,8 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
 
   const ThreeModels models{.declared = {.hypothesis = as_written, .fit = {.values = as_written.start()}},
                            .before = found.before(),
-                           .after = found.after()};
+                           .after = found.after(),
+                           .unit = standing.unit};
   const FinalErrors fitted(runs, declared, models);
   const FinalErrors validated(data.validate, declared, models);
   out.fit_errors = fitted.errors();
@@ -163,7 +187,7 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
     out.replays.insert(out.replays.end(), errors->replays().begin(), errors->replays().end());
     out.warnings.insert(out.warnings.end(), errors->warnings().begin(), errors->warnings().end());
   }
-  warn(records, out);
+  warn(records, declared, out);
   watch.lap("final errors");
   return out;
 }

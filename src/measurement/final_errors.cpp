@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,36 +14,77 @@ namespace coilwright::measurement {
 namespace {
 
 // Values of one model on one run, channel after channel over the samples that were simulated.
+using Channels = std::vector<std::vector<double>>;
 struct RunPrediction {
-  std::vector<std::vector<double>> channels;
+  Channels values;
+  Channels deviations;  // what the uncertainty of the fitted numbers leaves open, over the noise; empty if not asked
 };
 
 // One vector a channel over the run.
-RunPrediction by_channel(const Record& record, const Eigen::VectorXd& predictions) {
+Channels by_channel(const Record& record, const Eigen::VectorXd& predictions) {
   const std::size_t channels = record.run->channels.size();
-  RunPrediction out{.channels = std::vector<std::vector<double>>(channels)};
+  Channels out(channels);
   Eigen::Index at = 0;
   for (const Stretch& stretch : record.stretches())
     for (std::size_t c = 0; c < channels; ++c)
-      for (std::size_t i = 0; i < stretch.samples(); ++i) out.channels[c].push_back(predictions[at++]);
+      for (std::size_t i = 0; i < stretch.samples(); ++i) out[c].push_back(predictions[at++]);
+  return out;
+}
+
+// Covariance of the fitted numbers. What the data leave open is open as far as a usual change goes.
+Eigen::MatrixXd covariance(const Scored& model, double unit) {
+  const Eigen::VectorXd scales = model.hypothesis.scales();
+  Eigen::MatrixXd scaled = scales.asDiagonal() * model.fit.normal * scales.asDiagonal();
+  scaled /= unit;
+  scaled.diagonal().array() += 1.0;
+  const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
+  return scales.asDiagonal() * inverse * scales.asDiagonal();
+}
+
+// Standard deviations of the predictions of one record over its noise, to first order.
+Eigen::VectorXd deviations(const Record& record, const Fit& fitted, const Eigen::MatrixXd& spread) {
+  const Eigen::VectorXd all = (fitted.slopes * spread).cwiseProduct(fitted.slopes).rowwise().sum().cwiseSqrt();
+  const Eigen::Index size = fitted.runs.front().residuals.size();
+  const std::vector<Stretch> stretches = record.stretches();
+  // The pull of a window's start stands behind its residuals.
+  const Eigen::Index pulls = (all.size() - size) / static_cast<Eigen::Index>(stretches.size());
+  Eigen::VectorXd out(size);
+  Eigen::Index at = 0;
+  Eigen::Index row = 0;
+  for (const Stretch& stretch : stretches) {
+    const auto n = static_cast<Eigen::Index>(stretch.samples() * record.run->channels.size());
+    out.segment(at, n) = all.segment(row, n);
+    at += n;
+    row += n + pulls;
+  }
   return out;
 }
 
 std::optional<RunPrediction> predict(const Record& record, const Scored& model) {
-  const std::span<const Record> one(&record, 1);
-  const auto fitted = evaluate_at({.hypothesis = &model.hypothesis, .records = one, .start = model.fit.values});
+  const auto fitted =
+      evaluate_at({.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
   if (!fitted) return std::nullopt;
-  return by_channel(record, fitted->runs.front().predictions);
+  return RunPrediction{.values = by_channel(record, fitted->runs.front().predictions), .deviations = {}};
+}
+
+std::optional<RunPrediction> predict_with_spread(const Record& record, const Scored& model,
+                                                 const Eigen::MatrixXd& spread) {
+  const auto fitted = evaluate_with_slopes(
+      {.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
+  if (!fitted) return std::nullopt;
+  return RunPrediction{.values = by_channel(record, fitted->runs.front().predictions),
+                       .deviations = by_channel(record, deviations(record, *fitted, spread))};
 }
 
 // Sums of one quantity over all its channels.
 struct Tally {
   std::array<double, 3> absolute{}, square{}, largest{};
   double noise_square{};
+  double open_square{};
   std::size_t samples{};
 };
 
-void add(Tally& tally, const Replay& replay, double sigma) {
+void add(Tally& tally, const Replay& replay, const std::vector<double>& deviations, double sigma) {
   const std::array models{&replay.declared, &replay.before, &replay.after};
   for (std::size_t m = 0; m < models.size(); ++m) {
     for (std::size_t i = 0; i < replay.measured.size(); ++i) {
@@ -53,6 +95,7 @@ void add(Tally& tally, const Replay& replay, double sigma) {
     }
   }
   tally.noise_square += sigma * sigma * static_cast<double>(replay.measured.size());
+  for (const double deviation : deviations) tally.open_square += sigma * sigma * deviation * deviation;
   tally.samples += replay.measured.size();
 }
 
@@ -66,7 +109,8 @@ ErrorComparison comparison(Quantity quantity, const Tally& tally) {
           .declared = errors(0),
           .before = errors(1),
           .after = errors(2),
-          .noise_floor_rmse = std::sqrt(tally.noise_square / n)};
+          .noise_floor_rmse = std::sqrt(tally.noise_square / n),
+          .uncertainty_rmse = std::sqrt(tally.open_square / n)};
 }
 
 // A bending angle and a joint's angle are one kind of error: degrees.
@@ -105,10 +149,13 @@ void FinalErrors::take(const std::vector<Run>& runs, const DeclaredModel& declar
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
   std::vector<Record> records;
   for (const Run& run : runs) records.push_back(prepare(run, declared, nominal));
+  const Eigen::MatrixXd spread = covariance(models.after, models.unit);
   const std::array three{&models.declared, &models.before, &models.after};
   std::vector<std::array<std::optional<RunPrediction>, 3>> predictions(records.size());
   tbb::parallel_for(std::size_t{0}, 3 * records.size(), [&](std::size_t task) {
-    predictions[task / 3][task % 3] = predict(records[task / 3], *three[task % 3]);
+    const Record& record = records[task / 3];
+    const std::size_t m = task % 3;
+    predictions[task / 3][m] = m == 2 ? predict_with_spread(record, models.after, spread) : predict(record, *three[m]);
   });
   std::vector<Quantity> order;
   std::vector<Tally> tallies;
@@ -128,9 +175,9 @@ void FinalErrors::take(const std::vector<Run>& runs, const DeclaredModel& declar
           .channel = channel.name,
           .at = at,
           .measured = {channel.values.begin(), channel.values.begin() + static_cast<std::ptrdiff_t>(at.size())},
-          .declared = predictions[r][0]->channels[c],
-          .before = predictions[r][1]->channels[c],
-          .after = predictions[r][2]->channels[c]};
+          .declared = predictions[r][0]->values[c],
+          .before = predictions[r][1]->values[c],
+          .after = predictions[r][2]->values[c]};
       const Quantity kind = error_kind(channel.quantity);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {
@@ -138,7 +185,8 @@ void FinalErrors::take(const std::vector<Run>& runs, const DeclaredModel& declar
         tallies.emplace_back();
         found = order.end() - 1;
       }
-      add(tallies[static_cast<std::size_t>(found - order.begin())], replay, record.noise[c].sigma);
+      add(tallies[static_cast<std::size_t>(found - order.begin())], replay, predictions[r][2]->deviations[c],
+          record.noise[c].sigma);
       replays_.push_back(std::move(replay));
     }
   }

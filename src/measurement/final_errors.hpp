@@ -11,6 +11,7 @@ struct ThreeModels {
   Scored declared;  ///< as written
   Scored before;    ///< recalibrated
   Scored after;     ///< with the effects
+  double unit{};    ///< chi^2 of `after` that counts as one
 };
 
 /// Takes the errors of finished models: the only place in which sealed runs are opened.

@@ -193,10 +193,10 @@ Fit read_out(const FitRequest& request, std::span<const ResidualBlock> blocks, c
   return out;
 }
 
-std::optional<Fit> solve(const FitRequest& request, bool parameters_free) {
+std::optional<Fit> solve(const FitRequest& request, bool parameters_free, Slopes slopes) {
   ResidualBlocks blocks(request);
   Eigen::VectorXd values = request.hypothesis->clamped(request.start);
-  Coordinator coordinator(blocks, values, parameters_free ? Slopes::all : Slopes::of_starts);
+  Coordinator coordinator(blocks, values, slopes);
   // A start where there is no model is nothing for a solver.
   if (coordinator.here() == nullptr) return std::nullopt;
   if (!minimize(request, blocks, parameters_free, coordinator, values)) return std::nullopt;
@@ -214,11 +214,15 @@ std::size_t Fit::samples() const {
 }
 
 std::optional<Fit> fit(const FitRequest& request) {
-  return solve(request, true);
+  return solve(request, true, Slopes::all);
 }
 
 std::optional<Fit> evaluate_at(const FitRequest& request) {
-  return solve(request, false);
+  return solve(request, false, Slopes::of_starts);
+}
+
+std::optional<Fit> evaluate_with_slopes(const FitRequest& request) {
+  return solve(request, false, Slopes::all);
 }
 
 std::vector<ScaledResidual> scaled_residuals(std::span<const Record> records, const Fit& fit) {

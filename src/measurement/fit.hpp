@@ -59,6 +59,9 @@ struct FitRequest {
 /// answer). Nothing where the model cannot be simulated.
 [[nodiscard]] std::optional<Fit> evaluate_at(const FitRequest& request);
 
+/// As evaluate_at, with the slopes by the parameters.
+[[nodiscard]] std::optional<Fit> evaluate_with_slopes(const FitRequest& request);
+
 /// The residuals of a fit as tests of noise take them: a series a channel of a run.
 [[nodiscard]] std::vector<ScaledResidual> scaled_residuals(std::span<const Record> records, const Fit& fit);
 

@@ -218,7 +218,8 @@ std::vector<Estimate> estimates_of_effect(const Scored& s, const std::vector<Est
                      .denominator = number.denominator,
                      .value = effect.values[k],
                      .lower = effect.values[k],
-                     .upper = effect.values[k]});
+                     .upper = effect.values[k],
+                     .chosen = true});
     }
   }
   return out;

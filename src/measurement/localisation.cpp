@@ -1,6 +1,7 @@
 #include "localisation.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "coilwright/measurement/residual_torque.hpp"
@@ -54,6 +55,15 @@ bool simulate_windows(const Record& record, const RunFit& fitted, const actuator
   return true;
 }
 
+// A residual torque is taken either of every joint or of their sum: of what most samples were measured by.
+void keep_alike(std::vector<MeasuredMotion>& motions) {
+  std::map<std::size_t, std::size_t> samples;
+  for (const MeasuredMotion& motion : motions) samples[motion.angles.size()] += motion.simulated.size();
+  const auto most = std::ranges::max_element(samples, {}, [](const auto& one) { return one.second; });
+  if (most == samples.end()) return;
+  std::erase_if(motions, [&](const MeasuredMotion& motion) { return motion.angles.size() != most->first; });
+}
+
 }  // namespace
 
 std::optional<ResidualTorque> localise(std::span<const Record> records, const Scored& fitted) {
@@ -71,6 +81,7 @@ std::optional<ResidualTorque> localise(std::span<const Record> records, const Sc
     }
     if (motion.angles.empty() || !simulate_windows(records[r], fitted.fit.runs[r], model, motion)) motions.pop_back();
   }
+  keep_alike(motions);
   if (motions.empty()) return std::nullopt;
   return residual_torque(motions, model);
 }

@@ -162,11 +162,15 @@ std::vector<Stretch> Record::stretches() const {
   return out;
 }
 
-Record prepare(const Run& run, const DeclaredModel& declared, const Model& nominal) {
+void check(const Run& run, const DeclaredModel& declared, const Model& nominal) {
   check_channels(run, nominal);
   check_inputs(run, declared, nominal);
   if (run.kind == RunKind::temperature && !declared.heat)
     throw misfit(run, "is a temperature, and a lumped model has no heat paths");
+}
+
+Record prepare(const Run& run, const DeclaredModel& declared, const Model& nominal) {
+  check(run, declared, nominal);
   Record record{.run = &run};
   for (const Channel& channel : run.channels) record.noise.push_back(noise_of(run, channel));
   if (!record.is_motion()) return record;

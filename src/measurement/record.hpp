@@ -44,7 +44,9 @@ struct Record {
 };
 
 /// Throws std::invalid_argument naming the run where it does not fit the model: number of coils or joints, a voltage
-/// without a resistance, a temperature without heat paths, a window of fewer than five samples.
+/// without a resistance, a temperature without heat paths.
+void check(const Run& run, const DeclaredModel& declared, const actuator::Model& nominal);
+/// Throws as `check` does, and for a window of fewer than five samples.
 [[nodiscard]] Record prepare(const Run& run, const DeclaredModel& declared, const actuator::Model& nominal);
 
 }  // namespace coilwright::measurement

@@ -40,23 +40,13 @@ Json estimate_json(const Estimate& estimate) {
   interval.add(number_or_null(shown.lower)).add(number_or_null(shown.upper));
   Json out = Json::object({{"value", number_or_null(shown.value)}, {"ci95", std::move(interval)}});
   if (!estimate.determined) out.set("determined", false);
+  if (estimate.chosen) out.set("choice", true);
   return out;
-}
-
-Json choice_json(const Estimate& chosen) {
-  return Json::object({{"value", number_or_null(in_unit(chosen).value)}, {"ci95", nullptr}, {"choice", true}});
 }
 
 Json estimates_json(std::span<const Estimate> estimates) {
   Json out = Json::object();
   for (const Estimate& each : estimates) out.set(each.key, estimate_json(each));
-  return out;
-}
-
-Json parameters_json(const AddedEffect& effect) {
-  Json out = Json::object();
-  for (const Estimate& each : effect.parameters)
-    out.set(each.key, is_choice(*effect.kind, each) ? choice_json(each) : estimate_json(each));
   return out;
 }
 
@@ -72,7 +62,7 @@ Json effects_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const AddedEffect& effect : diagnosis.effects)
     out.add(Json::object({{"id", effect.kind->id()},
-                          {"parameters", parameters_json(effect)},
+                          {"parameters", estimates_json(effect.parameters)},
                           {"evidence", evidence_json(effect.evidence)}}));
   return out;
 }
@@ -95,6 +85,7 @@ void add_comparison(Json& out, const ErrorComparison& comparison) {
   out.set("before", errors_json(comparison.before, unit));
   out.set("after", errors_json(comparison.after, unit));
   out.set(with_unit("noise_floor_rmse", unit), in_unit_or_null(comparison.noise_floor_rmse, unit));
+  out.set(with_unit("uncertainty_rmse", unit), in_unit_or_null(comparison.uncertainty_rmse, unit));
   out.set("samples", comparison.samples);
 }
 
@@ -125,7 +116,7 @@ Json candidates_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const Candidate& candidate : diagnosis.candidates)
     out.add(Json::object({{"effects", ids_json(candidate.effects)},
-                          {"evidence", weighed(candidate) ? evidence_json(candidate.evidence) : Json(nullptr)},
+                          {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json(nullptr)},
                           {"remark", text_or_null(candidate.remark)}}));
   return out;
 }

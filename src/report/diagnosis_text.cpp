@@ -80,7 +80,7 @@ std::string parameters_text(const AddedEffect& effect) {
   if (effect.parameters.empty()) return "    (no number of its own)\n";
   TextTable table;
   for (const Estimate& each : effect.parameters) {
-    if (is_choice(*effect.kind, each))
+    if (each.chosen)
       table.row({each.key, number(in_unit(each).value), "(chosen)"});
     else
       table.row(estimate_row(each));
@@ -98,8 +98,9 @@ std::string effects_text(const Diagnosis& diagnosis) {
     text += fmt::format("    chi^2 on the fit runs {} -> {}", number(evidence.chi_square_before),
                         number(evidence.chi_square_after));
     if (std::isfinite(evidence.cross_validated_gain))
+      // More than all of it is what noise makes of it.
       text += fmt::format("; takes away {} % of the error above the noise on runs left out in turn",
-                          number(100.0 * evidence.cross_validated_gain));
+                          number(100.0 * std::min(1.0, evidence.cross_validated_gain)));
     text += '\n';
   }
   return text;
@@ -151,7 +152,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
   table.row({"", "chi^2"});
   for (const Candidate& each :
        std::span(diagnosis.candidates).first(std::min(diagnosis.candidates.size(), most_candidates)))
-    table.row({hypothesis(each), weighed(each) ? number(each.evidence.chi_square_after) : "none", each.remark});
+    table.row({hypothesis(each), each.evidence ? number(each.evidence->chi_square_after) : "none", each.remark});
   return "\nCompared, best first\n" + table.text(2, {left, right, left});
 }
 
@@ -193,6 +194,7 @@ std::string residual_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+// Before all else that follows from the data.
 std::string warnings_text(const Diagnosis& diagnosis) {
   if (diagnosis.warnings.empty()) return {};
   std::string text = "\nWarnings\n";
@@ -206,16 +208,23 @@ std::string noise_text(const Diagnosis& diagnosis) {
   struct Channel {
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
-    int runs = 0;
-    bool estimated = false;
+    int given = 0;  // runs
+    int estimated = 0;
+
+    [[nodiscard]] std::string source() const {
+      const auto runs = [](int count) { return fmt::format("{} {}", count, count == 1 ? "run" : "runs"); };
+      constexpr const char* how = "estimated (diagnosis.json says how)";
+      if (estimated == 0) return fmt::format("in {}, given", runs(given));
+      if (given == 0) return fmt::format("in {}, {}", runs(estimated), how);
+      return fmt::format("given in {}, in {} {}", runs(given), runs(estimated), how);
+    }
   };
   std::map<std::string, Channel> channels;
   for (const NoiseLevel& each : diagnosis.noise) {
     Channel& channel = channels[each.channel];
     channel.least = std::min(channel.least, each.sigma);
     channel.most = std::max(channel.most, each.sigma);
-    channel.estimated = channel.estimated || each.source != "given";
-    ++channel.runs;
+    ++(each.given ? channel.given : channel.estimated);
   }
   TextTable table;
   for (const auto& [name, channel] : channels) {
@@ -224,8 +233,7 @@ std::string noise_text(const Diagnosis& diagnosis) {
     const std::string range = channel.least == channel.most
                                   ? most
                                   : fmt::format("{} to {}", number(formats::from_si(channel.least, unit)), most);
-    table.row({name, fmt::format("{} in {} {}, {}", range, channel.runs, channel.runs == 1 ? "run" : "runs",
-                                 channel.estimated ? "estimated (diagnosis.json says how)" : "given")});
+    table.row({name, fmt::format("{} {}", range, channel.source())});
   }
   return table.rows() == 0 ? std::string() : "\nNoise\n" + table.text(2, {left, left});
 }
@@ -255,8 +263,8 @@ std::string runs_text(const DiagnosisAnswer& answer) {
 std::string to_text(const DiagnosisAnswer& answer) {
   const Diagnosis& diagnosis = answer.diagnosis;
   return fmt::format("{}: {}\n\n{}\n", answer.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis)) +
-         effects_text(diagnosis) + errors_text(diagnosis) + rivals_text(diagnosis) + experiment_text(diagnosis) +
-         residual_text(diagnosis) + warnings_text(diagnosis) + calibration_text(diagnosis) + noise_text(diagnosis) +
+         warnings_text(diagnosis) + effects_text(diagnosis) + errors_text(diagnosis) + rivals_text(diagnosis) +
+         experiment_text(diagnosis) + residual_text(diagnosis) + calibration_text(diagnosis) + noise_text(diagnosis) +
          runs_text(answer);
 }
 

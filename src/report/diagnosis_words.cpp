@@ -25,21 +25,11 @@ std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds)
 }
 
 // The residual of any fit has a correlation time of at least one sample.
-bool weighed(const measurement::Candidate& candidate) {
-  return candidate.remark.empty() || candidate.evidence.correlation_time > 0.0;
-}
-
 std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> comparisons) {
   std::vector<const ErrorComparison*> out;
   for (const ErrorComparison& each : comparisons) out.push_back(&each);
   std::ranges::stable_sort(out, {}, rank);
   return out;
-}
-
-bool is_choice(const actuator::EffectKind& kind, const measurement::Estimate& estimate) {
-  return std::ranges::any_of(kind.parameters(), [&](const actuator::EffectParameter& parameter) {
-    return parameter.key == estimate.key && !parameter.choices.empty();
-  });
 }
 
 EstimateInUnit in_unit(const measurement::Estimate& estimate) {

@@ -161,7 +161,7 @@ class BadData(ProgramTest):
                        {"joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 1e9}]}):
             self.write("set/rod.json", json.dumps({**ROD, **change}))
             with self.subTest(change=change):
-                self.refuse("set/rod.json: the declared model cannot be simulated under these inputs")
+                self.refuse("set/rod.json: the declared model cannot be simulated under the inputs of a.csv")
 
     def test_a_chain_that_is_folded_by_its_input_is_one_line(self):
         chain = {**FINGER, **{key: FINGER[key] * 2 for key in ("links", "joints", "magnetics")}}
@@ -170,7 +170,7 @@ class BadData(ProgramTest):
         for entry in self.set["runs"]:
             self.write(f"set/{entry['file']}", table(COILS, rows(command=lambda t: 5000 if t > 0.2 else 0)))
             entry["drive"] = "current"
-        self.refuse("set/finger.json: the declared model cannot be simulated under these inputs")
+        self.refuse("set/finger.json: the declared model cannot be simulated under the inputs of a.csv")
 
     def test_records_that_do_not_fit_their_model(self):
         self.write("set/finger.json", json.dumps(FINGER))
@@ -189,6 +189,10 @@ class BadData(ProgramTest):
         self.write("set/a.csv", table(["time_s", "torque1_Nm", "theta1_deg", "theta2_deg"],
                                       [[t, u, y, y] for t, u, y in rows()]))
         self.set["runs"][0]["drive"] = "torque"
+        self.refuse("set/dataset.json: a.csv: theta2_deg is of joint 2, and the model has 1")
+        # Also where it never moves, which by itself is only a warning.
+        self.write("set/a.csv", table(["time_s", "torque1_Nm", "theta1_deg", "theta2_deg"],
+                                      [[t, u, y, 0] for t, u, y in rows()]))
         self.refuse("set/dataset.json: a.csv: theta2_deg is of joint 2, and the model has 1")
         self.write("set/a.csv", table(["time_s", "torque1_Nm", "torque2_Nm", "theta1_deg"],
                                       [[t, u, u, y] for t, u, y in rows()]))
@@ -217,6 +221,23 @@ class BadData(ProgramTest):
                                      'got text "/links/3/mass_kg"')):
             self.set["calibrate"] = [name]
             self.refuse(f"set/dataset.json: /calibrate/0: {message}")
+
+    def test_a_noise_that_no_instrument_has(self):
+        for sigma, shown in ((0, "0"), (-1, "-1"), (1e-300, "1e-300"), (1e300, "1e+300")):
+            self.set["runs"][0]["sigma"] = sigma
+            self.refuse(f"set/dataset.json: /runs/0/sigma: must be from 1e-12 to 1000000000000; got {shown}")
+
+    def test_runs_measured_in_different_columns(self):
+        """Each joint in one, their sum in the other."""
+        self.write("set/rod.json", json.dumps({**ROD, "links": ROD["links"] * 2, "joints": ROD["joints"] * 2}))
+        self.set["runs"].append({**self.set["runs"][0], "file": "c.csv"})
+        each = [[t, u, 0, y, 0.5 * y] for t, u, y in rows(25)]
+        for name in ("a.csv", "b.csv"):
+            self.write(f"set/{name}", table(["time_s", "torque1_Nm", "torque2_Nm", "theta1_deg", "theta2_deg"], each))
+        self.write("set/c.csv", table(["time_s", "torque1_Nm", "torque2_Nm", "bending_angle_deg"],
+                                      [[t, u, v, y + z] for t, u, v, y, z in each]))
+        self.warnings()
+        self.assertNotEqual(self.result("out/diagnosis.json")["residual"], None)
 
     def test_an_output_that_is_a_file(self):
         self.write("out", "mine")

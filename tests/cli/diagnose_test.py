@@ -140,6 +140,46 @@ class Diagnose(ProgramTest):
         self.assert_refused(["diagnose", "set", "--actuator", "out/actuator.json", "--out", "out"],
                             "out/actuator.json: cannot be written: it is an input of this command")
 
+    def test_a_measured_file_is_never_overwritten(self):
+        self.twin()
+        data = self.result("set/dataset.json")
+        data["runs"][0]["file"] = "../out/residuals.csv"
+        (self.folder / "out").mkdir()
+        measured = (self.folder / "set" / "slow.csv").read_bytes()
+        self.write("out/residuals.csv", measured)
+        self.write("set/dataset.json", json.dumps(data))
+        result = run("diagnose", "set", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr),
+                         (2, "coilwright: out/residuals.csv: cannot be written: it is an input of this command\n"))
+        self.assertEqual((self.folder / "out" / "residuals.csv").read_bytes(), measured)
+
+    def test_nothing_needs_to_be_calibrated(self):
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        data = self.result("set/dataset.json")
+        data["calibrate"] = []
+        self.write("set/dataset.json", json.dumps(data))
+        self.diagnose("out")
+        found = self.result("out/diagnosis.json")
+        self.assertEqual([effect["id"] for effect in found["effects"]], ["dry_friction"])
+        self.assertEqual(found["calibration"], {})
+        self.assertEqual(found["error"]["validate"]["before"], found["error"]["validate"]["declared"])
+
+    def test_a_declared_effect_with_a_wrong_number_is_pointed_at(self):
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        self.write("declared.json", json.dumps({**ROD, "effects": [
+            {"id": "dry_friction", "parameters": {"torque_Nmm": 8}}]}))
+        result = self.diagnose("out", "--actuator", "declared.json", "--quiet")
+        self.assertIn("/effects/0/parameters/torque_Nmm of dry_friction stays as declared; it is fitted anew if "
+                      "calibrate names it", result.stdout)
+        data = self.result("set/dataset.json")
+        data["calibrate"] = ["joint_stiffness", "joint_damping", "/effects/0/parameters/torque_Nmm"]
+        self.write("set/dataset.json", json.dumps(data))
+        result = self.diagnose("again", "--actuator", "declared.json", "--quiet")
+        found = self.result("again/diagnosis.json")
+        self.assertEqual(found["verdict"], "no_missing_effect")
+        self.assertLess(abs(found["calibration"]["/effects/0/parameters/torque_Nmm"]["value"] - 25), 2)
+        self.assertNotIn("stays as declared", result.stdout)
+
     def test_an_interrupt_ends_with_130_and_leaves_nothing(self):
         plan = {**PLAN, "runs": [swing(f"run{i}.csv", "fit", 100 + 40 * i, 0.3 + 0.2 * i) for i in range(8)]}
         self.write("plan.json", json.dumps(plan))

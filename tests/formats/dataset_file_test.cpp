@@ -141,7 +141,7 @@ TEST_F(DatasetFiles, RefuseNumbersBeyondTheirRules) {
   EXPECT_EQ(with(R"("window_s": 0)"), "dataset.json: /runs/0/window_s: must be > 0; got 0");
   EXPECT_EQ(with(R"("window_s": 0.01)"),
             "dataset.json: /runs/0/window_s: must exceed the mean interval between samples; got 0.01");
-  EXPECT_EQ(with(R"("sigma": -0.3)"), "dataset.json: /runs/0/sigma: must be > 0; got -0.3");
+  EXPECT_EQ(with(R"("sigma": -0.3)"), "dataset.json: /runs/0/sigma: must be from 1e-12 to 1000000000000; got -0.3");
 }
 
 TEST_F(DatasetFiles, RefuseADriveThatTheColumnsContradict) {

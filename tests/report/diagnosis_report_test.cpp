@@ -50,7 +50,7 @@ AddedEffect stopped() {
                           .value = 40.0 * degree,
                           .lower = 39.0 * degree,
                           .upper = 41.0 * degree},
-                         {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0}},
+                         {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0, .chosen = true}},
           .evidence = {}};
 }
 
@@ -181,13 +181,13 @@ TEST(DiagnosisJson, HasNullForASideWithoutABound) {
   EXPECT_TRUE(json_of(diagnosis)["effects"][0]["evidence"]["cross_validated_gain"].is_null());
 }
 
-TEST(DiagnosisJson, HasNoIntervalAboutAChoice) {
+TEST(DiagnosisJson, SaysOfAChoiceThatItIsOne) {
   Diagnosis diagnosis = example();
   diagnosis.effects = {stopped()};
   const auto parameters = json_of(diagnosis)["effects"][0]["parameters"];
   EXPECT_NEAR(parameters["angle_deg"]["ci95"][0].get<double>(), 39.0, 1e-12);  // some roundings
   EXPECT_FALSE(parameters["angle_deg"].contains("choice"));
-  EXPECT_EQ(parameters["side"], ordered_json::parse(R"({"value": -1.0, "ci95": null, "choice": true})"));
+  EXPECT_EQ(parameters["side"], ordered_json::parse(R"({"value": -1.0, "ci95": [-1.0, -1.0], "choice": true})"));
 }
 
 TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
@@ -234,9 +234,10 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
           {{.variable = "rate", .explained = 0.5, .at = {-90.0 * degree, 90.0 * degree}, .residual = {0.1e-3, -0.1e-3}},
            {.variable = "current history", .explained = 0.25, .at = {1.0}, .residual = {nan}}},
       .frequency = 5.0};
-  diagnosis.noise = {{.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .source = "given"},
-                     {.run = "b.csv", .channel = "torque_Nm", .sigma = 0.002, .source = "second differences"},
-                     {.run = "c.csv", .channel = "temperature_degC", .sigma = 0.5, .source = "given"}};
+  diagnosis.noise = {
+      {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .given = true, .source = "given"},
+      {.run = "b.csv", .channel = "torque_Nm", .sigma = 0.002, .source = "second differences"},
+      {.run = "c.csv", .channel = "temperature_degC", .sigma = 0.5, .given = true, .source = "given"}};
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}, {.run = "", .text = "few runs"}};
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["next_experiment"], ordered_json::parse(R"({"kind": "hot_hold", "input": "1.05 A for 60 s",
@@ -283,7 +284,8 @@ TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
   Diagnosis diagnosis = example();
   diagnosis.next_experiment = {
       .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
-  diagnosis.noise = {{.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .source = "given"}};
+  diagnosis.noise = {
+      {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .given = true, .source = "given"}};
   diagnosis.noise.push_back({.run = "b.csv", .channel = "torque_Nmm", .sigma = 2e-5, .source = "estimated from x"});
   diagnosis.noise.push_back({.run = "c.csv", .channel = "torque_Nmm", .sigma = 1e-5, .source = "estimated from y"});
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}};
@@ -292,6 +294,9 @@ TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
             "finger-2024-03-11: explained\n"
             "\n"
             "The declared model lacks dry_friction; with it, what is left over is noise.\n"
+            "\n"
+            "Warnings\n"
+            "  a.csv: saturated\n"
             "\n"
             "What it lacks\n"
             "  dry_friction: Coulomb friction at the hinges\n"
@@ -311,9 +316,6 @@ TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
             "The experiment that would tell\n"
             "  hot_hold: 1.05 A for 60 s\n"
             "  they part when hot (predictions differ by 8.5 times the noise)\n"
-            "\n"
-            "Warnings\n"
-            "  a.csv: saturated\n"
             "\n"
             "Declared numbers, fitted anew\n"
             "  joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)\n"

@@ -14,6 +14,7 @@ namespace coilwright::formats {
 struct DatasetFile {
   std::string file;  ///< path of dataset.json, for errors about it
   measurement::Dataset data{};
+  std::vector<std::filesystem::path> run_files{};   ///< of all its runs
   std::vector<std::string> calibrate{};             ///< numbers of the declared model that may be fitted anew
   std::optional<std::filesystem::path> actuator{};  ///< the declared model, where the set names one; not opened
 };

@@ -33,6 +33,7 @@ struct Estimate {
   double lower{};            ///< of the 95 % interval, SI; -infinity where the data set no bound
   double upper{};
   bool determined = true;  ///< false: the interval reaches a physical bound on both sides, or there is none
+  bool chosen = false;     ///< one of a few choices: each was tried, and the interval is the value alone
 };
 
 /// How much an effect explains, on the fit runs.
@@ -55,7 +56,7 @@ struct AddedEffect {
 /// One of the hypotheses that were compared, best first.
 struct Candidate {
   std::vector<const actuator::EffectKind*> effects{};
-  Evidence evidence{};
+  std::optional<Evidence> evidence{};  ///< nothing where it was ruled out without a fit
   std::string
       remark{};  ///< why it is out: "interval includes absent", "does not fit this rig: ..."; empty if it is not
 };
@@ -105,6 +106,9 @@ struct ErrorComparison {
   std::size_t samples{};
   Errors declared{}, before{}, after{};
   double noise_floor_rmse{};
+  /// Of `after`: what the uncertainty of its fitted numbers leaves open on these runs (one standard deviation, to first
+  /// order, rms over the samples).
+  double uncertainty_rmse{};
 };
 
 /// One channel of one run with the three predictions, SI: for residuals.csv and pictures.

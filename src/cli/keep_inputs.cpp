@@ -1,0 +1,19 @@
+#include "keep_inputs.hpp"
+
+#include <system_error>
+
+#include "coilwright/report/output_file.hpp"
+
+namespace coilwright::cli {
+
+void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs) {
+  for (const std::filesystem::path& output : outputs) {
+    for (const std::filesystem::path& input : inputs) {
+      std::error_code none;  // one of the two is not there: then they are not the same
+      if (std::filesystem::equivalent(input, output, none))
+        throw report::OutputError(output, "it is an input of this command", report::OutputError::Stage::preparing);
+    }
+  }
+}
+
+}  // namespace coilwright::cli

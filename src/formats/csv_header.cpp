@@ -71,7 +71,8 @@ void CsvHeader::require(std::string_view name) {
       throw error(each, "unknown unit; did you mean " + in_quotes(name) + "?");
     }
   }
-  throw error(name, "is missing");
+  const bool otherwise_separated = names_.front().find_first_of(";\t|") != std::string::npos;
+  throw error(name, otherwise_separated ? "is missing; columns must be separated by commas" : "is missing");
 }
 
 std::size_t CsvHeader::numbered(std::string_view pattern) {

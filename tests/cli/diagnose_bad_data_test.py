@@ -94,6 +94,11 @@ class BadData(ProgramTest):
             values = ",".join("0" for _ in header.split(","))
             self.refuse_csv(f"{header}\n{values}\n1{values[1:]}\n", f"line 1: {message}")
 
+    def test_a_table_with_other_separators(self):
+        for mark in (";", "\t"):
+            self.refuse_csv(table(HEADER, rows()).replace(",", mark),
+                            "line 1: column time_s: is missing; columns must be separated by commas")
+
     def test_a_file_that_is_not_there(self):
         self.set["runs"][0]["file"] = "nowhere.csv"
         self.refuse("set/nowhere.csv: cannot be opened: No such file or directory")

@@ -30,6 +30,13 @@ inline Network five_nodes(double temperature_coefficient = alpha) {
                   .temperature_coefficient = temperature_coefficient});
 }
 
+/// Mean square currents, A^2: different in each of its coils.
+inline NodeVector uneven_load() {
+  NodeVector load(5);
+  load << 0.61, 0.0, 0.37, 0.0, 0.94;
+  return load;
+}
+
 /// One coil on its own.
 inline Network one_coil() {
   return Network({.nodes = {{.kind = NodeKind::coil,

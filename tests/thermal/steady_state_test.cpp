@@ -10,12 +10,6 @@
 namespace coilwright::thermal {
 namespace {
 
-NodeVector uneven_load() {
-  NodeVector load(5);
-  load << 0.61, 0.0, 0.37, 0.0, 0.94;
-  return load;
-}
-
 TEST(SteadyState, BalancesHeatInEveryNode) {
   const Network network = five_nodes();
   const NodeVector load = uneven_load();

@@ -11,12 +11,6 @@
 namespace coilwright::thermal {
 namespace {
 
-NodeVector uneven_load() {
-  NodeVector load(5);
-  load << 0.61, 0.0, 0.37, 0.0, 0.94;
-  return load;
-}
-
 NodeVector uneven_start() {
   NodeVector start(5);
   start << 31.0, 64.0, 22.0, 18.0, 45.0;

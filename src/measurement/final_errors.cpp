@@ -25,7 +25,7 @@ Channels by_channel(const Record& record, const Eigen::VectorXd& predictions) {
   const std::size_t channels = record.run->channels.size();
   Channels out(channels);
   Eigen::Index at = 0;
-  for (const Stretch& stretch : record.stretches())
+  for (const SampleRange& stretch : record.stretches())
     for (std::size_t c = 0; c < channels; ++c)
       for (std::size_t i = 0; i < stretch.samples(); ++i) out[c].push_back(predictions[at++]);
   return out;
@@ -45,13 +45,13 @@ Eigen::MatrixXd covariance(const Scored& model, double unit) {
 Eigen::VectorXd deviations(const Record& record, const Fit& fitted, const Eigen::MatrixXd& spread) {
   const Eigen::VectorXd all = (fitted.slopes * spread).cwiseProduct(fitted.slopes).rowwise().sum().cwiseSqrt();
   const Eigen::Index size = fitted.runs.front().residuals.size();
-  const std::vector<Stretch> stretches = record.stretches();
+  const std::vector<SampleRange> stretches = record.stretches();
   // The pull of a window's start stands behind its residuals.
   const Eigen::Index pulls = (all.size() - size) / static_cast<Eigen::Index>(stretches.size());
   Eigen::VectorXd out(size);
   Eigen::Index at = 0;
   Eigen::Index row = 0;
-  for (const Stretch& stretch : stretches) {
+  for (const SampleRange& stretch : stretches) {
     const auto n = static_cast<Eigen::Index>(stretch.samples() * record.run->channels.size());
     out.segment(at, n) = all.segment(row, n);
     at += n;

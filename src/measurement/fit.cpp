@@ -236,7 +236,7 @@ std::vector<ScaledResidual> scaled_residuals(std::span<const Record> records, co
                      .starts = {},
                      .sigma_given = records[r].noise[c].given});
     Eigen::Index at = 0;
-    for (const Stretch& stretch : records[r].stretches()) {
+    for (const SampleRange& stretch : records[r].stretches()) {
       for (std::size_t c = 0; c < channels; ++c) {
         ScaledResidual& series = out[first + c];
         series.starts.push_back(series.values.size());

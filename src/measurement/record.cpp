@@ -155,9 +155,9 @@ std::vector<Window> windows_of(const Run& run) {
 
 }  // namespace
 
-std::vector<Stretch> Record::stretches() const {
+std::vector<SampleRange> Record::stretches() const {
   if (!is_motion()) return {{.first = 0, .last = run->samples()}};
-  std::vector<Stretch> out;
+  std::vector<SampleRange> out;
   for (const Window& window : windows) out.push_back({.first = window.first, .last = window.last});
   return out;
 }

@@ -23,7 +23,7 @@ struct Window {
 };
 
 /// Samples that follow each other without a new start.
-struct Stretch {
+struct SampleRange {
   std::size_t first{};
   std::size_t last{};  ///< one beyond
   [[nodiscard]] std::size_t samples() const { return last - first; }
@@ -37,7 +37,7 @@ struct Record {
 
   /// Of its predictions and residuals, which stand stretch after stretch, in each channel after channel: its windows,
   /// or all samples of a bench.
-  [[nodiscard]] std::vector<Stretch> stretches() const;
+  [[nodiscard]] std::vector<SampleRange> stretches() const;
   [[nodiscard]] bool is_motion() const { return run->kind == RunKind::transient; }
   /// Whether where its windows start is fitted with the rest.
   [[nodiscard]] bool has_nuisances() const { return is_motion() && run->start != Start::at_rest; }

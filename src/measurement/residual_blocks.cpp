@@ -37,7 +37,7 @@ State unpack(std::span<const double> values, const InternalStates& internal) {
           .internal = internal};
 }
 
-Eigen::VectorXd scaled(const Record& record, Stretch stretch, const Eigen::VectorXd& predicted) {
+Eigen::VectorXd scaled(const Record& record, SampleRange stretch, const Eigen::VectorXd& predicted) {
   return (measured_values(*record.run, stretch.first, stretch.last) - predicted)
       .cwiseQuotient(sigmas(record, stretch.samples()));
 }
@@ -88,7 +88,8 @@ void ResidualBlocks::add_blocks(std::size_t r) {
   first_block_.push_back(blocks_.size());
   Eigen::Index first = 0;
   if (!record.has_nuisances()) {
-    for (const Stretch& stretch : record.stretches()) first += static_cast<Eigen::Index>(stretch.samples()) * channels;
+    for (const SampleRange& stretch : record.stretches())
+      first += static_cast<Eigen::Index>(stretch.samples()) * channels;
     blocks_.push_back({.record = r, .whole_run = true, .rows = first});
   } else {
     for (std::size_t w = 0; w < record.windows.size(); ++w) {

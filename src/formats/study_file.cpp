@@ -25,10 +25,10 @@ constexpr Rule current_rule = Rule::between(-1e6, 1e6);
 constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
 constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 
-const Quantity& read_quantity(const Node& node) {
-  if (const Quantity* quantity = find_quantity(node.text())) return *quantity;
+const simulation::Quantity& read_quantity(const Node& node) {
+  if (const simulation::Quantity* quantity = simulation::find_quantity(node.text())) return *quantity;
   std::vector<std::string> names;
-  for (const Quantity& quantity : quantities()) names.emplace_back(quantity.name);
+  for (const simulation::Quantity& quantity : simulation::quantities()) names.emplace_back(quantity.name);
   throw node.error("must be a quantity that evaluate prints" + did_you_mean(node.text(), names));
 }
 
@@ -135,7 +135,7 @@ Limit read_limit(const Node& node) {
 
 std::vector<Limit> read_limits(const Node& node) {
   std::vector<Limit> limits;
-  for (const Node& element : node.elements(Length::from_to(0, 2 * quantities().size()))) {
+  for (const Node& element : node.elements(Length::from_to(0, 2 * simulation::quantities().size()))) {
     const Limit limit = read_limit(element);
     for (const Limit& other : limits) {
       if (other.quantity != limit.quantity) continue;

@@ -74,9 +74,9 @@ std::string value_line(std::string_view name, const std::optional<double>& value
 
 }  // namespace
 
-Json to_json(const sizing::Candidate& candidate) {
+Json to_json(const simulation::Candidate& candidate) {
   Json out = Json::object();
-  for (const sizing::Quantity& quantity : sizing::quantities())
+  for (const simulation::Quantity& quantity : simulation::quantities())
     out.set(std::string(quantity.name), number_or_null(quantity.get(candidate)));
   add_joints_and_modes(out, candidate.performance.motion);
   return out;
@@ -89,9 +89,9 @@ Json to_json(const Motion& motion, double current) {
   return out;
 }
 
-std::string to_text(const sizing::Candidate& candidate) {
+std::string to_text(const simulation::Candidate& candidate) {
   std::string text;
-  for (const sizing::Quantity& quantity : sizing::quantities())
+  for (const simulation::Quantity& quantity : simulation::quantities())
     text += value_line(quantity.name, quantity.get(candidate), quantity.meaning);
   return text + joint_lines(candidate.performance.motion);
 }
@@ -99,7 +99,7 @@ std::string to_text(const sizing::Candidate& candidate) {
 std::string to_text(const Motion& motion, double current) {
   std::string text;
   for (const auto& [name, value] : motion_values(motion, current))
-    text += value_line(name, value, sizing::find_quantity(name)->meaning);
+    text += value_line(name, value, simulation::find_quantity(name)->meaning);
   return text + joint_lines(motion);
 }
 

@@ -81,13 +81,13 @@ Json best_json(const SizeAnswer& answer) {
   return out;
 }
 
-std::string in_unit(double change, const Quantity& quantity) {
+std::string in_unit(double change, const simulation::Quantity& quantity) {
   if (change == 0.0) return "no change";
   const std::string unit = readable_unit(difference_unit(quantity.name));
   return signed_number(change) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string margin_text(double margin, const Quantity& quantity) {
+std::string margin_text(double margin, const simulation::Quantity& quantity) {
   return margin == 0.0 ? "no margin" : "margin " + in_unit(margin, quantity);
 }
 
@@ -146,7 +146,7 @@ std::string variables_text(const SizeAnswer& answer) {
 
 std::string objective_lines(const SizeAnswer& answer) {
   const Evaluation& best = answer.result.best->evaluation;
-  const Quantity& quantity = *answer.study.objectives.front().quantity;
+  const simulation::Quantity& quantity = *answer.study.objectives.front().quantity;
   std::string text;
   if (!best.failure.empty()) {
     text = fmt::format("\nIt cannot be evaluated: {}\n", best.failure);

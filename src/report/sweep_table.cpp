@@ -18,7 +18,7 @@ using sizing::SweptDesign;
 void add_names(const Study& study, std::vector<std::string>& names) {
   add_variable_names(study, names);
   names.emplace_back("status");
-  for (const sizing::Quantity& quantity : sizing::quantities())
+  for (const simulation::Quantity& quantity : simulation::quantities())
     if (!is_variable(study, quantity.name)) names.emplace_back(quantity.name);
   add_margin_names(study, names);
   names.emplace_back("reason");
@@ -27,8 +27,8 @@ void add_names(const Study& study, std::vector<std::string>& names) {
 void add_cells(const Study& study, const SweptDesign& design, Cells& cells) {
   add_variables(study, design.point, cells);
   cells.emplace_back(status_of(design.evaluation));
-  for (std::size_t i = 0; i < sizing::quantities().size(); ++i) {
-    if (is_variable(study, sizing::quantities()[i].name)) continue;
+  for (std::size_t i = 0; i < simulation::quantities().size(); ++i) {
+    if (is_variable(study, simulation::quantities()[i].name)) continue;
     const bool there = !design.quantities.empty() && design.quantities[i] && std::isfinite(*design.quantities[i]);
     cells.push_back(there ? CsvCell(*design.quantities[i]) : CsvCell());
   }

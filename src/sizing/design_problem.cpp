@@ -66,7 +66,7 @@ DesignResult evaluate_design(actuator::Design design, const Current& current, do
 }
 
 // A quantity that a study asks for and this design does not have.
-NotEvaluated without(const Quantity& quantity, const Candidate& candidate) {
+NotEvaluated without(const simulation::Quantity& quantity, const simulation::Candidate& candidate) {
   const std::string_view why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
   std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
   const simulation::Heat& heat = candidate.performance.heat;
@@ -118,7 +118,7 @@ DesignResult DesignProblem::evaluate_base() const {
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {
   if (const auto* why = std::get_if<NotEvaluated>(&result)) return failed(*why);
-  const Candidate candidate = std::get<EvaluatedDesign>(result).candidate();
+  const simulation::Candidate candidate = std::get<EvaluatedDesign>(result).candidate();
   Evaluation out;
   for (const StudyObjective& objective : study_.objectives) {
     const std::optional<double> value = objective.quantity->get(candidate);

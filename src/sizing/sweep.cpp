@@ -18,8 +18,9 @@ SweptDesign evaluate(const DesignProblem& problem, std::size_t index) {
   const DesignResult result = problem.evaluate(out.point);
   out.evaluation = problem.assess(result);
   if (const auto* design = std::get_if<EvaluatedDesign>(&result)) {
-    out.quantities.reserve(quantities().size());
-    for (const Quantity& quantity : quantities()) out.quantities.push_back(quantity.get(design->candidate()));
+    out.quantities.reserve(simulation::quantities().size());
+    for (const simulation::Quantity& quantity : simulation::quantities())
+      out.quantities.push_back(quantity.get(design->candidate()));
   }
   return out;
 }

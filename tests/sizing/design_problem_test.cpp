@@ -66,8 +66,8 @@ TEST(DesignProblem, SaysWhichQuantityADesignLacks) {
   study.variables = {CurrentVariable{.range = Choice{.values = {0.0, 0.9, 4.0, 5.0}}}};
   study.current = VariedCurrent{};
   study.duty = 1.0;
-  study.objectives = {{.quantity = find_quantity("rise_time_s"), .sense = Sense::minimise}};
-  study.limits = {{.quantity = find_quantity("coil_temperature_degC"), .value = 120.0}};
+  study.objectives = {{.quantity = simulation::find_quantity("rise_time_s"), .sense = Sense::minimise}};
+  study.limits = {{.quantity = simulation::find_quantity("coil_temperature_degC"), .value = 120.0}};
   const DesignProblem problem(study);
   const Problem searched = problem.problem();
   EXPECT_EQ(searched.evaluate(std::vector{0.0}).failure,

@@ -1,4 +1,4 @@
-#include "coilwright/sizing/quantity.hpp"
+#include "coilwright/simulation/quantity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@ namespace {
 
 TEST(Quantities, HaveNamesOfTheirOwnAndEverythingAReportNeeds) {
   std::set<std::string_view> names;
-  for (const Quantity& quantity : quantities()) {
+  for (const simulation::Quantity& quantity : simulation::quantities()) {
     EXPECT_TRUE(names.insert(quantity.name).second) << quantity.name;
     EXPECT_FALSE(quantity.meaning.empty()) << quantity.name;
     EXPECT_GT(quantity.scale, 0.0) << quantity.name;
-    EXPECT_EQ(find_quantity(quantity.name), &quantity);
+    EXPECT_EQ(simulation::find_quantity(quantity.name), &quantity);
   }
-  EXPECT_EQ(find_quantity("weight_g"), nullptr);
+  EXPECT_EQ(simulation::find_quantity("weight_g"), nullptr);
 }
 
 TEST(Quantities, ThatMayHaveNoValueSayWhy) {
@@ -32,19 +32,19 @@ TEST(Quantities, ThatMayHaveNoValueSayWhy) {
   const DesignProblem problem(study);
   for (const double index : {0.0, 1.0}) {
     const auto design = std::get<EvaluatedDesign>(problem.evaluate(std::vector{index}));
-    for (const Quantity& quantity : quantities())
+    for (const simulation::Quantity& quantity : simulation::quantities())
       EXPECT_TRUE(quantity.get(design.candidate()) || !quantity.absence.empty()) << quantity.name;
   }
   const auto still = std::get<EvaluatedDesign>(problem.evaluate(std::vector{0.0}));
-  EXPECT_EQ(find_quantity("rise_time_s")->get(still.candidate()), std::nullopt);
-  EXPECT_EQ(find_quantity("thermal_load")->get(still.candidate()), std::nullopt);
+  EXPECT_EQ(simulation::find_quantity("rise_time_s")->get(still.candidate()), std::nullopt);
+  EXPECT_EQ(simulation::find_quantity("thermal_load")->get(still.candidate()), std::nullopt);
 }
 
 TEST(Quantities, ScaleIsWithinTenfoldOfThePrototype) {
   // Scales weigh limits of zero against each other; an order of magnitude is all they must get right.
   const DesignProblem problem(testing::small_study());
   const auto base = std::get<EvaluatedDesign>(problem.evaluate_base());
-  for (const Quantity& quantity : quantities()) {
+  for (const simulation::Quantity& quantity : simulation::quantities()) {
     const std::optional<double> value = quantity.get(base.candidate());
     ASSERT_TRUE(value.has_value()) << quantity.name;
     EXPECT_LT(std::abs(std::log10(*value / quantity.scale)), 1.0) << quantity.name << " is " << *value;

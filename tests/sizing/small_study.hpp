@@ -18,10 +18,11 @@ inline Study small_study() {
                                        .range = Interval{.lower = 13, .upper = 14}},
                      ParameterVariable{.parameter = actuator::find_parameter("wire_gauge_AWG"),
                                        .range = Choice{.values = {27, 28, 30}}}};
-  study.objectives = {{.quantity = find_quantity("peak_bending_speed_deg_s"), .sense = Sense::maximise},
-                      {.quantity = find_quantity("mass_g"), .sense = Sense::minimise}};
-  study.limits = {{.quantity = find_quantity("mass_g"), .side = Limit::Side::at_most, .value = 66.0},
-                  {.quantity = find_quantity("steady_angle_deg"), .side = Limit::Side::at_least, .value = 20.0}};
+  study.objectives = {{.quantity = simulation::find_quantity("peak_bending_speed_deg_s"), .sense = Sense::maximise},
+                      {.quantity = simulation::find_quantity("mass_g"), .sense = Sense::minimise}};
+  study.limits = {
+      {.quantity = simulation::find_quantity("mass_g"), .side = Limit::Side::at_most, .value = 66.0},
+      {.quantity = simulation::find_quantity("steady_angle_deg"), .side = Limit::Side::at_least, .value = 20.0}};
   return study;
 }
 

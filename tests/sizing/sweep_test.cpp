@@ -43,9 +43,10 @@ TEST(Sweep, GivesEveryQuantityOfADesign) {
   const DesignProblem problem(small_study());
   const SweptDesign design = all_of(problem, 1)[17];
   const auto evaluated = std::get<EvaluatedDesign>(problem.evaluate(design.point));
-  ASSERT_EQ(design.quantities.size(), quantities().size());
-  for (std::size_t i = 0; i < quantities().size(); ++i)
-    EXPECT_EQ(design.quantities[i], quantities()[i].get(evaluated.candidate())) << quantities()[i].name;
+  ASSERT_EQ(design.quantities.size(), simulation::quantities().size());
+  for (std::size_t i = 0; i < simulation::quantities().size(); ++i)
+    EXPECT_EQ(design.quantities[i], simulation::quantities()[i].get(evaluated.candidate()))
+        << simulation::quantities()[i].name;
 }
 
 TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {

@@ -17,7 +17,7 @@ struct EvaluatedDesign {
   simulation::OperatingPoint point;
   simulation::Performance performance;
 
-  [[nodiscard]] Candidate candidate() const {
+  [[nodiscard]] simulation::Candidate candidate() const {
     return {.design = design, .assembly = assembly, .point = point, .performance = performance};
   }
 };

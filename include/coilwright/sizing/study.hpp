@@ -8,9 +8,9 @@
 
 #include "coilwright/actuator/design.hpp"
 #include "coilwright/actuator/parameters.hpp"
+#include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/options.hpp"
 #include "coilwright/sizing/problem.hpp"
-#include "coilwright/sizing/quantity.hpp"
 
 namespace coilwright::sizing {
 
@@ -56,14 +56,14 @@ using VariableValue = std::variant<double, std::string_view>;
 [[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
 
 struct StudyObjective {
-  const Quantity* quantity{};  ///< never nullptr
+  const simulation::Quantity* quantity{};  ///< never nullptr
   Sense sense = Sense::maximise;
 };
 
 /// A quantity that must not pass a limit, in the unit of its name.
 struct Limit {
   enum class Side { at_most, at_least };
-  const Quantity* quantity{};  ///< never nullptr
+  const simulation::Quantity* quantity{};  ///< never nullptr
   Side side = Side::at_most;
   double value{};
 };

@@ -8,14 +8,14 @@
 #include "coilwright/actuator/design.hpp"
 #include "coilwright/simulation/performance.hpp"
 
-namespace coilwright::sizing {
+namespace coilwright::simulation {
 
 /// A design with everything that is known of it.
 struct Candidate {
   const actuator::Design& design;
   const actuator::Assembly& assembly;
-  const simulation::OperatingPoint& point;
-  const simulation::Performance& performance;
+  const OperatingPoint& point;
+  const Performance& performance;
 };
 
 /// One number of a candidate as results print it and as a study asks for it.
@@ -34,4 +34,4 @@ struct Quantity {
 /// The quantity of that name; nullptr if there is none.
 [[nodiscard]] const Quantity* find_quantity(std::string_view name);
 
-}  // namespace coilwright::sizing
+}  // namespace coilwright::simulation

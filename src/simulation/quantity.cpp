@@ -1,11 +1,11 @@
-#include "coilwright/sizing/quantity.hpp"
+#include "coilwright/simulation/quantity.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace coilwright::sizing {
+namespace coilwright::simulation {
 namespace {
 
 using Value = std::optional<double>;
@@ -26,7 +26,7 @@ constexpr std::array table = {
              [](const Candidate& c) -> Value { return c.performance.motion.steady_angles.sum() * degrees; }},
     Quantity{"stroke_deg", "bending angle from rest to steady", 40.0,
              [](const Candidate& c) -> Value {
-               const simulation::Motion& motion = c.performance.motion;
+               const Motion& motion = c.performance.motion;
                return (motion.steady_angles.sum() - motion.rest_angles.sum()) * degrees;
              }},
     Quantity{"peak_bending_speed_deg_s", "largest speed of the bending angle in a step from rest", 1500.0,
@@ -81,7 +81,7 @@ constexpr std::array table = {
     Quantity{
         "thermal_load", "rms current over the continuous current of coils and magnets; above 1 a limit is passed", 1.0,
         [](const Candidate& c) -> Value {
-          const simulation::Heat& heat = c.performance.heat;
+          const Heat& heat = c.performance.heat;
           const double rms = std::abs(c.point.current) * std::sqrt(c.point.duty);
           const double allowed = std::min(heat.continuous_current, heat.magnet_continuous_current);
           return allowed > 0.0 ? Value(rms / allowed) : Value();
@@ -110,4 +110,4 @@ const Quantity* find_quantity(std::string_view name) {
   return found == table.end() ? nullptr : &*found;
 }
 
-}  // namespace coilwright::sizing
+}  // namespace coilwright::simulation

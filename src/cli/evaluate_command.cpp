@@ -33,9 +33,9 @@ void evaluate(const actuator::Design& design, const Options& options) {
   const auto result = simulation::performance_of(design, assembly, point);
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
-  const simulation::Candidate candidate{
+  const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
-  std::cout << (options.json ? report::to_json(candidate).text() : report::to_text(candidate));
+  std::cout << (options.json ? report::to_json(view).text() : report::to_text(view));
 }
 
 void evaluate(const actuator::Model& model, const Options& options) {

@@ -32,12 +32,12 @@ void check_written_design(const std::string& text, const EvaluatedDesign& best, 
   const actuator::Assembly assembly = actuator::assemble_or_throw(design);
   const auto result = simulation::performance_of(design, assembly, best.point);
   if (const auto* none = std::get_if<simulation::NoPerformance>(&result)) throw std::logic_error(none->reason);
-  const simulation::Candidate candidate{.design = design,
-                                        .assembly = assembly,
-                                        .point = best.point,
-                                        .performance = std::get<simulation::Performance>(result)};
+  const simulation::DesignView view{.design = design,
+                                    .assembly = assembly,
+                                    .point = best.point,
+                                    .performance = std::get<simulation::Performance>(result)};
   for (const sizing::Limit& limit : study.limits) {
-    const std::optional<double> value = limit.quantity->get(candidate);
+    const std::optional<double> value = limit.quantity.value(view);
     if (!value || !(margin(limit, *value) >= 0.0))
       throw std::logic_error(
           fmt::format("the design found does not keep {} when it is read back and evaluated again", name_of(limit)));

@@ -25,10 +25,13 @@ constexpr Rule current_rule = Rule::between(-1e6, 1e6);
 constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
 constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 
-const simulation::Quantity& read_quantity(const Node& node) {
-  if (const simulation::Quantity* quantity = simulation::find_quantity(node.text())) return *quantity;
+using simulation::QuantityTable;
+using simulation::ResultQuantity;
+
+const ResultQuantity& read_quantity(const Node& node, const QuantityTable& quantities) {
+  if (const ResultQuantity* quantity = quantities.find(node.text())) return *quantity;
   std::vector<std::string> names;
-  for (const simulation::Quantity& quantity : simulation::quantities()) names.emplace_back(quantity.name);
+  for (const ResultQuantity& quantity : quantities) names.push_back(quantity.name);
   throw node.error("must be a quantity that evaluate prints" + did_you_mean(node.text(), names));
 }
 
@@ -105,27 +108,29 @@ std::vector<StudyVariable> read_variables(const Node& node) {
   return variables;
 }
 
-StudyObjective read_objective(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
+StudyObjective read_objective(const Node& node, const QuantityTable& quantities) {
+  return read_object(node, [&quantities](ObjectReader& in) {
     const std::string sense = in.one_of({"maximise", "minimise"});
-    return StudyObjective{.quantity = &read_quantity(in.at(sense)),
+    return StudyObjective{.quantity = read_quantity(in.at(sense), quantities),
                           .sense = sense == "maximise" ? Sense::maximise : Sense::minimise};
   });
 }
 
-std::vector<StudyObjective> read_objectives(const Node& node) {
+std::vector<StudyObjective> read_objectives(const Node& node, const QuantityTable& quantities) {
   std::vector<StudyObjective> objectives;
   for (const Node& element : node.elements(Length::from_to(1, 3))) {
-    objectives.push_back(read_objective(element));
-    const auto same = [&](const StudyObjective& other) { return other.quantity == objectives.back().quantity; };
+    objectives.push_back(read_objective(element, quantities));
+    const auto same = [&](const StudyObjective& other) {
+      return other.quantity.name == objectives.back().quantity.name;
+    };
     if (std::ranges::count_if(objectives, same) > 1) throw element.error_without_value("asks for a quantity twice");
   }
   return objectives;
 }
 
-Limit read_limit(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    Limit limit{.quantity = &read_quantity(in.at("quantity"))};
+Limit read_limit(const Node& node, const QuantityTable& quantities) {
+  return read_object(node, [&quantities](ObjectReader& in) {
+    Limit limit{.quantity = read_quantity(in.at("quantity"), quantities)};
     const std::string side = in.one_of({"at_most", "at_least"});
     limit.side = side == "at_most" ? Limit::Side::at_most : Limit::Side::at_least;
     limit.value = in.number(side, limit_rule);
@@ -133,18 +138,18 @@ Limit read_limit(const Node& node) {
   });
 }
 
-std::vector<Limit> read_limits(const Node& node) {
+std::vector<Limit> read_limits(const Node& node, const QuantityTable& quantities) {
   std::vector<Limit> limits;
-  for (const Node& element : node.elements(Length::from_to(0, 2 * simulation::quantities().size()))) {
-    const Limit limit = read_limit(element);
+  for (const Node& element : node.elements(Length::from_to(0, 2 * quantities.size()))) {
+    const Limit limit = read_limit(element, quantities);
     for (const Limit& other : limits) {
-      if (other.quantity != limit.quantity) continue;
+      if (other.quantity.name != limit.quantity.name) continue;
       if (other.side == limit.side) throw element.error_without_value("limits the same side of a quantity twice");
       const double low = limit.side == Limit::Side::at_least ? limit.value : other.value;
       const double high = limit.side == Limit::Side::at_least ? other.value : limit.value;
       if (low > high)
         throw element.error_without_value(
-            fmt::format("contradicts an earlier limit: {} cannot be >= {} and <= {}", limit.quantity->name, low, high));
+            fmt::format("contradicts an earlier limit: {} cannot be >= {} and <= {}", limit.quantity.name, low, high));
     }
     limits.push_back(limit);
   }
@@ -201,10 +206,11 @@ Operation read_operating_point(const Node& node, const Study& study) {
   });
 }
 
-Study read_study_file(const Document& document) {
-  return read_object(document.root(), [](ObjectReader& in) {
+Study read_study_file(const Document& document, const QuantityTable& quantities) {
+  return read_object(document.root(), [&quantities](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
+    study.quantities = quantities;
     study.name = in.text("name");
     (void)in.text_or("description", "");
     study.variables = read_variables(in.at("variables"));
@@ -215,8 +221,8 @@ Study read_study_file(const Document& document) {
       study.current = point.current;
       study.duty = point.duty;
     }
-    study.objectives = read_objectives(in.at("objectives"));
-    if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits);
+    study.objectives = read_objectives(in.at("objectives"), quantities);
+    if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, quantities);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base = read_base(in.at("actuator"));
     return study;
@@ -225,12 +231,12 @@ Study read_study_file(const Document& document) {
 
 }  // namespace
 
-sizing::Study read_study(const std::filesystem::path& path) {
-  return read_study_file(read_json(path));
+sizing::Study read_study(const std::filesystem::path& path, const QuantityTable& quantities) {
+  return read_study_file(read_json(path), quantities);
 }
 
-sizing::Study parse_study(std::string_view text, std::string file) {
-  return read_study_file(parse_json(text, std::move(file)));
+sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities) {
+  return read_study_file(parse_json(text, std::move(file)), quantities);
 }
 
 }  // namespace coilwright::formats

@@ -30,7 +30,7 @@ Json result_head(std::string_view command, const sizing::Study& study, sizing::S
   Json objectives = Json::array();
   for (const sizing::StudyObjective& objective : study.objectives)
     objectives.add(Json::object(
-        {{objective.sense == sizing::Sense::maximise ? "maximise" : "minimise", objective.quantity->name}}));
+        {{objective.sense == sizing::Sense::maximise ? "maximise" : "minimise", objective.quantity.name}}));
   return Json::object({{"command", command},
                        {"study", study.name},
                        {"objectives", std::move(objectives)},

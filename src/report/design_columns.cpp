@@ -24,10 +24,10 @@ std::string difference_unit(std::string_view quantity) {
 }
 
 std::string margin_column(const Limit& limit) {
-  const auto split = formats::split_unit(limit.quantity->name);
+  const auto split = formats::split_unit(limit.quantity.name);
   const std::string_view side = limit.side == Limit::Side::at_most ? "max" : "min";
-  if (!split) return fmt::format("{}_{}_margin", limit.quantity->name, side);
-  return fmt::format("{}_{}_margin_{}", split->quantity, side, difference_unit(limit.quantity->name));
+  if (!split) return fmt::format("{}_{}_margin", limit.quantity.name, side);
+  return fmt::format("{}_{}_margin_{}", split->quantity, side, difference_unit(limit.quantity.name));
 }
 
 bool is_variable(const Study& study, std::string_view name) {
@@ -49,12 +49,12 @@ void add_variables(const Study& study, std::span<const double> point, Cells& cel
 
 void add_objective_names(const Study& study, std::vector<std::string>& names) {
   for (const sizing::StudyObjective& objective : study.objectives)
-    if (!is_variable(study, objective.quantity->name)) names.emplace_back(objective.quantity->name);
+    if (!is_variable(study, objective.quantity.name)) names.emplace_back(objective.quantity.name);
 }
 
 void add_objectives(const Study& study, const Evaluation& evaluation, Cells& cells) {
   for (std::size_t i = 0; i < study.objectives.size(); ++i) {
-    if (is_variable(study, study.objectives[i].quantity->name)) continue;
+    if (is_variable(study, study.objectives[i].quantity.name)) continue;
     cells.push_back(evaluation.failure.empty() ? CsvCell(evaluation.objectives[i]) : CsvCell());
   }
 }

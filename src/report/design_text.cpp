@@ -53,7 +53,7 @@ Json variables_json(const Study& study, std::span<const double> point) {
 Json objectives_json(const Study& study, const Evaluation& evaluation) {
   Json out = Json::object();
   for (std::size_t i = 0; i < study.objectives.size(); ++i)
-    out.set(std::string(study.objectives[i].quantity->name),
+    out.set(study.objectives[i].quantity.name,
             evaluation.failure.empty() ? Json(evaluation.objectives[i]) : Json(nullptr));
   return out;
 }
@@ -62,7 +62,7 @@ Json constraints_json(const Study& study, const Evaluation& evaluation) {
   Json out = Json::array();
   for (std::size_t i = 0; i < study.limits.size(); ++i) {
     const Limit& limit = study.limits[i];
-    Json entry = Json::object({{"quantity", limit.quantity->name},
+    Json entry = Json::object({{"quantity", limit.quantity.name},
                                {limit.side == Limit::Side::at_most ? "at_most" : "at_least", limit.value}});
     const bool known = evaluation.failure.empty();
     entry.set("value", known ? Json(value_behind(limit, evaluation.constraints[i])) : Json(nullptr));
@@ -74,7 +74,7 @@ Json constraints_json(const Study& study, const Evaluation& evaluation) {
 
 std::string objective_text(const sizing::StudyObjective& objective) {
   return fmt::format("{} {}", objective.sense == sizing::Sense::maximise ? "maximise" : "minimise",
-                     objective.quantity->name);
+                     objective.quantity.name);
 }
 
 double value_behind(const Limit& limit, double constraint) {
@@ -92,7 +92,7 @@ std::string what_is_in_the_way(const Study& study, const Evaluation& evaluation)
   for (const auto& [negative, i] : broken)
     texts.push_back(fmt::format("{} broken by {:.4g} {}", name_of(study.limits[i]),
                                 -margin_of(study.limits[i], evaluation.constraints[i]),
-                                readable_unit(difference_unit(study.limits[i].quantity->name))));
+                                readable_unit(difference_unit(study.limits[i].quantity.name))));
   for (std::string& text : texts) text.erase(text.find_last_not_of(' ') + 1);
   return fmt::format("{}", fmt::join(texts, ", "));
 }

@@ -68,7 +68,7 @@ std::string table_of(const Study& study, const ParetoResult& result) {
   TextTable table;
   std::vector<std::string> header{""};
   for (const StudyVariable& variable : study.variables) header.push_back(name_of(variable));
-  for (const StudyObjective& objective : study.objectives) header.emplace_back(objective.quantity->name);
+  for (const StudyObjective& objective : study.objectives) header.emplace_back(objective.quantity.name);
   table.row(std::move(header));
   const auto add = [&](std::string title, const Record& record) {
     std::vector<std::string> row{std::move(title)};
@@ -77,7 +77,7 @@ std::string table_of(const Study& study, const ParetoResult& result) {
     table.row(std::move(row));
   };
   for (std::size_t i = 0; i < study.objectives.size(); ++i)
-    add("best " + std::string(study.objectives[i].quantity->name), result.front[end_of(result, i)]);
+    add("best " + study.objectives[i].quantity.name, result.front[end_of(result, i)]);
   add("middle", result.front[middle_of(result)]);
   return table.text(0, {TextTable::Align::left});
 }

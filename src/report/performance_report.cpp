@@ -11,6 +11,8 @@ namespace coilwright::report {
 namespace {
 
 using simulation::Motion;
+using simulation::QuantityTable;
+using simulation::ResultQuantity;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
@@ -51,22 +53,6 @@ std::string joint_lines(const Motion& motion) {
   return text;
 }
 
-// The quantities of a model without a design, with their names in the table of quantities.
-std::vector<std::pair<std::string_view, std::optional<double>>> motion_values(const Motion& motion, double current) {
-  return {{"rest_angle_deg", motion.rest_angles.sum() * degrees},
-          {"steady_angle_deg", motion.steady_angles.sum() * degrees},
-          {"peak_bending_speed_deg_s", motion.peak_bending_speed * degrees},
-          {"peak_speed_time_s", motion.peak_speed_time},
-          {"rise_time_s", motion.rise_time},
-          {"overshoot_pct", motion.overshoot * 100.0},
-          {"settling_time_s", motion.settling_time},
-          {"damping_ratio", motion.modes.front().damping_ratio},
-          {"natural_frequency_Hz", motion.modes.front().natural_frequency},
-          {"grasp_force_N", motion.grasp_force},
-          {"contact_force_no_current_N", motion.contact_force_no_current},
-          {"current_A", current}};
-}
-
 std::string value_line(std::string_view name, const std::optional<double>& value, std::string_view meaning) {
   const std::string number = value ? fmt::format("{:.6g}", *value) : "none";
   return fmt::format("{:<28} {:>12}  {}\n", name, number, meaning);
@@ -74,32 +60,33 @@ std::string value_line(std::string_view name, const std::optional<double>& value
 
 }  // namespace
 
-Json to_json(const simulation::Candidate& candidate) {
+Json to_json(const simulation::DesignView& design, const QuantityTable& quantities) {
   Json out = Json::object();
-  for (const simulation::Quantity& quantity : simulation::quantities())
-    out.set(std::string(quantity.name), number_or_null(quantity.get(candidate)));
-  add_joints_and_modes(out, candidate.performance.motion);
+  for (const ResultQuantity& quantity : quantities) out.set(quantity.name, number_or_null(quantity.value(design)));
+  add_joints_and_modes(out, design.performance.motion);
   return out;
 }
 
-Json to_json(const Motion& motion, double current) {
+Json to_json(const Motion& motion, double current, const QuantityTable& quantities) {
   Json out = Json::object();
-  for (const auto& [name, value] : motion_values(motion, current)) out.set(std::string(name), number_or_null(value));
+  for (const ResultQuantity& quantity : quantities)
+    if (quantity.value_of_lumped) out.set(quantity.name, number_or_null(quantity.value_of_lumped(motion, current)));
   add_joints_and_modes(out, motion);
   return out;
 }
 
-std::string to_text(const simulation::Candidate& candidate) {
+std::string to_text(const simulation::DesignView& design, const QuantityTable& quantities) {
   std::string text;
-  for (const simulation::Quantity& quantity : simulation::quantities())
-    text += value_line(quantity.name, quantity.get(candidate), quantity.meaning);
-  return text + joint_lines(candidate.performance.motion);
+  for (const ResultQuantity& quantity : quantities)
+    text += value_line(quantity.name, quantity.value(design), quantity.meaning);
+  return text + joint_lines(design.performance.motion);
 }
 
-std::string to_text(const Motion& motion, double current) {
+std::string to_text(const Motion& motion, double current, const QuantityTable& quantities) {
   std::string text;
-  for (const auto& [name, value] : motion_values(motion, current))
-    text += value_line(name, value, simulation::find_quantity(name)->meaning);
+  for (const ResultQuantity& quantity : quantities)
+    if (quantity.value_of_lumped)
+      text += value_line(quantity.name, quantity.value_of_lumped(motion, current), quantity.meaning);
   return text + joint_lines(motion);
 }
 

@@ -81,13 +81,13 @@ Json best_json(const SizeAnswer& answer) {
   return out;
 }
 
-std::string in_unit(double change, const simulation::Quantity& quantity) {
+std::string in_unit(double change, const simulation::ResultQuantity& quantity) {
   if (change == 0.0) return "no change";
   const std::string unit = readable_unit(difference_unit(quantity.name));
   return signed_number(change) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string margin_text(double margin, const simulation::Quantity& quantity) {
+std::string margin_text(double margin, const simulation::ResultQuantity& quantity) {
   return margin == 0.0 ? "no margin" : "margin " + in_unit(margin, quantity);
 }
 
@@ -146,7 +146,7 @@ std::string variables_text(const SizeAnswer& answer) {
 
 std::string objective_lines(const SizeAnswer& answer) {
   const Evaluation& best = answer.result.best->evaluation;
-  const simulation::Quantity& quantity = *answer.study.objectives.front().quantity;
+  const simulation::ResultQuantity& quantity = answer.study.objectives.front().quantity;
   std::string text;
   if (!best.failure.empty()) {
     text = fmt::format("\nIt cannot be evaluated: {}\n", best.failure);
@@ -182,7 +182,7 @@ std::string limits_text(const SizeAnswer& answer) {
       remark = binding.at_limit ? "at its limit" : "stops a better step";
     }
     table.row({name_of(limit), short_number(value_behind(limit, best.constraints[i])),
-               margin_text(margin, *limit.quantity), remark});
+               margin_text(margin, limit.quantity), remark});
   }
   return "\nLimits\n" + table.text(2, {TextTable::Align::left, TextTable::Align::right, TextTable::Align::right,
                                        TextTable::Align::left});
@@ -198,7 +198,7 @@ std::string relaxations_text(const SizeAnswer& answer) {
   for (const BindingConstraint& binding : bindings) {
     const Limit& limit = study.limits[place_of(study.limits, binding.name)];
     const std::string change = binding.objective_change
-                                   ? in_unit(*binding.objective_change, *study.objectives.front().quantity)
+                                   ? in_unit(*binding.objective_change, study.objectives.front().quantity)
                                    : std::string("nothing better found");
     text += fmt::format("  {} relaxed to {}: {}\n", binding.name, short_number(relaxed(limit, binding).value), change);
   }
@@ -212,7 +212,7 @@ std::string steps_text(const SizeAnswer& answer) {
   for (const VariableStep& step : steps) {
     const StudyVariable& variable = answer.study.variables[place_of(answer.study.variables, step.variable)];
     const std::string change = step.objective_change
-                                   ? in_unit(*step.objective_change, *answer.study.objectives.front().quantity)
+                                   ? in_unit(*step.objective_change, answer.study.objectives.front().quantity)
                                    : std::string("-");
     const std::string broken = step.violates.empty() ? "" : fmt::format("breaks {}", fmt::join(step.violates, ", "));
     const std::string remark = step.objective_change ? broken : fmt::format("{}", fmt::join(step.violates, ", "));
@@ -244,7 +244,7 @@ Json to_json(const SizeAnswer& answer) {
   out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(answer));
   out.set("steps", std::move(steps));
   out.set("operating_point", evaluated ? operating_json(evaluated->point) : Json(nullptr));
-  out.set("performance", evaluated ? to_json(evaluated->candidate()) : Json(nullptr));
+  out.set("performance", evaluated ? to_json(evaluated->view(), answer.study.quantities) : Json(nullptr));
   return out;
 }
 
@@ -256,7 +256,7 @@ std::string to_text(const SizeAnswer& answer) {
             range_ends_text(answer) + steps_text(answer);
     if (answer.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(answer.best))
-        text += "\nAll of it\n" + to_text(evaluated->candidate());
+        text += "\nAll of it\n" + to_text(evaluated->view(), answer.study.quantities);
   }
   text +=
       fmt::format("\nStopped because {}: {} evaluations", meaning_of(result.stop_reason), result.search_evaluations);

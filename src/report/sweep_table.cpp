@@ -18,7 +18,7 @@ using sizing::SweptDesign;
 void add_names(const Study& study, std::vector<std::string>& names) {
   add_variable_names(study, names);
   names.emplace_back("status");
-  for (const simulation::Quantity& quantity : simulation::quantities())
+  for (const simulation::ResultQuantity& quantity : study.quantities)
     if (!is_variable(study, quantity.name)) names.emplace_back(quantity.name);
   add_margin_names(study, names);
   names.emplace_back("reason");
@@ -27,8 +27,8 @@ void add_names(const Study& study, std::vector<std::string>& names) {
 void add_cells(const Study& study, const SweptDesign& design, Cells& cells) {
   add_variables(study, design.point, cells);
   cells.emplace_back(status_of(design.evaluation));
-  for (std::size_t i = 0; i < simulation::quantities().size(); ++i) {
-    if (is_variable(study, simulation::quantities()[i].name)) continue;
+  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
+    if (is_variable(study, study.quantities[i].name)) continue;
     const bool there = !design.quantities.empty() && design.quantities[i] && std::isfinite(*design.quantities[i]);
     cells.push_back(there ? CsvCell(*design.quantities[i]) : CsvCell());
   }
@@ -49,7 +49,7 @@ std::string verdict(const Study& study, std::span<const sizing::Leader> leaders,
     return "nothing feasible; nearest: " + what_is_in_the_way(study, design.evaluation);
   std::string text;
   for (std::size_t i = first; i < leaders.size() && leaders[i].design.index == design.index; ++i)
-    text += (text.empty() ? "" : ", ") + std::string(study.objectives[leaders[i].objective].quantity->name);
+    text += (text.empty() ? "" : ", ") + study.objectives[leaders[i].objective].quantity.name;
   return text;
 }
 
@@ -68,7 +68,7 @@ void write_leaders(std::ostream& out, const Study& study, std::span<const sizing
   add_names(study, names);
   CsvWriter csv(out, std::move(names));
   for (const sizing::Leader& leader : leaders) {
-    Cells cells{CsvCell(study.objectives[leader.objective].quantity->name)};
+    Cells cells{CsvCell(study.objectives[leader.objective].quantity.name)};
     add_cells(study, leader.design, cells);
     csv.row(cells);
   }
@@ -78,7 +78,7 @@ Json to_json(const SweepAnswer& answer) {
   Json best = Json::array();
   for (const sizing::Leader& leader : answer.leaders) {
     const sizing::Evaluation& evaluation = leader.design.evaluation;
-    Json entry = Json::object({{"best_for", answer.study.objectives[leader.objective].quantity->name},
+    Json entry = Json::object({{"best_for", answer.study.objectives[leader.objective].quantity.name},
                                {"status", status_of(evaluation)},
                                {"variables", variables_json(answer.study, leader.design.point)},
                                {"objectives", objectives_json(answer.study, evaluation)},
@@ -108,7 +108,7 @@ std::string to_text(const SweepAnswer& answer) {
     std::vector<std::string> row = variable_texts(study, design.point);
     const sizing::Evaluation& evaluation = design.evaluation;
     for (std::size_t i = 0; i < study.objectives.size(); ++i) {
-      if (is_variable(study, study.objectives[i].quantity->name)) continue;
+      if (is_variable(study, study.objectives[i].quantity.name)) continue;
       row.push_back(evaluation.failure.empty() ? short_number(evaluation.objectives[i]) : "-");
     }
     row.push_back(verdict(study, leaders, k));

@@ -66,12 +66,12 @@ DesignResult evaluate_design(actuator::Design design, const Current& current, do
 }
 
 // A quantity that a study asks for and this design does not have.
-NotEvaluated without(const simulation::Quantity& quantity, const simulation::Candidate& candidate) {
-  const std::string_view why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
+NotEvaluated without(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
+  const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
   std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
-  const simulation::Heat& heat = candidate.performance.heat;
+  const simulation::Heat& heat = design.performance.heat;
   if (heat.coil_temperature) return {.reason = std::move(reason), .infeasibility = 1.0};
-  const double rms = std::abs(candidate.point.current) * std::sqrt(candidate.point.duty);
+  const double rms = std::abs(design.point.current) * std::sqrt(design.point.duty);
   return {.reason = std::move(reason), .infeasibility = rms / heat.runaway_current};
 }
 
@@ -81,22 +81,26 @@ Evaluation failed(const NotEvaluated& why) {
 
 }  // namespace
 
-DesignProblem::DesignProblem(Study study) : study_(std::move(study)) {
-  variables_.reserve(study_.variables.size());
-  for (const StudyVariable& variable : study_.variables) variables_.push_back(search_variable(variable));
+DesignProblem::DesignProblem(Study study) {
   const bool varied = std::ranges::any_of(
-      study_.variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
-  if (varied != std::holds_alternative<VariedCurrent>(study_.current))
+      study.variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
+  if (varied != std::holds_alternative<VariedCurrent>(study.current))
     throw std::invalid_argument("current: must be fixed or a variable, one of the two");
+  for (const StudyObjective& objective : study.objectives) simulation::validate_quantity(objective.quantity);
+  for (const Limit& limit : study.limits) simulation::validate_quantity(limit.quantity);
+  std::vector<Variable> variables;
+  variables.reserve(study.variables.size());
+  for (const StudyVariable& variable : study.variables) variables.push_back(search_variable(variable));
+  state_ = std::make_shared<const State>(State{.study = std::move(study), .variables = std::move(variables)});
 }
 
 actuator::Design DesignProblem::design_at(std::span<const double> point) const {
-  actuator::Design design = study_.base;
-  for (std::size_t i = 0; i < study_.variables.size(); ++i) {
-    if (const auto* number = std::get_if<ParameterVariable>(&study_.variables[i])) {
-      const double value = std::get<double>(value_at(study_.variables[i], point[i]));
+  actuator::Design design = study().base;
+  for (std::size_t i = 0; i < study().variables.size(); ++i) {
+    if (const auto* number = std::get_if<ParameterVariable>(&study().variables[i])) {
+      const double value = std::get<double>(value_at(study().variables[i], point[i]));
       number->parameter->set(design, value / number->parameter->denominator);
-    } else if (const auto* layout = std::get_if<ConfigurationVariable>(&study_.variables[i])) {
+    } else if (const auto* layout = std::get_if<ConfigurationVariable>(&study().variables[i])) {
       design.layout = actuator::layout_of(layout->values[static_cast<std::size_t>(std::lround(point[i]))]);
     }
   }
@@ -105,29 +109,30 @@ actuator::Design DesignProblem::design_at(std::span<const double> point) const {
 
 DesignResult DesignProblem::evaluate(std::span<const double> point) const {
   return evaluate_design(
-      design_at(point), [&](const actuator::Design& design) { return current_of(study_, design, point); }, study_.duty);
+      design_at(point), [&](const actuator::Design& design) { return current_of(study(), design, point); },
+      study().duty);
 }
 
 DesignResult DesignProblem::evaluate_base() const {
   const auto current = [this](const actuator::Design& design) {
     // Where the study varies the current, its actuator is seen at what its own wire carries.
-    return current_of(study_, design).value_or(winding::gauge(design.coil.wire_gauge).chassis_ampacity);
+    return current_of(study(), design).value_or(winding::gauge(design.coil.wire_gauge).chassis_ampacity);
   };
-  return evaluate_design(study_.base, current, study_.duty);
+  return evaluate_design(study().base, current, study().duty);
 }
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {
   if (const auto* why = std::get_if<NotEvaluated>(&result)) return failed(*why);
-  const simulation::Candidate candidate = std::get<EvaluatedDesign>(result).candidate();
+  const simulation::DesignView design = std::get<EvaluatedDesign>(result).view();
   Evaluation out;
-  for (const StudyObjective& objective : study_.objectives) {
-    const std::optional<double> value = objective.quantity->get(candidate);
-    if (!value || !std::isfinite(*value)) return failed(without(*objective.quantity, candidate));
+  for (const StudyObjective& objective : study().objectives) {
+    const std::optional<double> value = objective.quantity.value(design);
+    if (!value || !std::isfinite(*value)) return failed(without(objective.quantity, design));
     out.objectives.push_back(*value);
   }
-  for (const Limit& limit : study_.limits) {
-    const std::optional<double> value = limit.quantity->get(candidate);
-    if (!value || !std::isfinite(*value)) return failed(without(*limit.quantity, candidate));
+  for (const Limit& limit : study().limits) {
+    const std::optional<double> value = limit.quantity.value(design);
+    if (!value || !std::isfinite(*value)) return failed(without(limit.quantity, design));
     out.constraints.push_back(-margin(limit, *value) / scale_of(limit));
   }
   return out;
@@ -135,17 +140,19 @@ Evaluation DesignProblem::assess(const DesignResult& result) const {
 
 Problem DesignProblem::problem() const {
   Problem problem;
-  problem.variables = variables_;
-  for (const StudyObjective& objective : study_.objectives)
-    problem.objectives.push_back({.name = std::string(objective.quantity->name), .sense = objective.sense});
-  for (const Limit& limit : study_.limits) problem.constraints.push_back(name_of(limit));
-  problem.evaluate = [this](std::span<const double> point) { return assess(evaluate(point)); };
+  problem.variables = state_->variables;
+  for (const StudyObjective& objective : study().objectives)
+    problem.objectives.push_back({.name = objective.quantity.name, .sense = objective.sense});
+  for (const Limit& limit : study().limits) problem.constraints.push_back(name_of(limit));
+  problem.evaluate = [design_problem = *this](std::span<const double> point) {
+    return design_problem.assess(design_problem.evaluate(point));
+  };
   return problem;
 }
 
 std::size_t DesignProblem::point_count() const {
   std::size_t count = 1;
-  for (const StudyVariable& variable : study_.variables) {
+  for (const StudyVariable& variable : study().variables) {
     const std::optional<std::size_t> values = value_count(variable);
     if (!values) throw std::invalid_argument(fmt::format("{} must have a step or a list of values", name_of(variable)));
     if (*values > most_points / count)
@@ -156,13 +163,14 @@ std::size_t DesignProblem::point_count() const {
 }
 
 std::vector<double> DesignProblem::point(std::size_t index) const {
-  std::vector<double> out(variables_.size());
-  for (std::size_t i = variables_.size(); i-- > 0;) {
-    const std::size_t values = value_count(study_.variables[i]).value();
+  const std::vector<Variable>& variables = state_->variables;
+  std::vector<double> out(variables.size());
+  for (std::size_t i = variables.size(); i-- > 0;) {
+    const std::size_t values = value_count(study().variables[i]).value();
     const auto k = static_cast<double>(index % values);
     index /= values;
     // The search's own rounding: a design found there and one found here are the same bits.
-    out[i] = nearest_legal(variables_[i], variables_[i].lower + k * grid_step(variables_[i]));
+    out[i] = nearest_legal(variables[i], variables[i].lower + k * grid_step(variables[i]));
   }
   return out;
 }

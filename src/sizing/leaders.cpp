@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace coilwright::sizing {
 namespace {
@@ -13,10 +14,10 @@ std::pair<bool, double> distance_from_feasible(const SweptDesign& design) {
 
 }  // namespace
 
-Leaders::Leaders(const DesignProblem& problem) : problem_(&problem) {}
+Leaders::Leaders(DesignProblem problem) : problem_(std::move(problem)) {}
 
 std::size_t Leaders::configuration_of(const SweptDesign& design) const {
-  const std::vector<StudyVariable>& variables = problem_->study().variables;
+  const std::vector<StudyVariable>& variables = problem_.study().variables;
   for (std::size_t i = 0; i < variables.size(); ++i)
     if (std::holds_alternative<ConfigurationVariable>(variables[i]))
       return static_cast<std::size_t>(std::lround(design.point[i]));
@@ -29,19 +30,19 @@ bool Leaders::leads(const SweptDesign& design, const SweptDesign& leader, std::s
   if (!feasible) return distance_from_feasible(design) < distance_from_feasible(leader);
   const double value = design.evaluation.objectives[objective];
   const double best = leader.evaluation.objectives[objective];
-  return problem_->study().objectives[objective].sense == Sense::maximise ? value > best : value < best;
+  return problem_.study().objectives[objective].sense == Sense::maximise ? value > best : value < best;
 }
 
 void Leaders::consider(const SweptDesign& design) {
   const std::size_t configuration = configuration_of(design);
-  for (std::size_t i = 0; i < problem_->study().objectives.size(); ++i) {
+  for (std::size_t i = 0; i < problem_.study().objectives.size(); ++i) {
     const auto [place, is_first] = leaders_.try_emplace({configuration, i}, design);
     if (!is_first && leads(design, place->second, i)) place->second = design;
   }
 }
 
 std::vector<Leader> Leaders::all() const {
-  const std::vector<StudyVariable>& variables = problem_->study().variables;
+  const std::vector<StudyVariable>& variables = problem_.study().variables;
   const auto varied = std::ranges::find_if(
       variables, [](const StudyVariable& v) { return std::holds_alternative<ConfigurationVariable>(v); });
   std::vector<Leader> out;

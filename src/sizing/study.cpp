@@ -97,7 +97,7 @@ VariableValue value_at(const StudyVariable& variable, double coordinate) {
 }
 
 std::string name_of(const Limit& limit) {
-  return fmt::format("{} {} {}", limit.quantity->name, limit.side == Limit::Side::at_most ? "<=" : ">=", limit.value);
+  return fmt::format("{} {} {}", limit.quantity.name, limit.side == Limit::Side::at_most ? "<=" : ">=", limit.value);
 }
 
 double margin(const Limit& limit, double value) {
@@ -105,7 +105,7 @@ double margin(const Limit& limit, double value) {
 }
 
 double scale_of(const Limit& limit) {
-  return limit.value != 0.0 ? std::abs(limit.value) : limit.quantity->scale;
+  return limit.value != 0.0 ? std::abs(limit.value) : limit.quantity.scale;
 }
 
 }  // namespace coilwright::sizing

@@ -18,9 +18,10 @@ SweptDesign evaluate(const DesignProblem& problem, std::size_t index) {
   const DesignResult result = problem.evaluate(out.point);
   out.evaluation = problem.assess(result);
   if (const auto* design = std::get_if<EvaluatedDesign>(&result)) {
-    out.quantities.reserve(simulation::quantities().size());
-    for (const simulation::Quantity& quantity : simulation::quantities())
-      out.quantities.push_back(quantity.get(design->candidate()));
+    const simulation::QuantityTable& quantities = problem.study().quantities;
+    out.quantities.reserve(quantities.size());
+    for (const simulation::ResultQuantity& quantity : quantities)
+      out.quantities.push_back(quantity.value(design->view()));
   }
   return out;
 }

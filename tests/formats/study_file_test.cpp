@@ -70,11 +70,27 @@ TEST_F(StudyFile, KeepsItsVariablesInTheOrderWritten) {
 TEST_F(StudyFile, NamesItsObjectivesAndLimits) {
   const Study study = parse(text);
   ASSERT_EQ(study.objectives.size(), 2u);
-  EXPECT_EQ(study.objectives[1].quantity->name, "mass_g");
+  EXPECT_EQ(study.objectives[1].quantity.name, "mass_g");
   EXPECT_EQ(study.objectives[1].sense, Sense::minimise);
   ASSERT_EQ(study.limits.size(), 2u);
   EXPECT_EQ(name_of(study.limits[0]), "mass_g <= 66.5");
   EXPECT_EQ(name_of(study.limits[1]), "damping_ratio >= 0.04");
+}
+
+TEST_F(StudyFile, NamesQuantitiesOfTheTableItIsGiven) {
+  const simulation::QuantityTable table =
+      simulation::standard_quantities().with({.name = "aspect_ratio",
+                                              .meaning = "width divided by height of the cross-section",
+                                              .scale = 1.0,
+                                              .value = [](const simulation::DesignView& d) {
+                                                return d.assembly.dimensions.width / d.assembly.dimensions.height;
+                                              }});
+  std::string own = text;
+  own.replace(own.find("damping_ratio"), std::string_view("damping_ratio").size(), "aspect_ratio");
+  const Study study = parse_study(own, (folder_.path() / "s.json").string(), table);
+  EXPECT_EQ(study.limits[1].quantity.meaning, "width divided by height of the cross-section");
+  EXPECT_EQ(study.quantities.size(), table.size());
+  EXPECT_THROW((void)parse(own), InputError);  // the default has no such row
 }
 
 TEST_F(StudyFile, MayVaryTheCurrentAndSayNothingElseOfIt) {

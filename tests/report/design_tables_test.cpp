@@ -11,6 +11,11 @@ namespace coilwright::report {
 namespace {
 
 using namespace sizing;
+using simulation::standard_quantities;
+
+const simulation::ResultQuantity& quantity(std::string_view name) {
+  return standard_quantities().at(name);
+}
 
 Study study() {
   Study out;
@@ -19,12 +24,11 @@ Study study() {
       ConfigurationVariable{.values = {actuator::Configuration::D, actuator::Configuration::A}},
       CurrentVariable{.range = Interval{.lower = 0.1, .upper = 1.5}},
       ParameterVariable{.parameter = actuator::find_parameter("wire_gauge_AWG"), .range = Choice{.values = {26, 30}}}};
-  out.objectives = {{.quantity = simulation::find_quantity("current_A"), .sense = Sense::minimise},
-                    {.quantity = simulation::find_quantity("grasp_force_N"), .sense = Sense::maximise}};
-  out.limits = {
-      {.quantity = simulation::find_quantity("mass_g"), .side = Limit::Side::at_most, .value = 64.0},
-      {.quantity = simulation::find_quantity("coil_temperature_degC"), .side = Limit::Side::at_most, .value = 128.0},
-      {.quantity = simulation::find_quantity("damping_ratio"), .side = Limit::Side::at_least, .value = 0.0625}};
+  out.objectives = {{.quantity = quantity("current_A"), .sense = Sense::minimise},
+                    {.quantity = quantity("grasp_force_N"), .sense = Sense::maximise}};
+  out.limits = {{.quantity = quantity("mass_g"), .side = Limit::Side::at_most, .value = 64.0},
+                {.quantity = quantity("coil_temperature_degC"), .side = Limit::Side::at_most, .value = 128.0},
+                {.quantity = quantity("damping_ratio"), .side = Limit::Side::at_least, .value = 0.0625}};
   return out;
 }
 
@@ -62,7 +66,7 @@ TEST(FrontTable, HasVariablesObjectivesAndMargins) {
 SweptDesign swept(const Record& record) {
   SweptDesign out{.index = 3, .point = record.point, .evaluation = record.evaluation, .quantities = {}};
   if (!record.evaluation.failure.empty()) return out;
-  for (std::size_t i = 0; i < simulation::quantities().size(); ++i) out.quantities.emplace_back(static_cast<double>(i));
+  for (std::size_t i = 0; i < standard_quantities().size(); ++i) out.quantities.emplace_back(static_cast<double>(i));
   return out;
 }
 
@@ -71,8 +75,8 @@ TEST(SweepTable, HasEveryQuantityOnceAndEmptyCellsForWhatIsNot) {
   const Study asked = study();
   SweepTable table(out, asked);
   SweptDesign hot = swept(records[1]);
-  for (std::size_t i = 0; i < simulation::quantities().size(); ++i)
-    if (simulation::quantities()[i].name == "coil_temperature_degC") hot.quantities[i].reset();
+  for (std::size_t i = 0; i < standard_quantities().size(); ++i)
+    if (standard_quantities()[i].name == "coil_temperature_degC") hot.quantities[i].reset();
   table.row(hot);
   table.row(swept(records[2]));
 
@@ -82,7 +86,7 @@ TEST(SweepTable, HasEveryQuantityOnceAndEmptyCellsForWhatIsNot) {
   std::getline(lines, first);
   std::getline(lines, second);
   // 3 variables, status, the quantities but current_A, 3 margins, reason.
-  const auto columns = static_cast<std::ptrdiff_t>(3 + 1 + simulation::quantities().size() - 1 + 3 + 1);
+  const auto columns = static_cast<std::ptrdiff_t>(3 + 1 + standard_quantities().size() - 1 + 3 + 1);
   for (const std::string& line : {header, first})
     EXPECT_EQ(std::count(line.begin(), line.end(), ',') + 1, columns) << line;
   EXPECT_TRUE(header.starts_with("configuration,current_A,wire_gauge_AWG,status,axial_force_N,")) << header;

@@ -48,6 +48,39 @@ TEST(DesignProblem, TellsTheSearchObjectivesAndScaledMargins) {
   EXPECT_NO_THROW(check(problem.problem()));
 }
 
+// Neither an objective nor a limit need stand in any table.
+TEST(DesignProblem, TakesAnObjectiveOfAUsersOwn) {
+  Study study = small_study();
+  study.objectives = {{.quantity = {.name = "grasp_force_per_mass_N_kg",
+                                    .meaning = "grasp force divided by the mass of the actuator",
+                                    .scale = 15.0,
+                                    .value =
+                                        [](const simulation::DesignView& d) {
+                                          return d.performance.motion.grasp_force / d.performance.mass;
+                                        }},
+                       .sense = Sense::maximise}};
+  const DesignProblem problem(study);
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const auto design = std::get<EvaluatedDesign>(problem.evaluate(point));
+  EXPECT_EQ(problem.problem().objectives[0].name, "grasp_force_per_mass_N_kg");
+  EXPECT_EQ(problem.problem().evaluate(point).objectives,
+            (std::vector{design.performance.motion.grasp_force / design.performance.mass}));
+}
+
+TEST(DesignProblem, NeedNotOutliveTheProblemItGives) {
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const Evaluation seen = DesignProblem(small_study()).problem().evaluate(point);
+  const Problem problem = DesignProblem(small_study()).problem();
+  EXPECT_EQ(problem.evaluate(point), seen);
+}
+
+TEST(DesignProblem, RefusesAnObjectiveWithoutAValue) {
+  Study study = small_study();
+  study.objectives[1].quantity.value = nullptr;
+  expect_error<std::invalid_argument>([&] { DesignProblem{study}; },
+                                      "quantity \"mass_g\": the function that gives the value must not be empty");
+}
+
 TEST(DesignProblem, SaysWhyADesignCannotBeBuilt) {
   Study study = small_study();
   study.variables = {ParameterVariable{.parameter = actuator::find_parameter("coil_inner_radius_mm"),
@@ -66,8 +99,8 @@ TEST(DesignProblem, SaysWhichQuantityADesignLacks) {
   study.variables = {CurrentVariable{.range = Choice{.values = {0.0, 0.9, 4.0, 5.0}}}};
   study.current = VariedCurrent{};
   study.duty = 1.0;
-  study.objectives = {{.quantity = simulation::find_quantity("rise_time_s"), .sense = Sense::minimise}};
-  study.limits = {{.quantity = simulation::find_quantity("coil_temperature_degC"), .value = 120.0}};
+  study.objectives = {{.quantity = testing::quantity("rise_time_s"), .sense = Sense::minimise}};
+  study.limits = {{.quantity = testing::quantity("coil_temperature_degC"), .value = 120.0}};
   const DesignProblem problem(study);
   const Problem searched = problem.problem();
   EXPECT_EQ(searched.evaluate(std::vector{0.0}).failure,

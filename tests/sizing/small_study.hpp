@@ -1,9 +1,16 @@
 #pragma once
 
+#include <string_view>
+
 #include "coilwright/actuator/parameters.hpp"
 #include "coilwright/sizing/study.hpp"
 
 namespace coilwright::sizing::testing {
+
+/// The row of that name in the table of quantities.
+inline const simulation::ResultQuantity& quantity(std::string_view name) {
+  return simulation::standard_quantities().at(name);
+}
 
 /// A study of the default finger with a variable of every kind but a continuous one: 2 * 3 * 2 * 3 designs.
 inline Study small_study() {
@@ -18,11 +25,10 @@ inline Study small_study() {
                                        .range = Interval{.lower = 13, .upper = 14}},
                      ParameterVariable{.parameter = actuator::find_parameter("wire_gauge_AWG"),
                                        .range = Choice{.values = {27, 28, 30}}}};
-  study.objectives = {{.quantity = simulation::find_quantity("peak_bending_speed_deg_s"), .sense = Sense::maximise},
-                      {.quantity = simulation::find_quantity("mass_g"), .sense = Sense::minimise}};
-  study.limits = {
-      {.quantity = simulation::find_quantity("mass_g"), .side = Limit::Side::at_most, .value = 66.0},
-      {.quantity = simulation::find_quantity("steady_angle_deg"), .side = Limit::Side::at_least, .value = 20.0}};
+  study.objectives = {{.quantity = quantity("peak_bending_speed_deg_s"), .sense = Sense::maximise},
+                      {.quantity = quantity("mass_g"), .sense = Sense::minimise}};
+  study.limits = {{.quantity = quantity("mass_g"), .side = Limit::Side::at_most, .value = 66.0},
+                  {.quantity = quantity("steady_angle_deg"), .side = Limit::Side::at_least, .value = 20.0}};
   return study;
 }
 

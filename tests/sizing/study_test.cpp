@@ -39,14 +39,13 @@ TEST(StudyVariable, GivesValuesOfListsByTheirIndex) {
 }
 
 TEST(Limit, MeasuresHowFarInsideAValueIs) {
-  const Limit most{.quantity = simulation::find_quantity("mass_g"), .side = Limit::Side::at_most, .value = 70.0};
-  const Limit least{
-      .quantity = simulation::find_quantity("rest_angle_deg"), .side = Limit::Side::at_least, .value = 0.0};
+  const Limit most{.quantity = testing::quantity("mass_g"), .side = Limit::Side::at_most, .value = 70.0};
+  const Limit least{.quantity = testing::quantity("rest_angle_deg"), .side = Limit::Side::at_least, .value = 0.0};
   EXPECT_EQ(margin(most, 64.5), 5.5);
   EXPECT_EQ(margin(most, 71.5), -1.5);
   EXPECT_EQ(margin(least, -2.5), -2.5);
   EXPECT_EQ(scale_of(most), 70.0);
-  EXPECT_EQ(scale_of(least), simulation::find_quantity("rest_angle_deg")->scale);
+  EXPECT_EQ(scale_of(least), testing::quantity("rest_angle_deg").scale);
   EXPECT_EQ(name_of(least), "rest_angle_deg >= 0");
 }
 

@@ -40,13 +40,19 @@ TEST(Sweep, HandsOverEveryPointOnceAndInOrder) {
 }
 
 TEST(Sweep, GivesEveryQuantityOfADesign) {
-  const DesignProblem problem(small_study());
+  Study study = small_study();
+  study.quantities = study.quantities.with(
+      {.name = "grasp_force_per_mass_N_kg",
+       .meaning = "grasp force divided by the mass of the actuator",
+       .scale = 15.0,
+       .value = [](const simulation::DesignView& d) { return d.performance.motion.grasp_force / d.performance.mass; }});
+  const DesignProblem problem(study);
+  const simulation::QuantityTable& quantities = problem.study().quantities;
   const SweptDesign design = all_of(problem, 1)[17];
   const auto evaluated = std::get<EvaluatedDesign>(problem.evaluate(design.point));
-  ASSERT_EQ(design.quantities.size(), simulation::quantities().size());
-  for (std::size_t i = 0; i < simulation::quantities().size(); ++i)
-    EXPECT_EQ(design.quantities[i], simulation::quantities()[i].get(evaluated.candidate()))
-        << simulation::quantities()[i].name;
+  ASSERT_EQ(design.quantities.size(), quantities.size());
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    EXPECT_EQ(design.quantities[i], quantities[i].value(evaluated.view())) << quantities[i].name;
 }
 
 TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {

@@ -8,17 +8,21 @@
 
 namespace coilwright::report {
 
-/// Every quantity of a candidate under its name, null where it does not exist, then the joint angles (deg) at rest,
-/// steady and in the blocked grasp, and the modes.
-[[nodiscard]] Json to_json(const simulation::Candidate& candidate);
+/// Every quantity of a design under its name, null where it has no value, then the joint angles (deg) at rest, steady
+/// and in the blocked grasp, and the modes.
+[[nodiscard]] Json to_json(const simulation::DesignView& design,
+                           const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
-/// The same of a model that is given by its lumps alone: what needs no design.
-[[nodiscard]] Json to_json(const simulation::Motion& motion, double current);
+/// The same of a model that is given by its lumps alone: only the quantities that need no design. Current in A.
+[[nodiscard]] Json to_json(const simulation::Motion& motion, double current,
+                           const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
-/// A line a quantity: name, value, meaning; then the joint angles.
-[[nodiscard]] std::string to_text(const simulation::Candidate& candidate);
+/// One line for each quantity, with its name, value and meaning; then the joint angles and the modes.
+[[nodiscard]] std::string to_text(const simulation::DesignView& design,
+                                  const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 /// The same for a lumped model.
-[[nodiscard]] std::string to_text(const simulation::Motion& motion, double current);
+[[nodiscard]] std::string to_text(const simulation::Motion& motion, double current,
+                                  const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 }  // namespace coilwright::report

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design.hpp"
@@ -10,28 +14,66 @@
 
 namespace coilwright::simulation {
 
-/// A design with everything that is known of it.
-struct Candidate {
+/// A design at an operating point, with everything that is known of it. Refers to values that must outlive it.
+struct DesignView {
   const actuator::Design& design;
   const actuator::Assembly& assembly;
   const OperatingPoint& point;
   const Performance& performance;
 };
 
-/// One number of a candidate as results print it and as a study asks for it.
-struct Quantity {
-  std::string_view name;     ///< with the unit at its end
-  std::string_view meaning;  ///< one line
-  double scale{};            ///< of an ordinary value, in its unit, > 0: what a difference is measured against
-  /// In the unit of the name; nothing where the quantity does not exist (a temperature in a thermal runaway).
-  std::optional<double> (*get)(const Candidate&) = nullptr;
-  std::string_view absence{};  ///< when it has no value: end of a sentence; empty for a quantity every design has
+/// One number of a design, as results print it and as a study asks for it.
+struct ResultQuantity {
+  /// The value in the unit of the name; no value where the quantity does not exist (a temperature in a thermal
+  /// runaway). Pure, and called from several threads at once.
+  using Value = std::function<std::optional<double>(const DesignView&)>;
+  /// The same for a model that is given by its lumps alone; current in A.
+  using LumpedValue = std::function<std::optional<double>(const Motion& motion, double current)>;
+
+  std::string name;               ///< ends with its unit: "mass_g"; without one it is a plain number
+  std::string meaning;            ///< one line for a person
+  double scale{};                 ///< an ordinary magnitude, in its unit, > 0: differences are measured against it
+  Value value;                    ///< never empty
+  std::string absence{};          ///< why it may have no value, as the end of a sentence; empty if it always has one
+  LumpedValue value_of_lumped{};  ///< empty for a quantity that needs a design
 };
 
-/// Every quantity, in the order in which results print them.
-[[nodiscard]] std::span<const Quantity> quantities();
+/// Throws std::invalid_argument naming the quantity and the rule it breaks: a name or a meaning that is empty, a scale
+/// that is not finite and > 0, a `value` that is empty.
+void validate_quantity(const ResultQuantity& quantity);
 
-/// The quantity of that name; nullptr if there is none.
-[[nodiscard]] const Quantity* find_quantity(std::string_view name);
+/// Quantities in the order in which results print them, each under a name of its own. An immutable value; copies are
+/// cheap and share their rows.
+class QuantityTable {
+ public:
+  /// Throws std::invalid_argument as `validate_quantity`, and for a name that is there twice.
+  explicit QuantityTable(std::vector<ResultQuantity> rows);
+  // Copies only: a moved-from table would have no rows.
+  QuantityTable(const QuantityTable&) = default;
+  QuantityTable& operator=(const QuantityTable&) = default;
+  ~QuantityTable() = default;
+
+  /// This table with one more quantity at its end. Throws as the constructor.
+  [[nodiscard]] QuantityTable with(ResultQuantity quantity) const;
+
+  /// The quantity of that name; nullptr if there is none. It lives as long as any copy of the table.
+  [[nodiscard]] const ResultQuantity* find(std::string_view name) const&;
+  const ResultQuantity* find(std::string_view name) const&& = delete;
+
+  /// The quantity of that name. Throws std::invalid_argument if there is none.
+  [[nodiscard]] const ResultQuantity& at(std::string_view name) const&;
+  const ResultQuantity& at(std::string_view name) const&& = delete;
+
+  [[nodiscard]] std::size_t size() const noexcept { return rows_->size(); }
+  [[nodiscard]] const ResultQuantity& operator[](std::size_t index) const { return (*rows_)[index]; }
+  [[nodiscard]] auto begin() const noexcept { return rows_->begin(); }
+  [[nodiscard]] auto end() const noexcept { return rows_->end(); }
+
+ private:
+  std::shared_ptr<const std::vector<ResultQuantity>> rows_;  // shared: studies, problems and tables copy it
+};
+
+/// The quantities that `evaluate` prints. A program adds its own by `standard_quantities().with(...)`.
+[[nodiscard]] const QuantityTable& standard_quantities();
 
 }  // namespace coilwright::simulation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
@@ -17,7 +18,7 @@ struct EvaluatedDesign {
   simulation::OperatingPoint point;
   simulation::Performance performance;
 
-  [[nodiscard]] simulation::Candidate candidate() const {
+  [[nodiscard]] simulation::DesignView view() const {
     return {.design = design, .assembly = assembly, .point = point, .performance = performance};
   }
 };
@@ -28,16 +29,22 @@ struct NotEvaluated {
 
 using DesignResult = std::variant<EvaluatedDesign, NotEvaluated>;
 
-/// A study as the search sees it. Points of the search hold a value per study variable in the unit of its name, but for
-/// lists and configurations, whose coordinate is the index of the value.
+/// A study as the search sees it. Immutable; copies are cheap and share the study. Points of the search hold a value
+/// per study variable in the unit of its name, but for lists and configurations, whose coordinate is the index of the
+/// value.
 class DesignProblem {
  public:
-  /// Throws std::invalid_argument unless either a variable or `study.current` sets the current.
+  /// Throws std::invalid_argument unless either a variable or `study.current` sets the current, and for an objective or
+  /// a limit whose quantity `simulation::validate_quantity` refuses.
   explicit DesignProblem(Study study);
+  // Copies only: a moved-from object would be empty.
+  DesignProblem(const DesignProblem&) = default;
+  DesignProblem& operator=(const DesignProblem&) = default;
+  ~DesignProblem() = default;
 
-  [[nodiscard]] const Study& study() const noexcept { return study_; }
+  [[nodiscard]] const Study& study() const noexcept { return state_->study; }
 
-  /// The problem to hand to search() or pareto(). It refers to this object, which must outlive it and stay in place.
+  /// The problem to hand to search() or pareto(). It holds a copy of this object, and hence all that it needs.
   [[nodiscard]] Problem problem() const;
 
   /// The design at a point: the study's base with the variables set.
@@ -63,8 +70,11 @@ class DesignProblem {
   static constexpr std::size_t most_points = 1'000'000'000'000;
 
  private:
-  Study study_;
-  std::vector<Variable> variables_;
+  struct State {
+    Study study;
+    std::vector<Variable> variables;
+  };
+  std::shared_ptr<const State> state_;  // shared: problems and archives carry copies
 };
 
 }  // namespace coilwright::sizing

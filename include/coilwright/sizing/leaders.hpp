@@ -20,8 +20,7 @@ struct Leader {
 /// Keeps the leaders of a sweep while its designs pass by.
 class Leaders {
  public:
-  /// `problem` must outlive it.
-  explicit Leaders(const DesignProblem& problem);
+  explicit Leaders(DesignProblem problem);
 
   /// Of equals the one that came first stays.
   void consider(const SweptDesign& design);
@@ -37,7 +36,7 @@ class Leaders {
   [[nodiscard]] std::size_t configuration_of(const SweptDesign& design) const;
   [[nodiscard]] bool leads(const SweptDesign& design, const SweptDesign& leader, std::size_t objective) const;
 
-  const DesignProblem* problem_;
+  DesignProblem problem_;
   std::map<std::pair<std::size_t, std::size_t>, SweptDesign> leaders_;  // by configuration and objective
 };
 

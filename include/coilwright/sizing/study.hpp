@@ -56,14 +56,14 @@ using VariableValue = std::variant<double, std::string_view>;
 [[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
 
 struct StudyObjective {
-  const simulation::Quantity* quantity{};  ///< never nullptr
+  simulation::ResultQuantity quantity;  ///< of the study's table or the program's own
   Sense sense = Sense::maximise;
 };
 
 /// A quantity that must not pass a limit, in the unit of its name.
 struct Limit {
   enum class Side { at_most, at_least };
-  const simulation::Quantity* quantity{};  ///< never nullptr
+  simulation::ResultQuantity quantity;
   Side side = Side::at_most;
   double value{};
 };
@@ -97,6 +97,8 @@ struct Study {
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
   SearchOptions search;
+  /// What results list of a design, beside objectives and limits.
+  simulation::QuantityTable quantities = simulation::standard_quantities();
 };
 
 }  // namespace coilwright::sizing

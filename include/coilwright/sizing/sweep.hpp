@@ -15,7 +15,7 @@ struct SweptDesign {
   std::size_t index{};        ///< of DesignProblem::point
   std::vector<double> point;  ///< coordinates
   Evaluation evaluation;      ///< objectives and constraints, or why there are none
-  /// In the order of quantities(), nothing where one has no value. Empty for a design that has no performance.
+  /// In the order of the study's table, nothing where one has no value. Empty for a design that has no performance.
   std::vector<std::optional<double>> quantities;
 };
 

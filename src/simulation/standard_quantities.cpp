@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "coilwright/simulation/quantity.hpp"
+
+namespace coilwright::simulation {
+namespace {
+
+using Value = std::optional<double>;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+constexpr auto no_change = "the current does not change the bending angle";
+constexpr auto no_current_allowed = "the surroundings are as hot as a limit already";
+constexpr auto runaway = "the current is at or beyond that of a thermal runaway";
+
+ResultQuantity of_design(std::string name, std::string meaning, double scale, ResultQuantity::Value value,
+                         std::string absence = {}) {
+  return {.name = std::move(name),
+          .meaning = std::move(meaning),
+          .scale = scale,
+          .value = std::move(value),
+          .absence = std::move(absence)};
+}
+
+// What a model tells by its motion alone, and hence a lumped model too.
+ResultQuantity of_motion(std::string name, std::string meaning, double scale, ResultQuantity::LumpedValue value,
+                         std::string absence = {}) {
+  return {.name = std::move(name),
+          .meaning = std::move(meaning),
+          .scale = scale,
+          .value = [value](const DesignView& d) { return value(d.performance.motion, d.point.current); },
+          .absence = std::move(absence),
+          .value_of_lumped = value};
+}
+
+// One row a quantity: its name with the unit, its meaning, an ordinary magnitude, and how to get it in that unit.
+std::vector<ResultQuantity> rows() {
+  return {
+      of_design("axial_force_N", "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
+                [](const DesignView& d) -> Value { return d.performance.axial_force; }),
+      of_motion("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
+                [](const Motion& motion, double) -> Value { return motion.rest_angles.sum() * degrees; }),
+      of_motion("steady_angle_deg", "bending angle at the end of a step from rest", 60.0,
+                [](const Motion& motion, double) -> Value { return motion.steady_angles.sum() * degrees; }),
+      of_design("stroke_deg", "change of the bending angle from rest to steady", 40.0,
+                [](const DesignView& d) -> Value {
+                  const Motion& motion = d.performance.motion;
+                  return (motion.steady_angles.sum() - motion.rest_angles.sum()) * degrees;
+                }),
+      of_motion("peak_bending_speed_deg_s", "largest speed of the bending angle in a step from rest", 1500.0,
+                [](const Motion& motion, double) -> Value { return motion.peak_bending_speed * degrees; }),
+      of_motion("peak_speed_time_s", "time at which the bending speed is largest", 0.03,
+                [](const Motion& motion, double) -> Value { return motion.peak_speed_time; }),
+      of_motion(
+          "rise_time_s", "time from 10 to 90 % of the change of the bending angle", 0.03,
+          [](const Motion& motion, double) { return motion.rise_time; }, no_change),
+      of_motion("overshoot_pct", "excess over the steady angle, relative to the change", 50.0,
+                [](const Motion& motion, double) -> Value { return motion.overshoot * 100.0; }),
+      of_motion(
+          "settling_time_s", "time until the bending angle stays within 2 % of the change", 1.0,
+          [](const Motion& motion, double) { return motion.settling_time; }, no_change),
+      of_motion("damping_ratio", "damping ratio of the slowest mode at the steady angle", 0.1,
+                [](const Motion& motion, double) -> Value { return motion.modes.front().damping_ratio; }),
+      of_motion("natural_frequency_Hz", "natural frequency of the slowest mode at the steady angle", 7.0,
+                [](const Motion& motion, double) -> Value { return motion.modes.front().natural_frequency; }),
+      of_motion("grasp_force_N", "force of the tip against a wall, with the finger straight and hanging", 1.0,
+                [](const Motion& motion, double) -> Value { return motion.grasp_force; }),
+      of_motion("contact_force_no_current_N", "force of the tip against that wall without current", 0.1,
+                [](const Motion& motion, double) -> Value { return motion.contact_force_no_current; }),
+      of_design("mass_g", "mass of the whole actuator without wires", 70.0,
+                [](const DesignView& d) -> Value { return d.performance.mass * 1e3; }),
+      of_design("width_mm", "width of the cross-section", 22.0,
+                [](const DesignView& d) -> Value { return d.assembly.dimensions.width * 1e3; }),
+      of_design("height_mm", "height of the cross-section", 24.0,
+                [](const DesignView& d) -> Value { return d.assembly.dimensions.height * 1e3; }),
+      of_design("effective_length_mm", "length of all components and the front part", 41.0,
+                [](const DesignView& d) -> Value { return d.assembly.dimensions.effective_length * 1e3; }),
+      of_design("coil_outer_radius_mm", "outer radius of the winding", 9.5,
+                [](const DesignView& d) -> Value { return d.assembly.dimensions.coil_outer_radius * 1e3; }),
+      of_design("coil_length_mm", "length of the winding", 12.0,
+                [](const DesignView& d) -> Value { return d.assembly.dimensions.coil_length * 1e3; }),
+      of_design("joint_stiffness_Nmm_rad", "stiffness of one hinge", 12.5,
+                [](const DesignView& d) -> Value { return d.assembly.model.hinges().front().stiffness * 1e3; }),
+      of_design("joint_damping_Nmms_rad", "damping of one hinge", 0.13,
+                [](const DesignView& d) -> Value { return d.assembly.model.hinges().front().damping * 1e3; }),
+      of_design("coil_resistance_Ohm", "resistance of one coil at 20 degC", 4.0,
+                [](const DesignView& d) -> Value { return d.performance.coil_resistance; }),
+      of_design("inductance_mH", "inductance of one coil", 1.0,
+                [](const DesignView& d) -> Value { return d.performance.inductance * 1e3; }),
+      of_motion("current_A", "current in every coil while it is on", 1.4,
+                [](const Motion&, double current) -> Value { return current; }),
+      of_design("current_limit_A", "chassis-wiring ampacity of the wire gauge", 1.4,
+                [](const DesignView& d) -> Value { return d.performance.current_limit; }),
+      of_design("current_over_limit", "magnitude of the current divided by that ampacity", 1.0,
+                [](const DesignView& d) -> Value { return std::abs(d.point.current) / d.performance.current_limit; }),
+      of_design("continuous_current_A", "current that, held indefinitely, brings the hottest coil to its limit", 1.1,
+                [](const DesignView& d) -> Value { return d.performance.heat.continuous_current; }),
+      of_design("magnet_continuous_current_A",
+                "current that, held indefinitely, brings the hottest magnet to its limit", 1.1,
+                [](const DesignView& d) -> Value { return d.performance.heat.magnet_continuous_current; }),
+      of_design("runaway_current_A", "current from which on there is no steady temperature", 1.9,
+                [](const DesignView& d) -> Value { return d.performance.heat.runaway_current; }),
+      of_design(
+          "thermal_load", "rms current divided by the smaller continuous current of coils and magnets", 1.0,
+          [](const DesignView& d) -> Value {
+            const Heat& heat = d.performance.heat;
+            const double rms = std::abs(d.point.current) * std::sqrt(d.point.duty);
+            const double allowed = std::min(heat.continuous_current, heat.magnet_continuous_current);
+            return allowed > 0.0 ? Value(rms / allowed) : Value();
+          },
+          no_current_allowed),
+      of_design(
+          "coil_temperature_degC", "steady temperature of the hottest coil at this current and duty", 100.0,
+          [](const DesignView& d) { return d.performance.heat.coil_temperature; }, runaway),
+      of_design(
+          "magnet_temperature_degC", "steady temperature of the hottest magnet at this current and duty", 100.0,
+          [](const DesignView& d) { return d.performance.heat.magnet_temperature; }, runaway),
+      of_design("voltage_V", "voltage across one coil at 20 degC", 5.0,
+                [](const DesignView& d) -> Value { return d.performance.voltage; }),
+      of_design("power_W", "power of all coils while they are on, at 20 degC", 10.0,
+                [](const DesignView& d) -> Value { return d.performance.power; }),
+      of_design("cost_USD", "cost of coils, magnets, silicone, moulds and wires", 8.0,
+                [](const DesignView& d) -> Value { return d.performance.cost; }),
+  };
+}
+
+}  // namespace
+
+const QuantityTable& standard_quantities() {
+  static const QuantityTable table{rows()};
+  return table;
+}
+
+}  // namespace coilwright::simulation

@@ -87,9 +87,9 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
   }
 }
 
-std::vector<double> values_of(const std::vector<measurement::Estimate>& estimates) {
+std::vector<double> values_of(const std::vector<measurement::compare::Estimate>& estimates) {
   std::vector<double> values;
-  for (const measurement::Estimate& each : estimates) values.push_back(each.value);
+  for (const measurement::compare::Estimate& each : estimates) values.push_back(each.value);
   return values;
 }
 

@@ -17,7 +17,7 @@
 #include "coilwright/formats/effect_argument.hpp"
 #include "coilwright/formats/experiment_file.hpp"
 #include "coilwright/formats/input_error.hpp"
-#include "coilwright/measurement/twin.hpp"
+#include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/report/dataset_writer.hpp"
 #include "coilwright/report/output_file.hpp"
 #include "coilwright/report/output_folder.hpp"
@@ -30,8 +30,8 @@ namespace coilwright::cli {
 namespace {
 
 using actuator::Effect;
-using measurement::Experiment;
-using measurement::Run;
+using measurement::data::Run;
+using measurement::experiment::Experiment;
 
 constexpr const char* actuator_name = "actuator.json";
 
@@ -74,13 +74,13 @@ std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpe
   return hidden;
 }
 
-std::vector<Run> act_out(const Options& options, const Experiment& experiment, const measurement::DeclaredModel& rig,
-                         const std::vector<Effect>& hidden) {
+std::vector<Run> act_out(const Options& options, const Experiment& experiment,
+                         const measurement::replay::DeclaredModel& rig, const std::vector<Effect>& hidden) {
   const auto refuse = [&](const std::exception& reason) {
     return formats::InputError({.file = options.experiment, .rule = reason.what()});
   };
   try {
-    return measurement::act_out(experiment, rig, hidden, options.seed);
+    return measurement::experiment::act_out(experiment, rig, hidden, options.seed);
   } catch (const std::invalid_argument& misfit) {
     throw refuse(misfit);
   } catch (const std::runtime_error& lost) {

@@ -50,8 +50,8 @@ std::optional<EffectNumber> CalibrateNames::effect_number(std::size_t i, std::sp
   return EffectNumber{.effect = *index, .parameter = static_cast<std::size_t>(found - parameters.begin())};
 }
 
-measurement::CalibrationParameter calibration_parameter(std::string key, double declared, const Rule& rule,
-                                                        double denominator, double usual) {
+measurement::replay::CalibrationParameter calibration_parameter(std::string key, double declared, const Rule& rule,
+                                                                double denominator, double usual) {
   // Where a rule leaves out its end, as for a mass, the nearest number that still makes a model.
   constexpr double nearly_nothing = 1e-9;
   const double scale = declared != 0.0 ? std::abs(declared) : usual;
@@ -65,11 +65,11 @@ measurement::CalibrationParameter calibration_parameter(std::string key, double 
           .denominator = denominator};
 }
 
-measurement::CalibrationParameter calibration_parameter(const std::string& pointer, const actuator::Effect& effect,
-                                                        std::size_t parameter) {
+measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,
+                                                                const actuator::Effect& effect, std::size_t parameter) {
   const actuator::EffectParameter& known = effect.kind->parameters()[parameter];
-  measurement::CalibrationParameter out = calibration_parameter(pointer, effect.values[parameter], rule_of(known),
-                                                                known.denominator, 1.0 / known.denominator);
+  measurement::replay::CalibrationParameter out = calibration_parameter(
+      pointer, effect.values[parameter], rule_of(known), known.denominator, 1.0 / known.denominator);
   out.lower = known.lower;
   out.upper = known.upper;
   return out;

@@ -52,14 +52,14 @@ class CalibrateNames {
 
 /// A parameter of that key and value (SI), with the bounds of `rule` (in the key's unit). `usual` is a change of it
 /// that is usual where it is 0, SI; > 0.
-[[nodiscard]] measurement::CalibrationParameter calibration_parameter(std::string key, double declared,
-                                                                      const Rule& rule, double denominator,
-                                                                      double usual);
+[[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(std::string key, double declared,
+                                                                              const Rule& rule, double denominator,
+                                                                              double usual);
 
 /// The same for a number of an effect that the file declares.
-[[nodiscard]] measurement::CalibrationParameter calibration_parameter(const std::string& pointer,
-                                                                      const actuator::Effect& effect,
-                                                                      std::size_t parameter);
+[[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,
+                                                                              const actuator::Effect& effect,
+                                                                              std::size_t parameter);
 
 /// The effects of the file and those that are added; one of a kind that is there already takes its place.
 [[nodiscard]] std::vector<actuator::Effect> joined(std::vector<actuator::Effect> declared,

@@ -8,16 +8,17 @@
 #include "coilwright/formats/json_document.hpp"
 #include "coilwright/formats/object_reader.hpp"
 #include "coilwright/formats/run_file.hpp"
-#include "coilwright/measurement/quality.hpp"
+#include "coilwright/measurement/data/data_quality.hpp"
+#include "coilwright/measurement/data/hold_out.hpp"
 #include "run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
 
-using measurement::Dataset;
-using measurement::Run;
-using measurement::RunKind;
-using measurement::Start;
+using measurement::data::Dataset;
+using measurement::data::Run;
+using measurement::data::RunKind;
+using measurement::data::Start;
 
 // Far beyond any set that a rig fills, and near enough that a wrong file is refused at once.
 constexpr std::size_t most_runs = 10'000;
@@ -34,10 +35,10 @@ void check_drive(const Run& run, const Node& node) {
 }
 
 void check_start(const Run& run, const Node& node) {
-  const auto has = [&](measurement::Quantity quantity) {
-    return std::ranges::count(run.channels, quantity, &measurement::Channel::quantity) > 0;
+  const auto has = [&](measurement::data::Quantity quantity) {
+    return std::ranges::count(run.channels, quantity, &measurement::data::Channel::quantity) > 0;
   };
-  const bool angle = has(measurement::Quantity::bending_angle) || has(measurement::Quantity::joint_angle);
+  const bool angle = has(measurement::data::Quantity::bending_angle) || has(measurement::data::Quantity::joint_angle);
   if (run.kind == RunKind::transient && run.start == Start::measured && !angle)
     throw node.error("must not be \"measured\" where no angle is measured");
 }
@@ -104,11 +105,11 @@ Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
   }
   files.assign(met.begin(), met.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
-  data.validate = measurement::SealedRuns(std::move(validate));
-  measurement::hold_out(data);
+  data.validate = measurement::data::SealedRuns(std::move(validate));
+  measurement::data::hold_out(data);
   for (const Run& run : data.fit) {
     if (const auto found = objections.find(run.name); found != objections.end()) throw found->second;
-    std::ranges::move(measurement::look_over(run), std::back_inserter(data.warnings));
+    std::ranges::move(measurement::data::look_over(run), std::back_inserter(data.warnings));
   }
   return data;
 }

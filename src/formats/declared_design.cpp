@@ -25,7 +25,7 @@ using actuator::Effect;
 using actuator::Hinge;
 using actuator::ModelSpec;
 using actuator::Parameter;
-using measurement::CalibrationParameter;
+using measurement::replay::CalibrationParameter;
 
 constexpr double milli = 1e3;
 

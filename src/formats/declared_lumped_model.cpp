@@ -19,7 +19,7 @@ namespace {
 using actuator::Effect;
 using actuator::Hinge;
 using actuator::HingePair;
-using measurement::CalibrationParameter;
+using measurement::replay::CalibrationParameter;
 
 constexpr double milli = 1e3;
 

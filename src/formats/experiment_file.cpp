@@ -19,7 +19,8 @@
 namespace coilwright::formats {
 namespace {
 
-using namespace measurement;
+using namespace measurement::data;
+using namespace measurement::experiment;
 
 // Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.
 constexpr Rule level_rule = Rule::between(-1e6, 1e6);

@@ -12,11 +12,11 @@
 namespace coilwright::formats {
 namespace {
 
-using measurement::Channel;
-using measurement::Drive;
-using measurement::Quantity;
-using measurement::Run;
-using measurement::RunKind;
+using measurement::data::Channel;
+using measurement::data::Drive;
+using measurement::data::Quantity;
+using measurement::data::Run;
+using measurement::data::RunKind;
 
 // Far beyond any record, and near enough that no sum of squares overflows.
 constexpr double largest_number = 1e12;

@@ -5,9 +5,9 @@
 namespace coilwright::formats {
 namespace {
 
-using measurement::Drive;
-using measurement::RunKind;
-using measurement::Start;
+using measurement::data::Drive;
+using measurement::data::RunKind;
+using measurement::data::Start;
 
 template <class... Values>
 auto read_name(const Node& node, Values... values) {

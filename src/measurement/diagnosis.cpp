@@ -8,14 +8,14 @@
 #include <cmath>
 #include <utility>
 
-#include "attribution.hpp"
-#include "cross_validation.hpp"
-#include "final_errors.hpp"
-#include "intervals.hpp"
-#include "localisation.hpp"
-#include "next_experiment.hpp"
-#include "residual_blocks.hpp"
-#include "usable_runs.hpp"
+#include "measurement/compare/cross_validation.hpp"
+#include "measurement/compare/hypothesis_search.hpp"
+#include "measurement/compare/intervals.hpp"
+#include "measurement/data/usable_runs.hpp"
+#include "measurement/experiment/separating_experiment.hpp"
+#include "measurement/final_errors.hpp"
+#include "measurement/fit/residual_blocks.hpp"
+#include "measurement/localise/localisation.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -32,7 +32,7 @@ class Stopwatch {
   explicit Stopwatch(std::vector<Phase>& phases) : phases_(phases) {}
   void lap(std::string name) {
     const auto now = std::chrono::steady_clock::now();
-    const long runs = simulated_runs();
+    const long runs = fit::simulated_runs();
     phases_.push_back({.name = std::move(name),
                        .seconds = std::chrono::duration<double>(now - last_).count(),
                        .simulated_runs = runs - last_runs_});
@@ -43,45 +43,46 @@ class Stopwatch {
  private:
   std::vector<Phase>& phases_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  long last_runs_ = simulated_runs();
+  long last_runs_ = fit::simulated_runs();
 };
 
 // What step `i` of an attribution explains.
-Evidence evidence_of(std::span<const Record> records, const Attribution& found, std::size_t i) {
-  const Scored& without = found.steps[i - 1];
-  const Scored& with = found.steps[i];
-  Evidence out = evidence(records, without, with, found.unit);
-  out.cross_validated_gain = cross_validated_gain(records, without, with);
+compare::Evidence evidence_of(std::span<const replay::Record> records, const compare::Attribution& found,
+                              std::size_t i) {
+  const compare::Scored& without = found.steps[i - 1];
+  const compare::Scored& with = found.steps[i];
+  compare::Evidence out = compare::evidence(records, without, with, found.unit);
+  out.cross_validated_gain = compare::cross_validated_gain(records, without, with);
   return out;
 }
 
 // Share of the squared residual above the noise that a step removes.
-double explained_share(const Scored& without, const Scored& with) {
+double explained_share(const compare::Scored& without, const compare::Scored& with) {
   return (without.fit.chi_square - with.fit.chi_square) / without.excess();
 }
 
-bool supported(const Scored& without, const Scored& with, const Evidence& step) {
+bool supported(const compare::Scored& without, const compare::Scored& with, const compare::Evidence& step) {
   if (with.adequacy.noise_only()) return true;
   const double least = without.hypothesis.effects().empty() ? least_share : least_later_share;
   return explained_share(without, with) >= least && !(step.cross_validated_gain <= 0.0);
 }
 
-bool all_present(const Scored& s, const std::vector<Estimate>& all) {
+bool all_present(const compare::Scored& s, const std::vector<compare::Estimate>& all) {
   for (std::size_t i = 0; i < s.hypothesis.effects().size(); ++i)
-    if (!excludes_absent(s, estimates_of_effect(s, all, i), i)) return false;
+    if (!compare::excludes_absent(s, compare::estimates_of_effect(s, all, i), i)) return false;
   return true;
 }
 
 // What stands of an attribution.
 struct Standing {
-  std::vector<Evidence> gains{};      // of each step
-  std::vector<Estimate> estimates{};  // of the last
-  double unit{};                      // of its evidence
+  std::vector<compare::Evidence> gains{};      // of each step
+  std::vector<compare::Estimate> estimates{};  // of the last
+  double unit{};                               // of its evidence
 };
 
 // An effect that is not needed, or that cannot be told from nothing, is taken back, the last first.
-Standing what_stands(std::span<const Record> records, Attribution& found) {
-  Standing out{.estimates = estimates(records, found.steps.back(), found.unit), .unit = found.unit};
+Standing what_stands(std::span<const replay::Record> records, compare::Attribution& found) {
+  Standing out{.estimates = compare::estimates(records, found.steps.back(), found.unit), .unit = found.unit};
   for (std::size_t i = 1; i < found.steps.size(); ++i) out.gains.push_back(evidence_of(records, found, i));
   while (found.steps.size() > 1 && (!supported(found.steps[found.steps.size() - 2], found.after(), out.gains.back()) ||
                                     !all_present(found.after(), out.estimates))) {
@@ -89,14 +90,14 @@ Standing what_stands(std::span<const Record> records, Attribution& found) {
     out.gains.pop_back();
     found.rivals.clear();
     found.indistinguishable.clear();
-    out.unit = unit_of_evidence(records, found.after());
-    out.estimates = estimates(records, found.steps.back(), out.unit);
+    out.unit = compare::unit_of_evidence(records, found.after());
+    out.estimates = compare::estimates(records, found.steps.back(), out.unit);
     if (!out.gains.empty()) out.gains.back() = evidence_of(records, found, found.steps.size() - 1);
   }
   return out;
 }
 
-Verdict verdict_of(const Attribution& found) {
+Verdict verdict_of(const compare::Attribution& found) {
   if (found.steps.size() == 1)
     return found.before().adequacy.noise_only() ? Verdict::no_missing_effect : Verdict::unexplained;
   return found.after().adequacy.noise_only() ? Verdict::explained : Verdict::partly_explained;
@@ -112,9 +113,10 @@ std::string why_larger(const ErrorComparison& errors) {
 }
 
 // What a reader should not miss: a verdict rests on the fit runs and on structure alone.
-void warn(const std::vector<Record>& records, const DeclaredModel& declared, Diagnosis& out) {
+void warn(const std::vector<replay::Record>& records, const replay::DeclaredModel& declared, Diagnosis& out) {
   constexpr double much = 1.5;
-  const bool given = std::ranges::any_of(records, [](const Record& record) { return record.run->sigma.has_value(); });
+  const bool given =
+      std::ranges::any_of(records, [](const replay::Record& record) { return record.run->sigma.has_value(); });
   if (given && out.after.level > much)
     out.warnings.push_back(
         {.run = "", .text = fmt::format("what is left is {:.3g} times the noise that the set gives", out.after.level)});
@@ -139,25 +141,27 @@ void warn(const std::vector<Record>& records, const DeclaredModel& declared, Dia
                                errors.after.rmse / errors.noise_floor_rmse, why_larger(errors))});
 }
 
-Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, const DiagnosisOptions& options) {
+Diagnosis diagnose_here(const data::Dataset& data, const replay::DeclaredModel& declared,
+                        const DiagnosisOptions& options) {
   Diagnosis out{.warnings = data.warnings};
   Stopwatch watch(out.phases);
-  const Hypothesis as_written(declared, {});
+  const fit::Hypothesis as_written(declared, {});
   const actuator::Model nominal = as_written.model_at(as_written.start());
-  for (const Run& run : data.fit) check(run, declared, nominal);
-  const std::vector<Run> runs = usable_runs(data.fit, out.warnings);
-  std::vector<Record> records;
-  for (const Run& run : runs) records.push_back(prepare(run, declared, nominal));
+  for (const data::Run& run : data.fit) check(run, declared, nominal);
+  const std::vector<data::Run> runs = data::usable_runs(data.fit, out.warnings);
+  std::vector<replay::Record> records;
+  for (const data::Run& run : runs) records.push_back(replay::prepare(run, declared, nominal));
   FinalErrors::check(data.validate, declared, nominal);
-  for (const Record& record : records) out.noise.insert(out.noise.end(), record.noise.begin(), record.noise.end());
+  for (const replay::Record& record : records)
+    out.noise.insert(out.noise.end(), record.noise.begin(), record.noise.end());
   watch.lap("noise");
 
-  Attribution found =
-      attribute({.records = records, .declared = &declared, .seed = options.seed, .progress = options.progress});
+  compare::Attribution found = compare::attribute(
+      {.records = records, .declared = &declared, .seed = options.seed, .progress = options.progress});
   watch.lap("comparison");
 
   const Standing standing = what_stands(records, found);
-  const std::vector<Estimate>& all = standing.estimates;
+  const std::vector<compare::Estimate>& all = standing.estimates;
   watch.lap("intervals and cross-validation");
 
   out.verdict = verdict_of(found);
@@ -168,11 +172,11 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
   out.calibration.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(declared.calibration.size()));
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
-                           .parameters = estimates_of_effect(found.after(), all, i),
+                           .parameters = compare::estimates_of_effect(found.after(), all, i),
                            .evidence = standing.gains[i]});
-  out.residual = localise(records, found.after());
+  out.residual = localise::localise(records, found.after());
   watch.lap("localisation");
-  out.next_experiment = next_experiment(records, found);
+  out.next_experiment = experiment::next_experiment(records, found);
   watch.lap("next experiment");
 
   const ThreeModels models{.declared = {.hypothesis = as_written, .fit = {.values = as_written.start()}},
@@ -194,7 +198,21 @@ Diagnosis diagnose_here(const Dataset& data, const DeclaredModel& declared, cons
 
 }  // namespace
 
-Diagnosis diagnose(const Dataset& data, const DeclaredModel& declared, const DiagnosisOptions& options) {
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::no_missing_effect:
+      return "no_missing_effect";
+    case Verdict::explained:
+      return "explained";
+    case Verdict::partly_explained:
+      return "partly_explained";
+    case Verdict::unexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
+Diagnosis diagnose(const data::Dataset& data, const replay::DeclaredModel& declared, const DiagnosisOptions& options) {
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   return arena.execute([&] { return diagnose_here(data, declared, options); });
 }

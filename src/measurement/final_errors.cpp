@@ -1,4 +1,4 @@
-#include "final_errors.hpp"
+#include "measurement/final_errors.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -21,18 +21,18 @@ struct RunPrediction {
 };
 
 // One vector a channel over the run.
-Channels by_channel(const Record& record, const Eigen::VectorXd& predictions) {
+Channels by_channel(const replay::Record& record, const Eigen::VectorXd& predictions) {
   const std::size_t channels = record.run->channels.size();
   Channels out(channels);
   Eigen::Index at = 0;
-  for (const SampleRange& stretch : record.stretches())
+  for (const replay::SampleRange& stretch : record.stretches())
     for (std::size_t c = 0; c < channels; ++c)
       for (std::size_t i = 0; i < stretch.samples(); ++i) out[c].push_back(predictions[at++]);
   return out;
 }
 
 // Covariance of the fitted numbers. What the data leave open is open as far as a usual change goes.
-Eigen::MatrixXd covariance(const Scored& model, double unit) {
+Eigen::MatrixXd covariance(const compare::Scored& model, double unit) {
   const Eigen::VectorXd scales = model.hypothesis.scales();
   Eigen::MatrixXd scaled = scales.asDiagonal() * model.fit.normal * scales.asDiagonal();
   scaled /= unit;
@@ -42,16 +42,16 @@ Eigen::MatrixXd covariance(const Scored& model, double unit) {
 }
 
 // Standard deviations of the predictions of one record over its noise, to first order.
-Eigen::VectorXd deviations(const Record& record, const Fit& fitted, const Eigen::MatrixXd& spread) {
+Eigen::VectorXd deviations(const replay::Record& record, const fit::Fit& fitted, const Eigen::MatrixXd& spread) {
   const Eigen::VectorXd all = (fitted.slopes * spread).cwiseProduct(fitted.slopes).rowwise().sum().cwiseSqrt();
   const Eigen::Index size = fitted.runs.front().residuals.size();
-  const std::vector<SampleRange> stretches = record.stretches();
+  const std::vector<replay::SampleRange> stretches = record.stretches();
   // The pull of a window's start stands behind its residuals.
   const Eigen::Index pulls = (all.size() - size) / static_cast<Eigen::Index>(stretches.size());
   Eigen::VectorXd out(size);
   Eigen::Index at = 0;
   Eigen::Index row = 0;
-  for (const SampleRange& stretch : stretches) {
+  for (const replay::SampleRange& stretch : stretches) {
     const auto n = static_cast<Eigen::Index>(stretch.samples() * record.run->channels.size());
     out.segment(at, n) = all.segment(row, n);
     at += n;
@@ -60,16 +60,16 @@ Eigen::VectorXd deviations(const Record& record, const Fit& fitted, const Eigen:
   return out;
 }
 
-std::optional<RunPrediction> predict(const Record& record, const Scored& model) {
+std::optional<RunPrediction> predict(const replay::Record& record, const compare::Scored& model) {
   const auto fitted =
-      evaluate_at({.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
+      fit::evaluate_at({.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
   if (!fitted) return std::nullopt;
   return RunPrediction{.values = by_channel(record, fitted->runs.front().predictions), .deviations = {}};
 }
 
-std::optional<RunPrediction> predict_with_spread(const Record& record, const Scored& model,
+std::optional<RunPrediction> predict_with_spread(const replay::Record& record, const compare::Scored& model,
                                                  const Eigen::MatrixXd& spread) {
-  const auto fitted = evaluate_with_slopes(
+  const auto fitted = fit::evaluate_with_slopes(
       {.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
   if (!fitted) return std::nullopt;
   return RunPrediction{.values = by_channel(record, fitted->runs.front().predictions),
@@ -99,7 +99,7 @@ void add(Tally& tally, const Replay& replay, const std::vector<double>& deviatio
   tally.samples += replay.measured.size();
 }
 
-ErrorComparison comparison(Quantity quantity, const Tally& tally) {
+ErrorComparison comparison(data::Quantity quantity, const Tally& tally) {
   const auto n = static_cast<double>(tally.samples);
   const auto errors = [&](std::size_t m) {
     return Errors{.mae = tally.absolute[m] / n, .rmse = std::sqrt(tally.square[m] / n), .max = tally.largest[m]};
@@ -114,12 +114,12 @@ ErrorComparison comparison(Quantity quantity, const Tally& tally) {
 }
 
 // A bending angle and a joint's angle are one kind of error: degrees.
-Quantity error_kind(Quantity quantity) {
-  return quantity == Quantity::bending_angle ? Quantity::joint_angle : quantity;
+data::Quantity error_kind(data::Quantity quantity) {
+  return quantity == data::Quantity::bending_angle ? data::Quantity::joint_angle : quantity;
 }
 
-std::vector<double> abscissa(const Record& record) {
-  const Run& run = *record.run;
+std::vector<double> abscissa(const replay::Record& record) {
+  const data::Run& run = *record.run;
   if (!run.times.empty()) {
     const std::size_t last = record.windows.empty() ? run.samples() : record.windows.back().last;
     return {run.times.begin(), run.times.begin() + static_cast<std::ptrdiff_t>(last)};
@@ -132,42 +132,45 @@ std::vector<double> abscissa(const Record& record) {
 
 }  // namespace
 
-void FinalErrors::check(const SealedRuns& runs, const DeclaredModel& declared, const actuator::Model& nominal) {
-  for (const Run& run : runs.runs_) (void)prepare(run, declared, nominal);
+void FinalErrors::check(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
+                        const actuator::Model& nominal) {
+  for (const data::Run& run : runs.runs_) (void)replay::prepare(run, declared, nominal);
 }
 
-FinalErrors::FinalErrors(const SealedRuns& runs, const DeclaredModel& declared, const ThreeModels& models) {
+FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
+                         const ThreeModels& models) {
   take(runs.runs_, declared, models, true);
 }
 
-FinalErrors::FinalErrors(const std::vector<Run>& runs, const DeclaredModel& declared, const ThreeModels& models) {
+FinalErrors::FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
+                         const ThreeModels& models) {
   take(runs, declared, models, false);
 }
 
-void FinalErrors::take(const std::vector<Run>& runs, const DeclaredModel& declared, const ThreeModels& models,
-                       bool validate) {
+void FinalErrors::take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
+                       const ThreeModels& models, bool validate) {
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
-  std::vector<Record> records;
-  for (const Run& run : runs) records.push_back(prepare(run, declared, nominal));
+  std::vector<replay::Record> records;
+  for (const data::Run& run : runs) records.push_back(replay::prepare(run, declared, nominal));
   const Eigen::MatrixXd spread = covariance(models.after, models.unit);
   const std::array three{&models.declared, &models.before, &models.after};
   std::vector<std::array<std::optional<RunPrediction>, 3>> predictions(records.size());
   tbb::parallel_for(std::size_t{0}, 3 * records.size(), [&](std::size_t task) {
-    const Record& record = records[task / 3];
+    const replay::Record& record = records[task / 3];
     const std::size_t m = task % 3;
     predictions[task / 3][m] = m == 2 ? predict_with_spread(record, models.after, spread) : predict(record, *three[m]);
   });
-  std::vector<Quantity> order;
+  std::vector<data::Quantity> order;
   std::vector<Tally> tallies;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    const Record& record = records[r];
+    const replay::Record& record = records[r];
     if (!predictions[r][0] || !predictions[r][1] || !predictions[r][2]) {
       warnings_.push_back({.run = record.run->name, .text = "one of the models cannot be simulated here; left out"});
       continue;
     }
     const std::vector<double> at = abscissa(record);
     for (std::size_t c = 0; c < record.run->channels.size(); ++c) {
-      const Channel& channel = record.run->channels[c];
+      const data::Channel& channel = record.run->channels[c];
       Replay replay{
           .run = record.run->name,
           .validate = validate,
@@ -178,7 +181,7 @@ void FinalErrors::take(const std::vector<Run>& runs, const DeclaredModel& declar
           .declared = predictions[r][0]->values[c],
           .before = predictions[r][1]->values[c],
           .after = predictions[r][2]->values[c]};
-      const Quantity kind = error_kind(channel.quantity);
+      const data::Quantity kind = error_kind(channel.quantity);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {
         order.push_back(kind);

@@ -16,10 +16,10 @@ namespace {
 using namespace measurement;
 
 Json run_json(const RunInRole& each) {
-  const Run& run = each.run;
+  const data::Run& run = each.run;
   Json out =
       Json::object({{"file", run.name}, {"kind", name_of(run.kind)}, {"role", each.validate ? "validate" : "fit"}});
-  if (run.kind == RunKind::transient) out.set("drive", name_of(run.drive)).set("start", name_of(run.start));
+  if (run.kind == data::RunKind::transient) out.set("drive", name_of(run.drive)).set("start", name_of(run.start));
   if (run.window) out.set("window_s", *run.window);
   if (run.sigma) {
     const std::string& column = run.channels.front().name;
@@ -37,14 +37,14 @@ double twelve_digits(double value) {
 }
 
 // How the inputs of a run are called: one for all coils, or one a coil or joint.
-std::vector<std::string> input_columns(const Run& run) {
+std::vector<std::string> input_columns(const data::Run& run) {
   if (run.inputs.empty()) return {};
   const std::size_t width = run.inputs.front().size();
-  if (run.drive == Drive::voltage) return {"voltage_V"};
-  if (run.drive == Drive::current && width == 1) return {"current_A"};
+  if (run.drive == data::Drive::voltage) return {"voltage_V"};
+  if (run.drive == data::Drive::current && width == 1) return {"current_A"};
   std::vector<std::string> names;
   for (std::size_t i = 1; i <= width; ++i)
-    names.push_back(run.drive == Drive::current ? fmt::format("current{}_A", i) : fmt::format("torque{}_Nm", i));
+    names.push_back(run.drive == data::Drive::current ? fmt::format("current{}_A", i) : fmt::format("torque{}_Nm", i));
   return names;
 }
 
@@ -57,12 +57,12 @@ Json dataset_json(const std::string& name, const std::string& actuator, std::spa
       {{"format", "measured-data/1"}, {"name", name}, {"actuator", actuator}, {"runs", std::move(list)}});
 }
 
-void write_run(std::ostream& out, const Run& run) {
+void write_run(std::ostream& out, const data::Run& run) {
   std::vector<std::string> columns;
   if (!run.times.empty()) columns.emplace_back("time_s");
   if (!run.angles.empty()) columns.emplace_back("angle_deg");
   for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
-  for (const Channel& channel : run.channels) columns.push_back(channel.name);
+  for (const data::Channel& channel : run.channels) columns.push_back(channel.name);
   CsvWriter csv(out, columns);
   std::vector<double> row;
   for (std::size_t i = 0; i < run.samples(); ++i) {
@@ -70,7 +70,7 @@ void write_run(std::ostream& out, const Run& run) {
     if (!run.times.empty()) row.push_back(run.times[i]);
     if (!run.angles.empty()) row.push_back(in_column_unit(run.angles[i], "angle_deg"));
     if (!run.inputs.empty()) row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
-    for (const Channel& channel : run.channels) row.push_back(in_column_unit(channel.values[i], channel.name));
+    for (const data::Channel& channel : run.channels) row.push_back(in_column_unit(channel.values[i], channel.name));
     for (double& value : row) value = twelve_digits(value);
     csv.row(row);
   }

@@ -34,7 +34,7 @@ Json ids_json(std::span<const actuator::EffectKind* const> kinds) {
   return words_json(ids(kinds));
 }
 
-Json estimate_json(const Estimate& estimate) {
+Json estimate_json(const compare::Estimate& estimate) {
   const EstimateInUnit shown = in_unit(estimate);
   Json interval = Json::array();
   interval.add(number_or_null(shown.lower)).add(number_or_null(shown.upper));
@@ -44,13 +44,13 @@ Json estimate_json(const Estimate& estimate) {
   return out;
 }
 
-Json estimates_json(std::span<const Estimate> estimates) {
+Json estimates_json(std::span<const compare::Estimate> estimates) {
   Json out = Json::object();
-  for (const Estimate& each : estimates) out.set(each.key, estimate_json(each));
+  for (const compare::Estimate& each : estimates) out.set(each.key, estimate_json(each));
   return out;
 }
 
-Json evidence_json(const Evidence& evidence) {
+Json evidence_json(const compare::Evidence& evidence) {
   return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
                        {"chi_square_after", number_or_null(evidence.chi_square_after)},
                        {"criterion_gain", number_or_null(evidence.criterion_gain)},
@@ -107,21 +107,21 @@ Json comparisons_json(std::span<const ErrorComparison> comparisons) {
 
 Json next_experiment_json(const Diagnosis& diagnosis) {
   if (!diagnosis.next_experiment) return nullptr;
-  const NextExperiment& next = *diagnosis.next_experiment;
+  const experiment::NextExperiment& next = *diagnosis.next_experiment;
   return Json::object(
       {{"kind", next.kind}, {"input", next.input}, {"why", next.why}, {"separation", number_or_null(next.separation)}});
 }
 
 Json candidates_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
-  for (const Candidate& candidate : diagnosis.candidates)
+  for (const compare::Candidate& candidate : diagnosis.candidates)
     out.add(Json::object({{"effects", ids_json(candidate.effects)},
                           {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json(nullptr)},
                           {"remark", text_or_null(candidate.remark)}}));
   return out;
 }
 
-Json adequacy_json(const Adequacy& adequacy) {
+Json adequacy_json(const whiteness::Adequacy& adequacy) {
   return Json::object({{"level", number_or_null(adequacy.level)},
                        {"structure", number_or_null(adequacy.structure)},
                        {"where", text_or_null(adequacy.where)},
@@ -136,10 +136,10 @@ Json in_unit_json(std::span<const double> values, const formats::Unit& unit) {
 
 Json residual_json(const Diagnosis& diagnosis) {
   if (!diagnosis.residual) return nullptr;
-  const ResidualTorque& residual = *diagnosis.residual;
-  const formats::Unit torque = error_unit(Quantity::torque);
+  const localise::ResidualTorque& residual = *diagnosis.residual;
+  const formats::Unit torque = error_unit(data::Quantity::torque);
   Json dependences = Json::array();
-  for (const Dependence& each : residual.dependences) {
+  for (const localise::Dependence& each : residual.dependences) {
     const formats::Unit unit = variable_unit(each.variable);
     dependences.add(Json::object({{"variable", each.variable},
                                   {"explained", number_or_null(each.explained)},
@@ -155,7 +155,7 @@ Json residual_json(const Diagnosis& diagnosis) {
 
 Json noise_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
-  for (const NoiseLevel& each : diagnosis.noise) {
+  for (const noise::NoiseLevel& each : diagnosis.noise) {
     const formats::Unit unit = difference_unit_of(each.channel);
     out.add(Json::object({{"run", each.run},
                           {"channel", each.channel},
@@ -167,7 +167,7 @@ Json noise_json(const Diagnosis& diagnosis) {
 
 Json warnings_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
-  for (const Warning& each : diagnosis.warnings)
+  for (const data::Warning& each : diagnosis.warnings)
     out.add(Json::object({{"run", text_or_null(each.run)}, {"text", each.text}}));
   return out;
 }

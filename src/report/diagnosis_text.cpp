@@ -60,7 +60,7 @@ int digits_of(const EstimateInUnit& shown) {
   return std::clamp(static_cast<int>(places) + 2, 3, 12);
 }
 
-std::string interval_text(const Estimate& estimate, const EstimateInUnit& shown, int digits) {
+std::string interval_text(const compare::Estimate& estimate, const EstimateInUnit& shown, int digits) {
   if (!estimate.determined) return "not determined by these data";
   const bool lower = std::isfinite(shown.lower);
   const bool upper = std::isfinite(shown.upper);
@@ -70,7 +70,7 @@ std::string interval_text(const Estimate& estimate, const EstimateInUnit& shown,
   return "no bound on either side (95 %)";
 }
 
-std::vector<std::string> estimate_row(const Estimate& estimate) {
+std::vector<std::string> estimate_row(const compare::Estimate& estimate) {
   const EstimateInUnit shown = in_unit(estimate);
   const int digits = digits_of(shown);
   return {estimate.key, fmt::format("{:.{}g}", shown.value, digits), interval_text(estimate, shown, digits)};
@@ -79,7 +79,7 @@ std::vector<std::string> estimate_row(const Estimate& estimate) {
 std::string parameters_text(const AddedEffect& effect) {
   if (effect.parameters.empty()) return "    (no number of its own)\n";
   TextTable table;
-  for (const Estimate& each : effect.parameters) {
+  for (const compare::Estimate& each : effect.parameters) {
     if (each.chosen)
       table.row({each.key, number(in_unit(each).value), "(chosen)"});
     else
@@ -94,7 +94,7 @@ std::string effects_text(const Diagnosis& diagnosis) {
   for (const AddedEffect& each : diagnosis.effects) {
     text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->missing());
     text += parameters_text(each);
-    const Evidence& evidence = each.evidence;
+    const compare::Evidence& evidence = each.evidence;
     text += fmt::format("    chi^2 on the fit runs {} -> {}", number(evidence.chi_square_before),
                         number(evidence.chi_square_after));
     if (std::isfinite(evidence.cross_validated_gain))
@@ -109,7 +109,7 @@ std::string effects_text(const Diagnosis& diagnosis) {
 std::string calibration_text(const Diagnosis& diagnosis) {
   if (diagnosis.calibration.empty()) return {};
   TextTable table;
-  for (const Estimate& each : diagnosis.calibration) table.row(estimate_row(each));
+  for (const compare::Estimate& each : diagnosis.calibration) table.row(estimate_row(each));
   return "\nDeclared numbers, fitted anew\n" + table.text(2, {left, right, left});
 }
 
@@ -142,7 +142,7 @@ std::string errors_text(const Diagnosis& diagnosis) {
 }
 
 // What an effect's rivals are called in a sentence: "a + b".
-std::string hypothesis(const Candidate& candidate) {
+std::string hypothesis(const compare::Candidate& candidate) {
   return candidate.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(ids(candidate.effects), " + "));
 }
 
@@ -150,7 +150,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
   if (diagnosis.candidates.empty()) return {};
   TextTable table;
   table.row({"", "chi^2"});
-  for (const Candidate& each :
+  for (const compare::Candidate& each :
        std::span(diagnosis.candidates).first(std::min(diagnosis.candidates.size(), most_candidates)))
     table.row({hypothesis(each), each.evidence ? number(each.evidence->chi_square_after) : "none", each.remark});
   return "\nCompared, best first\n" + table.text(2, {left, right, left});
@@ -166,7 +166,7 @@ std::string rivals_text(const Diagnosis& diagnosis) {
 
 std::string experiment_text(const Diagnosis& diagnosis) {
   if (!diagnosis.next_experiment) return {};
-  const NextExperiment& next = *diagnosis.next_experiment;
+  const experiment::NextExperiment& next = *diagnosis.next_experiment;
   std::string text = fmt::format("\nThe experiment that would tell\n  {}: {}\n  {}", next.kind, next.input, next.why);
   if (std::isfinite(next.separation))
     text += fmt::format(" (predictions differ by {} times the noise)", number(next.separation));
@@ -177,12 +177,12 @@ std::string experiment_text(const Diagnosis& diagnosis) {
 std::string residual_text(const Diagnosis& diagnosis) {
   const bool structure = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
   if (!structure || !diagnosis.residual) return {};
-  const ResidualTorque& residual = *diagnosis.residual;
-  const formats::Unit torque = error_unit(Quantity::torque);
+  const localise::ResidualTorque& residual = *diagnosis.residual;
+  const formats::Unit torque = error_unit(data::Quantity::torque);
   std::string text = fmt::format("\nWhat is left over, as a joint torque\n  rms {}, where noise alone gives {}\n",
                                  in_unit_text(residual.rms, torque), in_unit_text(residual.smallest_visible, torque));
   TextTable table;
-  for (const Dependence& each : residual.dependences) {
+  for (const localise::Dependence& each : residual.dependences) {
     if (table.rows() == most_dependences) break;
     table.row({fmt::format("on {}", each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
   }
@@ -198,7 +198,7 @@ std::string residual_text(const Diagnosis& diagnosis) {
 std::string warnings_text(const Diagnosis& diagnosis) {
   if (diagnosis.warnings.empty()) return {};
   std::string text = "\nWarnings\n";
-  for (const Warning& each : diagnosis.warnings)
+  for (const data::Warning& each : diagnosis.warnings)
     text += fmt::format("  {}{}\n", each.run.empty() ? "" : each.run + ": ", each.text);
   return text;
 }
@@ -220,7 +220,7 @@ std::string noise_text(const Diagnosis& diagnosis) {
     }
   };
   std::map<std::string, Channel> channels;
-  for (const NoiseLevel& each : diagnosis.noise) {
+  for (const noise::NoiseLevel& each : diagnosis.noise) {
     Channel& channel = channels[each.channel];
     channel.least = std::min(channel.least, each.sigma);
     channel.most = std::max(channel.most, each.sigma);

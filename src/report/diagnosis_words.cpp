@@ -8,7 +8,7 @@ namespace coilwright::report {
 namespace {
 
 using measurement::ErrorComparison;
-using measurement::Quantity;
+using measurement::data::Quantity;
 
 int rank(const ErrorComparison* comparison) {
   if (comparison->quantity == Quantity::bending_angle) return 0;
@@ -32,7 +32,7 @@ std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> 
   return out;
 }
 
-EstimateInUnit in_unit(const measurement::Estimate& estimate) {
+EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
   const formats::Unit unit{.suffix = estimate.key, .dimension = "", .denominator = estimate.denominator};
   return {.value = formats::from_si(estimate.value, unit),
           .lower = formats::from_si(estimate.lower, unit),

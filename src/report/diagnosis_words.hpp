@@ -19,6 +19,6 @@ namespace coilwright::report {
 struct EstimateInUnit {
   double value{}, lower{}, upper{};
 };
-[[nodiscard]] EstimateInUnit in_unit(const measurement::Estimate& estimate);
+[[nodiscard]] EstimateInUnit in_unit(const measurement::compare::Estimate& estimate);
 
 }  // namespace coilwright::report

@@ -8,7 +8,7 @@
 namespace coilwright::report {
 namespace {
 
-using measurement::Quantity;
+using measurement::data::Quantity;
 
 constexpr formats::Unit as_it_is{.suffix = "", .dimension = ""};
 

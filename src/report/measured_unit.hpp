@@ -4,15 +4,15 @@
 #include <string_view>
 
 #include "coilwright/formats/units.hpp"
-#include "coilwright/measurement/dataset.hpp"
+#include "coilwright/measurement/data/run.hpp"
 
 namespace coilwright::report {
 
 /// A quantity as the report calls it: "torque"; "angle" for both kinds of angles, whose errors are taken together.
-[[nodiscard]] std::string_view name_of(measurement::Quantity quantity);
+[[nodiscard]] std::string_view name_of(measurement::data::Quantity quantity);
 
 /// The unit of its errors: deg, deg_s, Nmm, N or K.
-[[nodiscard]] formats::Unit error_unit(measurement::Quantity quantity);
+[[nodiscard]] formats::Unit error_unit(measurement::data::Quantity quantity);
 
 /// The unit at the end of a column's name, for differences: "torque_Nm" in Nm, "temperature_degC" in K. No unit: as it
 /// is.

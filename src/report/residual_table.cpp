@@ -12,8 +12,8 @@
 namespace coilwright::report {
 namespace {
 
-using measurement::Quantity;
 using measurement::Replay;
+using measurement::data::Quantity;
 
 // Which of the three columns holds the place of a sample.
 enum class Axis { time, angle, current };

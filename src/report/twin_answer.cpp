@@ -11,11 +11,11 @@ namespace {
 
 using namespace measurement;
 
-Json instruments_json(const Instruments& instruments, double Instrument::*what) {
-  constexpr std::array quantities = {std::pair("angle", Quantity::bending_angle),
-                                     std::pair("rate", Quantity::joint_rate), std::pair("torque", Quantity::torque),
-                                     std::pair("force", Quantity::force),
-                                     std::pair("temperature", Quantity::temperature)};
+Json instruments_json(const experiment::Instruments& instruments, double experiment::Instrument::*what) {
+  constexpr std::array quantities = {
+      std::pair("angle", data::Quantity::bending_angle), std::pair("rate", data::Quantity::joint_rate),
+      std::pair("torque", data::Quantity::torque), std::pair("force", data::Quantity::force),
+      std::pair("temperature", data::Quantity::temperature)};
   Json out = Json::object();
   for (const auto& [name, quantity] : quantities) {
     const formats::Unit unit = error_unit(quantity);
@@ -32,8 +32,8 @@ Json to_json(const TwinAnswer& answer) {
                        {"actuator", answer.actuator},
                        {"experiment", answer.experiment},
                        {"effects", to_json(answer.effects)},
-                       {"noise", instruments_json(answer.instruments, &Instrument::noise)},
-                       {"resolution", instruments_json(answer.instruments, &Instrument::resolution)},
+                       {"noise", instruments_json(answer.instruments, &experiment::Instrument::noise)},
+                       {"resolution", instruments_json(answer.instruments, &experiment::Instrument::resolution)},
                        {"seed", answer.seed}});
 }
 

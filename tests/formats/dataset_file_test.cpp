@@ -15,8 +15,8 @@
 namespace coilwright::formats {
 namespace {
 
-using measurement::RunKind;
-using measurement::Start;
+using measurement::data::RunKind;
+using measurement::data::Start;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -69,7 +69,7 @@ TEST_F(DatasetFiles, AreReadToTheLetter) {
   EXPECT_EQ(file.data.validate.count(), 1u);
   EXPECT_THAT(file.data.held_out, IsEmpty());
   ASSERT_EQ(file.data.fit.size(), 2u);
-  const measurement::Run& run = file.data.fit[0];
+  const measurement::data::Run& run = file.data.fit[0];
   EXPECT_EQ(run.name, "a.csv");
   EXPECT_EQ(run.start, Start::free);
   EXPECT_EQ(run.window, 0.5);

@@ -10,7 +10,8 @@
 namespace coilwright::formats {
 namespace {
 
-using namespace measurement;
+using namespace measurement::data;
+using namespace measurement::experiment;
 
 constexpr double degree = std::numbers::pi / 180.0;
 

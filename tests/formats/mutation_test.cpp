@@ -40,7 +40,7 @@ void read_as_experiment(const std::string& text) {
 void read_as_dataset(const std::string& text) {
   (void)parse_dataset(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/dataset/x");
 }
-Read read_as_run(measurement::RunKind kind) {
+Read read_as_run(measurement::data::RunKind kind) {
   return [kind](const std::string& text) { (void)parse_run(text, "x", {.name = "x", .kind = kind, .sigma = 0.3}); };
 }
 void read_as_signal(const std::string& text) {
@@ -135,7 +135,7 @@ TEST(DamagedFiles, OfADatasetNeverDoMoreThanBeRefused) {
 }
 
 TEST(DamagedFiles, OfARunNeverDoMoreThanBeRefused) {
-  using enum measurement::RunKind;
+  using enum measurement::data::RunKind;
   for (const auto& [name, kind] :
        {std::pair{"dataset/step.csv", transient}, std::pair{"dataset/swing.csv", transient},
         std::pair{"dataset/bench.csv", static_torque}, std::pair{"dataset/wall.csv", blocked_force}}) {

@@ -10,20 +10,20 @@
 namespace coilwright::formats {
 namespace {
 
-using measurement::Drive;
-using measurement::Quantity;
-using measurement::RunKind;
+using measurement::data::Drive;
+using measurement::data::Quantity;
+using measurement::data::RunKind;
 using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-measurement::Run run_of(std::string_view text, const RunEntry& entry) {
+measurement::data::Run run_of(std::string_view text, const RunEntry& entry) {
   return parse_run(text, "x.csv", entry).run;
 }
 
-measurement::Run run_of(std::string_view text, RunKind kind) {
+measurement::data::Run run_of(std::string_view text, RunKind kind) {
   return run_of(text, RunEntry{.name = "x.csv", .kind = kind});
 }
 

@@ -15,7 +15,7 @@ void read(std::string_view text) {
     return;
   }
   constexpr unsigned kinds = 5;
-  const auto kind = static_cast<measurement::RunKind>(static_cast<unsigned char>(text.front()) % kinds);
+  const auto kind = static_cast<measurement::data::RunKind>(static_cast<unsigned char>(text.front()) % kinds);
   (void)formats::parse_run(text.substr(1), "x", {.name = "x", .kind = kind, .sigma = 0.3});
 }
 

@@ -33,26 +33,26 @@ concept IsARange = requires(T& sealed) {
 || requires(T& sealed) {
   *sealed;
 };
-static_assert(!ShowsItsMember<SealedRuns> && !ShowsItsMember<const SealedRuns>);
-static_assert(!ShowsRuns<SealedRuns> && !IsARange<SealedRuns>);
-static_assert(!std::convertible_to<SealedRuns, std::vector<measurement::Run>>);
+static_assert(!ShowsItsMember<data::SealedRuns> && !ShowsItsMember<const data::SealedRuns>);
+static_assert(!ShowsRuns<data::SealedRuns> && !IsARange<data::SealedRuns>);
+static_assert(!std::convertible_to<data::SealedRuns, std::vector<data::Run>>);
 
 // Measured with an angle that is read 10 standard deviations too high.
-measurement::Run misread(const std::string& name, double amplitude, std::uint64_t seed) {
+data::Run misread(const std::string& name, double amplitude, std::uint64_t seed) {
   Normal normal(seed);
-  measurement::Run run = slide_run(150, {}, [&] { return 10.0 * noise + noise * normal(); });
+  data::Run run = slide_run(150, {}, [&] { return 10.0 * noise_sigma + noise_sigma * normal(); });
   run.name = name;
   for (std::size_t i = 0; i < run.times.size(); ++i) run.channels.front().values[i] *= amplitude;
   return run;
 }
 
-Dataset set_with(std::vector<measurement::Run> validate) {
-  Dataset data{.name = "slide", .validate = SealedRuns(std::move(validate))};
+data::Dataset set_with(std::vector<data::Run> validate) {
+  data::Dataset data{.name = "slide", .validate = data::SealedRuns(std::move(validate))};
   data.fit = {misread("a.csv", 1.0, 1), misread("b.csv", 1.0, 2)};
   return data;
 }
 
-nlohmann::ordered_json report_of(const Dataset& data, int threads) {
+nlohmann::ordered_json report_of(const data::Dataset& data, int threads) {
   const Diagnosis diagnosis = diagnose(data, slide(2.2, 2.7), {.threads = threads});
   return nlohmann::ordered_json::parse(
       report::to_json({.diagnosis = diagnosis, .dataset = data.name, .updated_actuator = "actuator.json"}).text());
@@ -72,13 +72,13 @@ TEST(Firewall, GarbageInValidateRunsMovesNothingButTheirErrors) {
   ASSERT_EQ(right["verdict"], "explained");
   ASSERT_FALSE(right["effects"].empty());
 
-  measurement::Run noisy = misread("v.csv", 1.0, 4);
+  data::Run noisy = misread("v.csv", 1.0, 4);
   Normal normal(5);
   for (double& value : noisy.channels.front().values) value = normal();
-  measurement::Run constant = misread("v.csv", 0.0, 6);
-  measurement::Run pushed_hard = misread("v.csv", -40.0, 7);
+  data::Run constant = misread("v.csv", 0.0, 6);
+  data::Run pushed_hard = misread("v.csv", -40.0, 7);
   for (std::vector<double>& row : pushed_hard.inputs) row.front() *= 25.0;
-  for (const measurement::Run& garbage : {noisy, constant, pushed_hard}) {
+  for (const data::Run& garbage : {noisy, constant, pushed_hard}) {
     const nlohmann::ordered_json wrong = report_of(set_with({garbage}), 2);
     EXPECT_NE(wrong["error"]["validate"], right["error"]["validate"]);
     EXPECT_EQ(without_validate_errors(wrong), without_validate_errors(right));
@@ -86,15 +86,15 @@ TEST(Firewall, GarbageInValidateRunsMovesNothingButTheirErrors) {
 }
 
 TEST(Diagnose, GivesTheSameBytesOnAnyNumberOfThreads) {
-  const Dataset data = set_with({misread("v.csv", 1.0, 3)});
+  const data::Dataset data = set_with({misread("v.csv", 1.0, 3)});
   EXPECT_EQ(report_of(data, 1).dump(), report_of(data, 2).dump());
 }
 
 TEST(Diagnose, GivesTheSameBytesWhereWindowsStartAnywhere) {
-  Dataset data;
+  data::Dataset data;
   data.name = "slide";
   data.fit.push_back(pushed_run());
-  data.fit.front().start = Start::free;
+  data.fit.front().start = data::Start::free;
   data.fit.front().window = 0.2;
   EXPECT_EQ(report_of(data, 1).dump(), report_of(data, 2).dump());
 }
@@ -103,14 +103,14 @@ TEST(Diagnose, FindsTheMisreadAngle) {
   const Diagnosis diagnosis = diagnose(set_with({misread("v.csv", 1.0, 3)}), slide(2.2, 2.7), {.threads = 2});
   ASSERT_EQ(diagnosis.effects.size(), 1u);
   EXPECT_EQ(diagnosis.effects.front().kind->id(), "angle_offset");
-  const Estimate& angle = diagnosis.effects.front().parameters.front();
-  EXPECT_NEAR(angle.value, 10.0 * noise, 0.3 * noise);
-  EXPECT_LE(angle.lower, 10.0 * noise);
-  EXPECT_GE(angle.upper, 10.0 * noise);
+  const compare::Estimate& angle = diagnosis.effects.front().parameters.front();
+  EXPECT_NEAR(angle.value, 10.0 * noise_sigma, 0.3 * noise_sigma);
+  EXPECT_LE(angle.lower, 10.0 * noise_sigma);
+  EXPECT_GE(angle.upper, 10.0 * noise_sigma);
 }
 
 TEST(Diagnose, NeverReportsANegativeDrag) {
-  Dataset data;
+  data::Dataset data;
   data.fit.push_back(pushed_run());
   const Diagnosis diagnosis = diagnose(data, slide(true_mass, true_damping), {.threads = 2});
   EXPECT_FALSE(diagnosis.before.noise_only());

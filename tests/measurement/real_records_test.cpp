@@ -23,7 +23,7 @@ fs::path records(const std::string& name) {
 }
 
 // The first `samples` of every `stride`-th sample: sampling is finer than the motion needs.
-void thin(measurement::Run& run, std::size_t stride, std::size_t samples) {
+void thin(data::Run& run, std::size_t stride, std::size_t samples) {
   const auto keep = [&](auto& values) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < values.size() && at < samples; i += stride) values[at++] = values[i];
@@ -40,7 +40,7 @@ void thin(measurement::Run& run, std::size_t stride, std::size_t samples) {
   }
   keep(run.times);
   keep(run.inputs);
-  for (Channel& channel : run.channels) keep(channel.values);
+  for (data::Channel& channel : run.channels) keep(channel.values);
 }
 
 struct Found {
@@ -57,7 +57,7 @@ Found diagnosed(const fs::path& folder, std::size_t runs, std::size_t stride, st
   const formats::DeclaredActuator declared =
       formats::read_declared_actuator(set.actuator.value(), {.names = set.calibrate, .file = set.file});
   set.data.fit.resize(std::min(runs, set.data.fit.size()));
-  for (measurement::Run& run : set.data.fit) thin(run, stride, samples);
+  for (data::Run& run : set.data.fit) thin(run, stride, samples);
   return {diagnose(set.data, declared.model, {.threads = 2})};
 }
 

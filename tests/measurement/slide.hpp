@@ -6,8 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "coilwright/measurement/dataset.hpp"
-#include "coilwright/measurement/declared_model.hpp"
+#include "coilwright/measurement/data/dataset.hpp"
+#include "coilwright/measurement/replay/declared_model.hpp"
 #include "measurement/random_numbers.hpp"
 
 namespace coilwright::measurement {
@@ -15,10 +15,10 @@ namespace coilwright::measurement {
 // A mass on a slide with viscous friction, m x'' = u - d x': a link of unit length without gravity.
 inline constexpr double true_mass = 2.0;
 inline constexpr double true_damping = 3.0;
-inline constexpr double noise = 1e-3;  // m, which is rad here
+inline constexpr double noise_sigma = 1e-3;  // m, which is rad here
 inline constexpr double interval = 0.01;
 
-inline DeclaredModel slide(double mass, double damping) {
+inline replay::DeclaredModel slide(double mass, double damping) {
   return {.calibration = {{.key = "mass",
                            .declared = mass,
                            .lower = 1e-3,
@@ -60,12 +60,12 @@ inline double force_at(std::size_t sample) {
   return (step % 2 == 0 ? 2.0 : -1.5) + 0.1 * static_cast<double>(step);
 }
 
-inline Run slide_run(std::size_t samples, Place start, const std::function<double()>& error) {
-  Run run{.name = "slide.csv",
-          .kind = RunKind::transient,
-          .drive = Drive::torque,
-          .sigma = noise,
-          .channels = {{.name = "theta1_rad", .quantity = Quantity::joint_angle}}};
+inline data::Run slide_run(std::size_t samples, Place start, const std::function<double()>& error) {
+  data::Run run{.name = "slide.csv",
+                .kind = data::RunKind::transient,
+                .drive = data::Drive::torque,
+                .sigma = noise_sigma,
+                .channels = {{.name = "theta1_rad", .quantity = data::Quantity::joint_angle}}};
   Place place = start;
   for (std::size_t i = 0; i < samples; ++i) {
     run.times.push_back(interval * static_cast<double>(i));
@@ -81,9 +81,9 @@ inline double no_error() {
 }
 
 // A slide that is pushed on the harder the faster it goes: no drag does that.
-inline Run pushed_run() {
-  Run run = slide_run(200, {}, no_error);
-  run.sigma = 0.1 * noise;
+inline data::Run pushed_run() {
+  data::Run run = slide_run(200, {}, no_error);
+  run.sigma = 0.1 * noise_sigma;
   Normal normal(4);
   Place place;
   for (std::size_t i = 0; i < run.times.size(); ++i) {

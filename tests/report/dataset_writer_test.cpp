@@ -18,14 +18,15 @@ using ::testing::HasSubstr;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-Run motion() {
-  Run run{.name = "step.csv", .kind = RunKind::transient, .drive = Drive::current, .start = Start::free};
+data::Run motion() {
+  data::Run run{
+      .name = "step.csv", .kind = data::RunKind::transient, .drive = data::Drive::current, .start = data::Start::free};
   for (int i = 0; i < 8; ++i) {
     run.times.push_back(i / 500.0);
     run.inputs.push_back({i < 2 ? 0.0 : 1.4, 0.0});
   }
-  run.channels = {{.name = "bending_angle_deg", .quantity = Quantity::bending_angle},
-                  {.name = "omega1_rad_s", .quantity = Quantity::joint_rate}};
+  run.channels = {{.name = "bending_angle_deg", .quantity = data::Quantity::bending_angle},
+                  {.name = "omega1_rad_s", .quantity = data::Quantity::joint_rate}};
   for (int i = 0; i < 8; ++i) {
     run.channels[0].values.push_back((30.0 + 0.02 * i) * degree);
     run.channels[1].values.push_back(-0.5 * i);
@@ -33,29 +34,29 @@ Run motion() {
   return run;
 }
 
-Run bench() {
+data::Run bench() {
   return {.name = "bench.csv",
-          .kind = RunKind::static_torque,
+          .kind = data::RunKind::static_torque,
           .angles = {0.0, 20 * degree},
           .inputs = {{1.4}, {1.4}},
-          .channels = {{.name = "torque_Nmm", .quantity = Quantity::torque, .values = {0.0251, 0.0123}}}};
+          .channels = {{.name = "torque_Nmm", .quantity = data::Quantity::torque, .values = {0.0251, 0.0123}}}};
 }
 
-Run heat() {
+data::Run heat() {
   return {.name = "heat.csv",
-          .kind = RunKind::temperature,
+          .kind = data::RunKind::temperature,
           .times = {0.0, 1.0},
           .inputs = {{1.0}, {1.0}},
-          .channels = {{.name = "temperature_degC", .quantity = Quantity::temperature, .values = {25.0, 25.5}}}};
+          .channels = {{.name = "temperature_degC", .quantity = data::Quantity::temperature, .values = {25.0, 25.5}}}};
 }
 
-std::string table_of(const Run& run) {
+std::string table_of(const data::Run& run) {
   std::ostringstream out;
   write_run(out, run);
   return out.str();
 }
 
-std::string entry(const Run& run) {
+std::string entry(const data::Run& run) {
   const std::vector<RunInRole> runs = {{.run = run}};
   return dataset_json("words", "actuator.json", runs).text();
 }
@@ -78,7 +79,7 @@ TEST(DatasetWriter, WritesASetThatIsReadBack) {
   const auto other = bench();
   auto torque = motion();
   torque.name = "torque.csv";
-  torque.drive = Drive::torque;
+  torque.drive = data::Drive::torque;
   torque.window = 0.01;
   torque.sigma = 0.3 * degree;
   const ::coilwright::testing::TemporaryFolder folder;
@@ -92,7 +93,7 @@ TEST(DatasetWriter, WritesASetThatIsReadBack) {
   ASSERT_EQ(back.data.fit.size(), 2u);
   const auto& read = back.data.fit[0];
   EXPECT_EQ(read.name, "step.csv");
-  EXPECT_EQ(read.start, Start::free);
+  EXPECT_EQ(read.start, data::Start::free);
   EXPECT_EQ(read.times, fit.times);
   EXPECT_EQ(read.inputs, fit.inputs);
   ASSERT_EQ(read.channels.size(), 2u);
@@ -100,23 +101,23 @@ TEST(DatasetWriter, WritesASetThatIsReadBack) {
   for (std::size_t i = 0; i < fit.samples(); ++i)
     EXPECT_NEAR(read.channels[0].values[i], fit.channels[0].values[i], 1e-12) << i;
   EXPECT_EQ(read.channels[1].values, fit.channels[1].values);
-  EXPECT_EQ(back.data.fit[1].drive, Drive::torque);
+  EXPECT_EQ(back.data.fit[1].drive, data::Drive::torque);
   EXPECT_EQ(back.data.fit[1].window, 0.01);
   EXPECT_NEAR(back.data.fit[1].sigma.value(), 0.3 * degree, 1e-15);
 }
 
 TEST(DatasetWriter, HasTheWordOfTheFormatForEachKindDriveAndStart) {
-  EXPECT_THAT(entry({.kind = RunKind::transient}), HasSubstr(R"("kind": "transient")"));
-  EXPECT_THAT(entry({.kind = RunKind::static_torque}), HasSubstr(R"("kind": "static_torque")"));
-  EXPECT_THAT(entry({.kind = RunKind::joint_stiffness}), HasSubstr(R"("kind": "joint_stiffness")"));
-  EXPECT_THAT(entry({.kind = RunKind::blocked_force}), HasSubstr(R"("kind": "blocked_force")"));
-  EXPECT_THAT(entry({.kind = RunKind::temperature}), HasSubstr(R"("kind": "temperature")"));
-  EXPECT_THAT(entry({.drive = Drive::current}), HasSubstr(R"("drive": "current")"));
-  EXPECT_THAT(entry({.drive = Drive::voltage}), HasSubstr(R"("drive": "voltage")"));
-  EXPECT_THAT(entry({.drive = Drive::torque}), HasSubstr(R"("drive": "torque")"));
-  EXPECT_THAT(entry({.start = Start::at_rest}), HasSubstr(R"("start": "at_rest")"));
-  EXPECT_THAT(entry({.start = Start::measured}), HasSubstr(R"("start": "measured")"));
-  EXPECT_THAT(entry({.start = Start::free}), HasSubstr(R"("start": "free")"));
+  EXPECT_THAT(entry({.kind = data::RunKind::transient}), HasSubstr(R"("kind": "transient")"));
+  EXPECT_THAT(entry({.kind = data::RunKind::static_torque}), HasSubstr(R"("kind": "static_torque")"));
+  EXPECT_THAT(entry({.kind = data::RunKind::joint_stiffness}), HasSubstr(R"("kind": "joint_stiffness")"));
+  EXPECT_THAT(entry({.kind = data::RunKind::blocked_force}), HasSubstr(R"("kind": "blocked_force")"));
+  EXPECT_THAT(entry({.kind = data::RunKind::temperature}), HasSubstr(R"("kind": "temperature")"));
+  EXPECT_THAT(entry({.drive = data::Drive::current}), HasSubstr(R"("drive": "current")"));
+  EXPECT_THAT(entry({.drive = data::Drive::voltage}), HasSubstr(R"("drive": "voltage")"));
+  EXPECT_THAT(entry({.drive = data::Drive::torque}), HasSubstr(R"("drive": "torque")"));
+  EXPECT_THAT(entry({.start = data::Start::at_rest}), HasSubstr(R"("start": "at_rest")"));
+  EXPECT_THAT(entry({.start = data::Start::measured}), HasSubstr(R"("start": "measured")"));
+  EXPECT_THAT(entry({.start = data::Start::free}), HasSubstr(R"("start": "free")"));
 }
 
 }  // namespace

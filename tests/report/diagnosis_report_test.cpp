@@ -33,7 +33,7 @@ Errors degrees(double mae, double rmse, double max) {
   return {.mae = mae * degree, .rmse = rmse * degree, .max = max * degree};
 }
 
-ErrorComparison comparison(Quantity quantity, std::size_t samples, double noise_floor) {
+ErrorComparison comparison(data::Quantity quantity, std::size_t samples, double noise_floor) {
   return {.quantity = quantity,
           .samples = samples,
           .declared = {},
@@ -67,7 +67,7 @@ Diagnosis example() {
                     .cross_validated_gain = 0.97,
                     .correlation_time = 4.0}}};
   diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
-  diagnosis.validate_errors = {{.quantity = Quantity::bending_angle,
+  diagnosis.validate_errors = {{.quantity = data::Quantity::bending_angle,
                                 .samples = 900,
                                 .declared = degrees(2.9, 3.5, 9.1),
                                 .before = degrees(1.1, 1.4, 5.0),
@@ -169,7 +169,7 @@ TEST(DiagnosisJson, GivesEvidenceAsNumbers) {
 
 TEST(DiagnosisJson, HasNullForASideWithoutABound) {
   Diagnosis diagnosis = example();
-  Estimate& estimate = diagnosis.effects[0].parameters[0];
+  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.lower = -infinity;
   auto parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
   EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, 0.64]})"));
@@ -192,11 +192,11 @@ TEST(DiagnosisJson, SaysOfAChoiceThatItIsOne) {
 
 TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
   Diagnosis diagnosis = example();
-  ErrorComparison torque = comparison(Quantity::torque, 12, 1e-3);
+  ErrorComparison torque = comparison(data::Quantity::torque, 12, 1e-3);
   torque.after = {.mae = 0.5e-3, .rmse = 0.75e-3, .max = 2e-3};
-  ErrorComparison rate = comparison(Quantity::joint_rate, 3, 0.5 * degree);
-  ErrorComparison heat = comparison(Quantity::temperature, 4, 0.25);
-  ErrorComparison force = comparison(Quantity::force, 5, 0.125);
+  ErrorComparison rate = comparison(data::Quantity::joint_rate, 3, 0.5 * degree);
+  ErrorComparison heat = comparison(data::Quantity::temperature, 4, 0.25);
+  ErrorComparison force = comparison(data::Quantity::force, 5, 0.125);
   // An angle comes first wherever it stands.
   diagnosis.validate_errors.insert(diagnosis.validate_errors.begin(), torque);
   for (const auto& each : {rate, heat, force}) diagnosis.validate_errors.push_back(each);
@@ -214,7 +214,7 @@ TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
 
 TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
   Diagnosis diagnosis;
-  diagnosis.fit_errors = {comparison(Quantity::force, 5, 0.125)};
+  diagnosis.fit_errors = {comparison(data::Quantity::force, 5, 0.125)};
   const auto block = json_of(diagnosis)["error"];
   EXPECT_EQ(block["fit"]["noise_floor_rmse_N"], 0.125);
   EXPECT_EQ(block["fit"]["after"], ordered_json::parse(R"({"mae_N": 0.0, "rmse_N": 0.0, "max_N": 0.0})"));
@@ -227,7 +227,7 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
       .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
   diagnosis.candidates = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
                           {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
-  diagnosis.residual = ResidualTorque{
+  diagnosis.residual = localise::ResidualTorque{
       .rms = 0.2e-3,
       .smallest_visible = 0.05e-3,
       .dependences =
@@ -262,7 +262,7 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
 
 TEST(DiagnosisJson, HasNoEvidenceOfAHypothesisThatWasRuledOutWithoutAFit) {
   Diagnosis diagnosis = example();
-  const Evidence fitted{.chi_square_before = 52000.0, .chi_square_after = 12000.0, .correlation_time = 1.0};
+  const compare::Evidence fitted{.chi_square_before = 52000.0, .chi_square_after = 12000.0, .correlation_time = 1.0};
   diagnosis.candidates = {{.effects = {&dry_friction}, .evidence = fitted, .remark = ""},
                           {.effects = {&magnet_heating}, .evidence = fitted, .remark = "interval includes absent"},
                           {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
@@ -331,10 +331,10 @@ TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
 
 TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   Diagnosis diagnosis = example();
-  diagnosis.residual = ResidualTorque{.rms = 0.2e-3,
-                                      .smallest_visible = 0.05e-3,
-                                      .dependences = {{.variable = "sign of rate", .explained = 0.5}},
-                                      .frequency = 5.0};
+  diagnosis.residual = localise::ResidualTorque{.rms = 0.2e-3,
+                                                .smallest_visible = 0.05e-3,
+                                                .dependences = {{.variable = "sign of rate", .explained = 0.5}},
+                                                .frequency = 5.0};
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("What is left over, as a joint torque")));
   diagnosis.verdict = Verdict::partly_explained;
   diagnosis.after.structure = 3.0;
@@ -348,7 +348,7 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
 
 TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {
   Diagnosis diagnosis = example();
-  Estimate& estimate = diagnosis.effects[0].parameters[0];
+  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.upper = infinity;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at least 0.58 (95 %)"));
   estimate = {.key = estimate.key, .denominator = 1e3, .value = 0.61e-3, .lower = -infinity, .upper = 0.64e-3};
@@ -367,7 +367,7 @@ TEST(DiagnosisText, SaysOfAChoiceThatItIsOne) {
 
 TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
   Diagnosis diagnosis = example();
-  Estimate& estimate = diagnosis.effects[0].parameters[0];
+  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.value = 12.50034e-3;
   estimate.lower = 12.49921e-3;
   estimate.upper = 12.50147e-3;
@@ -380,7 +380,7 @@ TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
 TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
   Diagnosis diagnosis = example();
   const auto with_chi_square = [](double value) {
-    return Evidence{.chi_square_after = value, .correlation_time = 4.0};
+    return compare::Evidence{.chi_square_after = value, .correlation_time = 4.0};
   };
   diagnosis.candidates = {
       {.effects = {&coil_heating, &magnet_heating}, .evidence = with_chi_square(444.25), .remark = ""},

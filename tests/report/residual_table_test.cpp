@@ -12,8 +12,8 @@
 namespace coilwright::report {
 namespace {
 
-using measurement::Quantity;
 using measurement::Replay;
+using measurement::data::Quantity;
 
 // As the reader turns a file's degrees into radians: with one rounding for the factor, so that they come back.
 constexpr double deg(double value) {

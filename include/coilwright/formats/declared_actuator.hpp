@@ -11,7 +11,7 @@
 #include "coilwright/actuator/design.hpp"
 #include "coilwright/actuator/effect.hpp"
 #include "coilwright/formats/json_document.hpp"
-#include "coilwright/measurement/declared_model.hpp"
+#include "coilwright/measurement/replay/declared_model.hpp"
 
 namespace coilwright::formats {
 
@@ -26,8 +26,8 @@ using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 
 /// The model that a data set declares, and the way back into its file.
 struct DeclaredActuator {
-  std::string name;                  ///< of the actuator
-  measurement::DeclaredModel model;  ///< keeps what it needs; build() may be called from many threads at once
+  std::string name;                          ///< of the actuator
+  measurement::replay::DeclaredModel model;  ///< keeps what it needs; build() may be called from many threads at once
   /// The actuator with `calibration` (SI, one value per model.calibration, inside the bounds) and `effects` beside
   /// those that its file declares; one of a kind that is there already takes its place. A lumped model that is written
   /// and read back is build()'s to the bit; a design's stiffness and damping go through factors that round. Throws

@@ -4,19 +4,19 @@
 #include <string>
 #include <string_view>
 
-#include "coilwright/measurement/twin.hpp"
+#include "coilwright/measurement/experiment/experiment.hpp"
 
 namespace coilwright::formats {
 
 /// Reads an experiment/1: the runs that somebody plans, and the instruments that would record them. Keys, units and
 /// defaults are in docs/formats-experiment.md. Throws InputError.
-[[nodiscard]] measurement::Experiment read_experiment(const std::filesystem::path& path);
+[[nodiscard]] measurement::experiment::Experiment read_experiment(const std::filesystem::path& path);
 
 /// The same for a text in memory; `file` is the name its errors carry, and files of inputs count from its folder.
-[[nodiscard]] measurement::Experiment parse_experiment(std::string_view text, std::string file);
+[[nodiscard]] measurement::experiment::Experiment parse_experiment(std::string_view text, std::string file);
 
 /// Sets the noise of one instrument as an argument says, "angle_deg=0.3"; the keys are those of the file. Throws
 /// InputError whose file is the argument: `angle_deg=-1: must be >= 0`.
-void set_noise(measurement::Instruments& instruments, std::string_view argument);
+void set_noise(measurement::experiment::Instruments& instruments, std::string_view argument);
 
 }  // namespace coilwright::formats

@@ -6,15 +6,15 @@
 #include <string_view>
 
 #include "coilwright/formats/input_error.hpp"
-#include "coilwright/measurement/dataset.hpp"
+#include "coilwright/measurement/data/run.hpp"
 
 namespace coilwright::formats {
 
 /// What a data set says of a run beside its CSV file.
 struct RunEntry {
   std::string name{};  ///< the file, as the data set calls it
-  measurement::RunKind kind{};
-  measurement::Start start{};
+  measurement::data::RunKind kind{};
+  measurement::data::Start start{};
   std::optional<double> window{};  ///< s
   /// In the unit of the run's measured column; where a transient has several: of its first angle column (that of the
   /// bending angle before those of the joints), and where it has rates only, of its first rate.
@@ -23,7 +23,7 @@ struct RunEntry {
 
 /// A run as its file gives it.
 struct RunFile {
-  measurement::Run run;
+  measurement::data::Run run;
   /// Why the run cannot be used though its file is well formed: an angle that no finger reaches. Not thrown by the
   /// reader, because a run that is held out is not to be looked at.
   std::optional<InputError> objection{};

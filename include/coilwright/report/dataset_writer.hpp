@@ -4,14 +4,14 @@
 #include <span>
 #include <string>
 
-#include "coilwright/measurement/dataset.hpp"
+#include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/report/json.hpp"
 
 namespace coilwright::report {
 
 /// A run and whether fits must not see it.
 struct RunInRole {
-  const measurement::Run& run;
+  const measurement::data::Run& run;
   bool validate{};
 };
 
@@ -21,6 +21,6 @@ struct RunInRole {
 /// The CSV file of a run: the columns of its kind, then its channels under their names, in the units of the names.
 /// Twelve digits, far beyond any instrument: what a resolution of 0.02 deg made 30.02 is not written as
 /// 30.020000000000003.
-void write_run(std::ostream& out, const measurement::Run& run);
+void write_run(std::ostream& out, const measurement::data::Run& run);
 
 }  // namespace coilwright::report

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "coilwright/actuator/effect.hpp"
-#include "coilwright/measurement/twin.hpp"
+#include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/report/json.hpp"
 
 namespace coilwright::report {
@@ -16,7 +16,7 @@ struct TwinAnswer {
   std::string actuator{};  ///< file that it was made from
   std::string experiment{};
   std::span<const actuator::Effect> effects{};
-  const measurement::Instruments& instruments;
+  const measurement::experiment::Instruments& instruments;
   std::uint64_t seed{};
 };
 

@@ -1,0 +1,88 @@
+#include "measurement/fit/hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coilwright::measurement::fit {
+namespace {
+
+// A usual change of an effect's number: as large as where its fit starts.
+double scale_of(const actuator::EffectParameter& parameter, double start) {
+  const double from_absent = std::abs(start - parameter.absent.value_or(0.0));
+  if (from_absent > 0.0 && std::isfinite(from_absent)) return from_absent;
+  return start != 0.0 ? std::abs(start) : 1.0;
+}
+
+}  // namespace
+
+Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuator::Effect> effects)
+    : declared_(&declared), effects_(std::move(effects)) {
+  for (const replay::CalibrationParameter& number : declared.calibration)
+    parameters_.push_back({.key = number.key,
+                           .denominator = number.denominator,
+                           .lower = number.lower,
+                           .upper = number.upper,
+                           .scale = number.scale});
+  for (const actuator::Effect& effect : effects_) {
+    Share share{.first = size()};
+    const auto numbers = effect.kind->parameters();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!numbers[i].choices.empty()) continue;
+      share.numbers.push_back(i);
+      parameters_.push_back({.key = std::string(numbers[i].key),
+                             .denominator = numbers[i].denominator,
+                             .lower = numbers[i].lower,
+                             .upper = numbers[i].upper,
+                             .scale = scale_of(numbers[i], effect.values[i])});
+    }
+    shares_.push_back(std::move(share));
+  }
+}
+
+Eigen::VectorXd Hypothesis::scales() const {
+  Eigen::VectorXd out(size());
+  for (Eigen::Index i = 0; i < size(); ++i) out[i] = parameters_[static_cast<std::size_t>(i)].scale;
+  return out;
+}
+
+Eigen::VectorXd Hypothesis::clamped(Eigen::VectorXd values) const {
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)];
+    values[i] = std::clamp(values[i], parameter.lower, parameter.upper);
+  }
+  return values;
+}
+
+Eigen::VectorXd Hypothesis::start() const {
+  Eigen::VectorXd out(size());
+  Eigen::Index at = 0;
+  for (const replay::CalibrationParameter& number : declared_->calibration) out[at++] = number.declared;
+  for (std::size_t e = 0; e < effects_.size(); ++e)
+    for (const std::size_t number : shares_[e].numbers) out[at++] = effects_[e].values[number];
+  return clamped(std::move(out));
+}
+
+std::vector<actuator::Effect> Hypothesis::effects_at(const Eigen::VectorXd& values) const {
+  std::vector<actuator::Effect> out = effects_;
+  for (std::size_t e = 0; e < out.size(); ++e)
+    for (std::size_t i = 0; i < shares_[e].numbers.size(); ++i)
+      out[e].values[shares_[e].numbers[i]] = values[shares_[e].first + static_cast<Eigen::Index>(i)];
+  return out;
+}
+
+std::span<const double> Hypothesis::calibration_in(const Eigen::VectorXd& values) const {
+  return {values.data(), declared_->calibration.size()};
+}
+
+actuator::ModelSpec Hypothesis::spec_at(const Eigen::VectorXd& values) const {
+  actuator::ModelSpec spec = declared_->build(calibration_in(values));
+  for (actuator::Effect& effect : effects_at(values)) spec.effects.push_back(std::move(effect));
+  return spec;
+}
+
+actuator::Model Hypothesis::model_at(const Eigen::VectorXd& values) const {
+  return actuator::Model(spec_at(values));
+}
+
+}  // namespace coilwright::measurement::fit

@@ -1,0 +1,29 @@
+#include "coilwright/measurement/whiteness/scaled_residual.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace coilwright::measurement::whiteness {
+
+void check(std::span<const ScaledResidual> residuals) {
+  for (const ScaledResidual& residual : residuals) {
+    const auto require = [&](bool met, const char* rule, double value) {
+      if (!met) throw std::invalid_argument(fmt::format("{}: {}; got {}", residual.run, rule, value));
+    };
+    const std::size_t n = residual.values.size();
+    require(residual.times.empty() || residual.times.size() == n, "a residual must have one time for each value",
+            static_cast<double>(residual.times.size()));
+    for (std::size_t i = 1; i < residual.times.size(); ++i)
+      require(residual.times[i] > residual.times[i - 1], "times of a residual must increase", residual.times[i]);
+    for (const double value : residual.values) require(std::isfinite(value), "a residual must be finite", value);
+    require(!residual.starts.empty() && residual.starts.front() == 0, "the first window must start at sample 0",
+            residual.starts.empty() ? NAN : static_cast<double>(residual.starts.front()));
+    for (std::size_t i = 1; i < residual.starts.size(); ++i)
+      require(residual.starts[i] > residual.starts[i - 1] && residual.starts[i] < n,
+              "starts of windows must rise and stay inside the run", static_cast<double>(residual.starts[i]));
+  }
+}
+
+}  // namespace coilwright::measurement::whiteness

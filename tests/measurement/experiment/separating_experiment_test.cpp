@@ -1,0 +1,105 @@
+#include "measurement/experiment/separating_experiment.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "coilwright/actuator/assemble.hpp"
+
+namespace coilwright::measurement::experiment {
+namespace {
+
+using actuator::Design;
+using actuator::Effect;
+using testing::AnyOf;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Effect effect(const char* id, std::vector<double> values) {
+  return {.kind = actuator::find_effect(id), .values = std::move(values)};
+}
+
+// The paper's finger, filmed in a step of 1.4 A with a noise of 0.3 degrees.
+struct Rig {
+  Rig() {
+    Design design;
+    design.layout = actuator::layout_of(actuator::Configuration::B);
+    const actuator::ModelSpec spec = actuator::assemble_or_throw(design).model.spec();
+    declared.build = [spec](std::span<const double>) { return spec; };
+    run = {.name = "step.csv",
+           .kind = data::RunKind::transient,
+           .drive = data::Drive::current,
+           .sigma = 0.3 * degree,
+           .channels = {{.name = "bending_angle_deg", .quantity = data::Quantity::bending_angle}}};
+    for (int i = 0; i < 350; ++i) {
+      run.times.push_back(0.002 * i);
+      run.inputs.push_back({i < 25 ? 0.0 : 1.4});
+      run.channels.front().values.push_back(0.0);
+    }
+    const fit::Hypothesis plain(declared, {});
+    records.push_back(replay::prepare(run, declared, plain.model_at(plain.start())));
+  }
+
+  [[nodiscard]] compare::Scored fitted(std::vector<Effect> effects) const {
+    fit::Hypothesis hypothesis(declared, std::move(effects));
+    fit::Fit fit{.values = hypothesis.start()};
+    return {.hypothesis = std::move(hypothesis), .fit = std::move(fit)};
+  }
+
+  [[nodiscard]] std::optional<NextExperiment> between(const Effect& chosen, const std::vector<Effect>& rivals) const {
+    compare::Attribution found;
+    found.steps = {fitted({}), fitted({chosen})};
+    for (const Effect& rival : rivals) found.rivals.push_back(fitted({rival}));
+    return next_experiment(records, found);
+  }
+
+  replay::DeclaredModel declared;
+  data::Run run;
+  std::vector<replay::Record> records;
+};
+
+TEST(NextExperiment, IsNoneWithoutRivals) {
+  EXPECT_FALSE(Rig().between(effect("coil_heating", {0.1, 10.0, 0.0}), {}).has_value());
+}
+
+TEST(NextExperiment, IsNoneWhereRivalsPredictTheSame) {
+  EXPECT_FALSE(Rig().between(effect("force_gain", {1.0 + 1e-6}), {effect("force_gain", {1.0})}).has_value());
+}
+
+TEST(NextExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
+  const auto next =
+      Rig().between(effect("coil_heating", {0.05, 5.0, 0.0}), {effect("magnet_heating", {0.05, 30.0, 0.0})});
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(next->kind, "hot_hold");
+  EXPECT_GT(next->separation, 0.5);
+}
+
+TEST(NextExperiment, ChangesTheBalanceOfTorquesWhereGravityIsInDoubt) {
+  const auto next = Rig().between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
+  ASSERT_TRUE(next.has_value());
+  EXPECT_THAT(next->kind, AnyOf("turned_base", "reversed_current"));
+  EXPECT_GT(next->separation, 0.5);
+  EXPECT_FALSE(next->why.empty());
+  EXPECT_FALSE(next->input.empty());
+}
+
+TEST(NextExperiment, IsQuickWhereLagAndDelayAreInDoubt) {
+  const auto next = Rig().between(effect("coil_lag", {0.01}), {effect("measurement_delay", {0.01})});
+  ASSERT_TRUE(next.has_value());
+  EXPECT_THAT(next->kind, AnyOf("step", "sine", "chirp", "release", "coil_open", "reversed_current"));
+}
+
+TEST(NextExperiment, SeparatesEveryPairAndNotOnlyTheFirstTwo) {
+  const Rig rig;
+  const Effect lag = effect("coil_lag", {0.01});
+  const auto two = rig.between(lag, {effect("force_gain", {1.1})});
+  const auto three = rig.between(lag, {effect("force_gain", {1.1}), effect("force_gain", {1.1 + 1e-7})});
+  EXPECT_TRUE(two.has_value());
+  EXPECT_FALSE(three.has_value());
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::experiment

@@ -1,0 +1,90 @@
+#include "measurement/replay/prediction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "actuator/paper_finger.hpp"
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/effect.hpp"
+
+namespace coilwright::measurement::replay {
+namespace {
+
+using actuator::Model;
+
+constexpr double loss = 0.15;          // of the force, per square ampere
+constexpr double time_constant = 0.2;  // s
+
+// The finger whose magnets warm up, cold or hot (0, 1) when a run starts.
+Model warming_finger(double warm_start) {
+  actuator::ModelSpec spec = actuator::assemble_or_throw(actuator::paper_finger()).model.spec();
+  spec.effects = {{.kind = actuator::find_effect("magnet_heating"), .values = {loss, time_constant, warm_start}}};
+  return Model(spec);
+}
+
+// A second at 1 A, and its bending angle.
+data::Run held(data::Start start) {
+  data::Run run{.name = "held.csv",
+                .kind = data::RunKind::transient,
+                .drive = data::Drive::current,
+                .start = start,
+                .sigma = 1e-3};
+  for (int i = 0; i < 500; ++i) {
+    run.times.push_back(0.002 * i);
+    run.inputs.push_back({1.0});
+  }
+  run.channels = {{.name = "bending_angle_deg",
+                   .quantity = data::Quantity::bending_angle,
+                   .values = std::vector(run.times.size(), 0.0)}};
+  return run;
+}
+
+struct Ends {
+  double first{}, last{};
+};
+
+// From where the finger rests at the run's start, rad.
+Ends ends_of(const Model& model, data::Start how) {
+  const DeclaredModel declared{};
+  const data::Run run = held(how);
+  const Record record = prepare(run, declared, model);
+  const Window& window = record.windows.front();
+  const auto start = rest_start(model, window);
+  EXPECT_TRUE(start);
+  const auto predicted = predict_window(model, record, window, *start);
+  EXPECT_TRUE(predicted);
+  return {.first = predicted->values[0], .last = predicted->values[predicted->values.size() - 1]};
+}
+
+// The force falls to 1 - 0.15 of itself with a time constant a fifth of the run. A start that settled the heat stands
+// still whatever the choice says.
+TEST(Prediction, AColdStartSagsAndAWarmOneStands) {
+  for (const data::Start how : {data::Start::at_rest, data::Start::measured, data::Start::free}) {
+    const Ends cold = ends_of(warming_finger(0.0), how);
+    EXPECT_LT(cold.last, 0.95 * cold.first);
+    const Ends warm = ends_of(warming_finger(1.0), how);
+    EXPECT_NEAR(warm.last, warm.first, 1e-6);
+    EXPECT_NEAR(cold.last, warm.first, 0.01 * warm.first);  // both end where the heat is in balance
+  }
+}
+
+TEST(Prediction, AWindowThatGoesOnTakesOverTheHeat) {
+  const Model model = warming_finger(0.0);
+  const DeclaredModel declared{};
+  data::Run run = held(data::Start::free);
+  run.window = 0.5;
+  const Record record = prepare(run, declared, model);
+  ASSERT_EQ(record.windows.size(), 2U);
+  const auto start = rest_start(model, record.windows.front());
+  ASSERT_TRUE(start);
+  const auto first = predict_window(model, record, record.windows[0], *start);
+  ASSERT_TRUE(first);
+  const auto whole = ends_of(model, data::Start::free);
+  const auto second = predict_window(model, record, record.windows[1], first->states.back());
+  ASSERT_TRUE(second);
+  EXPECT_NEAR(second->values[second->values.size() - 1], whole.last, 1e-4);
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::replay

@@ -13,11 +13,13 @@
 namespace coilwright::cli {
 
 void add_actuator_options(CLI::App& command, ActuatorOptions& options) {
-  command.add_option("ACTUATOR.json", options.file, "A design (actuator/1) or a lumped model (lumped-model/1)")
+  command
+      .add_option("ACTUATOR.json", options.file, "File of a design (actuator/1) or of a lumped model (lumped-model/1)")
       ->required();
   command
       .add_option("--set", options.assignments,
-                  "NAME=VALUE: a number of the design other than the file has it, or configuration=C; may be repeated")
+                  "NAME=VALUE: change one number of the design, for example gap_mm=1.2, or the "
+                  "configuration (configuration=C); may be repeated")
       ->allow_extra_args(false);
 }
 

@@ -90,11 +90,14 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
 }  // namespace
 
 ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand> commands) {
-  CLI::App app("Sizes soft electromagnetic bending actuators.", "coilwright");
-  app.set_version_flag("--version", "coilwright " COILWRIGHT_VERSION, "Print the version and end");
-  app.set_help_flag("-h,--help", "Print this help and end");
+  CLI::App app("Sizes soft electromagnetic bending actuators and identifies which physical effect a model lacks.",
+               "coilwright");
+  app.set_version_flag("--version", "coilwright " COILWRIGHT_VERSION, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
-  app.footer("coilwright COMMAND --help explains a command and shows an example.");
+  app.footer(
+      "coilwright COMMAND --help explains a command and shows an example.\n\n"
+      "Exit codes: 0 done; 1 another failure; 2 bad input or usage; 3 no feasible design; 130 interrupted.");
   Outcome outcome;
   for (const AddCommand add : commands) add(app, outcome);
 

@@ -163,21 +163,24 @@ void write(const Options& options, const Found& found) {
 
 void add_diagnose_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("diagnose", "Which effect a model lacks to explain measured data");
-  command->add_option("DATASET_DIR", options->dataset, "A data set (measured-data/1): its folder")->required();
-  command->add_option("--actuator", options->actuator, "The declared model, instead of the one that the set names");
-  command->add_option("--out", options->out, "Folder to write results to; made if it is not there")->required();
-  add_threads_option(*command, options->threads, "Fits made at once");
-  command->add_option("--seed", options->seed, "Of the starts drawn beside those that effects propose; 1")
+  CLI::App* command =
+      app.add_subcommand("diagnose", "Identify which physical effect a model lacks, from measured data");
+  command->add_option("DATASET_DIR", options->dataset, "Folder of a data set (measured-data/1)")->required();
+  command->add_option("--actuator", options->actuator,
+                      "File of the declared model; overrides the one that the data set names");
+  command->add_option("--out", options->out, "Folder for the results; it is created if it does not exist")->required();
+  add_threads_option(*command, options->threads, "Number of fits that run at the same time");
+  command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
       ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
   command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();
   command->footer(
-      "Prints a summary, and writes it with diagnosis.json (verdict, effects with intervals, errors, rivals, what to\n"
-      "measure next), actuator.json (the actuator with the effects, for every other command) and residuals.csv\n"
-      "(measured, declared, before, after at every sample). Ends with 0 whatever the verdict. Ctrl-C writes nothing,\n"
-      "and says so; the exit code is then 130.\n\n"
+      "Prints a summary and writes four files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
+      "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which every\n"
+      "other command reads); residuals.csv (every sample as measured and as predicted by the declared, the\n"
+      "recalibrated and the corrected model). The exit code is 0 for every verdict. Ctrl-C writes nothing; the\n"
+      "exit code is then 130.\n\n"
       "Example:\n"
-      "  coilwright diagnose measured/finger-2024-03-11 --out results/diagnosis");
+      "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   command->callback([options] { write(*options, find(*options)); });
 }
 

@@ -96,12 +96,14 @@ void run_force(const Options& options) {
 
 void add_force_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("force", "Force and torque of a coil and a magnet, two coils or two magnets");
-  command->add_option("PAIR.json", options->pair, "The two bodies and the poses of the second one")->required();
+  CLI::App* command =
+      app.add_subcommand("force", "Compute force and torque between a coil and a magnet, two coils or two magnets");
+  command->add_option("PAIR.json", options->pair, "File with the two bodies and the poses of the second one")
+      ->required();
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
-      "The first body (the coil) is at the origin with its axis along +z. Force and torque are those on the second\n"
-      "body (the magnet), the torque about its centre, both in the axes of the first.\n\n"
+      "The first body (the coil) is at the origin with its axis along +z. Force and torque act on the second body\n"
+      "(the magnet); the torque is about its centre. Both are given in the axes of the first body, in N and Nmm.\n\n"
       "Example:\n"
       "  coilwright force pair.json --json\n\n"
       "pair.json:\n"
@@ -110,10 +112,9 @@ void add_force_command(CLI::App& app, Outcome&) {
       "   \"magnet\": {\"radius_mm\": 4, \"length_mm\": 6, \"remanence_T\": 1.3},\n"
       "   \"current_A\": 1.4,\n"
       "   \"poses\": [{\"position_mm\": [0.5, 0, 12], \"axis\": [0, 0.1, 1]}]}\n\n"
-      "Instead of \"coil\" and \"magnet\": \"coils\": [.., ..] with \"currents_A\": [.., ..], or \"magnets\": [.., "
-      "..].\n"
-      "\"winding\" (paper_shells, layer_centres, uniform) says where in the coil the current flows; uniform if "
-      "absent.");
+      "Instead of \"coil\" and \"magnet\", a file may have \"coils\": [.., ..] with \"currents_A\": [.., ..], or\n"
+      "\"magnets\": [.., ..]. \"winding\" (paper_shells, layer_centres, uniform) says where in the coil the current\n"
+      "flows (default uniform).");
   command->callback([options] { run_force(*options); });
 }
 

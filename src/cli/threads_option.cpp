@@ -26,7 +26,7 @@ void add_threads_option(CLI::App& command, int& threads, const std::string& what
   command
       .add_option_function<int>(
           "--threads", [&threads](int asked) { threads = std::min(asked, cores()); },
-          what + "; 0, the default: one per core; more counts as that")
+          what + ", at most the number of cores (default 0: one for each core)")
       ->check(number_rule(formats::Rule::between(0, most_threads)));
 }
 

@@ -144,24 +144,32 @@ void run_twin(const Options& options) {
 
 void add_twin_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("twin", "A data set as a rig would give it, with an effect hidden in it");
-  command->add_option("ACTUATOR.json", options->actuator, "A design (actuator/1) or a lumped model (lumped-model/1)")
+  CLI::App* command = app.add_subcommand("twin", "Simulate a data set of an actuator that has undeclared effects");
+  command
+      ->add_option("ACTUATOR.json", options->actuator,
+                   "File of a design (actuator/1) or of a lumped model (lumped-model/1)")
       ->required();
-  command->add_option("--experiment", options->experiment, "What is to be done on the rig (experiment/1)")->required();
+  command
+      ->add_option("--experiment", options->experiment,
+                   "Runs to simulate and the instruments that record them (experiment/1)")
+      ->required();
   command
       ->add_option("--effect", options->effects,
-                   "ID:KEY=VALUE,..: an effect that the actuator has and its file does not say; may be repeated")
+                   "ID:KEY=VALUE,..: effect to simulate that is not declared in ACTUATOR.json; may be repeated")
       ->allow_extra_args(false);
   command
-      ->add_option("--noise", options->noise,
-                   "QUANTITY=VALUE: of an instrument, other than the experiment has it; may be repeated")
+      ->add_option(
+          "--noise", options->noise,
+          "QUANTITY=VALUE: standard deviation of the noise of one instrument, for example angle_deg=0.3; overrides the "
+          "experiment's; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "Of the noise; 1")
+  command->add_option("--seed", options->seed, "Random seed for the noise (default 1)")
       ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
-  command->add_option("--out", options->out, "Folder to write the data set to; made if it is not there")->required();
+  command->add_option("--out", options->out, "Folder for the data set; it is created if it does not exist")->required();
   command->footer(
-      "Writes a measured-data/1 set (dataset.json, actuator.json as it was given, a CSV file a run) into the folder,\n"
-      "and what is hidden in it beside the folder, DIR.answer.json. The same arguments give the same bytes.\n\n"
+      "Writes a data set (measured-data/1) into the folder: dataset.json, actuator.json as it was given, and one\n"
+      "CSV file for each run. The undeclared effects are written beside the folder, to DIR.answer.json. The same\n"
+      "arguments give the same bytes.\n\n"
       "Example:\n"
       "  coilwright twin configs/actuators/paper_finger.json --experiment configs/experiments/paper.json \\\n"
       "    --effect dry_friction:torque_Nmm=0.6 --seed 7 --out results/twin");

@@ -45,10 +45,11 @@ std::string as_table(const std::vector<Comparison>& rows) {
 
 void add_validate_command(CLI::App& app, Outcome& outcome) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("validate", "The paper's numbers beside the model's");
+  CLI::App* command = app.add_subcommand("validate", "Compare the model with the figures of the source paper");
   command->add_flag("--json", *json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
-      "Ends with 1 if a difference leaves its stated band.\n\n"
+      "Each row has the band in which the difference must lie. The exit code is 1 if a difference lies outside\n"
+      "its band.\n\n"
       "Example:\n"
       "  coilwright validate --json");
   command->callback([json, &outcome] {

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that every room includes only what stands above it, and that third-party libraries stay in their places."""
+"""Checks that every room includes only what stands above it, that the folders of a room do, and that third-party
+libraries stay in their places."""
 
 import pathlib
 import re
@@ -24,6 +25,12 @@ ALLOWED = {
     "cli": PHYSICS | {"actuator", "simulation", "systems", "sizing", "measurement", "formats", "report"},
 }
 
+# Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself
+# stands on top of all of them. A folder's public headers and its sources are one.
+FOLDERS = {
+    "measurement": ["data", "noise", "whiteness", "replay", "fit", "compare", "localise", "experiment"],
+}
+
 # Libraries that only the .cpp files of the named rooms may see (a private header of such a room counts as its source).
 HIDDEN = {
     "nlopt": {"sizing"},
@@ -39,6 +46,26 @@ HIDDEN = {
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def upward_includes(path: pathlib.Path, room: str, base: pathlib.Path) -> list[str]:
+    """The includes of a file of a room with folders that reach a folder after its own."""
+    folders = FOLDERS[room]
+
+    def place(inside_room: str) -> int:
+        """How far up a file stands; past the last folder where it lies in the room itself."""
+        folder = pathlib.PurePosixPath(inside_room).parent.as_posix()
+        return len(folders) if folder == "." else folders.index(folder)
+
+    own = path.relative_to(base).as_posix()
+    if "/" in own and own.rpartition("/")[0] not in folders:
+        return [f"{path.relative_to(ROOT)}: its folder is not in the order of {room}"]
+    found = []
+    for target in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        if match := re.match(rf"(?:coilwright/)?{room}/(.+)", target):
+            if place(match.group(1)) > place(own):
+                found.append(f"{path.relative_to(ROOT)}: includes {target}, which stands further up")
+    return found
 
 
 def faults_of(path: pathlib.Path, room: str, public: bool) -> list[str]:
@@ -62,6 +89,8 @@ def main() -> int:
             for path in sorted(base.rglob("*.?pp")):
                 files += 1
                 faults += faults_of(path, room, public)
+                if room in FOLDERS:
+                    faults += upward_includes(path, room, base)
     # What makes test data must not share a line with what they test; only its tests may see both.
     for path in sorted((ROOT / "tests/truth").glob("*.?pp")):
         files += 1

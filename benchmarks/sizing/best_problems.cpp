@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "coilwright/sizing/search.hpp"
+#include "coilwright/sizing/search/search.hpp"
 #include "sizing/best_problems.hpp"
 #include "sizing/front_problems.hpp"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "coilwright/formats/study_file.hpp"
-#include "coilwright/sizing/design_problem.hpp"
-#include "coilwright/sizing/pareto.hpp"
-#include "coilwright/sizing/sweep.hpp"
+#include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/sizing/study/sweep.hpp"
 
 namespace {
 

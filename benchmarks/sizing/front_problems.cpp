@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "coilwright/sizing/pareto.hpp"
+#include "coilwright/sizing/search/pareto.hpp"
 #include "sizing/front_problems.hpp"
 
 namespace {

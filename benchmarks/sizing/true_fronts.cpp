@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "coilwright/sizing/archive.hpp"
+#include "coilwright/sizing/problem/archive.hpp"
 #include "sizing/front_problems.hpp"
 
 namespace {

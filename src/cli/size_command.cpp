@@ -12,7 +12,7 @@
 #include "coilwright/report/evaluation_table.hpp"
 #include "coilwright/report/output_folder.hpp"
 #include "coilwright/report/size_report.hpp"
-#include "coilwright/sizing/search.hpp"
+#include "coilwright/sizing/search/search.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "study_run.hpp"

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <thread>
 
-#include "coilwright/sizing/options.hpp"
-#include "coilwright/sizing/study.hpp"
+#include "coilwright/sizing/problem/options.hpp"
+#include "coilwright/sizing/study/study.hpp"
 #include "stop_signal.hpp"
 
 namespace coilwright::cli {

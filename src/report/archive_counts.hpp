@@ -4,8 +4,8 @@
 #include <string>
 
 #include "coilwright/report/json.hpp"
-#include "coilwright/sizing/archive.hpp"
-#include "coilwright/sizing/study.hpp"
+#include "coilwright/sizing/problem/archive.hpp"
+#include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::report {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/report/csv_writer.hpp"
-#include "coilwright/sizing/design_problem.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
 
 namespace coilwright::report {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/sizing/problem.hpp"
+#include "coilwright/sizing/problem/problem.hpp"
 
 namespace coilwright::sizing::testing {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "coilwright/sizing/archive.hpp"
+#include "coilwright/sizing/problem/archive.hpp"
 
 namespace coilwright::sizing::testing {
 namespace {

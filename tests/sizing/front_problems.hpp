@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/sizing/front.hpp"
-#include "coilwright/sizing/problem.hpp"
+#include "coilwright/sizing/problem/front.hpp"
+#include "coilwright/sizing/problem/problem.hpp"
 
 namespace coilwright::sizing::testing {
 

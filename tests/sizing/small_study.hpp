@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "coilwright/actuator/parameters.hpp"
-#include "coilwright/sizing/study.hpp"
+#include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::sizing::testing {
 

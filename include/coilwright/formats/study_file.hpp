@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "coilwright/simulation/quantity.hpp"
-#include "coilwright/sizing/study.hpp"
+#include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::formats {
 

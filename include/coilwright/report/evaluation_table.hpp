@@ -3,8 +3,8 @@
 #include <iosfwd>
 #include <span>
 
-#include "coilwright/sizing/archive.hpp"
-#include "coilwright/sizing/study.hpp"
+#include "coilwright/sizing/problem/archive.hpp"
+#include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::report {
 

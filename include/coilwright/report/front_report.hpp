@@ -3,8 +3,8 @@
 #include <string>
 
 #include "coilwright/report/json.hpp"
-#include "coilwright/sizing/pareto.hpp"
-#include "coilwright/sizing/study.hpp"
+#include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::report {
 

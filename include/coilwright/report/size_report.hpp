@@ -3,8 +3,8 @@
 #include <string>
 
 #include "coilwright/report/json.hpp"
-#include "coilwright/sizing/design_problem.hpp"
-#include "coilwright/sizing/search.hpp"
+#include "coilwright/sizing/search/search.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
 
 namespace coilwright::report {
 

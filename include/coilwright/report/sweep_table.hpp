@@ -8,7 +8,7 @@
 
 #include "coilwright/report/csv_writer.hpp"
 #include "coilwright/report/json.hpp"
-#include "coilwright/sizing/leaders.hpp"
+#include "coilwright/sizing/study/leaders.hpp"
 
 namespace coilwright::report {
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "coilwright/sizing/problem/archive.hpp"
+
+namespace coilwright::sizing {
+
+/// A fixed number of threads that work through indexed tasks.
+class Workers {
+ public:
+  /// 0: one per core.
+  explicit Workers(unsigned threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Calls `task(i)` for every i below `count`, in any order. Every call ends before this returns; of the exceptions
+  /// thrown the one of the lowest index is rethrown.
+  void run(std::size_t count, const std::function<void(std::size_t)>& task);
+
+  /// Evaluates designs into `archive` and returns their records in the given order. After a request to stop the designs
+  /// not begun yet are left out.
+  [[nodiscard]] std::vector<Record> evaluate(Archive& archive, const std::vector<std::vector<double>>& points,
+                                             const std::stop_token& stop);
+
+ private:
+  struct Arena;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace coilwright::sizing

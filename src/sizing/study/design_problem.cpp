@@ -1,0 +1,178 @@
+#include "coilwright/sizing/study/design_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "coilwright/winding/wire_gauge.hpp"
+#include "sizing/problem/design_space.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+std::optional<double> current_of(const Study& study, const actuator::Design& design) {
+  if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) return fixed->current;
+  const auto* share = std::get_if<ShareOfLimit>(&study.current);
+  if (share == nullptr) return std::nullopt;
+  return share->share * winding::gauge(design.coil.wire_gauge).chassis_ampacity;
+}
+
+double current_of(const Study& study, const actuator::Design& design, std::span<const double> point) {
+  for (std::size_t i = 0; i < study.variables.size(); ++i)
+    if (std::holds_alternative<CurrentVariable>(study.variables[i]))
+      return std::get<double>(value_at(study.variables[i], point[i]));
+  return current_of(study, design).value();
+}
+
+NotEvaluated not_buildable(const actuator::Misfits& misfits) {
+  double excess = 0.0;
+  for (const actuator::Misfit& misfit : misfits) excess += misfit.excess;
+  return {.reason = misfits.front().rule, .infeasibility = 1.0 + excess};
+}
+
+// `current` is asked for only once the design is known to have a wire that exists.
+template <class Current>
+DesignResult evaluate_buildable(actuator::Design design, const Current& current, double duty) {
+  std::variant<actuator::Assembly, actuator::Misfits> assembled = actuator::assemble(design);
+  if (const auto* misfits = std::get_if<actuator::Misfits>(&assembled)) return not_buildable(*misfits);
+  actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
+  const simulation::OperatingPoint operating{.current = current(design), .duty = duty};
+  std::variant<simulation::Performance, simulation::NoPerformance> performance =
+      simulation::performance_of(design, assembly, operating);
+  if (const auto* none = std::get_if<simulation::NoPerformance>(&performance))
+    return NotEvaluated{.reason = none->reason, .infeasibility = 1.0};
+  return EvaluatedDesign{.design = std::move(design),
+                         .assembly = std::move(assembly),
+                         .point = operating,
+                         .performance = std::get<simulation::Performance>(std::move(performance))};
+}
+
+// A design far outside all hardware may break a rule of the physics rooms that no Misfit names, or defeat an
+// interpolant: then it is that design that cannot be evaluated, and the search goes on.
+template <class Current>
+DesignResult evaluate_design(actuator::Design design, const Current& current, double duty) {
+  try {
+    return evaluate_buildable(std::move(design), current, duty);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return NotEvaluated{.reason = failure.what(), .infeasibility = 1.0};
+  }
+}
+
+// A quantity that a study asks for and this design does not have.
+NotEvaluated without(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
+  const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
+  std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
+  const simulation::Heat& heat = design.performance.heat;
+  if (heat.coil_temperature) return {.reason = std::move(reason), .infeasibility = 1.0};
+  const double rms = std::abs(design.point.current) * std::sqrt(design.point.duty);
+  return {.reason = std::move(reason), .infeasibility = rms / heat.runaway_current};
+}
+
+Evaluation failed(const NotEvaluated& why) {
+  return {.objectives = {}, .constraints = {}, .failure = why.reason, .infeasibility = why.infeasibility};
+}
+
+}  // namespace
+
+DesignProblem::DesignProblem(Study study) {
+  const bool varied = std::ranges::any_of(
+      study.variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
+  if (varied != std::holds_alternative<VariedCurrent>(study.current))
+    throw std::invalid_argument("current: must be fixed or a variable, one of the two");
+  for (const StudyObjective& objective : study.objectives) simulation::validate_quantity(objective.quantity);
+  for (const Limit& limit : study.limits) simulation::validate_quantity(limit.quantity);
+  std::vector<Variable> variables;
+  variables.reserve(study.variables.size());
+  for (const StudyVariable& variable : study.variables) variables.push_back(search_variable(variable));
+  state_ = std::make_shared<const State>(State{.study = std::move(study), .variables = std::move(variables)});
+}
+
+actuator::Design DesignProblem::design_at(std::span<const double> point) const {
+  actuator::Design design = study().base;
+  for (std::size_t i = 0; i < study().variables.size(); ++i) {
+    if (const auto* number = std::get_if<ParameterVariable>(&study().variables[i])) {
+      const double value = std::get<double>(value_at(study().variables[i], point[i]));
+      number->parameter->set(design, value / number->parameter->denominator);
+    } else if (const auto* layout = std::get_if<ConfigurationVariable>(&study().variables[i])) {
+      design.layout = actuator::layout_of(layout->values[static_cast<std::size_t>(std::lround(point[i]))]);
+    }
+  }
+  return design;
+}
+
+DesignResult DesignProblem::evaluate(std::span<const double> point) const {
+  return evaluate_design(
+      design_at(point), [&](const actuator::Design& design) { return current_of(study(), design, point); },
+      study().duty);
+}
+
+DesignResult DesignProblem::evaluate_base() const {
+  const auto current = [this](const actuator::Design& design) {
+    // Where the study varies the current, its actuator is seen at what its own wire carries.
+    return current_of(study(), design).value_or(winding::gauge(design.coil.wire_gauge).chassis_ampacity);
+  };
+  return evaluate_design(study().base, current, study().duty);
+}
+
+Evaluation DesignProblem::assess(const DesignResult& result) const {
+  if (const auto* why = std::get_if<NotEvaluated>(&result)) return failed(*why);
+  const simulation::DesignView design = std::get<EvaluatedDesign>(result).view();
+  Evaluation out;
+  for (const StudyObjective& objective : study().objectives) {
+    const std::optional<double> value = objective.quantity.value(design);
+    if (!value || !std::isfinite(*value)) return failed(without(objective.quantity, design));
+    out.objectives.push_back(*value);
+  }
+  for (const Limit& limit : study().limits) {
+    const std::optional<double> value = limit.quantity.value(design);
+    if (!value || !std::isfinite(*value)) return failed(without(limit.quantity, design));
+    out.constraints.push_back(-margin(limit, *value) / scale_of(limit));
+  }
+  return out;
+}
+
+Problem DesignProblem::problem() const {
+  Problem problem;
+  problem.variables = state_->variables;
+  for (const StudyObjective& objective : study().objectives)
+    problem.objectives.push_back({.name = objective.quantity.name, .sense = objective.sense});
+  for (const Limit& limit : study().limits) problem.constraints.push_back(name_of(limit));
+  problem.evaluate = [design_problem = *this](std::span<const double> point) {
+    return design_problem.assess(design_problem.evaluate(point));
+  };
+  return problem;
+}
+
+std::size_t DesignProblem::point_count() const {
+  std::size_t count = 1;
+  for (const StudyVariable& variable : study().variables) {
+    const std::optional<std::size_t> values = value_count(variable);
+    if (!values) throw std::invalid_argument(fmt::format("{} must have a step or a list of values", name_of(variable)));
+    if (*values > most_points / count)
+      throw std::invalid_argument(fmt::format("a grid must have at most {} designs", most_points));
+    count *= *values;
+  }
+  return count;
+}
+
+std::vector<double> DesignProblem::point(std::size_t index) const {
+  const std::vector<Variable>& variables = state_->variables;
+  std::vector<double> out(variables.size());
+  for (std::size_t i = variables.size(); i-- > 0;) {
+    const std::size_t values = value_count(study().variables[i]).value();
+    const auto k = static_cast<double>(index % values);
+    index /= values;
+    // The search's own rounding: a design found there and one found here are the same bits.
+    out[i] = nearest_legal(variables[i], variables[i].lower + k * grid_step(variables[i]));
+  }
+  return out;
+}
+
+}  // namespace coilwright::sizing

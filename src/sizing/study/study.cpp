@@ -1,0 +1,111 @@
+#include "coilwright/sizing/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "sizing/problem/design_space.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+struct NameOf {
+  std::string operator()(const ParameterVariable& variable) const { return std::string(variable.parameter->name); }
+  std::string operator()(const CurrentVariable&) const { return "current_A"; }
+  std::string operator()(const ConfigurationVariable&) const { return "configuration"; }
+};
+
+Variable numeric_variable(std::string name, const std::variant<Interval, Choice>& range, VariableKind kind) {
+  if (const Choice* choice = std::get_if<Choice>(&range))
+    return {.name = std::move(name),
+            .kind = VariableKind::integer,
+            .lower = 0.0,
+            .upper = static_cast<double>(choice->values.size()) - 1.0};
+  const Interval& interval = std::get<Interval>(range);
+  return {
+      .name = std::move(name), .kind = kind, .lower = interval.lower, .upper = interval.upper, .step = interval.step};
+}
+
+struct AsSearchVariable {
+  Variable operator()(const ParameterVariable& variable) const {
+    return numeric_variable(std::string(variable.parameter->name), variable.range,
+                            variable.parameter->whole ? VariableKind::integer : VariableKind::continuous);
+  }
+  Variable operator()(const CurrentVariable& variable) const {
+    return numeric_variable("current_A", variable.range, VariableKind::continuous);
+  }
+  Variable operator()(const ConfigurationVariable& variable) const {
+    return {.name = "configuration",
+            .kind = VariableKind::categorical,
+            .lower = 0.0,
+            .upper = static_cast<double>(variable.values.size()) - 1.0};
+  }
+};
+
+std::size_t index_of(double coordinate) {
+  return static_cast<std::size_t>(std::lround(coordinate));
+}
+
+// On a grid the decimal that is meant: 0.9, where 0.7 + 0.2 gives 0.8999999999999999. The sum is off by two units in
+// the last place, so by less than half of the fourteenth digit.
+double without_rounding(double value) {
+  constexpr int digits = 14;
+  std::array<char, 32> text{};
+  const auto written =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits - 1);
+  double rounded{};
+  std::from_chars(text.data(), written.ptr, rounded);
+  return rounded;
+}
+
+double number_at(const std::variant<Interval, Choice>& range, double coordinate) {
+  if (const Choice* choice = std::get_if<Choice>(&range)) return choice->values[index_of(coordinate)];
+  return std::get<Interval>(range).step > 0.0 ? without_rounding(coordinate) : coordinate;
+}
+
+struct ValueAt {
+  double coordinate;
+  VariableValue operator()(const ParameterVariable& variable) const { return number_at(variable.range, coordinate); }
+  VariableValue operator()(const CurrentVariable& variable) const { return number_at(variable.range, coordinate); }
+  VariableValue operator()(const ConfigurationVariable& variable) const {
+    return actuator::name_of(variable.values[index_of(coordinate)]);
+  }
+};
+
+}  // namespace
+
+std::string name_of(const StudyVariable& variable) {
+  return std::visit(NameOf{}, variable);
+}
+
+Variable search_variable(const StudyVariable& variable) {
+  return std::visit(AsSearchVariable{}, variable);
+}
+
+std::optional<std::size_t> value_count(const StudyVariable& variable) {
+  const Variable searched = search_variable(variable);
+  if (searched.lower == searched.upper) return 1;
+  if (grid_step(searched) == 0.0) return std::nullopt;
+  return static_cast<std::size_t>(last_grid_index(searched)) + 1;
+}
+
+VariableValue value_at(const StudyVariable& variable, double coordinate) {
+  return std::visit(ValueAt{coordinate}, variable);
+}
+
+std::string name_of(const Limit& limit) {
+  return fmt::format("{} {} {}", limit.quantity.name, limit.side == Limit::Side::at_most ? "<=" : ">=", limit.value);
+}
+
+double margin(const Limit& limit, double value) {
+  return limit.side == Limit::Side::at_most ? limit.value - value : value - limit.value;
+}
+
+double scale_of(const Limit& limit) {
+  return limit.value != 0.0 ? std::abs(limit.value) : limit.quantity.scale;
+}
+
+}  // namespace coilwright::sizing

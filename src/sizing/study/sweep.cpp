@@ -1,0 +1,49 @@
+#include "coilwright/sizing/study/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sizing/problem/workers.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+// Evaluated together, then handed over together: enough to keep every core busy (the last few of a chunk wait for each
+// other), and some 300 kB.
+constexpr std::size_t chunk = 512;
+
+SweptDesign evaluate(const DesignProblem& problem, std::size_t index) {
+  SweptDesign out{.index = index, .point = problem.point(index), .evaluation = {}, .quantities = {}};
+  const DesignResult result = problem.evaluate(out.point);
+  out.evaluation = problem.assess(result);
+  if (const auto* design = std::get_if<EvaluatedDesign>(&result)) {
+    const simulation::QuantityTable& quantities = problem.study().quantities;
+    out.quantities.reserve(quantities.size());
+    for (const simulation::ResultQuantity& quantity : quantities)
+      out.quantities.push_back(quantity.value(design->view()));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::size_t sweep(const DesignProblem& problem, const SweepOptions& options,
+                  const std::function<void(const SweptDesign&)>& take) {
+  const std::size_t count = problem.point_count();
+  Workers workers{options.threads};
+  std::vector<std::optional<SweptDesign>> designs;
+  for (std::size_t first = 0; first < count; first += chunk) {
+    designs.assign(std::min(chunk, count - first), std::nullopt);
+    workers.run(designs.size(), [&](std::size_t i) {
+      if (!options.stop.stop_requested()) designs[i] = evaluate(problem, first + i);
+    });
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      if (!designs[i]) return first + i;
+      take(*designs[i]);
+    }
+  }
+  return count;
+}
+
+}  // namespace coilwright::sizing

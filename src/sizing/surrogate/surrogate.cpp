@@ -1,0 +1,94 @@
+#include "sizing/surrogate/surrogate.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace coilwright::sizing {
+namespace {
+
+// Prior variance of the quadratic over that of the Matern term. Large: the quadratic explains what it can first.
+constexpr double quadratic_weight = 1000.0;
+// Matern length in units of the box's half diagonal.
+constexpr double relative_length = 1.0;
+// Relative to the largest diagonal entry: keeps Cholesky alive for nodes that nearly coincide (rounding is 1e-16, the
+// factor grows with the number of nodes), and bounds the interpolation error to about 1e-6 of the values' range.
+constexpr double nugget = 1e-11;
+
+struct Matern {
+  double value, slope_over_distance;
+};
+
+Matern matern(double squared_distance, double length) {
+  const double scaled = std::sqrt(5.0 * squared_distance) / length;
+  const double decay = std::exp(-scaled);
+  return {.value = (1 + scaled + scaled * scaled / 3) * decay,
+          .slope_over_distance = -5.0 / (3 * length * length) * (1 + scaled) * decay};
+}
+
+}  // namespace
+
+Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values)
+    : length_{relative_length * std::sqrt(static_cast<double>(nodes.cols()))} {
+  const Eigen::VectorXd low = nodes.colwise().minCoeff().transpose(), high = nodes.colwise().maxCoeff().transpose();
+  centre_ = 0.5 * (low + high);
+  half_width_ = 0.5 * (high - low);
+  // An axis the nodes do not vary in tells nothing about its scale: take the widest one's.
+  const double widest = half_width_.size() > 0 ? half_width_.maxCoeff() : 1.0;
+  half_width_ = half_width_.cwiseMax(widest > 0 ? 0.05 * widest : 1.0);
+  nodes_ = ((nodes.rowwise() - centre_.transpose()).array().rowwise() / half_width_.transpose().array())
+               .matrix()
+               .transpose();
+  mean_ = values.colwise().mean().transpose();
+  range_ = (values.colwise().maxCoeff() - values.colwise().minCoeff()).transpose();
+  range_ = (range_.array() > 0).select(range_, 1.0);
+
+  const Eigen::Index count = nodes_.cols();
+  Eigen::MatrixXd kernel(count, count);
+  const Eigen::MatrixXd gram = nodes_.transpose() * nodes_;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    for (Eigen::Index i = j; i < count; ++i) {
+      const double squared = std::max(0.0, gram(i, i) + gram(j, j) - 2 * gram(i, j));
+      const double quadratic = (1 + gram(i, j)) * (1 + gram(i, j));
+      kernel(i, j) = quadratic_weight * quadratic + matern(squared, length_).value;
+    }
+  }
+  kernel.diagonal().array() += nugget * kernel.diagonal().maxCoeff();
+  const Eigen::LLT<Eigen::MatrixXd> factor(kernel.selfadjointView<Eigen::Lower>());
+  const Eigen::MatrixXd scaled =
+      ((values.rowwise() - mean_.transpose()).array().rowwise() / range_.transpose().array()).matrix();
+  weights_ = factor.solve(scaled);
+}
+
+Eigen::VectorXd Surrogate::local(const Eigen::VectorXd& x) const {
+  return (x - centre_).cwiseQuotient(half_width_);
+}
+
+Eigen::VectorXd Surrogate::values(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd at = local(x);
+  Eigen::VectorXd kernel(nodes_.cols());
+  for (Eigen::Index i = 0; i < nodes_.cols(); ++i) {
+    const double product = 1 + nodes_.col(i).dot(at);
+    kernel[i] = quadratic_weight * product * product + matern((nodes_.col(i) - at).squaredNorm(), length_).value;
+  }
+  return mean_ + range_.cwiseProduct(weights_.transpose() * kernel);
+}
+
+Surrogate::Linearisation Surrogate::linearised(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd at = local(x);
+  const Eigen::Index count = nodes_.cols();
+  Eigen::VectorXd kernel(count), along_node(count), along_x(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double product = 1 + nodes_.col(i).dot(at);
+    const Matern term = matern((nodes_.col(i) - at).squaredNorm(), length_);
+    kernel[i] = quadratic_weight * product * product + term.value;
+    along_node[i] = 2 * quadratic_weight * product - term.slope_over_distance;
+    along_x[i] = term.slope_over_distance;
+  }
+  // d kernel_i / d at = along_node_i * node_i + along_x_i * at
+  Eigen::MatrixXd slope = weights_.transpose() * along_node.asDiagonal() * nodes_.transpose();
+  slope.noalias() += (weights_.transpose() * along_x) * at.transpose();
+  slope = range_.asDiagonal() * slope * half_width_.cwiseInverse().asDiagonal();
+  return {.values = mean_ + range_.cwiseProduct(weights_.transpose() * kernel), .jacobian = std::move(slope)};
+}
+
+}  // namespace coilwright::sizing

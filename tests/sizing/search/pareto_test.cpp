@@ -1,0 +1,187 @@
+#include "coilwright/sizing/search/pareto.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "sizing/expect_error.hpp"
+#include "sizing/front_problems.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+using testing::expect_error;
+using testing::FrontProblem;
+
+std::vector<FrontProblem> published() {
+  return testing::front_problems(COILWRIGHT_TEST_DATA "/sizing/front_problems.csv");
+}
+
+// The curve of ZDT1 is f2 = 1 - sqrt(f1): 0.1 * 1 + 2/3 over [0, 1] and 0.1 * 1.1 beyond.
+TEST(TrueFronts, OfZdt1IsWhatTheIntegralGives) {
+  for (const FrontProblem& problem : published()) {
+    // the file's staircase has a million steps
+    if (problem.name != "ZDT1") continue;
+    EXPECT_NEAR(problem.hypervolume, 0.1 + 2.0 / 3 + 0.11, 1e-6);
+  }
+}
+
+// Corners of the front of OSY from its five segments (Deb, Pratap, Meyarivan, EMO 2001, table 1), and of RE21 as
+// published with the suite.
+TEST(TrueFronts, HaveThePublishedCorners) {
+  for (const FrontProblem& problem : published()) {
+    if (problem.name == "OSY") {
+      EXPECT_NEAR(problem.frame.ideal[0], -274, 1e-9);
+      EXPECT_NEAR(problem.frame.nadir[0], -42, 1e-9);
+      EXPECT_NEAR(problem.frame.ideal[1], 4, 1e-9);
+      EXPECT_NEAR(problem.frame.nadir[1], 76, 1e-9);
+    }
+    if (problem.name == "RE21") {
+      EXPECT_NEAR(problem.frame.ideal[0], 1237.8414230005742, 1e-6);
+      EXPECT_NEAR(problem.frame.ideal[1], 0.002761423749158419, 1e-12);
+      EXPECT_NEAR(problem.frame.nadir[0], 2886.3695604236013, 1e-6);
+      EXPECT_NEAR(problem.frame.nadir[1], 0.04, 1e-12);
+    }
+  }
+}
+
+// A quarter of each published budget; benchmarks/sizing prints the whole table over ten seeds. The bound is the target
+// of the full budget less 0.01. ZDT1 has 30 variables and a simplex of starts alone is a tenth of the budget: 0.9
+// there.
+TEST(Pareto, ComesNearPublishedFrontsInAQuarterOfTheirBudget) {
+  for (const FrontProblem& problem : published()) {
+    const ParetoResult result = pareto(problem.problem, {.max_evaluations = problem.budget / 4, .seed = 3});
+    EXPECT_EQ(result.evaluations, problem.budget / 4) << problem.name;
+    EXPECT_GE(hypervolume_ratio(problem, minimised(problem.problem, result.front)),
+              problem.name == "ZDT1" ? 0.9 : problem.target - 0.01)
+        << problem.name;
+  }
+}
+
+TEST(Pareto, FindsTheFrontOfAGridInOnePerCentOfItsDesigns) {
+  const Problem problem = testing::winding_grid(testing::GridObjectives::two);
+  const auto all = testing::enumerate_feasible(problem);
+  const ParetoResult result = pareto(problem, {.max_evaluations = 3110, .seed = 2});
+  const FrontFrame frame = frame_of(all);
+  EXPECT_GE(normalised_hypervolume(minimised(problem, result.front), frame),
+            0.995 * normalised_hypervolume(all, frame));
+}
+
+TEST(Pareto, GivesTheSameArchiveOnAnyNumberOfThreads) {
+  for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::cobyla, Algorithm::slsqp}) {
+    const Problem problem = testing::winding_grid(testing::GridObjectives::three);
+    const ParetoOptions one{.algorithm = algorithm, .max_evaluations = 400, .seed = 7, .threads = 1};
+    ParetoOptions four = one;
+    four.threads = 4;
+    const ParetoResult alone = pareto(problem, one), together = pareto(problem, four);
+    EXPECT_EQ(alone.archive.records(), together.archive.records()) << name_of(algorithm);
+    EXPECT_EQ(alone.front, together.front) << name_of(algorithm);
+  }
+}
+
+TEST(Pareto, TakesAnyAlgorithmByName) {
+  const auto problems = published();
+  for (const Algorithm algorithm : algorithms()) {
+    const ParetoResult result =
+        pareto(problems[1].problem, {.algorithm = algorithm, .max_evaluations = 600, .seed = 1});
+    EXPECT_LE(result.evaluations, 600U);
+    // BNH is easy: random points alone give 0.9
+    EXPECT_GT(hypervolume_ratio(problems[1], minimised(problems[1].problem, result.front)), 0.9) << name_of(algorithm);
+  }
+}
+
+TEST(Pareto, EvaluatesNoDesignTwice) {
+  std::atomic<std::size_t> calls = 0;
+  Problem problem = testing::cre25();
+  problem.evaluate = [&calls, inner = problem.evaluate](std::span<const double> x) {
+    ++calls;
+    return inner(x);
+  };
+  const ParetoResult result = pareto(problem, {.max_evaluations = 700, .seed = 5});
+  EXPECT_EQ(result.evaluations, 700U);
+  EXPECT_EQ(calls, 700U);
+}
+
+TEST(Pareto, TriesEveryDesignOfASpaceSmallerThanItsBudget) {
+  Problem problem = testing::winding_grid(testing::GridObjectives::two);
+  for (Variable& variable : problem.variables) variable.upper = std::min(variable.upper, variable.lower + 2);
+  problem.variables[0].upper = 3;
+  problem.variables[5].step = 1;
+  const auto all = testing::enumerate_feasible(problem);
+  const ParetoResult result = pareto(problem, {.max_evaluations = 100'000, .seed = 5});
+  EXPECT_EQ(result.stop_reason, StopReason::space_exhausted);
+  EXPECT_EQ(result.front.size(), non_dominated(all).size());
+}
+
+TEST(Pareto, HandsOnWhatTheProblemThrows) {
+  Problem problem = testing::bnh();
+  problem.evaluate = [inner = problem.evaluate](std::span<const double> x) {
+    if (x[0] > 2.5 && x[1] > 1.5) throw std::runtime_error("the model broke");
+    return inner(x);
+  };
+  for (const unsigned threads : {1U, 4U}) {
+    for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::cobyla, Algorithm::isres}) {
+      expect_error<std::runtime_error>(
+          [&] {
+            (void)pareto(problem, {.algorithm = algorithm, .max_evaluations = 500, .seed = 1, .threads = threads});
+          },
+          "the model broke");
+    }
+  }
+}
+
+TEST(Pareto, ReturnsWhatItHasWhenInterrupted) {
+  std::stop_source source;
+  Problem problem = testing::srn();
+  std::atomic<int> calls = 0;
+  problem.evaluate = [&, inner = problem.evaluate](std::span<const double> x) {
+    if (++calls == 150) source.request_stop();
+    return inner(x);
+  };
+  const ParetoResult result = pareto(problem, {.max_evaluations = 5000, .seed = 1, .stop = source.get_token()});
+  EXPECT_EQ(result.stop_reason, StopReason::interrupted);
+  EXPECT_GE(result.evaluations, 150U);
+  EXPECT_LT(result.evaluations, 150U + 64U);  // at most what was running
+  EXPECT_FALSE(result.front.empty());
+}
+
+TEST(Pareto, SaysWhatIsViolatedWhenNothingIsFeasible) {
+  Problem problem = testing::srn();
+  problem.constraints.push_back("impossible");
+  problem.evaluate = [inner = problem.evaluate](std::span<const double> x) {
+    Evaluation evaluation = inner(x);
+    evaluation.constraints.push_back(0.3 + 0.01 * x[0] * x[0]);
+    return evaluation;
+  };
+  const ParetoResult result = pareto(problem, {.max_evaluations = 400, .seed = 1});
+  EXPECT_TRUE(result.front.empty());
+  ASSERT_TRUE(result.least_infeasible.has_value());
+  EXPECT_EQ(result.violated, std::vector<std::string>{"impossible"});
+  // the least violation is 0.3, at x1 = 0, where the other two can be met
+  EXPECT_NEAR(violation(result.least_infeasible->evaluation), 0.3, 1e-3);
+}
+
+TEST(Pareto, WorksWhenOnlyFailuresCome) {
+  Problem problem = testing::tnk();
+  problem.evaluate = [](std::span<const double> x) {
+    return Evaluation{.objectives = {}, .constraints = {}, .failure = "no fit", .infeasibility = x[0] + x[1]};
+  };
+  const ParetoResult result = pareto(problem, {.max_evaluations = 200, .seed = 1});
+  EXPECT_EQ(result.evaluations, 200U);
+  EXPECT_EQ(result.violated, std::vector<std::string>{"no fit"});
+}
+
+TEST(Pareto, RejectsProblemsAndBudgetsItCannotTake) {
+  Problem problem = testing::bnh();
+  expect_error<std::invalid_argument>([&] { (void)pareto(problem, {.max_evaluations = 0}); },
+                                      "max_evaluations: must be >= 1; got 0");
+  problem.objectives.pop_back();
+  expect_error<std::invalid_argument>([&] { (void)pareto(problem, {}); },
+                                      "objectives: must be two or three for a front; got 1");
+}
+
+}  // namespace
+}  // namespace coilwright::sizing

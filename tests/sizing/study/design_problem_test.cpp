@@ -1,0 +1,184 @@
+#include "coilwright/sizing/study/design_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "sizing/expect_error.hpp"
+#include "sizing/small_study.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+using testing::expect_error;
+using testing::small_study;
+
+TEST(DesignProblem, SetsEveryVariableOnACopyOfItsBase) {
+  Study study = small_study();
+  study.base.body.bottom_layer = 2.9e-3;
+  const DesignProblem problem(study);
+  const actuator::Design design = problem.design_at(std::vector{1.0, 0.7 + 0.2, 14.0, 2.0});
+  EXPECT_EQ(design.layout.size(), 2u);
+  EXPECT_EQ(design.body.gap, 0.9e-3);
+  EXPECT_EQ(design.coil.turns_radial, 14);
+  EXPECT_EQ(design.coil.wire_gauge, 30);
+  EXPECT_EQ(design.body.bottom_layer, 2.9e-3);
+}
+
+TEST(DesignProblem, TakesTheCurrentFromTheGaugeOfThePoint) {
+  const DesignProblem problem(small_study());
+  const auto thin = std::get<EvaluatedDesign>(problem.evaluate(std::vector{0.0, 0.9, 13.0, 2.0}));
+  const auto thick = std::get<EvaluatedDesign>(problem.evaluate(std::vector{0.0, 0.9, 13.0, 0.0}));
+  EXPECT_DOUBLE_EQ(thin.point.current, 0.9 * 0.86);  // chassis ampacity of AWG 30 and 27, A
+  EXPECT_DOUBLE_EQ(thick.point.current, 0.9 * 1.7);
+  EXPECT_EQ(thin.point.duty, 0.4);
+}
+
+TEST(DesignProblem, TellsTheSearchObjectivesAndScaledMargins) {
+  const DesignProblem problem(small_study());
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const auto design = std::get<EvaluatedDesign>(problem.evaluate(point));
+  const Evaluation seen = problem.problem().evaluate(point);
+  EXPECT_EQ(seen.failure, "");
+  ASSERT_EQ(seen.objectives.size(), 2u);
+  EXPECT_EQ(seen.objectives[1], design.performance.mass * 1e3);
+  // A difference of numbers near 1, each rounded: 4 eps of 1.
+  EXPECT_NEAR(seen.constraints[0], design.performance.mass * 1e3 / 66.0 - 1.0, 9e-16);
+  EXPECT_NO_THROW(check(problem.problem()));
+}
+
+// Neither an objective nor a limit need stand in any table.
+TEST(DesignProblem, TakesAnObjectiveOfAUsersOwn) {
+  Study study = small_study();
+  study.objectives = {{.quantity = {.name = "grasp_force_per_mass_N_kg",
+                                    .meaning = "grasp force divided by the mass of the actuator",
+                                    .scale = 15.0,
+                                    .value =
+                                        [](const simulation::DesignView& d) {
+                                          return d.performance.motion.grasp_force / d.performance.mass;
+                                        }},
+                       .sense = Sense::maximise}};
+  const DesignProblem problem(study);
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const auto design = std::get<EvaluatedDesign>(problem.evaluate(point));
+  EXPECT_EQ(problem.problem().objectives[0].name, "grasp_force_per_mass_N_kg");
+  EXPECT_EQ(problem.problem().evaluate(point).objectives,
+            (std::vector{design.performance.motion.grasp_force / design.performance.mass}));
+}
+
+TEST(DesignProblem, NeedNotOutliveTheProblemItGives) {
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const Evaluation seen = DesignProblem(small_study()).problem().evaluate(point);
+  const Problem problem = DesignProblem(small_study()).problem();
+  EXPECT_EQ(problem.evaluate(point), seen);
+}
+
+TEST(DesignProblem, RefusesAnObjectiveWithoutAValue) {
+  Study study = small_study();
+  study.objectives[1].quantity.value = nullptr;
+  expect_error<std::invalid_argument>([&] { DesignProblem{study}; },
+                                      "quantity \"mass_g\": the function that gives the value must not be empty");
+}
+
+TEST(DesignProblem, SaysWhyADesignCannotBeBuilt) {
+  Study study = small_study();
+  study.variables = {ParameterVariable{.parameter = actuator::find_parameter("coil_inner_radius_mm"),
+                                       .range = Choice{.values = {0.3, 0.45, 3.0}}}};
+  const DesignProblem problem(study);
+  const Evaluation far = problem.problem().evaluate(std::vector{0.0});
+  const Evaluation near = problem.problem().evaluate(std::vector{1.0});
+  EXPECT_EQ(far.failure, "coil inner radius must be at least 0.5334 mm for AWG 28; got 0.3 mm");
+  EXPECT_GT(far.infeasibility, near.infeasibility);
+  EXPECT_GT(near.infeasibility, 0.0);
+  EXPECT_EQ(problem.problem().evaluate(std::vector{2.0}).failure, "");
+}
+
+TEST(DesignProblem, SaysWhichQuantityADesignLacks) {
+  Study study = small_study();
+  study.variables = {CurrentVariable{.range = Choice{.values = {0.0, 0.9, 4.0, 5.0}}}};
+  study.current = VariedCurrent{};
+  study.duty = 1.0;
+  study.objectives = {{.quantity = testing::quantity("rise_time_s"), .sense = Sense::minimise}};
+  study.limits = {{.quantity = testing::quantity("coil_temperature_degC"), .value = 120.0}};
+  const DesignProblem problem(study);
+  const Problem searched = problem.problem();
+  EXPECT_EQ(searched.evaluate(std::vector{0.0}).failure,
+            "rise_time_s has no value: the current does not change the bending angle");
+  EXPECT_EQ(searched.evaluate(std::vector{1.0}).failure, "");
+  const Evaluation runaway = searched.evaluate(std::vector{2.0});
+  EXPECT_EQ(runaway.failure,
+            "coil_temperature_degC has no value: the current is at or beyond that of a thermal runaway");
+  // Further beyond is less feasible.
+  EXPECT_GT(searched.evaluate(std::vector{3.0}).infeasibility, runaway.infeasibility);
+}
+
+TEST(DesignProblem, MakesAFailedDesignOfOneFarOutsideAllHardware) {
+  Study study = small_study();
+  study.variables = {
+      ParameterVariable{.parameter = actuator::find_parameter("gap_mm"), .range = Choice{.values = {0.9, 1e6}}},
+      ParameterVariable{.parameter = actuator::find_parameter("remanence_T"), .range = Choice{.values = {1.4, 1e6}}}};
+  const DesignProblem problem(study);
+  for (const auto& point : {std::vector{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
+    const Evaluation refused = problem.problem().evaluate(point);
+    EXPECT_NE(refused.failure, "");
+    EXPECT_GT(refused.infeasibility, 0.0);
+  }
+}
+
+TEST(DesignProblem, EvaluatesTheActuatorItStartsFrom) {
+  Study study = small_study();
+  const auto base = std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base());
+  EXPECT_DOUBLE_EQ(base.point.current, 0.9 * 1.4);
+  study.current = FixedCurrent{.current = -0.7};
+  EXPECT_EQ(std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base()).point.current, -0.7);
+  study.variables.emplace_back(CurrentVariable{.range = Interval{.lower = 0.2, .upper = 0.8}});
+  study.current = VariedCurrent{};
+  // At the ampacity of its own AWG 28.
+  EXPECT_EQ(std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base()).point.current, 1.4);
+}
+
+TEST(DesignProblem, RefusesAStudyWithTwoCurrentsOrNone) {
+  Study study = small_study();
+  study.current = VariedCurrent{};
+  expect_error<std::invalid_argument>([&] { DesignProblem{study}; },
+                                      "current: must be fixed or a variable, one of the two");
+  study = small_study();
+  study.variables.emplace_back(CurrentVariable{.range = Interval{.lower = 0.2, .upper = 0.8}});
+  expect_error<std::invalid_argument>([&] { DesignProblem{study}; },
+                                      "current: must be fixed or a variable, one of the two");
+}
+
+TEST(DesignProblem, NumbersThePointsOfItsGridLastVariableFastest) {
+  const DesignProblem problem(small_study());
+  ASSERT_EQ(problem.point_count(), 2u * 3u * 2u * 3u);
+  std::set<std::vector<double>> seen;
+  for (std::size_t i = 0; i < problem.point_count(); ++i) {
+    const std::vector<double> point = problem.point(i);
+    if (!seen.empty()) {
+      EXPECT_GT(point, *seen.rbegin()) << i;  // ascending, as an archive sorts
+    }
+    seen.insert(point);
+  }
+  EXPECT_EQ(problem.point(0), (std::vector{0.0, 0.7, 13.0, 0.0}));
+  EXPECT_EQ(problem.point(1), (std::vector{0.0, 0.7, 13.0, 1.0}));
+  EXPECT_EQ(problem.point(3), (std::vector{0.0, 0.7, 14.0, 0.0}));
+  EXPECT_EQ(problem.point(35)[0], 1.0);
+}
+
+TEST(DesignProblem, RefusesToNumberPointsWithoutEndOrBeyondCounting) {
+  Study study = small_study();
+  study.variables[1] =
+      ParameterVariable{.parameter = actuator::find_parameter("gap_mm"), .range = Interval{.lower = 0.7, .upper = 1.2}};
+  expect_error<std::invalid_argument>([&] { (void)DesignProblem(study).point_count(); },
+                                      "gap_mm must have a step or a list of values");
+  study.variables.clear();
+  for (const char* name : {"gap_mm", "side_wall_mm", "top_wall_mm"})
+    study.variables.emplace_back(ParameterVariable{.parameter = actuator::find_parameter(name),
+                                                   .range = Interval{.lower = 1, .upper = 2, .step = 2e-6}});
+  expect_error<std::invalid_argument>([&] { (void)DesignProblem(study).point_count(); },
+                                      "a grid must have at most 1000000000000 designs");
+}
+
+}  // namespace
+}  // namespace coilwright::sizing

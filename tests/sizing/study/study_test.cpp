@@ -1,0 +1,53 @@
+#include "coilwright/sizing/study/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sizing/small_study.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+ParameterVariable gap(double lower, double upper, double step) {
+  return {.parameter = actuator::find_parameter("gap_mm"),
+          .range = Interval{.lower = lower, .upper = upper, .step = step}};
+}
+
+TEST(StudyVariable, CountsItsValues) {
+  EXPECT_EQ(value_count(gap(0.7, 1.3, 0.2)), 4u);  // 1.3 is there, although 0.6 / 0.2 is below 3
+  EXPECT_EQ(value_count(gap(0.7, 1.2, 0.2)), 3u);  // the grid ends at 1.1
+  EXPECT_EQ(value_count(gap(0.7, 0.7, 0.0)), 1u);
+  EXPECT_EQ(value_count(gap(0.7, 1.3, 0.0)), std::nullopt);
+  EXPECT_EQ(value_count(CurrentVariable{.range = Choice{.values = {0.2, 0.9}}}), 2u);
+  const auto study = testing::small_study();
+  EXPECT_EQ(value_count(study.variables[2]), 2u);  // whole numbers need no step
+}
+
+TEST(StudyVariable, GivesTheDecimalsOfItsGrid) {
+  const ParameterVariable variable = gap(0.7, 1.3, 0.2);
+  EXPECT_EQ(std::get<double>(value_at(variable, 0.7 + 0.2)), 0.9);
+  EXPECT_EQ(std::get<double>(value_at(variable, 0.7 + 3 * 0.2)), 1.3);
+  // Without a grid there is no decimal to mean.
+  EXPECT_EQ(std::get<double>(value_at(gap(0.7, 1.3, 0.0), 0.7 + 0.2)), 0.7 + 0.2);
+}
+
+TEST(StudyVariable, GivesValuesOfListsByTheirIndex) {
+  const auto study = testing::small_study();
+  EXPECT_EQ(std::get<std::string_view>(value_at(study.variables[0], 1.0)), "A");
+  EXPECT_EQ(std::get<double>(value_at(study.variables[3], 2.0)), 30.0);
+  EXPECT_EQ(search_variable(study.variables[3]).upper, 2.0);
+  EXPECT_EQ(search_variable(study.variables[0]).kind, VariableKind::categorical);
+}
+
+TEST(Limit, MeasuresHowFarInsideAValueIs) {
+  const Limit most{.quantity = testing::quantity("mass_g"), .side = Limit::Side::at_most, .value = 70.0};
+  const Limit least{.quantity = testing::quantity("rest_angle_deg"), .side = Limit::Side::at_least, .value = 0.0};
+  EXPECT_EQ(margin(most, 64.5), 5.5);
+  EXPECT_EQ(margin(most, 71.5), -1.5);
+  EXPECT_EQ(margin(least, -2.5), -2.5);
+  EXPECT_EQ(scale_of(most), 70.0);
+  EXPECT_EQ(scale_of(least), testing::quantity("rest_angle_deg").scale);
+  EXPECT_EQ(name_of(least), "rest_angle_deg >= 0");
+}
+
+}  // namespace
+}  // namespace coilwright::sizing

@@ -51,17 +51,20 @@ void evaluate(const actuator::Model& model, const Options& options) {
 
 void add_evaluate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("evaluate", "What an actuator does at one current");
+  CLI::App* command = app.add_subcommand("evaluate", "Compute what an actuator does at one current");
   add_actuator_options(*command, options->actuator);
-  command->add_option("--current", options->current, "Current in every coil, A; positive bends")
+  command->add_option("--current", options->current, "Current in every coil, A; a positive current bends the actuator")
       ->required()
       ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
-  command->add_option("--duty", options->duty, "Fraction of the time that the current is on, for temperatures; 1")
+  command
+      ->add_option("--duty", options->duty,
+                   "Fraction of the time for which the current is on, 0 to 1; affects only heat (default 1)")
       ->check(number_rule(formats::Rule::between(0.0, 1.0)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
-      "Motion is that of a step from rest; temperatures are those of holding the current at that duty for ever.\n\n"
-      "Example:\n"
+      "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"
+      "steady-state values for this current and duty.\n\n"
+      "Examples:\n"
       "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --json\n"
       "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --set gap_mm=1.2 --set turns_axial=26");
   command->callback([options] {

@@ -50,14 +50,14 @@ ExitCode run_pareto(const StudyOptions& options) {
 
 void add_pareto_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("pareto", "The trade-offs of a study with two or three objectives");
+  CLI::App* command = app.add_subcommand("pareto", "Find the best trade-offs of a study with two or three objectives");
   add_study_options(*command, *options);
   add_search_options(*command, *options);
   command->footer(
-      "Writes front.csv (a row a design that no other beats: variables, objectives, the margin of every limit),\n"
-      "evaluations.csv (every design that was evaluated) and result.json. With nothing feasible the least infeasible\n"
-      "design is in result.json and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then\n"
-      "130.\n\n"
+      "Writes front.csv (one row for each design that no other design beats: variables, objectives, the margin of\n"
+      "every limit), evaluations.csv (every design that was evaluated) and result.json. If no design keeps all\n"
+      "limits, the least infeasible design is in result.json and the exit code is 3. Ctrl-C writes what was found\n"
+      "so far; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
   command->callback([options, &outcome] { outcome.code = run_pareto(*options); });

@@ -96,13 +96,15 @@ ExitCode run_size(const StudyOptions& options) {
 
 void add_size_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("size", "The best design of a study with one objective");
+  CLI::App* command =
+      app.add_subcommand("size", "Find the best design of a study with one objective, and what limits it");
   add_study_options(*command, *options);
   add_search_options(*command, *options);
   command->footer(
-      "Writes result.json (all that is printed, and more), actuator.json (the design, for evaluate and simulate) and\n"
-      "evaluations.csv (every design that was evaluated). With nothing feasible the least infeasible design is\n"
-      "written and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then 130.\n\n"
+      "Writes result.json (everything that is printed, and more), actuator.json (the design, which every other\n"
+      "command reads) and evaluations.csv (every design that was evaluated). If no design keeps all limits, the\n"
+      "least infeasible design is written and the exit code is 3. Ctrl-C writes what was found so far; the exit\n"
+      "code is then 130.\n\n"
       "Example:\n"
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
   command->callback([options, &outcome] { outcome.code = run_size(*options); });

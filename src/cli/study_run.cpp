@@ -27,20 +27,23 @@ std::string algorithm_complaint(const std::string& name) {
 }  // namespace
 
 void add_study_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("STUDY.json", options.study, "A study (study/1)")->required();
-  command.add_option("--out", options.out, "Folder to write results to; made if it is not there")->required();
-  add_threads_option(command, options.threads, "Designs evaluated at once");
+  command.add_option("STUDY.json", options.study, "File of a study (study/1)")->required();
+  command.add_option("--out", options.out, "Folder for the results; it is created if it does not exist")->required();
+  add_threads_option(command, options.threads, "Number of designs evaluated at the same time");
   command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
   command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
 
 void add_search_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("--seed", options.seed, "Of everything random, instead of the study's")
+  command.add_option("--seed", options.seed, "Random seed; overrides the study's")
       ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
-  command.add_option("--max-evaluations", options.max_evaluations, "Designs evaluated at most, instead of the study's")
+  command
+      .add_option("--max-evaluations", options.max_evaluations,
+                  "Largest number of designs that the search evaluates; overrides the study's")
       ->check(number_rule(formats::Rule::between(1, 1e9)));
   command
-      .add_option("--algorithm", options.algorithm, "How to search, instead of the study's; automatic is the default")
+      .add_option("--algorithm", options.algorithm,
+                  "Search algorithm, automatic or one of NLopt's; overrides the study's (default automatic)")
       ->check(CLI::Validator(algorithm_complaint, ""));
 }
 

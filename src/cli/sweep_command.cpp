@@ -69,13 +69,14 @@ ExitCode run_sweep(const StudyOptions& options) {
 
 void add_sweep_command(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("sweep", "Every design of a study whose variables are lists or grids");
+  CLI::App* command =
+      app.add_subcommand("sweep", "Evaluate every design of a study whose variables are lists or grids");
   add_study_options(*command, *options);
   command->footer(
-      "Writes designs.csv (a row a design: variables, every quantity, the margin of every limit) and best.csv (the\n"
-      "best of each configuration in each objective). Every variable needs a list of values, a step or whole numbers;\n"
-      "what is not a variable keeps the value of the study's actuator. With nothing feasible the exit code is 3.\n"
-      "Ctrl-C writes what was evaluated so far; the exit code is then 130.\n\n"
+      "Writes designs.csv (one row for each design: variables, every quantity, the margin of every limit) and\n"
+      "best.csv (the best design of each configuration in each objective). Every variable needs a list of values,\n"
+      "a step or whole numbers; what is not a variable keeps the value of the study's actuator. If no design\n"
+      "keeps all limits, the exit code is 3. Ctrl-C writes what was evaluated so far; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright sweep configs/studies/configurations.json --out results/configurations");
   command->callback([options, &outcome] { outcome.code = run_sweep(*options); });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/calibrate.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/step_response.hpp"
@@ -84,7 +85,8 @@ BENCHMARK(straightforward_twentieth)->Unit(benchmark::kMillisecond);
 // simulate() over 2 s of a sine, 500 samples a second, with effects of the catalogue by their ids.
 void simulated_sine(benchmark::State& state, const std::vector<std::pair<const char*, std::vector<double>>>& effects) {
   actuator::ModelSpec spec = actuator::assemble_or_throw(finger(magnetics::Fidelity::line_of_centres)).model.spec();
-  for (const auto& effect : effects) spec.effects.push_back({actuator::find_effect(effect.first), effect.second});
+  for (const auto& effect : effects)
+    spec.effects.push_back({actuator::standard_effects().find(effect.first), effect.second});
   const actuator::Model model(spec);
   const InputSignal input =
       sine_input(model, {.amplitude = 0.7, .offset = 0.7, .frequency = 2.0, .duration = 2.0, .interval = 2e-3});

@@ -8,12 +8,14 @@
 #include <string>
 #include <utility>
 
+#include "coilwright/actuator/effect_catalogue.hpp"
+
 namespace coilwright::actuator {
 namespace {
 
-// Past the end for a kind that the catalogue does not have.
-std::ptrdiff_t place_in_catalogue(const EffectKind* kind) {
-  const std::span<const EffectKind* const> all = effect_catalogue();
+// Past the end for a kind that is not among the standard effects.
+std::ptrdiff_t place_among_standard_effects(const EffectKind* kind) {
+  const std::span<const EffectKind* const> all = standard_effects().kinds();
   return std::ranges::find(all, kind) - all.begin();
 }
 
@@ -22,7 +24,7 @@ std::ptrdiff_t place_in_catalogue(const EffectKind* kind) {
 std::vector<Effect> effect_row(const ModelSpec& spec) {
   for (std::size_t i = 0; i < spec.effects.size(); ++i) {
     const Effect& effect = spec.effects[i];
-    check(effect);
+    validate_effect(effect);
     const EffectKind& kind = *effect.kind;
     for (std::size_t k = 0; k < i; ++k)
       if (spec.effects[k].kind->id() == kind.id())
@@ -31,8 +33,9 @@ std::vector<Effect> effect_row(const ModelSpec& spec) {
       throw std::invalid_argument(fmt::format("effect {}: {}", kind.id(), *reason));
   }
   std::vector<Effect> row = spec.effects;
-  std::ranges::stable_sort(
-      row, {}, [](const Effect& effect) { return std::pair(effect.kind->stage(), place_in_catalogue(effect.kind)); });
+  std::ranges::stable_sort(row, {}, [](const Effect& effect) {
+    return std::pair(effect.kind->stage(), place_among_standard_effects(effect.kind));
+  });
   return row;
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 enum class Format { design, lumped_model };
 
-ActuatorFile read_actuator_file(const Document& document) {
-  ActuatorContent read = read_actuator_content(document);
+ActuatorFile read_actuator_file(const Document& document, const actuator::EffectCatalogue& effects) {
+  ActuatorContent read = read_actuator_content(document, effects);
   if (auto* design = std::get_if<actuator::Design>(&read.content))
     return {.name = std::move(read.name), .content = std::move(*design)};
   try {
@@ -25,23 +25,23 @@ ActuatorFile read_actuator_file(const Document& document) {
 
 }  // namespace
 
-ActuatorContent read_actuator_content(const Document& document) {
-  return read_object(document.root(), [](ObjectReader& in) {
+ActuatorContent read_actuator_content(const Document& document, const actuator::EffectCatalogue& known) {
+  return read_object(document.root(), [&known](ObjectReader& in) {
     const auto format =
         in.choice<Format>("format", {{"actuator/1", Format::design}, {"lumped-model/1", Format::lumped_model}});
     std::string name = in.text_or("name", "");
     (void)in.text_or("description", "");
-    if (format == Format::design) return ActuatorContent{.name = std::move(name), .content = read_design(in)};
-    return ActuatorContent{.name = std::move(name), .content = read_lumped_model(in)};
+    if (format == Format::design) return ActuatorContent{.name = std::move(name), .content = read_design(in, known)};
+    return ActuatorContent{.name = std::move(name), .content = read_lumped_model(in, known)};
   });
 }
 
-ActuatorFile read_actuator(const std::filesystem::path& path) {
-  return read_actuator_file(read_json(path));
+ActuatorFile read_actuator(const std::filesystem::path& path, const actuator::EffectCatalogue& effects) {
+  return read_actuator_file(read_json(path), effects);
 }
 
-ActuatorFile parse_actuator(std::string_view text, std::string file) {
-  return read_actuator_file(parse_json(text, std::move(file)));
+ActuatorFile parse_actuator(std::string_view text, std::string file, const actuator::EffectCatalogue& effects) {
+  return read_actuator_file(parse_json(text, std::move(file)), effects);
 }
 
 }  // namespace coilwright::formats

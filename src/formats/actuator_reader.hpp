@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/formats/json_document.hpp"
 #include "lumped_model_reader.hpp"
 
@@ -15,6 +16,7 @@ struct ActuatorContent {
   std::variant<actuator::Design, LumpedModel> content;
 };
 
-[[nodiscard]] ActuatorContent read_actuator_content(const Document& document);
+/// Its effects are of `known`.
+[[nodiscard]] ActuatorContent read_actuator_content(const Document& document, const actuator::EffectCatalogue& known);
 
 }  // namespace coilwright::formats

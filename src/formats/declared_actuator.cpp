@@ -29,12 +29,13 @@ std::vector<std::string> held_numbers(const std::vector<actuator::Effect>& effec
   return out;
 }
 
-DeclaredActuator declared_by(Document document, const Calibrate& calibrate) {
-  ActuatorContent read = read_actuator_content(document);
+DeclaredActuator declared_by(Document document, const Calibrate& calibrate, const actuator::EffectCatalogue& effects) {
+  ActuatorContent read = read_actuator_content(document, effects);
   CalibrateNames names(calibrate, document.root().file());
   std::vector<std::string> held = held_numbers(effects_of(read.content), calibrate.names);
   DeclaredActuator out = std::visit(
-      [&](auto& content) { return declare(std::move(document), std::move(content), std::move(names)); }, read.content);
+      [&](auto& content) { return declare(std::move(document), std::move(content), std::move(names), effects); },
+      read.content);
   out.name = std::move(read.name);
   out.model.held_effects = std::move(held);
   return out;
@@ -42,12 +43,14 @@ DeclaredActuator declared_by(Document document, const Calibrate& calibrate) {
 
 }  // namespace
 
-DeclaredActuator read_declared_actuator(const std::filesystem::path& actuator, const Calibrate& calibrate) {
-  return declared_by(read_json(actuator), calibrate);
+DeclaredActuator read_declared_actuator(const std::filesystem::path& actuator, const Calibrate& calibrate,
+                                        const actuator::EffectCatalogue& effects) {
+  return declared_by(read_json(actuator), calibrate, effects);
 }
 
-DeclaredActuator parse_declared_actuator(std::string_view text, std::string file, const Calibrate& calibrate) {
-  return declared_by(parse_json(text, std::move(file)), calibrate);
+DeclaredActuator parse_declared_actuator(std::string_view text, std::string file, const Calibrate& calibrate,
+                                         const actuator::EffectCatalogue& effects) {
+  return declared_by(parse_json(text, std::move(file)), calibrate, effects);
 }
 
 }  // namespace coilwright::formats

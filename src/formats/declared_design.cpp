@@ -127,8 +127,9 @@ mechanics::PlanarChain hanging_as(const mechanics::PlanarChain& chain, const act
 // What build() and updated() share.
 class DeclaredDesign {
  public:
-  DeclaredDesign(Document document, Design design, const actuator::Assembly& assembly, CalibrateNames names)
-      : document_(std::move(document)), design_(std::move(design)) {
+  DeclaredDesign(Document document, Design design, const actuator::Assembly& assembly, CalibrateNames names,
+                 actuator::EffectCatalogue known)
+      : document_(std::move(document)), design_(std::move(design)), known_effects_(std::move(known)) {
     Finder finder(document_, design_, assembly.model.spec(), names);
     for (std::size_t i = 0; i < names.size(); ++i) movables_.push_back(finder.find(i));
     std::vector<double> dear;
@@ -204,7 +205,7 @@ class DeclaredDesign {
   Design read_with(const std::map<std::string, double>& numbers) const {
     const Document changed = document_.with_numbers(numbers);
     try {
-      return std::get<Design>(read_actuator_content(changed).content);
+      return std::get<Design>(read_actuator_content(changed, known_effects_).content);
     } catch (const InputError& mistake) {
       throw std::invalid_argument(mistake.what());
     }
@@ -219,6 +220,7 @@ class DeclaredDesign {
 
   Document document_;
   Design design_;
+  actuator::EffectCatalogue known_effects_;
   std::vector<Movable> movables_;
   RecentResults<Design> calibrated_;
   RecentResults<ModelSpec> assembled_;
@@ -226,12 +228,13 @@ class DeclaredDesign {
 
 }  // namespace
 
-DeclaredActuator declare(Document document, Design design, CalibrateNames names) {
+DeclaredActuator declare(Document document, Design design, CalibrateNames names,
+                         const actuator::EffectCatalogue& known) {
   const std::string file = document.root().file();
   try {
     const actuator::Assembly assembly = actuator::assemble_or_throw(design);
     thermal::Network heat = actuator::heat_network(design, assembly);
-    const auto model = std::make_shared<DeclaredDesign>(std::move(document), design, assembly, std::move(names));
+    const auto model = std::make_shared<DeclaredDesign>(std::move(document), design, assembly, std::move(names), known);
     return {.name = {},
             .model = {.calibration = model->parameters(),
                       .build = [model](std::span<const double> values) { return model->spec_at(values); },

@@ -278,7 +278,8 @@ class DeclaredLumpedModel {
 
 }  // namespace
 
-DeclaredActuator declare(Document document, LumpedModel lumped, CalibrateNames names) {
+DeclaredActuator declare(Document document, LumpedModel lumped, CalibrateNames names,
+                         const actuator::EffectCatalogue& /*known*/) {
   const auto model = std::make_shared<DeclaredLumpedModel>(std::move(document), std::move(lumped), std::move(names));
   return {.name = {},
           .model = {.calibration = model->parameters(),

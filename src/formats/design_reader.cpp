@@ -125,7 +125,7 @@ actuator::Configuration read_configuration(const Node& node) {
       {{"A", Configuration::A}, {"B", Configuration::B}, {"C", Configuration::C}, {"D", Configuration::D}});
 }
 
-Design read_design(ObjectReader& in) {
+Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
   Design design;
   design.layout = read_layout(in);
   for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
@@ -136,7 +136,7 @@ Design read_design(ObjectReader& in) {
   if (measured && in.find("calibration"))
     throw in.node().error_without_value(R"(gives "measured" and "calibration"; only one of them may be there)");
   read_section(in, "calibration", design);
-  design.effects = read_effects(in);
+  design.effects = read_effects(in, known);
   if (measured) {
     try {
       design.calibration = actuator::calibrate(design, read_measured(*measured));

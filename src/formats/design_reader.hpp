@@ -1,13 +1,14 @@
 #pragma once
 
 #include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/parameters.hpp"
 #include "coilwright/formats/object_reader.hpp"
 
 namespace coilwright::formats {
 
-/// The keys of `actuator/1` but format and name.
-[[nodiscard]] actuator::Design read_design(ObjectReader& in);
+/// The keys of `actuator/1` but format and name; its effects are of `known`.
+[[nodiscard]] actuator::Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known);
 
 /// One of "A" to "D".
 [[nodiscard]] actuator::Configuration read_configuration(const Node& node);

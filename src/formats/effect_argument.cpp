@@ -14,13 +14,14 @@ namespace coilwright::formats {
 namespace {
 
 using actuator::Effect;
+using actuator::EffectCatalogue;
 using actuator::EffectKind;
 using actuator::EffectParameter;
 
-const EffectKind& kind_of(std::string_view argument, std::string_view id) {
-  if (const EffectKind* kind = actuator::find_effect(id)) return *kind;
+const EffectKind& kind_of(std::string_view argument, std::string_view id, const EffectCatalogue& known) {
+  if (const EffectKind* kind = known.find(id)) return *kind;
   std::vector<std::string> ids;
-  for (const EffectKind* known : actuator::effect_catalogue()) ids.emplace_back(known->id());
+  for (const EffectKind* kind : known.kinds()) ids.emplace_back(kind->id());
   throw argument_error(argument, in_quotes(id) + " is not an effect" + did_you_mean(id, ids));
 }
 
@@ -59,13 +60,13 @@ std::vector<double> values_of(std::string_view argument, const EffectKind& kind,
 
 }  // namespace
 
-Effect parse_effect(std::string_view argument) {
+Effect parse_effect(std::string_view argument, const EffectCatalogue& known) {
   const std::size_t colon = argument.find(':');
-  const EffectKind& kind = kind_of(argument, argument.substr(0, colon));
+  const EffectKind& kind = kind_of(argument, argument.substr(0, colon), known);
   const std::string_view list = colon == std::string_view::npos ? std::string_view() : argument.substr(colon + 1);
   Effect effect{.kind = &kind, .values = values_of(argument, kind, list)};
   try {
-    actuator::check(effect);
+    actuator::validate_effect(effect);
   } catch (const std::invalid_argument& mistake) {
     throw argument_error(argument, mistake.what());
   }

@@ -13,17 +13,18 @@ namespace coilwright::formats {
 namespace {
 
 using actuator::Effect;
+using actuator::EffectCatalogue;
 using actuator::EffectKind;
 using actuator::EffectParameter;
 
 // Where the catalogue sets no bound. Far: a rig of 100 kg has drags and stops of 1e9 in the units of a finger.
 constexpr double largest_number = 1e12;
 
-const EffectKind& read_kind(const Node& node) {
-  if (const EffectKind* kind = actuator::find_effect(node.text())) return *kind;
-  std::vector<std::string> known;
-  for (const EffectKind* kind : actuator::effect_catalogue()) known.emplace_back(kind->id());
-  throw node.error("must be the id of an effect" + did_you_mean(node.text(), known));
+const EffectKind& read_kind(const Node& node, const EffectCatalogue& known) {
+  if (const EffectKind* kind = known.find(node.text())) return *kind;
+  std::vector<std::string> ids;
+  for (const EffectKind* kind : known.kinds()) ids.emplace_back(kind->id());
+  throw node.error("must be the id of an effect" + did_you_mean(node.text(), ids));
 }
 
 double read_choice(const Node& node, const EffectParameter& parameter) {
@@ -50,16 +51,16 @@ std::vector<double> read_values(ObjectReader& in, const EffectKind& kind) {
   return values;
 }
 
-Effect read_effect(const Node& node, const std::vector<Effect>& before) {
+Effect read_effect(const Node& node, const EffectCatalogue& known, const std::vector<Effect>& before) {
   return read_object(node, [&](ObjectReader& in) {
     const Node id = in.at("id");
-    const EffectKind& kind = read_kind(id);
+    const EffectKind& kind = read_kind(id, known);
     if (std::ranges::count(before, &kind, &Effect::kind) > 0) throw id.error("must not be there twice");
     Effect effect{.kind = &kind, .values = {}};
     const auto parameters = kind.parameters().empty() ? in.find("parameters") : in.at("parameters");
     if (parameters)
       effect.values = read_object(*parameters, [&](ObjectReader& numbers) { return read_values(numbers, kind); });
-    actuator::check(effect);
+    actuator::validate_effect(effect);
     return effect;
   });
 }
@@ -72,11 +73,11 @@ Rule rule_of(const EffectParameter& parameter) {
   return Rule::between(std::max(lower, -largest_number), std::min(upper, largest_number));
 }
 
-std::vector<Effect> read_effects(ObjectReader& in) {
+std::vector<Effect> read_effects(ObjectReader& in, const EffectCatalogue& known) {
   std::vector<Effect> effects;
   if (const auto list = in.find("effects"))
-    for (const Node& node : list->elements(Length::from_to(0, actuator::effect_catalogue().size())))
-      effects.push_back(read_effect(node, effects));
+    for (const Node& node : list->elements(Length::from_to(0, known.kinds().size())))
+      effects.push_back(read_effect(node, known, effects));
   return effects;
 }
 

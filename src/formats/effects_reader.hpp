@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/formats/object_reader.hpp"
 
 namespace coilwright::formats {
@@ -11,7 +11,8 @@ namespace coilwright::formats {
 [[nodiscard]] Rule rule_of(const actuator::EffectParameter& parameter);
 
 /// The key "effects" of an actuator file, `[{"id": "dry_friction", "parameters": {"torque_Nmm": 0.61}}]`: effects that
-/// the model has beside its stages. Empty where the key is absent.
-[[nodiscard]] std::vector<actuator::Effect> read_effects(ObjectReader& in);
+/// the model has beside its stages. Empty where the key is absent. An
+/// effect is one of `known`.
+[[nodiscard]] std::vector<actuator::Effect> read_effects(ObjectReader& in, const actuator::EffectCatalogue& known);
 
 }  // namespace coilwright::formats

@@ -138,7 +138,7 @@ void place_coils(LumpedModel& lumped) {
       exact ? actuator::DistantPair::Orientation::dipoles : actuator::DistantPair::Orientation::ignored);
 }
 
-LumpedModel read_lumped_model(ObjectReader& in) {
+LumpedModel read_lumped_model(ObjectReader& in, const actuator::EffectCatalogue& known) {
   LumpedModel lumped{.gravity = in.quantity_or(gravity_key, usual_gravity, non_negative)};
   for (const Node& node : in.elements("links", Length::from_to(1, mechanics::max_joints)))
     lumped.links.push_back(read_link(node));
@@ -146,7 +146,7 @@ LumpedModel read_lumped_model(ObjectReader& in) {
   for (const Node& node : in.elements("joints", Length::exactly(joints))) lumped.hinges.push_back(read_joint(node));
   if (const auto magnetics = in.find_not_null("magnetics")) lumped.pairs = read_lumped_magnetics(*magnetics, joints);
   place_coils(lumped);
-  lumped.effects = read_effects(in);
+  lumped.effects = read_effects(in, known);
   if (lumped.effects.empty()) return lumped;
   const actuator::ModelSpec spec = spec_of(lumped);
   for (std::size_t i = 0; i < lumped.effects.size(); ++i)

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/model_spec.hpp"
 #include "coilwright/formats/object_reader.hpp"
 
@@ -53,7 +54,7 @@ inline constexpr std::array contact_numbers = {
 };
 
 /// The keys of `lumped-model/1` but format and name.
-[[nodiscard]] LumpedModel read_lumped_model(ObjectReader& in);
+[[nodiscard]] LumpedModel read_lumped_model(ObjectReader& in, const actuator::EffectCatalogue& known);
 
 /// The entries of "magnetics": one per joint, null for a joint without a coil.
 [[nodiscard]] std::vector<actuator::HingePair> read_lumped_magnetics(const Node& node, std::size_t joints);

@@ -173,8 +173,8 @@ SearchOptions read_search(const Node& node) {
   });
 }
 
-actuator::Design read_base(const Node& node) {
-  ActuatorFile file = read_actuator(node.path());
+actuator::Design read_base(const Node& node, const actuator::EffectCatalogue& effects) {
+  ActuatorFile file = read_actuator(node.path(), effects);
   if (!std::holds_alternative<actuator::Design>(file.content))
     throw node.error("must be a design (actuator/1): a lumped model has no geometry to vary");
   return std::get<actuator::Design>(std::move(file.content));
@@ -206,8 +206,9 @@ Operation read_operating_point(const Node& node, const Study& study) {
   });
 }
 
-Study read_study_file(const Document& document, const QuantityTable& quantities) {
-  return read_object(document.root(), [&quantities](ObjectReader& in) {
+Study read_study_file(const Document& document, const QuantityTable& quantities,
+                      const actuator::EffectCatalogue& effects) {
+  return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
     study.quantities = quantities;
@@ -224,19 +225,21 @@ Study read_study_file(const Document& document, const QuantityTable& quantities)
     study.objectives = read_objectives(in.at("objectives"), quantities);
     if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, quantities);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = read_base(in.at("actuator"));
+    study.base = read_base(in.at("actuator"), effects);
     return study;
   });
 }
 
 }  // namespace
 
-sizing::Study read_study(const std::filesystem::path& path, const QuantityTable& quantities) {
-  return read_study_file(read_json(path), quantities);
+sizing::Study read_study(const std::filesystem::path& path, const QuantityTable& quantities,
+                         const actuator::EffectCatalogue& effects) {
+  return read_study_file(read_json(path), quantities, effects);
 }
 
-sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities) {
-  return read_study_file(parse_json(text, std::move(file)), quantities);
+sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities,
+                          const actuator::EffectCatalogue& effects) {
+  return read_study_file(parse_json(text, std::move(file)), quantities, effects);
 }
 
 }  // namespace coilwright::formats

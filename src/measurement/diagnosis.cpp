@@ -156,8 +156,11 @@ Diagnosis diagnose_here(const data::Dataset& data, const replay::DeclaredModel& 
     out.noise.insert(out.noise.end(), record.noise.begin(), record.noise.end());
   watch.lap("noise");
 
-  compare::Attribution found = compare::attribute(
-      {.records = records, .declared = &declared, .seed = options.seed, .progress = options.progress});
+  compare::Attribution found = compare::attribute({.records = records,
+                                                   .declared = &declared,
+                                                   .seed = options.seed,
+                                                   .progress = options.progress,
+                                                   .effects = options.effects});
   watch.lap("comparison");
 
   const Standing standing = what_stands(records, found);

@@ -92,7 +92,7 @@ std::string effects_text(const Diagnosis& diagnosis) {
   if (diagnosis.effects.empty()) return {};
   std::string text = "\nWhat it lacks\n";
   for (const AddedEffect& each : diagnosis.effects) {
-    text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->missing());
+    text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->description());
     text += parameters_text(each);
     const compare::Evidence& evidence = each.evidence;
     text += fmt::format("    chi^2 on the fit runs {} -> {}", number(evidence.chi_square_before),

@@ -7,6 +7,7 @@
 #include "actuator/paper_finger.hpp"
 #include "actuator/sample_effects.hpp"
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {
@@ -121,7 +122,7 @@ TEST(ModelEffects, HoldsWhatIsSlow) {
 TEST(ModelEffects, SayWhyADesignCannotHaveThem) {
   Design design = paper_finger();
   design.layout = layout_of(Configuration::A);
-  design.effects = {{find_effect("coil_coil_force"), {}}};
+  design.effects = {{standard_effects().find("coil_coil_force"), {}}};
   const std::variant<Assembly, Misfits> result = assemble(design);
   const auto* misfits = std::get_if<Misfits>(&result);
   ASSERT_NE(misfits, nullptr);

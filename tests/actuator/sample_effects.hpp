@@ -22,7 +22,7 @@ class Kind : public EffectKind {
 
   [[nodiscard]] std::string_view id() const override { return id_; }
   [[nodiscard]] Stage stage() const override { return stage_; }
-  [[nodiscard]] std::string_view missing() const override { return "a sample"; }
+  [[nodiscard]] std::string_view description() const override { return "a sample"; }
   [[nodiscard]] std::string_view equation() const override { return ""; }
   [[nodiscard]] std::string_view source() const override { return ""; }
   [[nodiscard]] std::span<const EffectParameter> parameters() const override { return parameters_; }

@@ -16,7 +16,7 @@ class NamedKind final : public coilwright::actuator::EffectKind {
   explicit NamedKind(std::string id) : id_(std::move(id)) {}
   [[nodiscard]] std::string_view id() const override { return id_; }
   [[nodiscard]] coilwright::actuator::Stage stage() const override { return {}; }
-  [[nodiscard]] std::string_view missing() const override { return {}; }
+  [[nodiscard]] std::string_view description() const override { return {}; }
   [[nodiscard]] std::string_view equation() const override { return {}; }
   [[nodiscard]] std::string_view source() const override { return {}; }
   [[nodiscard]] std::span<const coilwright::actuator::EffectParameter> parameters() const override { return {}; }

@@ -122,7 +122,7 @@ TEST(ActuatorFile, CarriesEffectsWithTheirNumbersInSi) {
       R"([{"id": "end_stop", "parameters": {"side": -1, "angle_deg": -12, "stiffness_Nmm_rad": 430}},
           {"id": "viscoelastic_creep", "parameters": {"stiffness_ratio": 0.21, "time_constant_s": 0.7}}])"));
   ASSERT_EQ(design.effects.size(), 2u);
-  EXPECT_EQ(design.effects[0].kind, actuator::find_effect("end_stop"));
+  EXPECT_EQ(design.effects[0].kind, actuator::standard_effects().find("end_stop"));
   ASSERT_EQ(design.effects[0].values.size(), 3u);
   EXPECT_DOUBLE_EQ(design.effects[0].values[0], -12.0 * degree);
   EXPECT_DOUBLE_EQ(design.effects[0].values[1], 0.43);
@@ -189,7 +189,7 @@ TEST(LumpedModel, CarriesEffectsThatItCanHave) {
                      "a.json");
   const auto& spec = std::get<actuator::Model>(file.content).spec();
   ASSERT_EQ(spec.effects.size(), 1u);
-  EXPECT_EQ(spec.effects[0].kind, actuator::find_effect("added_mass"));
+  EXPECT_EQ(spec.effects[0].kind, actuator::standard_effects().find("added_mass"));
   EXPECT_EQ(spec.effects[0].values, std::vector{3.5e-3});
   EXPECT_EQ(refusal(R"({"format": "lumped-model/1",
                         "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0.01, "mass_kg": 0.5,

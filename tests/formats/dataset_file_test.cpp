@@ -233,9 +233,9 @@ TEST(EffectsOfTheDocument, AreThoseOfTheCatalogue) {
   while (std::getline(file, line) && !line.starts_with("| id | parameters |")) continue;
   while (std::getline(file, line) && line.starts_with("|"))
     if (line.starts_with("| `")) rows.push_back(line);
-  ASSERT_EQ(rows.size(), actuator::effect_catalogue().size());
+  ASSERT_EQ(rows.size(), actuator::standard_effects().kinds().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const actuator::EffectKind& kind = *actuator::effect_catalogue()[i];
+    const actuator::EffectKind& kind = *actuator::standard_effects().kinds()[i];
     EXPECT_THAT(rows[i], HasSubstr(std::string("| `").append(kind.id()).append("` |")));
     for (const actuator::EffectParameter& parameter : kind.parameters())
       EXPECT_THAT(rows[i], HasSubstr(std::string("`").append(parameter.key).append("`")));

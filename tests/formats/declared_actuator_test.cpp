@@ -268,8 +268,8 @@ TEST(DeclaredDesign, BuildsWhatItsUpdatedFileAssembles) {
 
 TEST(DeclaredDesign, TakesEffectsBesideThoseOfItsFile) {
   const DeclaredActuator actuator = declared(design, {"joint_stiffness"});
-  const actuator::Effect friction{.kind = actuator::find_effect("dry_friction"), .values = {1.1e-3}};
-  const actuator::Effect tilt{.kind = actuator::find_effect("base_tilt"), .values = {0.03}};
+  const actuator::Effect friction{.kind = actuator::standard_effects().find("dry_friction"), .values = {1.1e-3}};
+  const actuator::Effect tilt{.kind = actuator::standard_effects().find("base_tilt"), .values = {0.03}};
   const auto effects = design_of(actuator, {12e-3}, {tilt, friction}).effects;
   ASSERT_EQ(effects.size(), 2u);
   EXPECT_EQ(effects[0].kind, friction.kind);

@@ -13,7 +13,7 @@ std::string refusal(const std::string& argument) {
 
 TEST(EffectArgument, GivesParametersInSiInTheOrderOfTheEffect) {
   const actuator::Effect friction = parse_effect("dry_friction:torque_Nmm=0.6");
-  EXPECT_EQ(friction.kind, actuator::find_effect("dry_friction"));
+  EXPECT_EQ(friction.kind, actuator::standard_effects().find("dry_friction"));
   ASSERT_EQ(friction.values.size(), 1u);
   EXPECT_DOUBLE_EQ(friction.values[0], 0.6e-3);
   const actuator::Effect creep = parse_effect("viscoelastic_creep:time_constant_s=0.5,stiffness_ratio=0.2");

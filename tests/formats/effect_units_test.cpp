@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/formats/units.hpp"
 
 namespace coilwright::formats {
@@ -8,7 +8,7 @@ namespace {
 
 // An effect's parameter says how its key's unit is left; the list of units says so too.
 TEST(EffectUnits, AreThoseOfTheirKeys) {
-  for (const actuator::EffectKind* kind : actuator::effect_catalogue()) {
+  for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
     for (const actuator::EffectParameter& parameter : kind->parameters()) {
       const auto split = split_unit(parameter.key);
       const double si = split ? to_si(2.3, split->unit) : 2.3;
@@ -18,7 +18,7 @@ TEST(EffectUnits, AreThoseOfTheirKeys) {
 }
 
 TEST(EffectUnits, AreMissingFromPureNumbersOnly) {
-  for (const actuator::EffectKind* kind : actuator::effect_catalogue()) {
+  for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
     for (const actuator::EffectParameter& parameter : kind->parameters()) {
       const std::string_view key = parameter.key;
       const bool pure =

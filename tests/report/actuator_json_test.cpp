@@ -85,7 +85,7 @@ TEST(ActuatorJson, ReadsBackAsTheSameEffectsWhateverTheirNumbers) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int round = 0; round < 200; ++round) {
     Design design;
-    for (const actuator::EffectKind* kind : actuator::effect_catalogue()) {
+    for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
       actuator::Effect effect{.kind = kind, .values = {}};
       for (const actuator::EffectParameter& parameter : kind->parameters()) {
         const double lower = std::max(parameter.lower, -3.0), upper = std::min(parameter.upper, 3.0);
@@ -121,7 +121,7 @@ TEST(ActuatorJson, ReadsAnUpdatedLumpedModelBackAsTheModelThatWasBuilt) {
                                           "/effects/0/parameters/torque_Nmm"};
   const auto declared = formats::parse_declared_actuator(file, "a.json", {.names = names, .file = "dataset.json"});
   const std::vector<double> values = {0.1234567890123456, 0.1 + 0.2, 16.9 / 1e3, 0.77 / 1e3};
-  const actuator::Effect tilt{.kind = actuator::find_effect("quadratic_drag"), .values = {1.7 / 1e3}};
+  const actuator::Effect tilt{.kind = actuator::standard_effects().find("quadratic_drag"), .values = {1.7 / 1e3}};
 
   const std::string text = to_json(declared.updated(values, {tilt}), "unused").text();
   EXPECT_NE(text.find("\"name\": \"arm\""), std::string::npos) << text;

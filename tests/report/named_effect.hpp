@@ -13,11 +13,11 @@ namespace coilwright::report {
 /// An effect that has a name, perhaps numbers, and nothing else: enough for a report.
 class NamedEffect final : public actuator::EffectKind {
  public:
-  NamedEffect(std::string id, std::string missing, std::vector<actuator::EffectParameter> parameters = {})
-      : id_(std::move(id)), missing_(std::move(missing)), parameters_(std::move(parameters)) {}
+  NamedEffect(std::string id, std::string description, std::vector<actuator::EffectParameter> parameters = {})
+      : id_(std::move(id)), description_(std::move(description)), parameters_(std::move(parameters)) {}
   [[nodiscard]] std::string_view id() const override { return id_; }
   [[nodiscard]] actuator::Stage stage() const override { return actuator::Stage::hinge; }
-  [[nodiscard]] std::string_view missing() const override { return missing_; }
+  [[nodiscard]] std::string_view description() const override { return description_; }
   [[nodiscard]] std::string_view equation() const override { return ""; }
   [[nodiscard]] std::string_view source() const override { return ""; }
   [[nodiscard]] std::span<const actuator::EffectParameter> parameters() const override { return parameters_; }
@@ -29,7 +29,7 @@ class NamedEffect final : public actuator::EffectKind {
 
  private:
   std::string id_;
-  std::string missing_;
+  std::string description_;
   std::vector<actuator::EffectParameter> parameters_;
 };
 

@@ -81,7 +81,7 @@ constexpr double visible = 2e-4;
 TEST(EffectCatalogue, ShowsInTheMotionFromSomeStart) {
   const Model nominal = finger_with({});
   const RigScale scale = scale_of_exercise();
-  for (const EffectKind* kind : actuator::effect_catalogue()) {
+  for (const EffectKind* kind : actuator::standard_effects().kinds()) {
     double largest = 0.0;
     for (const std::vector<double>& start : kind->starts(scale)) {
       const Model model = finger_with({{.kind = kind, .values = start}});
@@ -95,7 +95,7 @@ TEST(EffectCatalogue, ShowsInTheMotionFromSomeStart) {
 // stop's damping goes with the square root of its stiffness.
 TEST(EffectCatalogue, FadesOutTowardsAbsent) {
   const Model nominal = finger_with({});
-  for (const EffectKind* kind : actuator::effect_catalogue()) {
+  for (const EffectKind* kind : actuator::standard_effects().kinds()) {
     const std::vector<double> start = kind->starts(scale_of_exercise()).front();
     const double whole = difference(finger_with({{.kind = kind, .values = start}}), nominal);
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(EffectCatalogue, FadesOutTowardsAbsent) {
 }
 
 TEST(EffectCatalogue, StaysInItsEquilibrium) {
-  for (const EffectKind* kind : actuator::effect_catalogue()) {
+  for (const EffectKind* kind : actuator::standard_effects().kinds()) {
     for (const std::vector<double>& start : kind->starts(scale_of_exercise())) {
       const Model model = finger_with({{.kind = kind, .values = start}});
       const JointVector rest = rest_of(model, 0.9);
@@ -126,7 +126,7 @@ TEST(EffectCatalogue, StaysInItsEquilibrium) {
 // Every effect at once: they share the row of states without treading on each other.
 TEST(EffectCatalogue, RunsAllAtOnce) {
   std::vector<Effect> all;
-  for (const EffectKind* kind : actuator::effect_catalogue())
+  for (const EffectKind* kind : actuator::standard_effects().kinds())
     all.push_back({.kind = kind, .values = kind->starts(scale_of_exercise()).front()});
   std::reverse(all.begin(), all.end());
   const Model model = finger_with(all);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "actuator/sample_effects.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/simulation/modes.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/step_response.hpp"
@@ -218,7 +219,7 @@ TEST(PerformanceEffects, AreThereForEveryEffectOfTheCatalogue) {
                                  .lower_angle = 0.1};
   const actuator::ModelSpec nominal = actuator::assemble_or_throw(design).model.spec();
   int there = 0;
-  for (const actuator::EffectKind* kind : actuator::effect_catalogue()) {
+  for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
     if (kind->inapplicable(nominal)) continue;
     ++there;
     for (const std::vector<double>& values : kind->starts(scale)) {

@@ -98,7 +98,9 @@ class EffectTerm {
   [[nodiscard]] virtual double delay() const { return 0.0; }
 };
 
-/// Something a model may lack: its name, its numbers, and how to build it in.
+/// A physical effect that a model may lack: its name, its numbers, and how to build it in. Immutable, and in use from
+/// many threads at once. Effect, EffectCatalogue, Model and Diagnosis refer to it by its address: keep each kind in
+/// static storage, or at least longer than all of them.
 class EffectKind {
  public:
   EffectKind() = default;
@@ -109,8 +111,8 @@ class EffectKind {
   /// As measured-data/1 calls it: "dry_friction".
   [[nodiscard]] virtual std::string_view id() const = 0;
   [[nodiscard]] virtual Stage stage() const = 0;
-  /// What a model without it lacks, one line for people.
-  [[nodiscard]] virtual std::string_view missing() const = 0;
+  /// What physically happens, one line for people: "a warm coil resists more, so its current fades".
+  [[nodiscard]] virtual std::string_view description() const = 0;
   /// Its equation, one line of plain text.
   [[nodiscard]] virtual std::string_view equation() const = 0;
   /// Where the equation is from.
@@ -133,19 +135,12 @@ class EffectKind {
 
 /// An effect with its numbers.
 struct Effect {
-  const EffectKind* kind{};
+  const EffectKind* kind{};    ///< not owned: lives longer than every effect, model and result that refers to it
   std::vector<double> values;  ///< SI, one per parameter
 };
 
-/// Every effect known, in the order of the stages (and of the drive's row): the one list that the reader, the writer,
-/// the diagnosis and the documentation share.
-[[nodiscard]] std::span<const EffectKind* const> effect_catalogue();
-
-/// The effect of that id; nullptr if there is none.
-[[nodiscard]] const EffectKind* find_effect(std::string_view id);
-
 /// Throws std::invalid_argument naming effect, parameter, rule and value when the number of values is wrong, or one is
 /// not finite, outside its bounds or not among its choices.
-void check(const Effect& effect);
+void validate_effect(const Effect& effect);
 
 }  // namespace coilwright::actuator

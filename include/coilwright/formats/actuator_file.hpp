@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/model.hpp"
 
 namespace coilwright::formats {
@@ -17,10 +18,13 @@ struct ActuatorFile {
 };
 
 /// Reads an actuator: a design (`"format": "actuator/1"`) or a lumped model (`"format": "lumped-model/1"`). Keys, units
-/// and defaults are in docs/formats.md. Measured values become calibration factors here. Throws InputError.
-[[nodiscard]] ActuatorFile read_actuator(const std::filesystem::path& path);
+/// and defaults are in docs/formats.md. Measured values become calibration factors here. Its effects are of
+/// `effects`, whose kinds the result refers to. Throws InputError.
+[[nodiscard]] ActuatorFile read_actuator(const std::filesystem::path& path,
+                                         const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
 /// The same for a text in memory; `file` is the name its errors carry.
-[[nodiscard]] ActuatorFile parse_actuator(std::string_view text, std::string file);
+[[nodiscard]] ActuatorFile parse_actuator(std::string_view text, std::string file,
+                                          const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
 }  // namespace coilwright::formats

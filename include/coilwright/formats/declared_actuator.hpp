@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/formats/json_document.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 
@@ -48,12 +48,14 @@ struct Calibrate {
 /// Reads the declared model of a data set and finds the numbers that may be calibrated in it. A number that the file
 /// leaves out and that has a default can be named too. Throws InputError: of the actuator file where that is at fault;
 /// of the data set, at the name, where it leads nowhere, to no number or to one that no fit can move (a whole number, a
-/// choice), and where two names mean the same.
-[[nodiscard]] DeclaredActuator read_declared_actuator(const std::filesystem::path& actuator,
-                                                      const Calibrate& calibrate);
+/// choice), and where two names mean the same. Its effects are of `effects`, whose kinds the result refers to.
+[[nodiscard]] DeclaredActuator read_declared_actuator(
+    const std::filesystem::path& actuator, const Calibrate& calibrate,
+    const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
 /// The same for a text in memory; `file` is the name its errors carry.
-[[nodiscard]] DeclaredActuator parse_declared_actuator(std::string_view text, std::string file,
-                                                       const Calibrate& calibrate);
+[[nodiscard]] DeclaredActuator parse_declared_actuator(
+    std::string_view text, std::string file, const Calibrate& calibrate,
+    const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
 }  // namespace coilwright::formats

@@ -2,13 +2,15 @@
 
 #include <string_view>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 
 namespace coilwright::formats {
 
 /// An effect as an argument gives it: its id, then its parameters in the unit of their keys,
 /// "dry_friction:torque_Nmm=0.6" or "viscoelastic_creep:stiffness_ratio=0.2,time_constant_s=0.5"; the id alone for an
-/// effect without parameters. Throws InputError whose file is the argument: `dry_friction:torque_Nmm=-1: must be >= 0`.
-[[nodiscard]] actuator::Effect parse_effect(std::string_view argument);
+/// effect without parameters. The id is of one of `known`. Throws InputError whose file is the argument:
+/// `dry_friction:torque_Nmm=-1: must be >= 0`.
+[[nodiscard]] actuator::Effect parse_effect(std::string_view argument,
+                                            const actuator::EffectCatalogue& known = actuator::standard_effects());
 
 }  // namespace coilwright::formats

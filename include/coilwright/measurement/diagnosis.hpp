@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/measurement/compare/estimate.hpp"
 #include "coilwright/measurement/compare/evidence.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
@@ -68,6 +68,8 @@ struct DiagnosisOptions {
   int threads = 0;         ///< 0: as many as the machine has; the answer is the same for any number
   std::uint64_t seed = 1;  ///< of the starts that are drawn beside those that effects propose
   std::function<void(const std::string&)> progress{};  ///< called with one line, from one thread at a time
+  /// Effects that the declared model may lack; the diagnosis refers to their kinds.
+  actuator::EffectCatalogue effects = actuator::standard_effects();
 };
 
 /// Finds what `declared` lacks to explain the fit runs of `data`, and reads the validate runs once, at the end, for the

@@ -16,7 +16,7 @@ class AddedMass final : public DescribedEffect {
   AddedMass()
       : DescribedEffect({.id = "added_mass",
                          .stage = Stage::chain,
-                         .missing = "a payload at the tip segment that the model does not have",
+                         .description = "a payload at the tip segment that the model does not have",
                          .equation = "m_tip -> m_tip + dm, at the segment's centre of mass",
                          .source = "point mass at a link's centre of mass; definition",
                          .parameters = {{.key = "mass_g",

@@ -20,7 +20,7 @@ class AngleOffset final : public DescribedEffect {
   AngleOffset()
       : DescribedEffect({.id = "angle_offset",
                          .stage = Stage::camera,
-                         .missing = "the sensor's zero is off",
+                         .description = "the sensor's zero is off",
                          .equation = "y = theta + theta_b, every angle shown",
                          .source = "definition",
                          .parameters = {{.key = "angle_deg",

@@ -20,7 +20,7 @@ class AngleScale final : public DescribedEffect {
       : DescribedEffect(
             {.id = "angle_scale",
              .stage = Stage::camera,
-             .missing = "the sensor's scale is off: lens, encoder counts",
+             .description = "the sensor's scale is off: lens, encoder counts",
              .equation = "y = s theta, every angle shown",
              .source = "definition",
              .parameters = {

@@ -59,7 +59,7 @@ class BackEmf final : public DescribedEffect {
   BackEmf()
       : DescribedEffect({.id = "back_emf",
                          .stage = Stage::magnetics,
-                         .missing = "motion drives currents of its own through closed coils or metal nearby",
+                         .description = "motion drives currents of its own through closed coils or metal nearby",
                          .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
                          .source = "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
                                    "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",

@@ -10,7 +10,7 @@ class BaseTilt final : public DescribedEffect {
   BaseTilt()
       : DescribedEffect({.id = "base_tilt",
                          .stage = Stage::chain,
-                         .missing = "the mounting is not level",
+                         .description = "the mounting is not level",
                          .equation = "V(theta_1, ...) -> V(theta_1 + phi, ...): gravity turned by phi",
                          .source = "definition; mechanics::PlanarChain",
                          .parameters = {{.key = "angle_deg",

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "coilwright/actuator/coil_row.hpp"
+#include "coilwright/actuator/described_effect.hpp"
 #include "coilwright/actuator/model_spec.hpp"
-#include "described_effect.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {
@@ -13,7 +13,7 @@ class CoilCoilForce final : public DescribedEffect {
   CoilCoilForce()
       : DescribedEffect({.id = "coil_coil_force",
                          .stage = Stage::magnetics,
-                         .missing = "the coils pull at each other",
+                         .description = "the coils pull at each other",
                          .equation = "q += i_a i_b (force of two coils at unit currents); no parameter",
                          .source = "sums of loops, or uniform windings: docs/theory/magnetics.md"}) {}
 

@@ -57,7 +57,7 @@ class CoilHeating final : public DescribedEffect {
       : DescribedEffect(
             {.id = "coil_heating",
              .stage = Stage::drive,
-             .missing = "a warm coil resists more, so its current fades under a given voltage",
+             .description = "a warm coil resists more, so its current fades under a given voltage",
              .equation = "i -> i/(1 + x), x' = (a i^2/(1 + x) - x)/T, x = alpha dT: power u^2/R falls as R rises",
              .source = "copper's linear resistivity (IEC 60028) and one heat capacity: C dT' = u i - dT/R_th",
              .parameters = {{.key = "fade_1_A2",

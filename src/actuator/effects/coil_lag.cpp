@@ -37,17 +37,18 @@ class LagTerm final : public EffectTerm {
 class CoilLag final : public DescribedEffect {
  public:
   CoilLag()
-      : DescribedEffect({.id = "coil_lag",
-                         .stage = Stage::drive,
-                         .missing = "the current follows its command with a delay: L/R, or a current loop's bandwidth",
-                         .equation = "i' = (i_cmd - i)/T; none below T = 0.02 ms",
-                         .source = "L i' + R i = u, T = L/R",
-                         .parameters = {{.key = "time_constant_ms",
-                                         .text = "of the current's answer to a step",
-                                         .denominator = milli,
-                                         .lower = 0.0,
-                                         .upper = 1.0,
-                                         .absent = 0.0}}}) {}
+      : DescribedEffect(
+            {.id = "coil_lag",
+             .stage = Stage::drive,
+             .description = "the current follows its command with a delay: L/R, or a current loop's bandwidth",
+             .equation = "i' = (i_cmd - i)/T; none below T = 0.02 ms",
+             .source = "L i' + R i = u, T = L/R",
+             .parameters = {{.key = "time_constant_ms",
+                             .text = "of the current's answer to a step",
+                             .denominator = milli,
+                             .lower = 0.0,
+                             .upper = 1.0,
+                             .absent = 0.0}}}) {}
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double low = std::clamp(scale.interval, 2.0 * quasi_static, 0.1);

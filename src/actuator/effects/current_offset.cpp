@@ -20,7 +20,7 @@ class CurrentOffset final : public DescribedEffect {
   CurrentOffset()
       : DescribedEffect({.id = "current_offset",
                          .stage = Stage::drive,
-                         .missing = "a bias of the driver or of its current sensor",
+                         .description = "a bias of the driver or of its current sensor",
                          .equation = "i -> i + i_0",
                          .source = "definition",
                          .parameters = {{.key = "current_mA",

@@ -28,7 +28,7 @@ class DriverDeadband final : public DescribedEffect {
       : DescribedEffect(
             {.id = "driver_deadband",
              .stage = Stage::drive,
-             .missing = "small commands are lost in the driver",
+             .description = "small commands are lost in the driver",
              .equation = "i -> sgn(i) max(|i| - d, 0)",
              .source = "dead zone of an actuator: Tao and Kokotovic, IEEE Trans. Autom. Control 39 (1994) 59",
              .parameters = {{.key = "current_A",

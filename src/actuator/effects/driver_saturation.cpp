@@ -27,7 +27,7 @@ class DriverSaturation final : public DescribedEffect {
   DriverSaturation()
       : DescribedEffect({.id = "driver_saturation",
                          .stage = Stage::drive,
-                         .missing = "the driver or its supply gives less current than the largest command",
+                         .description = "the driver or its supply gives less current than the largest command",
                          .equation = "i -> max(-i_max, min(i, i_max))",
                          .source = "current limit of a driver or u_max / R of its supply; definition",
                          .parameters = {{.key = "current_A",

@@ -60,7 +60,7 @@ class DryFriction final : public DescribedEffect {
       : DescribedEffect(
             {.id = "dry_friction",
              .stage = Stage::hinge,
-             .missing = "Coulomb friction at the hinges or segment faces",
+             .description = "Coulomb friction at the hinges or segment faces",
              .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
              .source = "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) "
                        "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",

@@ -53,7 +53,7 @@ class EndStop final : public DescribedEffect {
   EndStop()
       : DescribedEffect({.id = "end_stop",
                          .stage = Stage::hinge,
-                         .missing = "something stops the joints: a limit, a cable, segments that meet",
+                         .description = "something stops the joints: a limit, a cable, segments that meet",
                          .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
                          .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
                          .parameters = {{.key = "angle_deg",

@@ -19,17 +19,18 @@ class GainTerm final : public EffectTerm {
 class ForceGain final : public DescribedEffect {
  public:
   ForceGain()
-      : DescribedEffect({.id = "force_gain",
-                         .stage = Stage::magnetics,
-                         .missing = "all forces of the coils are off by one factor: remanence, turns or current sensor",
-                         .equation = "f -> gamma f",
-                         .source = "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. "
-                                   "Magn. 46 (2010) 3585",
-                         .parameters = {{.key = "gain",
-                                         .text = "real over declared force of a coil at a current",
-                                         .lower = 0.1,
-                                         .upper = 10.0,
-                                         .absent = 1.0}}}) {}
+      : DescribedEffect(
+            {.id = "force_gain",
+             .stage = Stage::magnetics,
+             .description = "all forces of the coils are off by one factor: remanence, turns or current sensor",
+             .equation = "f -> gamma f",
+             .source = "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. "
+                       "Magn. 46 (2010) 3585",
+             .parameters = {{.key = "gain",
+                             .text = "real over declared force of a coil at a current",
+                             .lower = 0.1,
+                             .upper = 10.0,
+                             .absent = 1.0}}}) {}
 
   std::vector<std::vector<double>> starts(const RigScale& /*scale*/) const override { return one_by_one({0.9, 1.1}); }
 

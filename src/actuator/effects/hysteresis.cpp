@@ -37,7 +37,7 @@ class Hysteresis final : public DescribedEffect {
   Hysteresis()
       : DescribedEffect({.id = "hysteresis",
                          .stage = Stage::hinge,
-                         .missing = "the material's loop does not depend on how fast it is gone through",
+                         .description = "the material's loop does not depend on how fast it is gone through",
                          .equation = "q -= a z, z' = gamma (omega - |omega| z), every joint",
                          .source =
                              "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE "

@@ -11,7 +11,7 @@ class JointAsymmetry final : public DescribedEffect {
       : DescribedEffect(
             {.id = "joint_asymmetry",
              .stage = Stage::hinge,
-             .missing = "the joints are not alike",
+             .description = "the joints are not alike",
              .equation = "k_2 -> rho k_2, of every second joint; k_2 = rho k_1 where they are declared alike",
              .source = "k ~ h_b^3 of a moulded hinge: 5 % in its height are 16 % in its stiffness",
              .parameters = {{.key = "stiffness_ratio",

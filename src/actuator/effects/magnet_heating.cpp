@@ -52,7 +52,7 @@ class MagnetHeating final : public DescribedEffect {
       : DescribedEffect(
             {.id = "magnet_heating",
              .stage = Stage::magnetics,
-             .missing = "warm magnets lose remanence, so the force fades at a given current",
+             .description = "warm magnets lose remanence, so the force fades at a given current",
              .equation = "f -> f max(1 - x, 0), x' = (a <i^2> - x)/T, x = beta dT, <i^2>: mean over the coils",
              .source = "reversible temperature coefficient of remanence, 0.09 to 0.12 %/K for NdFeB (IEC "
                        "60404-8-1), and one heat capacity",

@@ -23,7 +23,7 @@ class MeasurementDelay final : public DescribedEffect {
   MeasurementDelay()
       : DescribedEffect({.id = "measurement_delay",
                          .stage = Stage::camera,
-                         .missing = "camera or bus show the motion late",
+                         .description = "camera or bus show the motion late",
                          .equation = "y(t) = theta(t - T)",
                          .source = "definition",
                          .parameters = {{.key = "delay_ms",

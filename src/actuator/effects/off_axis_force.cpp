@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "coilwright/actuator/described_effect.hpp"
 #include "coilwright/actuator/hinge_pair_parts.hpp"
 #include "coilwright/actuator/model_spec.hpp"
-#include "described_effect.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {
@@ -23,7 +23,7 @@ class OffAxisForce final : public DescribedEffect {
       : DescribedEffect(
             {.id = "off_axis_force",
              .stage = Stage::magnetics,
-             .missing = "coil and magnet tilt against each other, and the coaxial formula does not know it",
+             .description = "coil and magnet tilt against each other, and the coaxial formula does not know it",
              .equation = "dq/di = the exact torque of the tilted, displaced pair; no parameter",
              .source = "I dl x B over the winding in the cylinder's exact field: docs/theory/magnetics.md"}) {}
 

@@ -24,7 +24,7 @@ class QuadraticDrag final : public DescribedEffect {
   QuadraticDrag()
       : DescribedEffect({.id = "quadratic_drag",
                          .stage = Stage::hinge,
-                         .missing = "drag that grows with the square of the rate: air",
+                         .description = "drag that grows with the square of the rate: air",
                          .equation = "q -= c omega |omega|, every joint",
                          .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
                          .parameters = {{.key = "drag_Nmms2_rad2",

@@ -10,7 +10,7 @@ class RestAngle final : public DescribedEffect {
   RestAngle()
       : DescribedEffect({.id = "rest_angle",
                          .stage = Stage::hinge,
-                         .missing = "the hinges relax at an angle of their own: pre-stress, set",
+                         .description = "the hinges relax at an angle of their own: pre-stress, set",
                          .equation = "q = -k (theta - theta_0), every joint",
                          .source = "linear spring with a natural angle; definition",
                          .parameters = {{.key = "angle_deg",

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <numbers>
 #include <vector>
 
-#include "described_effect.hpp"
+#include "coilwright/actuator/described_effect.hpp"
 
 namespace coilwright::actuator::effects {
+
+/// SI value = value in the key's unit / denominator (docs/units.md).
+inline constexpr double milli = 1e3;
+inline constexpr double degrees = 180.0 / std::numbers::pi;
 
 /// `count` >= 2 values from `low` to `high`, equally far apart in logarithm; 0 < low. Where high <= low: low alone.
 [[nodiscard]] std::vector<double> log_spread(double low, double high, int count);

@@ -36,7 +36,7 @@ class StaticAttraction final : public DescribedEffect {
   StaticAttraction()
       : DescribedEffect({.id = "static_attraction",
                          .stage = Stage::magnetics,
-                         .missing = "iron or another magnet nearby pulls or pushes without any current",
+                         .description = "iron or another magnet nearby pulls or pushes without any current",
                          .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
                          .source = "a dipole's force on its image in iron falls with the fourth power of the distance "
                                    "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",

@@ -39,7 +39,7 @@ class StiffnessHardening final : public DescribedEffect {
       : DescribedEffect(
             {.id = "stiffness_hardening",
              .stage = Stage::hinge,
-             .missing = "the hinge is not linear: it stiffens (or softens) with the angle",
+             .description = "the hinge is not linear: it stiffens (or softens) with the angle",
              .equation = "q -= k beta theta^3; where 1 + 3 beta theta^2 < 0 the whole spring's torque stays",
              .source = "first odd term of a hyperelastic spring: Duffing; Gent, Rubber Chem. Technol. 69 "
                        "(1996) 59",

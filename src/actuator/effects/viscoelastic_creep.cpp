@@ -45,7 +45,7 @@ class ViscoelasticCreep final : public DescribedEffect {
       : DescribedEffect(
             {.id = "viscoelastic_creep",
              .stage = Stage::hinge,
-             .missing = "the silicone creeps: stiffer at first, softer after a while",
+             .description = "the silicone creeps: stiffer at first, softer after a while",
              .equation = "q -= kappa k (theta - xi), xi' = (theta - xi)/T",
              .source = "standard linear solid: Ferry, Viscoelastic Properties of Polymers, 1980, ch. 1 and 3",
              .parameters = {{.key = "stiffness_ratio",

@@ -165,7 +165,7 @@ class Search {
   }
 
   void find_kinds(const Model& nominal, Attribution& out) {
-    for (const EffectKind* kind : actuator::effect_catalogue()) {
+    for (const EffectKind* kind : request_.effects.kinds()) {
       const auto& declared = nominal.spec().effects;
       if (std::ranges::any_of(declared, [&](const Effect& effect) { return effect.kind == kind; })) {
         out.candidates.push_back({.effects = {kind}, .remark = "is in the declared model already"});

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
 namespace coilwright::measurement::compare {
@@ -28,6 +29,7 @@ struct AttributionRequest {
   const replay::DeclaredModel* declared{};
   std::uint64_t seed = 1;  ///< of the starts that are drawn beside those that effects propose
   std::function<void(const std::string&)> progress{};
+  actuator::EffectCatalogue effects = actuator::standard_effects();  ///< that the declared model may lack
 };
 /// Throws std::runtime_error where the declared model cannot be simulated.
 [[nodiscard]] Attribution attribute(const AttributionRequest& request);

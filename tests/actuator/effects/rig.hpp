@@ -9,7 +9,7 @@
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/model_spec.hpp"
 
 namespace coilwright::actuator {
@@ -44,8 +44,8 @@ struct WithEffect {
 
 /// Builds the effect of that id in. `values` in SI, inside the bounds.
 inline WithEffect with_effect(std::string_view id, Numbers values, ModelSpec spec) {
-  const Effect effect{.kind = find_effect(id), .values = std::move(values)};
-  check(effect);
+  const Effect effect{.kind = standard_effects().find(id), .values = std::move(values)};
+  validate_effect(effect);
   std::unique_ptr<const EffectTerm> term = effect.kind->build(effect.values, spec);
   return {.spec = std::move(spec), .term = std::move(term)};
 }

@@ -8,13 +8,14 @@
 #include <optional>
 #include <vector>
 
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slide.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
 
-using actuator::find_effect;
+using actuator::standard_effects;
 
 // Where the slide is stopped, rad, and how stiff, N m/rad: pressed in by as much as the noise.
 constexpr double stop = 0.2;
@@ -49,7 +50,7 @@ data::Run stopped_run() {
 // The slide with a stop whose fit ended, after so many iterations, where `start` led it.
 struct Stopped {
   Stopped(std::vector<double> start, int iterations) : declared(slide(true_mass, true_damping)), run(stopped_run()) {
-    fit::Hypothesis hypothesis(declared, {{.kind = find_effect("end_stop"), .values = std::move(start)}});
+    fit::Hypothesis hypothesis(declared, {{.kind = standard_effects().find("end_stop"), .values = std::move(start)}});
     const fit::Hypothesis plain(declared, {});
     records.push_back(replay::prepare(run, declared, plain.model_at(plain.start())));
     auto found = fit::fit({.hypothesis = &hypothesis,

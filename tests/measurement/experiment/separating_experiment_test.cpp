@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
@@ -19,7 +20,7 @@ using testing::AnyOf;
 constexpr double degree = std::numbers::pi / 180.0;
 
 Effect effect(const char* id, std::vector<double> values) {
-  return {.kind = actuator::find_effect(id), .values = std::move(values)};
+  return {.kind = actuator::standard_effects().find(id), .values = std::move(values)};
 }
 
 // The paper's finger, filmed in a step of 1.4 A with a noise of 0.3 degrees.

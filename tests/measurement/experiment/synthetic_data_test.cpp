@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/simulation/blocked_grasp.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
@@ -73,7 +74,7 @@ std::vector<double> values_of(const Experiment& experiment, std::uint64_t seed =
 }
 
 actuator::Effect effect(std::string_view id, std::vector<double> values) {
-  return {.kind = actuator::find_effect(id), .values = std::move(values)};
+  return {.kind = actuator::standard_effects().find(id), .values = std::move(values)};
 }
 
 TEST(Twin, WithoutEffectAndNoiseIsTheSimulation) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "coilwright/actuator/effect_catalogue.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slide.hpp"
@@ -13,7 +14,7 @@ namespace coilwright::measurement::fit {
 namespace {
 
 using actuator::Effect;
-using actuator::find_effect;
+using actuator::standard_effects;
 
 struct Prepared {
   Prepared(const replay::DeclaredModel& declared, const data::Run& run, std::vector<Effect> effects = {})
@@ -90,7 +91,7 @@ TEST(Fit, IntervalsCoverTheTruthAsOftenAsTheySay) {
 TEST(Fit, StaysWithinPhysicalBounds) {
   const replay::DeclaredModel declared = slide(true_mass, true_damping);
   const auto run = pushed_run();
-  const Prepared prepared(declared, run, {{.kind = find_effect("quadratic_drag"), .values = {0.1}}});
+  const Prepared prepared(declared, run, {{.kind = standard_effects().find("quadratic_drag"), .values = {0.1}}});
   const Fit found = fitted(prepared);
   EXPECT_EQ(found.values[2], 0.0);
   EXPECT_TRUE(found.at_bound[2]);

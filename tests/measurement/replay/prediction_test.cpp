@@ -6,7 +6,7 @@
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -19,7 +19,8 @@ constexpr double time_constant = 0.2;  // s
 // The finger whose magnets warm up, cold or hot (0, 1) when a run starts.
 Model warming_finger(double warm_start) {
   actuator::ModelSpec spec = actuator::assemble_or_throw(actuator::paper_finger()).model.spec();
-  spec.effects = {{.kind = actuator::find_effect("magnet_heating"), .values = {loss, time_constant, warm_start}}};
+  spec.effects = {
+      {.kind = actuator::standard_effects().find("magnet_heating"), .values = {loss, time_constant, warm_start}}};
   return Model(spec);
 }
 

@@ -110,29 +110,29 @@ void expect_same_spec(const ModelSpec& a, const ModelSpec& b) {
   }
 }
 
-TEST(EffectCatalogue, HasTheIdsOfTheFormatOnce) {
+TEST(StandardEffects, HasTheIdsOfTheFormatOnce) {
   std::set<std::string> ids;
-  for (const EffectKind* kind : effect_catalogue()) EXPECT_TRUE(ids.emplace(kind->id()).second) << kind->id();
+  for (const EffectKind* kind : standard_effects().kinds()) EXPECT_TRUE(ids.emplace(kind->id()).second) << kind->id();
   EXPECT_EQ(ids, ids_of_the_format);
 }
 
-TEST(EffectCatalogue, IsInTheOrderOfTheStages) {
+TEST(StandardEffects, IsInTheOrderOfTheStages) {
   Stage last = Stage::drive;
-  for (const EffectKind* kind : effect_catalogue()) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     EXPECT_GE(static_cast<int>(kind->stage()), static_cast<int>(last)) << kind->id();
     last = kind->stage();
   }
 }
 
-TEST(EffectCatalogue, FindsAnEffectByItsId) {
-  for (const EffectKind* kind : effect_catalogue()) EXPECT_EQ(find_effect(kind->id()), kind);
-  EXPECT_EQ(find_effect("dry_frictio"), nullptr);
-  EXPECT_EQ(find_effect(""), nullptr);
+TEST(StandardEffects, FindsAnEffectByItsId) {
+  for (const EffectKind* kind : standard_effects().kinds()) EXPECT_EQ(standard_effects().find(kind->id()), kind);
+  EXPECT_EQ(standard_effects().find("dry_frictio"), nullptr);
+  EXPECT_EQ(standard_effects().find(""), nullptr);
 }
 
-TEST(EffectCatalogue, SaysInALineWhatEachIs) {
-  for (const EffectKind* kind : effect_catalogue()) {
-    for (const std::string_view text : {kind->missing(), kind->equation(), kind->source()}) {
+TEST(StandardEffects, SaysInALineWhatEachIs) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
+    for (const std::string_view text : {kind->description(), kind->equation(), kind->source()}) {
       EXPECT_FALSE(text.empty()) << kind->id();
       EXPECT_EQ(text.find('\n'), std::string_view::npos) << kind->id();
     }
@@ -145,14 +145,14 @@ TEST(EffectCatalogue, SaysInALineWhatEachIs) {
   }
 }
 
-TEST(EffectCatalogue, StartsInsideTheBoundsAndWithTheEffect) {
-  for (const EffectKind* kind : effect_catalogue()) {
+TEST(StandardEffects, StartsInsideTheBoundsAndWithTheEffect) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     for (const RigScale& scale : {finger_scale(), axis_scale()}) {
       const std::vector<Numbers> starts = kind->starts(scale);
       ASSERT_FALSE(starts.empty()) << kind->id();
       EXPECT_EQ(std::set<Numbers>(starts.begin(), starts.end()).size(), starts.size()) << kind->id();
       for (const Numbers& start : starts) {
-        EXPECT_EQ(error_text([&] { check({.kind = kind, .values = start}); }), "");
+        EXPECT_EQ(error_text([&] { validate_effect({.kind = kind, .values = start}); }), "");
         EXPECT_FALSE(is_absent(*kind, start)) << kind->id();
       }
     }
@@ -160,7 +160,7 @@ TEST(EffectCatalogue, StartsInsideTheBoundsAndWithTheEffect) {
 }
 
 // A run too short for two samples, a rig that hardly moves: extremes a set of data may have.
-TEST(EffectCatalogue, StartsInsideTheBoundsOnOddRigsToo) {
+TEST(StandardEffects, StartsInsideTheBoundsOnOddRigsToo) {
   RigScale shortest = finger_scale();
   shortest.duration = shortest.interval = 1e-4;
   RigScale longest = axis_scale();
@@ -170,16 +170,16 @@ TEST(EffectCatalogue, StartsInsideTheBoundsOnOddRigsToo) {
   still.angle = 1e-5;
   still.rate = 1e-4;
   for (const RigScale& scale : {shortest, longest, still})
-    for (const EffectKind* kind : effect_catalogue())
+    for (const EffectKind* kind : standard_effects().kinds())
       for (const Numbers& start : kind->starts(scale)) {
-        EXPECT_EQ(error_text([&] { check({.kind = kind, .values = start}); }), "");
+        EXPECT_EQ(error_text([&] { validate_effect({.kind = kind, .values = start}); }), "");
         EXPECT_FALSE(is_absent(*kind, start)) << kind->id();
       }
 }
 
-TEST(EffectCatalogue, ChangesNothingWhereAnEffectIsAbsent) {
+TEST(StandardEffects, ChangesNothingWhereAnEffectIsAbsent) {
   const ModelSpec nominal = finger();
-  for (const EffectKind* kind : effect_catalogue()) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     for (std::size_t i = 0; i < kind->parameters().size(); ++i) {
       if (!kind->parameters()[i].absent) continue;
       Numbers values = kind->starts(finger_scale()).front();
@@ -202,16 +202,16 @@ TEST(EffectCatalogue, ChangesNothingWhereAnEffectIsAbsent) {
 }
 
 // Each kind of effect has a number at which it is absent, or none at all.
-TEST(EffectCatalogue, SaysOfEveryEffectWhereItIsAbsent) {
-  for (const EffectKind* kind : effect_catalogue()) {
+TEST(StandardEffects, SaysOfEveryEffectWhereItIsAbsent) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     int absent = 0;
     for (const EffectParameter& p : kind->parameters()) absent += p.absent.has_value() ? 1 : 0;
     EXPECT_EQ(absent, kind->parameters().empty() ? 0 : 1) << kind->id();
   }
 }
 
-TEST(EffectCatalogue, IsFiniteAtTheBoundsAndNextToAbsent) {
-  for (const EffectKind* kind : effect_catalogue()) {
+TEST(StandardEffects, IsFiniteAtTheBoundsAndNextToAbsent) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     for (std::size_t i = 0; i < kind->parameters().size(); ++i) {
       const EffectParameter& p = kind->parameters()[i];
       const double absent = p.absent.value_or(p.lower);
@@ -234,8 +234,8 @@ TEST(EffectCatalogue, IsFiniteAtTheBoundsAndNextToAbsent) {
 }
 
 // What a rig gives to everyone who watches it must not depend on whether slopes are asked for.
-TEST(EffectCatalogue, AnswersAlikeWithAndWithoutSlopes) {
-  for (const EffectKind* kind : effect_catalogue()) {
+TEST(StandardEffects, AnswersAlikeWithAndWithoutSlopes) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     ModelSpec spec = finger();
     const std::unique_ptr<const EffectTerm> term = kind->build(kind->starts(finger_scale()).front(), spec);
     if (term == nullptr) continue;
@@ -258,11 +258,11 @@ TEST(EffectCatalogue, AnswersAlikeWithAndWithoutSlopes) {
 }
 
 // At rest for long, by its own word and by its slopes.
-TEST(EffectCatalogue, SettlesWhereItsSlopesVanish) {
+TEST(StandardEffects, SettlesWhereItsSlopesVanish) {
   const CoilCurrents currents = CoilCurrents::Constant(2, 0.83);
   const JointVector angles = JointVector::Constant(2, 0.31);
   const JointVector rates = JointVector::Zero(2);
-  for (const EffectKind* kind : effect_catalogue()) {
+  for (const EffectKind* kind : standard_effects().kinds()) {
     for (const Numbers& start : kind->starts(finger_scale())) {
       ModelSpec spec = finger();
       const std::unique_ptr<const EffectTerm> term = kind->build(start, spec);
@@ -284,7 +284,7 @@ TEST(EffectCatalogue, SettlesWhereItsSlopesVanish) {
 }
 
 std::string refusal(std::string_view id, Numbers values) {
-  return error_text([&] { check({.kind = find_effect(id), .values = std::move(values)}); });
+  return error_text([&] { validate_effect({.kind = standard_effects().find(id), .values = std::move(values)}); });
 }
 
 TEST(Effect, SaysWhichValueBreaksWhichRule) {
@@ -303,11 +303,11 @@ TEST(Effect, SaysWhichValueBreaksWhichRule) {
 }
 
 std::string inapplicable(std::string_view id, const ModelSpec& spec) {
-  return find_effect(id)->inapplicable(spec).value_or("");
+  return standard_effects().find(id)->inapplicable(spec).value_or("");
 }
 
 TEST(Effect, SaysWhyItCannotBeInAModel) {
-  for (const EffectKind* kind : effect_catalogue())
+  for (const EffectKind* kind : standard_effects().kinds())
     EXPECT_EQ(kind->inapplicable(finger()).value_or(""), "") << kind->id();
   const ModelSpec bare = rotor(1e-3);
   for (const char* id : {"driver_deadband", "driver_saturation", "current_offset", "coil_heating", "coil_lag",

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every page of docs is in its index, and every relative link of a page leads to a file and a heading that exist."""
+"""Every page of docs is in its index, every command in the README, and every relative link of a page leads to a file and a
+heading that exist."""
 
 import pathlib
 import re
@@ -42,6 +43,10 @@ def main() -> int:
     for page in sorted((ROOT / "docs").rglob("*.md")):
         if page != INDEX and not linked & {page, page.parent}:
             faults.append(f"{page.relative_to(ROOT)}: is missing from docs/README.md")
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    for command in re.findall(r"add_(\w+)_command", (ROOT / "src/cli/main.cpp").read_text(encoding="utf-8")):
+        if f"| `{command}" not in readme:
+            faults.append(f"README.md: does not have the command {command}")
     print("\n".join(faults) if faults else f"{len(pages)} pages, all links lead somewhere")
     return 1 if faults or not pages else 0
 

@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What each room may include, besides itself. The same as the CMake link lists, written out so that neither can drift.
 PHYSICS = {"magnetics", "winding", "mechanics", "thermal"}
 ALLOWED = {
+    "units": set(),
     "magnetics": set(),
     "winding": set(),
     "mechanics": set(),
@@ -20,9 +21,9 @@ ALLOWED = {
     "systems": PHYSICS | {"actuator", "simulation"},
     "sizing": PHYSICS | {"actuator", "simulation"},
     "measurement": PHYSICS | {"actuator", "simulation"},
-    "formats": PHYSICS | {"actuator", "simulation", "sizing", "measurement"},
-    "report": PHYSICS | {"actuator", "simulation", "sizing", "measurement", "formats"},
-    "cli": PHYSICS | {"actuator", "simulation", "systems", "sizing", "measurement", "formats", "report"},
+    "formats": PHYSICS | {"units", "actuator", "simulation", "sizing", "measurement"},
+    "report": PHYSICS | {"units", "actuator", "simulation", "sizing", "measurement", "formats"},
+    "cli": PHYSICS | {"units", "actuator", "simulation", "systems", "sizing", "measurement", "formats", "report"},
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

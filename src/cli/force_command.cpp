@@ -10,18 +10,18 @@
 #include <vector>
 
 #include "coilwright/formats/pair_file.hpp"
-#include "coilwright/formats/units.hpp"
 #include "coilwright/magnetics/wrench.hpp"
 #include "coilwright/report/json.hpp"
+#include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-using formats::from_si;
 using magnetics::Pose;
 using magnetics::Wrench;
 using report::Json;
+using units::from_si;
 
 struct Options {
   std::string pair;

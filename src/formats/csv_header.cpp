@@ -7,7 +7,7 @@
 #include "coilwright/formats/csv_table.hpp"
 #include "coilwright/formats/one_line.hpp"
 #include "coilwright/formats/spelling.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -16,14 +16,14 @@ namespace {
 constexpr std::array<std::string_view, 13> column_units = {"s",   "A",     "V",     "N",    "Nm", "Nmm", "deg",
                                                            "rad", "deg_s", "rad_s", "degC", "m",  "mm"};
 
-bool is_column_unit(const Unit& unit) {
+bool is_column_unit(const units::Unit& unit) {
   return std::find(column_units.begin(), column_units.end(), unit.suffix) != column_units.end();
 }
 
 // "theta1_rad" is the column that "theta1_deg" asks for.
 bool answers(std::string_view name, std::string_view asked) {
   if (name == asked) return true;
-  const auto present = split_unit(name), wanted = split_unit(asked);
+  const auto present = units::split_unit(name), wanted = units::split_unit(asked);
   return present && wanted && present->quantity == wanted->quantity &&
          present->unit.dimension == wanted->unit.dimension && is_column_unit(present->unit);
 }
@@ -34,7 +34,7 @@ std::string with_number(std::string_view pattern, std::size_t number) {
 }
 
 std::string_view quantity_of(std::string_view name) {
-  const auto split = split_unit(name);
+  const auto split = units::split_unit(name);
   return split ? split->quantity : name;
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "coilwright/formats/one_line.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 #include "csv_parser.hpp"
 #include "input_file.hpp"
 
@@ -26,9 +26,9 @@ std::optional<double> finite_number(std::string_view field) {
   return value;
 }
 
-Unit unit_of(std::string_view name) {
-  const auto split = split_unit(name);
-  return split ? split->unit : Unit{};
+units::Unit unit_of(std::string_view name) {
+  const auto split = units::split_unit(name);
+  return split ? split->unit : units::Unit{};
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ class CsvTableBuilder {
  private:
   struct Column {
     std::string name;
-    Unit unit;
+    units::Unit unit;
     bool kept;
   };
 
@@ -94,7 +94,7 @@ class CsvTableBuilder {
                           .rule = "must be a finite number",
                           .value = in_quotes(fields[i])});
       }
-      if (source_[i].kept) table_.columns_[target++].push_back(to_si(*value, source_[i].unit));
+      if (source_[i].kept) table_.columns_[target++].push_back(units::to_si(*value, source_[i].unit));
     }
     table_.lines_.push_back(static_cast<std::uint32_t>(line));
   }
@@ -107,7 +107,7 @@ class CsvTableBuilder {
 
 std::size_t CsvTable::index_of(std::string_view quantity) const {
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const auto split = split_unit(names_[i]);
+    const auto split = units::split_unit(names_[i]);
     if ((split ? split->quantity : std::string_view(names_[i])) == quantity) return i;
   }
   throw std::out_of_range(fmt::format("quantity must be a column that was asked for; got {}", quantity));
@@ -121,7 +121,7 @@ void CsvTable::require_increasing(std::string_view quantity) const {
   const auto values = column(quantity);
   for (std::size_t row = 1; row < values.size(); ++row) {
     if (values[row] > values[row - 1]) continue;
-    const double before = from_si(values[row - 1], unit_of(names_[index_of(quantity)]));
+    const double before = units::from_si(values[row - 1], unit_of(names_[index_of(quantity)]));
     throw error(quantity, row, fmt::format("must exceed the value before it ({})", before));
   }
 }
@@ -131,7 +131,7 @@ InputError CsvTable::error(std::string_view quantity, std::size_t row, std::stri
   return InputError({.file = file_,
                      .place = fmt::format("line {}: column {}", lines_.at(row), names_[index]),
                      .rule = std::move(rule),
-                     .value = fmt::format("{}", from_si(columns_[index].at(row), unit_of(names_[index])))});
+                     .value = fmt::format("{}", units::from_si(columns_[index].at(row), unit_of(names_[index])))});
 }
 
 CsvTable parse_csv(std::string_view text, std::string file, const std::function<void(CsvHeader&)>& ask) {

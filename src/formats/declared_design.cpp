@@ -11,7 +11,7 @@
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/actuator/parameters.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 #include "declared_parts.hpp"
 #include "design_reader.hpp"
 #include "json_pointer.hpp"
@@ -45,7 +45,7 @@ struct Movable {
   EffectNumber effect{};      // effects
   const Parameter* number{};  // gravity, geometry
   std::string pointer{};      // measured
-  Unit unit{};                // measured
+  units::Unit unit{};         // measured
 };
 
 double usual_change(const Parameter& parameter) {
@@ -92,7 +92,7 @@ class Finder {
   }
 
   Movable of_measured(std::size_t i, const Node& node) const {
-    const auto name = split_unit(node.key());
+    const auto name = units::split_unit(node.key());
     if (!name) throw names_.leads_nowhere(i);
     const double denominator = name->unit.denominator / name->unit.numerator;
     return {.parameter = calibration_parameter(names_.name(i), node.quantity(), positive, denominator, 1.0),
@@ -195,7 +195,7 @@ class DeclaredDesign {
     std::vector<double> measured;
     for (std::size_t i = 0; i < movables_.size(); ++i) {
       if (movables_[i].touches != Touches::measured) continue;
-      numbers[movables_[i].pointer] = from_si(values[i], movables_[i].unit);
+      numbers[movables_[i].pointer] = units::from_si(values[i], movables_[i].unit);
       measured.push_back(values[i]);
     }
     if (numbers.empty()) return design_;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 #include "declared_parts.hpp"
 #include "json_pointer.hpp"
 #include "recent_results.hpp"
@@ -73,7 +73,7 @@ double usual_change(std::string_view dimension, const Sizes& sizes) {
 
 CalibrationParameter parameter_at(const std::string& pointer, std::string_view key, double declared, const Rule& rule,
                                   const Sizes& sizes) {
-  const auto name = split_unit(key);
+  const auto name = units::split_unit(key);
   return calibration_parameter(pointer, declared, rule, name->unit.denominator / name->unit.numerator,
                                usual_change(name->unit.dimension, sizes));
 }
@@ -93,7 +93,7 @@ Movable of_all_joints(const LumpedModel& lumped, std::string_view key, double Hi
   if (alike) mean = lumped.hinges.front().*member;  // to the bit
   for (const Hinge& hinge : lumped.hinges) ratios.push_back(alike ? 1.0 : hinge.*member / mean);
   return {.parameter = calibration_parameter(std::move(name), mean, non_negative, milli,
-                                             usual_change(split_unit(key)->unit.dimension, sizes)),
+                                             usual_change(units::split_unit(key)->unit.dimension, sizes)),
           .set =
               [ratios, member](LumpedModel& model, double value) {
                 for (std::size_t j = 0; j < ratios.size(); ++j) model.hinges[j].*member = value * ratios[j];
@@ -101,7 +101,7 @@ Movable of_all_joints(const LumpedModel& lumped, std::string_view key, double Hi
           .write =
               [ratios, key = std::string(key)](Numbers& numbers, double value) {
                 for (std::size_t j = 0; j < ratios.size(); ++j)
-                  numbers[at_joint(j, key)] = from_si(value * ratios[j], key);
+                  numbers[at_joint(j, key)] = units::from_si(value * ratios[j], key);
               }};
 }
 
@@ -114,8 +114,8 @@ std::optional<Movable> number_of(const std::array<LumpedNumber<Part>, Count>& kn
   const auto member = found->member;
   return Movable{.parameter = parameter_at(pointer, key, declared.*member, found->rule, sizes),
                  .set = [access, member](LumpedModel& model, double value) { access(model).*member = value; },
-                 .write = [pointer, key = std::string(key)](Numbers& numbers,
-                                                            double value) { numbers[pointer] = from_si(value, key); }};
+                 .write = [pointer, key = std::string(key)](
+                              Numbers& numbers, double value) { numbers[pointer] = units::from_si(value, key); }};
 }
 
 // All that a name may mean, one kind after the other.
@@ -162,9 +162,10 @@ class Finder {
 
   Movable gravity() const {
     const std::string pointer = fmt::format("/{}", gravity_key);
-    return {.parameter = parameter_at(pointer, gravity_key, lumped_.gravity, non_negative, sizes_),
-            .set = [](LumpedModel& model, double value) { model.gravity = value; },
-            .write = [pointer](Numbers& numbers, double value) { numbers[pointer] = from_si(value, gravity_key); }};
+    return {
+        .parameter = parameter_at(pointer, gravity_key, lumped_.gravity, non_negative, sizes_),
+        .set = [](LumpedModel& model, double value) { model.gravity = value; },
+        .write = [pointer](Numbers& numbers, double value) { numbers[pointer] = units::from_si(value, gravity_key); }};
   }
 
   std::optional<Movable> of_part(std::size_t i, std::span<const std::string> steps) const {
@@ -194,12 +195,12 @@ class Finder {
     const auto node = follow(document_.root(), steps);
     if (!node) throw names_.leads_nowhere(i);
     if (node->kind() != Node::Kind::number) throw not_a_number(i, *node);
-    const auto name = split_unit(node->key());
+    const auto name = units::split_unit(node->key());
     if (!name) throw names_.cannot_move(i, "this one is a whole number");
     const bool table = name->unit.dimension == "torque per current" || name->unit.dimension == "angle";
     return {.parameter = parameter_at(names_.name(i), node->key(), node->quantity(), table ? finite : positive, sizes_),
             .write = [pointer = names_.name(i), unit = name->unit](
-                         Numbers& numbers, double value) { numbers[pointer] = from_si(value, unit); },
+                         Numbers& numbers, double value) { numbers[pointer] = units::from_si(value, unit); },
             .moves_coils = true};
   }
 

@@ -155,7 +155,7 @@ std::optional<int> numbered(std::string_view name, std::string_view stem) {
 }
 
 Channel channel_named(const std::string& name, const Node& node) {
-  const auto split = split_unit(name);
+  const auto split = units::split_unit(name);
   const std::string_view unit = split ? split->unit.suffix : "";
   if (split && (unit == "deg" || unit == "rad")) {
     if (split->quantity == "bending_angle") return {.name = name, .quantity = Quantity::bending_angle};
@@ -335,7 +335,7 @@ void set_noise(Instruments& instruments, std::string_view argument) {
   const double value = number_of(argument, assignment.value);
   const Rule rule = Rule::between(0.0, 1e6);
   if (!rule.allows(value)) throw argument_error(argument, rule.text());
-  (instruments.*(found->member)).noise = to_si(value, split_unit(found->key)->unit);
+  (instruments.*(found->member)).noise = units::to_si(value, units::split_unit(found->key)->unit);
 }
 
 }  // namespace coilwright::formats

@@ -9,7 +9,7 @@
 
 #include "coilwright/formats/one_line.hpp"
 #include "coilwright/formats/spelling.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 #include "json_parser.hpp"
 #include "json_value.hpp"
 
@@ -50,14 +50,14 @@ double Node::number(const Rule& rule) const {
 }
 
 double Node::quantity(const Rule& rule) const {
-  const auto name = split_unit(key_);
+  const auto name = units::split_unit(key_);
   assert(name && "a quantity's key must end in a unit");
   if (!name) return number(rule);
   return quantity_in(name->unit, rule);
 }
 
-double Node::quantity_in(const Unit& unit, const Rule& rule) const {
-  return to_si(number(rule), unit);
+double Node::quantity_in(const units::Unit& unit, const Rule& rule) const {
+  return units::to_si(number(rule), unit);
 }
 
 double Node::whole_number(const Rule& rule, double lowest, double highest) const {
@@ -115,7 +115,7 @@ std::vector<double> Node::quantities(Length length, const Rule& rule) const {
 
 std::array<double, 3> Node::vector(const Rule& rule) const {
   const std::vector<Node> parts = elements(Length::exactly(3));
-  const bool with_unit = split_unit(key_).has_value();
+  const bool with_unit = units::split_unit(key_).has_value();
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = with_unit ? parts[i].quantity(rule) : parts[i].number(rule);

@@ -5,20 +5,20 @@
 
 #include "coilwright/formats/one_line.hpp"
 #include "coilwright/formats/spelling.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 #include "json_parser.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 std::string_view quantity_of(std::string_view key) {
-  const auto split = split_unit(key);
+  const auto split = units::split_unit(key);
   return split ? split->quantity : key;
 }
 
 // "gap_m" or "gap" where "gap_mm" is asked for.
 bool differs_in_unit_only(std::string_view key, std::string_view asked) {
-  return key != asked && split_unit(asked).has_value() && quantity_of(key) == quantity_of(asked);
+  return key != asked && units::split_unit(asked).has_value() && quantity_of(key) == quantity_of(asked);
 }
 
 InputError at_key(const Node& object, std::string_view key, std::string rule) {
@@ -43,9 +43,9 @@ std::optional<Node> ObjectReader::find_not_null(std::string_view key) {
 }
 
 std::optional<Node> ObjectReader::find_in_any_unit(std::string_view key) {
-  const auto wanted = split_unit(key);
+  const auto wanted = units::split_unit(key);
   for (const std::string& present : node_.keys()) {
-    const auto name = split_unit(present);
+    const auto name = units::split_unit(present);
     if (name && wanted && name->quantity == wanted->quantity && name->unit.dimension == wanted->unit.dimension)
       return find(present);
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/formats/csv_table.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 #include "input_columns.hpp"
 
 namespace coilwright::formats {
@@ -112,13 +112,13 @@ Channel channel_of(const CsvTable& table, const Measured& measured) {
                   .joint = measured.joint,
                   .values = values_of(table, measured.quantity)};
   if (channel.quantity == Quantity::temperature)  // degrees Celsius everywhere but in the table
-    for (double& value : channel.values) value = from_si(value, channel.name);
+    for (double& value : channel.values) value = units::from_si(value, channel.name);
   return channel;
 }
 
 // A standard deviation has the scale of its column and no zero point.
 double spread_in_si(double sigma, const std::string& column) {
-  const auto name = split_unit(column);
+  const auto name = units::split_unit(column);
   return name ? sigma * name->unit.numerator / name->unit.denominator : sigma;
 }
 

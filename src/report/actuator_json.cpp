@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "coilwright/actuator/parameters.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::report {
 namespace {
@@ -19,8 +19,8 @@ Json section_json(const Design& design, std::string_view section) {
   Json out = Json::object();
   for (const Parameter& parameter : parameters()) {
     if (parameter.section != section) continue;
-    const formats::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
-    const double value = formats::from_si(parameter.get(design), unit);
+    const units::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
+    const double value = units::from_si(parameter.get(design), unit);
     out.set(std::string(parameter.key), parameter.whole ? Json(static_cast<int>(value)) : Json(value));
   }
   return out;
@@ -105,8 +105,8 @@ Json to_json(std::span<const Effect> effects) {
     Json values = Json::object();
     for (std::size_t i = 0; i < effect.values.size(); ++i) {
       const EffectParameter& parameter = effect.kind->parameters()[i];
-      const formats::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
-      values.set(std::string(parameter.key), formats::from_si(effect.values[i], unit));
+      const units::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
+      values.set(std::string(parameter.key), units::from_si(effect.values[i], unit));
     }
     out.add(Json::object({{"id", effect.kind->id()}, {"parameters", std::move(values)}}));
   }

@@ -23,7 +23,7 @@ Json run_json(const RunInRole& each) {
   if (run.window) out.set("window_s", *run.window);
   if (run.sigma) {
     const std::string& column = run.channels.front().name;
-    out.set("sigma", formats::from_si(*run.sigma, difference_unit_of(column)));
+    out.set("sigma", units::from_si(*run.sigma, difference_unit_of(column)));
   }
   return out;
 }

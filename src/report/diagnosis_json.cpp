@@ -16,8 +16,8 @@ Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json in_unit_or_null(double value, const formats::Unit& unit) {
-  return number_or_null(formats::from_si(value, unit));
+Json in_unit_or_null(double value, const units::Unit& unit) {
+  return number_or_null(units::from_si(value, unit));
 }
 
 Json text_or_null(const std::string& text) {
@@ -73,14 +73,14 @@ Json indistinguishable_json(const Diagnosis& diagnosis) {
   return out;
 }
 
-Json errors_json(const Errors& errors, const formats::Unit& unit) {
+Json errors_json(const Errors& errors, const units::Unit& unit) {
   return Json::object({{with_unit("mae", unit), in_unit_or_null(errors.mae, unit)},
                        {with_unit("rmse", unit), in_unit_or_null(errors.rmse, unit)},
                        {with_unit("max", unit), in_unit_or_null(errors.max, unit)}});
 }
 
 void add_comparison(Json& out, const ErrorComparison& comparison) {
-  const formats::Unit unit = error_unit(comparison.quantity);
+  const units::Unit unit = error_unit(comparison.quantity);
   out.set("declared", errors_json(comparison.declared, unit));
   out.set("before", errors_json(comparison.before, unit));
   out.set("after", errors_json(comparison.after, unit));
@@ -128,7 +128,7 @@ Json adequacy_json(const whiteness::Adequacy& adequacy) {
                        {"noise_only", adequacy.noise_only()}});
 }
 
-Json in_unit_json(std::span<const double> values, const formats::Unit& unit) {
+Json in_unit_json(std::span<const double> values, const units::Unit& unit) {
   Json out = Json::array();
   for (const double value : values) out.add(in_unit_or_null(value, unit));
   return out;
@@ -137,10 +137,10 @@ Json in_unit_json(std::span<const double> values, const formats::Unit& unit) {
 Json residual_json(const Diagnosis& diagnosis) {
   if (!diagnosis.residual) return nullptr;
   const localise::ResidualTorque& residual = *diagnosis.residual;
-  const formats::Unit torque = error_unit(data::Quantity::torque);
+  const units::Unit torque = error_unit(data::Quantity::torque);
   Json dependences = Json::array();
   for (const localise::Dependence& each : residual.dependences) {
-    const formats::Unit unit = variable_unit(each.variable);
+    const units::Unit unit = variable_unit(each.variable);
     dependences.add(Json::object({{"variable", each.variable},
                                   {"explained", number_or_null(each.explained)},
                                   {with_unit("at", unit), in_unit_json(each.at, unit)},
@@ -156,7 +156,7 @@ Json residual_json(const Diagnosis& diagnosis) {
 Json noise_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const noise::NoiseLevel& each : diagnosis.noise) {
-    const formats::Unit unit = difference_unit_of(each.channel);
+    const units::Unit unit = difference_unit_of(each.channel);
     out.add(Json::object({{"run", each.run},
                           {"channel", each.channel},
                           {with_unit("sigma", unit), in_unit_or_null(each.sigma, unit)},

@@ -29,9 +29,9 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "none";
 }
 
-std::string in_unit_text(double value, const formats::Unit& unit) {
+std::string in_unit_text(double value, const units::Unit& unit) {
   const std::string readable = readable_unit(unit.suffix);
-  return number(formats::from_si(value, unit)) + (readable.empty() ? "" : " " + readable);
+  return number(units::from_si(value, unit)) + (readable.empty() ? "" : " " + readable);
 }
 
 std::string verdict_sentence(const Diagnosis& diagnosis) {
@@ -114,8 +114,8 @@ std::string calibration_text(const Diagnosis& diagnosis) {
 }
 
 std::string comparison_text(const ErrorComparison& comparison) {
-  const formats::Unit unit = error_unit(comparison.quantity);
-  const auto shown = [&](double value) { return number(formats::from_si(value, unit)); };
+  const units::Unit unit = error_unit(comparison.quantity);
+  const auto shown = [&](double value) { return number(units::from_si(value, unit)); };
   const auto line = [&](const char* name, double Errors::*member) -> std::vector<std::string> {
     return {name, shown(comparison.declared.*member), shown(comparison.before.*member),
             shown(comparison.after.*member)};
@@ -178,7 +178,7 @@ std::string residual_text(const Diagnosis& diagnosis) {
   const bool structure = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
   if (!structure || !diagnosis.residual) return {};
   const localise::ResidualTorque& residual = *diagnosis.residual;
-  const formats::Unit torque = error_unit(data::Quantity::torque);
+  const units::Unit torque = error_unit(data::Quantity::torque);
   std::string text = fmt::format("\nWhat is left over, as a joint torque\n  rms {}, where noise alone gives {}\n",
                                  in_unit_text(residual.rms, torque), in_unit_text(residual.smallest_visible, torque));
   TextTable table;
@@ -228,11 +228,11 @@ std::string noise_text(const Diagnosis& diagnosis) {
   }
   TextTable table;
   for (const auto& [name, channel] : channels) {
-    const formats::Unit unit = difference_unit_of(name);
+    const units::Unit unit = difference_unit_of(name);
     const std::string most = in_unit_text(channel.most, unit);
     const std::string range = channel.least == channel.most
                                   ? most
-                                  : fmt::format("{} to {}", number(formats::from_si(channel.least, unit)), most);
+                                  : fmt::format("{} to {}", number(units::from_si(channel.least, unit)), most);
     table.row({name, fmt::format("{} {}", range, channel.source())});
   }
   return table.rows() == 0 ? std::string() : "\nNoise\n" + table.text(2, {left, left});

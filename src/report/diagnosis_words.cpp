@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::report {
 namespace {
@@ -33,10 +33,10 @@ std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> 
 }
 
 EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
-  const formats::Unit unit{.suffix = estimate.key, .dimension = "", .denominator = estimate.denominator};
-  return {.value = formats::from_si(estimate.value, unit),
-          .lower = formats::from_si(estimate.lower, unit),
-          .upper = formats::from_si(estimate.upper, unit)};
+  const units::Unit unit{.suffix = estimate.key, .dimension = "", .denominator = estimate.denominator};
+  return {.value = units::from_si(estimate.value, unit),
+          .lower = units::from_si(estimate.lower, unit),
+          .upper = units::from_si(estimate.upper, unit)};
 }
 
 }  // namespace coilwright::report

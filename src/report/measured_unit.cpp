@@ -10,10 +10,10 @@ namespace {
 
 using measurement::data::Quantity;
 
-constexpr formats::Unit as_it_is{.suffix = "", .dimension = ""};
+constexpr units::Unit as_it_is{.suffix = "", .dimension = ""};
 
-formats::Unit unit_named(std::string_view suffix) {
-  for (const formats::Unit& unit : formats::units())
+units::Unit unit_named(std::string_view suffix) {
+  for (const units::Unit& unit : units::all_units())
     if (unit.suffix == suffix) return unit;
   return as_it_is;
 }
@@ -37,7 +37,7 @@ std::string_view name_of(Quantity quantity) {
   return "";
 }
 
-formats::Unit error_unit(Quantity quantity) {
+units::Unit error_unit(Quantity quantity) {
   switch (quantity) {
     case Quantity::bending_angle:
     case Quantity::joint_angle:
@@ -54,17 +54,17 @@ formats::Unit error_unit(Quantity quantity) {
   return as_it_is;
 }
 
-formats::Unit difference_unit_of(std::string_view column) {
-  const auto split = formats::split_unit(column);
+units::Unit difference_unit_of(std::string_view column) {
+  const auto split = units::split_unit(column);
   if (!split) return as_it_is;
   return split->unit.offset == 0.0 ? split->unit : unit_named("K");
 }
 
 double in_column_unit(double value, std::string_view column) {
-  return formats::from_si(value, difference_unit_of(column));
+  return units::from_si(value, difference_unit_of(column));
 }
 
-formats::Unit variable_unit(std::string_view variable) {
+units::Unit variable_unit(std::string_view variable) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> table = {
       {{"angle", "deg"}, {"rate", "deg_s"}, {"current", "A"}, {"time", "s"}, {"frequency", "Hz"}}};
   for (const auto& [name, suffix] : table)
@@ -72,7 +72,7 @@ formats::Unit variable_unit(std::string_view variable) {
   return as_it_is;
 }
 
-std::string with_unit(std::string_view name, const formats::Unit& unit) {
+std::string with_unit(std::string_view name, const units::Unit& unit) {
   return unit.suffix.empty() ? std::string(name) : fmt::format("{}_{}", name, unit.suffix);
 }
 

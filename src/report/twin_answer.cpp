@@ -18,8 +18,8 @@ Json instruments_json(const experiment::Instruments& instruments, double experim
       std::pair("temperature", data::Quantity::temperature)};
   Json out = Json::object();
   for (const auto& [name, quantity] : quantities) {
-    const formats::Unit unit = error_unit(quantity);
-    out.set(with_unit(name, unit), formats::from_si(instruments.of(quantity).*what, unit));
+    const units::Unit unit = error_unit(quantity);
+    out.set(with_unit(name, unit), units::from_si(instruments.of(quantity).*what, unit));
   }
   return out;
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -10,8 +10,8 @@ namespace {
 TEST(EffectUnits, AreThoseOfTheirKeys) {
   for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
     for (const actuator::EffectParameter& parameter : kind->parameters()) {
-      const auto split = split_unit(parameter.key);
-      const double si = split ? to_si(2.3, split->unit) : 2.3;
+      const auto split = units::split_unit(parameter.key);
+      const double si = split ? units::to_si(2.3, split->unit) : 2.3;
       EXPECT_DOUBLE_EQ(2.3 / parameter.denominator, si) << kind->id() << ' ' << parameter.key;
     }
   }
@@ -23,7 +23,7 @@ TEST(EffectUnits, AreMissingFromPureNumbersOnly) {
       const std::string_view key = parameter.key;
       const bool pure =
           key == "gain" || key == "scale" || key == "side" || key == "warm_start" || key == "stiffness_ratio";
-      EXPECT_EQ(!split_unit(key).has_value(), pure) << kind->id() << ' ' << key;
+      EXPECT_EQ(!units::split_unit(key).has_value(), pure) << kind->id() << ' ' << key;
     }
   }
 }

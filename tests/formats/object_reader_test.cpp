@@ -153,7 +153,7 @@ TEST(Node, GivesMembersByNameAndNumbersInTheUnitOfThatName) {
   ASSERT_EQ(members.size(), 2u);
   EXPECT_EQ(members[0].key(), "gap_mm");
   EXPECT_EQ(members[1].pointer(), "/base_tilt_deg");
-  EXPECT_EQ(members[0].find("lower")->quantity_in(split_unit(members[0].key())->unit), 0.0099);
+  EXPECT_EQ(members[0].find("lower")->quantity_in(units::split_unit(members[0].key())->unit), 0.0099);
 }
 
 TEST(ObjectReader, ReadsTruthValuesAndTextsOrTheirDefaults) {

@@ -13,7 +13,7 @@
 
 #include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/rule.hpp"
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 
@@ -48,11 +48,11 @@ class Node {
 
   /// A number as it is written: no unit is looked at.
   [[nodiscard]] double number(const Rule& rule = finite) const;
-  /// A number in the unit at the end of key(), given back in SI. The key must end in a unit of units().
+  /// A number in the unit at the end of key(), given back in SI. The key must end in a unit of units::all_units().
   [[nodiscard]] double quantity(const Rule& rule = finite) const;
   /// A number in `unit`, given back in SI: for values whose unit stands in a key above them, such as
   /// {"gap_mm": {"lower": 2, "upper": 5}}.
-  [[nodiscard]] double quantity_in(const Unit& unit, const Rule& rule = finite) const;
+  [[nodiscard]] double quantity_in(const units::Unit& unit, const Rule& rule = finite) const;
   /// A whole number (10 and 10.0 are, 10.5 is not) that fits the type.
   template <class Integer = int>
   [[nodiscard]] Integer integer(const Rule& rule = finite) const {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace coilwright::formats {
+namespace coilwright::units {
 
 /// A unit as it is written at the end of a key or a column name: "mm" in `gap_mm`, "deg_s" in `speed_deg_s`.
 ///
@@ -25,7 +25,7 @@ struct NameWithUnit {
 };
 
 /// Every unit that a key or a column may carry.
-[[nodiscard]] std::span<const Unit> units() noexcept;
+[[nodiscard]] std::span<const Unit> all_units() noexcept;
 
 /// Takes the longest unit off the end of `name` (`omega_deg_s` is in deg/s, not in s); nothing when there is none.
 [[nodiscard]] std::optional<NameWithUnit> split_unit(std::string_view name) noexcept;
@@ -41,4 +41,4 @@ struct NameWithUnit {
 /// without a unit leaves the value as it is.
 [[nodiscard]] double from_si(double value, std::string_view name) noexcept;
 
-}  // namespace coilwright::formats
+}  // namespace coilwright::units

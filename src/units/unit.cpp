@@ -1,11 +1,11 @@
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 
-namespace coilwright::formats {
+namespace coilwright::units {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -123,7 +123,7 @@ double with_digits(double value, int digits) {
 
 }  // namespace
 
-std::span<const Unit> units() noexcept {
+std::span<const Unit> all_units() noexcept {
   return table;
 }
 
@@ -157,4 +157,4 @@ double from_si(double value, std::string_view name) noexcept {
   return split ? from_si(value, split->unit) : value;
 }
 
-}  // namespace coilwright::formats
+}  // namespace coilwright::units

@@ -1,4 +1,4 @@
-#include "coilwright/formats/units.hpp"
+#include "coilwright/units/unit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace coilwright::formats {
+namespace coilwright::units {
 namespace {
 
 Unit unit(std::string_view name) {
@@ -69,12 +69,12 @@ TEST(Units, OfTheMeasuredDataFormatAreAllThere) {
 
 TEST(Units, HaveEachSuffixOnce) {
   std::set<std::string_view> seen;
-  for (const Unit& each : units()) EXPECT_TRUE(seen.insert(each.suffix).second) << each.suffix;
+  for (const Unit& each : all_units()) EXPECT_TRUE(seen.insert(each.suffix).second) << each.suffix;
 }
 
 TEST(Units, GiveBackTheDecimalThatWasRead) {
   for (const double value : {9.9, 4.35, 0.1, 17.3, 123.456, 1e-7, -2.7, 1.4}) {
-    for (const Unit& each : units()) {
+    for (const Unit& each : all_units()) {
       if (each.offset != 0.0) continue;
       EXPECT_EQ(from_si(to_si(value, each), each), value) << each.suffix;
     }
@@ -84,4 +84,4 @@ TEST(Units, GiveBackTheDecimalThatWasRead) {
 }
 
 }  // namespace
-}  // namespace coilwright::formats
+}  // namespace coilwright::units

@@ -12,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PHYSICS = {"magnetics", "winding", "mechanics", "thermal"}
 ALLOWED = {
     "units": set(),
+    "text": {"units"},
     "magnetics": set(),
     "winding": set(),
     "mechanics": set(),
@@ -21,9 +22,9 @@ ALLOWED = {
     "systems": PHYSICS | {"actuator", "simulation"},
     "sizing": PHYSICS | {"actuator", "simulation"},
     "measurement": PHYSICS | {"actuator", "simulation"},
-    "formats": PHYSICS | {"units", "actuator", "simulation", "sizing", "measurement"},
-    "report": PHYSICS | {"units", "actuator", "simulation", "sizing", "measurement", "formats"},
-    "cli": PHYSICS | {"units", "actuator", "simulation", "systems", "sizing", "measurement", "formats", "report"},
+    "formats": PHYSICS | {"units", "text", "actuator", "simulation", "sizing", "measurement"},
+    "report": PHYSICS | {"units", "text", "actuator", "simulation", "sizing", "measurement", "formats"},
+    "cli": PHYSICS | {"units", "text", "actuator", "simulation", "systems", "sizing", "measurement", "formats", "report"},
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself
@@ -38,8 +39,8 @@ HIDDEN = {
     "tbb/": {"sizing", "measurement"},
     "oneapi/": {"sizing", "measurement"},
     "ceres/": {"measurement"},
-    "nlohmann/": {"formats", "report"},
-    "csv.h": {"formats", "report"},
+    "nlohmann/": {"text"},
+    "csv.h": {"text"},
     "CLI/": {"cli"},
     "glog/": {"cli"},
     "hwy/": {"magnetics"},

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "coilwright/formats/assignment.hpp"
-#include "coilwright/formats/input_error.hpp"
+#include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {
 
@@ -28,7 +28,7 @@ formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
   if (options.assignments.empty()) return file;
   auto* design = std::get_if<actuator::Design>(&file.content);
   if (design == nullptr)
-    throw formats::InputError({.file = options.file, .rule = "is a lumped model: --set changes designs only"});
+    throw text::InputError({.file = options.file, .rule = "is a lumped model: --set changes designs only"});
   for (const std::string& assignment : options.assignments)
     *design = formats::with_assignment(std::move(*design), assignment);
   return file;
@@ -42,7 +42,7 @@ actuator::Assembly assemble(const actuator::Design& design, const ActuatorOption
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& reason) {
-    throw formats::InputError({.file = options.file, .rule = reason.what() + changes});
+    throw text::InputError({.file = options.file, .rule = reason.what() + changes});
   }
 }
 

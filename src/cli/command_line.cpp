@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/formats/input_error.hpp"
-#include "coilwright/formats/one_line.hpp"
-#include "coilwright/formats/spelling.hpp"
-#include "coilwright/report/output_file.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/one_line.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "coilwright/text/spelling.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t longest_message = 2000;
 
 ExitCode fail(ExitCode code, std::string_view message) {
-  std::cerr << "coilwright: " << formats::one_line(message, longest_message) << '\n';
+  std::cerr << "coilwright: " << text::one_line(message, longest_message) << '\n';
   return code;
 }
 
@@ -45,7 +45,7 @@ std::string unknown_option(const CLI::App& command, std::string_view argument) {
     for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   }
   const std::string_view name = argument.substr(0, argument.find('='));  // --stpe=3
-  return "unknown option " + formats::in_quotes(name) + formats::did_you_mean(name, options);
+  return "unknown option " + text::in_quotes(name) + text::did_you_mean(name, options);
 }
 
 std::string unexpected_argument(const CLI::App& app) {
@@ -53,7 +53,7 @@ std::string unexpected_argument(const CLI::App& app) {
   if (left.empty()) return "an argument was not expected";
   const std::string& argument = left.front();
   if (argument.starts_with('-')) return unknown_option(chosen(app), argument);
-  return "unexpected argument " + formats::in_quotes(argument);
+  return "unexpected argument " + text::in_quotes(argument);
 }
 
 ExitCode usage_error(const CLI::App& app, std::string_view message) {
@@ -72,10 +72,10 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     return usage_error(app, unexpected_argument(app));
   } catch (const CLI::ParseError& error) {
     return usage_error(app, error.what());
-  } catch (const formats::InputError& error) {
+  } catch (const text::InputError& error) {
     return fail(ExitCode::bad_input, error.what());
-  } catch (const report::OutputError& error) {
-    const bool before_the_work = error.stage() == report::OutputError::Stage::preparing;
+  } catch (const text::OutputError& error) {
+    const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
     return fail(before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::failure, "out of memory");
@@ -109,7 +109,7 @@ ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand>
   }
   // CLI11 says of a mistyped command only that it was not expected.
   if (!first.starts_with('-') && std::find(names.begin(), names.end(), first) == names.end()) {
-    return usage_error(app, "unknown command " + formats::in_quotes(first) + formats::did_you_mean(first, names));
+    return usage_error(app, "unknown command " + text::in_quotes(first) + text::did_you_mean(first, names));
   }
   return parse_and_run(app, arguments, outcome);
 }

@@ -16,13 +16,13 @@
 #include "coilwright/formats/actuator_file.hpp"
 #include "coilwright/formats/dataset_file.hpp"
 #include "coilwright/formats/declared_actuator.hpp"
-#include "coilwright/formats/input_error.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/report/actuator_json.hpp"
 #include "coilwright/report/diagnosis_report.hpp"
-#include "coilwright/report/output_folder.hpp"
 #include "coilwright/report/phase_table.hpp"
 #include "coilwright/report/residual_table.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "end_on_signal.hpp"
 #include "keep_inputs.hpp"
@@ -52,7 +52,7 @@ struct Options {
 std::filesystem::path declared_path(const Options& options, const formats::DatasetFile& set) {
   if (options.actuator) return *options.actuator;
   if (set.actuator) return *set.actuator;
-  throw formats::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
+  throw text::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
 }
 
 // Results among the data would be taken for data, or lie over them or the actuator that they declare.
@@ -60,7 +60,7 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
   std::error_code none;
   const std::filesystem::path folder = std::filesystem::path(set.file).parent_path();
   if (std::filesystem::equivalent(folder.empty() ? "." : folder, options.out, none))
-    throw report::OutputError(options.out, "it is the folder of the data set", report::OutputError::Stage::preparing);
+    throw text::OutputError(options.out, "it is the folder of the data set", text::OutputError::Stage::preparing);
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
   std::vector<std::filesystem::path> outputs;
@@ -68,7 +68,7 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
     outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
   // Known before the work, whether it can be written.
-  const report::OutputFolder trial(options.out);
+  const text::OutputFolder trial(options.out);
 }
 
 // A set that does not fit its model, or a model that cannot be simulated, is bad data and not a failure of the program.
@@ -81,9 +81,9 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
   try {
     return measurement::diagnose(set.data, declared.model, how);
   } catch (const std::invalid_argument& misfit) {
-    throw formats::InputError({.file = set.file, .rule = misfit.what()});
+    throw text::InputError({.file = set.file, .rule = misfit.what()});
   } catch (const std::runtime_error& lost) {
-    throw formats::InputError({.file = declared_file.string(), .rule = lost.what()});
+    throw text::InputError({.file = declared_file.string(), .rule = lost.what()});
   }
 }
 
@@ -149,7 +149,7 @@ void write(const Options& options, const Found& found) {
                                        .updated_actuator = actuator_name,
                                        .held_out = found.held_out,
                                        .seed = options.seed};
-  report::OutputFolder folder(options.out);
+  text::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
   folder.write(diagnosis_name, report::to_json(answer).text());
   folder.write(actuator_name, found.actuator);
@@ -171,7 +171,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   command->add_option("--out", options->out, "Folder for the results; it is created if it does not exist")->required();
   add_threads_option(*command, options->threads, "Number of fits that run at the same time");
   command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
-      ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
+      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
   command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();
   command->footer(
       "Prints a summary and writes four files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"

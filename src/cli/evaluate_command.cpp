@@ -55,11 +55,11 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   add_actuator_options(*command, options->actuator);
   command->add_option("--current", options->current, "Current in every coil, A; a positive current bends the actuator")
       ->required()
-      ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
+      ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   command
       ->add_option("--duty", options->duty,
                    "Fraction of the time for which the current is on, 0 to 1; affects only heat (default 1)")
-      ->check(number_rule(formats::Rule::between(0.0, 1.0)));
+      ->check(number_rule(text::Rule::between(0.0, 1.0)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"

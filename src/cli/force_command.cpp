@@ -11,7 +11,7 @@
 
 #include "coilwright/formats/pair_file.hpp"
 #include "coilwright/magnetics/wrench.hpp"
-#include "coilwright/report/json.hpp"
+#include "coilwright/text/json/json.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 using magnetics::Pose;
 using magnetics::Wrench;
-using report::Json;
+using text::Json;
 using units::from_si;
 
 struct Options {

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "coilwright/report/output_file.hpp"
+#include "coilwright/text/output/output_file.hpp"
 
 namespace coilwright::cli {
 
@@ -11,7 +11,7 @@ void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const 
     for (const std::filesystem::path& input : inputs) {
       std::error_code none;  // one of the two is not there: then they are not the same
       if (std::filesystem::equivalent(input, output, none))
-        throw report::OutputError(output, "it is an input of this command", report::OutputError::Stage::preparing);
+        throw text::OutputError(output, "it is an input of this command", text::OutputError::Stage::preparing);
     }
   }
 }

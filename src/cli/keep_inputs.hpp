@@ -5,7 +5,7 @@
 
 namespace coilwright::cli {
 
-/// Throws report::OutputError naming the first of `outputs` that is one of `inputs`: writing it would lose it.
+/// Throws text::OutputError naming the first of `outputs` that is one of `inputs`: writing it would lose it.
 void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
 
 }  // namespace coilwright::cli

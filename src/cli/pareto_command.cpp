@@ -6,9 +6,9 @@
 
 #include "coilwright/report/evaluation_table.hpp"
 #include "coilwright/report/front_report.hpp"
-#include "coilwright/report/output_folder.hpp"
 #include "coilwright/sizing/search/pareto.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "study_run.hpp"
@@ -28,7 +28,7 @@ ExitCode run_pareto(const StudyOptions& options) {
       read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"}));
   const sizing::Study& study = problem.study();
   const Interruption interruption;
-  report::OutputFolder folder(options.out);
+  text::OutputFolder folder(options.out);
   const sizing::ParetoResult result = [&] {
     ProgressLine line(options);
     sizing::ParetoOptions search = study.search;

@@ -14,12 +14,12 @@
 #include "actuator_input.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/input_signal.hpp"
-#include "coilwright/report/csv_writer.hpp"
-#include "coilwright/report/output_file.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
@@ -68,8 +68,8 @@ NamedInput common_current(InputSignal signal) {
   return {.signal = std::move(signal), .names = {"current_A"}, .values = std::move(values)};
 }
 
-formats::InputError misfit(const Options& options, std::string rule) {
-  return formats::InputError({.file = options.input, .place = "line 1", .rule = std::move(rule)});
+text::InputError misfit(const Options& options, std::string rule) {
+  return text::InputError({.file = options.input, .place = "line 1", .rule = std::move(rule)});
 }
 
 std::vector<std::string> column_names(const formats::InputSignal& input) {
@@ -193,7 +193,7 @@ void write(std::ostream& stream, const NamedInput& input, const Recording& recor
   columns.insert(columns.end(), input.names.begin(), input.names.end());
   for (Eigen::Index j = 1; j <= states.front().angles.size(); ++j) columns.push_back(fmt::format("theta{}_deg", j));
   columns.insert(columns.end(), {"bending_angle_deg", "bending_speed_deg_s"});
-  report::CsvWriter csv(stream, columns);
+  text::CsvWriter csv(stream, columns);
   std::vector<double> row;
   for (std::size_t i = 0; i < states.size(); ++i) {
     row.assign(1, input.signal.times[i]);
@@ -215,7 +215,7 @@ void run_simulate(const Options& options) {
   check_output(options);
   const Driven driven = read_driven(options.actuator);
   const NamedInput input = make_input(options, driven);
-  report::OutputFile file(options.out);
+  text::OutputFile file(options.out);
   const actuator::Model& model = driven.model;
   State start{.angles = start_angles(options, driven, input.signal),
               .rates = mechanics::JointVector::Zero(model.joints())};
@@ -232,17 +232,16 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   add_actuator_options(*command, options->actuator);
   CLI::Option_group* input = command->add_option_group("input", "What drives it; one of");
   input->add_option("--step", options->step, "This current in every coil from time 0 on, from rest without current, A")
-      ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
+      ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   input->add_option("--sine", options->sine, "AMPLITUDE_A OFFSET_A FREQUENCY_Hz: offset + amplitude sin(2 pi f t)")
       ->expected(3)
-      ->check(number_rule(formats::Rule::between(-1e6, 1e6)));
+      ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   input->add_option("--input", options->input,
                     "CSV: time_s and current_A, current1_A.., voltage_V or torque1_Nm.., held between samples");
   input->require_option(1);
-  command->add_option("--duration-s", options->duration, "Of --step and --sine; 1")
-      ->check(number_rule(formats::positive));
+  command->add_option("--duration-s", options->duration, "Of --step and --sine; 1")->check(number_rule(text::positive));
   command->add_option("--interval-s", options->interval, "Between samples of --step and --sine; 0.002")
-      ->check(number_rule(formats::positive));
+      ->check(number_rule(text::positive));
   command->add_option("--out", options->out, "CSV to write")->required();
   command->footer(
       "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample: the "

@@ -10,9 +10,9 @@
 #include "coilwright/formats/actuator_file.hpp"
 #include "coilwright/report/actuator_json.hpp"
 #include "coilwright/report/evaluation_table.hpp"
-#include "coilwright/report/output_folder.hpp"
 #include "coilwright/report/size_report.hpp"
 #include "coilwright/sizing/search/search.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "study_run.hpp"
@@ -50,7 +50,7 @@ std::string actuator_text(const DesignProblem& problem, const sizing::SearchResu
   return report::to_json(problem.design_at(result.best->point), name).text();
 }
 
-void write_results(report::OutputFolder& folder, const DesignProblem& problem, const report::SizeAnswer& answer) {
+void write_results(text::OutputFolder& folder, const DesignProblem& problem, const report::SizeAnswer& answer) {
   folder.write("result.json", report::to_json(answer).text());
   report::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
   if (!answer.result.best) {
@@ -67,7 +67,7 @@ ExitCode run_size(const StudyOptions& options) {
   const DesignProblem problem(
       read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"}));
   const Interruption interruption;
-  report::OutputFolder folder(options.out);
+  text::OutputFolder folder(options.out);
   const sizing::SearchResult result = [&] {
     ProgressLine line(options);
     sizing::SearchOptions search = problem.study().search;

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/study_file.hpp"
+#include "coilwright/text/input_error.hpp"
 #include "number_rule.hpp"
 #include "threads_option.hpp"
 
@@ -36,11 +36,11 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
 
 void add_search_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--seed", options.seed, "Random seed; overrides the study's")
-      ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
+      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
   command
       .add_option("--max-evaluations", options.max_evaluations,
                   "Largest number of designs that the search evaluates; overrides the study's")
-      ->check(number_rule(formats::Rule::between(1, 1e9)));
+      ->check(number_rule(text::Rule::between(1, 1e9)));
   command
       .add_option("--algorithm", options.algorithm,
                   "Search algorithm, automatic or one of NLopt's; overrides the study's (default automatic)")
@@ -51,10 +51,10 @@ sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& obje
   sizing::Study study = formats::read_study(options.study);
   const std::size_t count = study.objectives.size();
   if (count < objectives.least || count > objectives.most)
-    throw formats::InputError({.file = options.study,
-                               .place = "/objectives",
-                               .rule = std::string(objectives.rule),
-                               .value = fmt::format("{}", count)});
+    throw text::InputError({.file = options.study,
+                            .place = "/objectives",
+                            .rule = std::string(objectives.rule),
+                            .value = fmt::format("{}", count)});
   study.search.threads = static_cast<unsigned>(options.threads);
   if (options.seed) study.search.seed = *options.seed;
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coilwright/formats/input_error.hpp"
-#include "coilwright/report/output_folder.hpp"
 #include "coilwright/report/sweep_table.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "study_run.hpp"
@@ -24,13 +24,13 @@ constexpr std::size_t progress_interval = 64;  // designs between two looks at t
 void require_grid(const sizing::DesignProblem& problem, const StudyOptions& options) {
   for (const sizing::StudyVariable& variable : problem.study().variables)
     if (!value_count(variable))
-      throw formats::InputError({.file = options.study,
-                                 .place = "/variables/" + name_of(variable),
-                                 .rule = R"(needs "step" or "values" in a sweep)"});
+      throw text::InputError({.file = options.study,
+                              .place = "/variables/" + name_of(variable),
+                              .rule = R"(needs "step" or "values" in a sweep)"});
   try {
     (void)problem.point_count();
   } catch (const std::invalid_argument& too_many) {
-    throw formats::InputError({.file = options.study, .place = "/variables", .rule = too_many.what()});
+    throw text::InputError({.file = options.study, .place = "/variables", .rule = too_many.what()});
   }
 }
 
@@ -40,7 +40,7 @@ ExitCode run_sweep(const StudyOptions& options) {
   require_grid(problem, options);
   const sizing::Study& study = problem.study();
   const Interruption interruption;
-  report::OutputFolder folder(options.out);
+  text::OutputFolder folder(options.out);
   const std::size_t count = problem.point_count();
   report::SweepTable designs(folder.open("designs.csv"), study);
   sizing::Leaders leaders(problem);

@@ -16,12 +16,12 @@
 #include "coilwright/formats/declared_actuator.hpp"
 #include "coilwright/formats/effect_argument.hpp"
 #include "coilwright/formats/experiment_file.hpp"
-#include "coilwright/formats/input_error.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/report/dataset_writer.hpp"
-#include "coilwright/report/output_file.hpp"
-#include "coilwright/report/output_folder.hpp"
 #include "coilwright/report/twin_answer.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
@@ -61,9 +61,7 @@ std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpe
   std::vector<Effect> hidden;
   for (const std::string& argument : options.effects) {
     const Effect effect = formats::parse_effect(argument);
-    const auto refuse = [&](std::string rule) {
-      return formats::InputError({.file = argument, .rule = std::move(rule)});
-    };
+    const auto refuse = [&](std::string rule) { return text::InputError({.file = argument, .rule = std::move(rule)}); };
     if (std::ranges::count(hidden, effect.kind, &Effect::kind) > 0) throw refuse("must not be there twice");
     if (std::ranges::count(nominal.effects, effect.kind, &Effect::kind) > 0)
       throw refuse("is declared in " + options.actuator + " already");
@@ -77,7 +75,7 @@ std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpe
 std::vector<Run> act_out(const Options& options, const Experiment& experiment,
                          const measurement::replay::DeclaredModel& rig, const std::vector<Effect>& hidden) {
   const auto refuse = [&](const std::exception& reason) {
-    return formats::InputError({.file = options.experiment, .rule = reason.what()});
+    return text::InputError({.file = options.experiment, .rule = reason.what()});
   };
   try {
     return measurement::experiment::act_out(experiment, rig, hidden, options.seed);
@@ -103,11 +101,11 @@ void check_output(const Options& options) {
 void write(const Options& options, const Experiment& experiment, const std::vector<Effect>& hidden,
            const std::vector<Run>& runs) {
   const std::filesystem::path out = folder_of(options);
-  report::OutputFolder folder(out);
+  text::OutputFolder folder(out);
   // Not in the folder: whoever gets that does not get the answer with it.
   std::filesystem::path beside = out;
   beside += ".answer.json";
-  report::OutputFile answer(beside);
+  text::OutputFile answer(beside);
   answer.stream() << report::to_json(report::TwinAnswer{.dataset = out.filename().string(),
                                                         .actuator = options.actuator,
                                                         .experiment = options.experiment,
@@ -164,7 +162,7 @@ void add_twin_command(CLI::App& app, Outcome&) {
           "experiment's; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Random seed for the noise (default 1)")
-      ->check(number_rule(formats::Rule::between(0, 9007199254740992.0)));
+      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
   command->add_option("--out", options->out, "Folder for the data set; it is created if it does not exist")->required();
   command->footer(
       "Writes a data set (measured-data/1) into the folder: dataset.json, actuator.json as it was given, and one\n"

@@ -6,16 +6,16 @@
 #include <memory>
 #include <vector>
 
-#include "coilwright/report/json.hpp"
 #include "coilwright/systems/paper_comparison.hpp"
+#include "coilwright/text/json/json.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-using report::Json;
 using systems::Comparison;
+using text::Json;
 
 Json as_json(const std::vector<Comparison>& rows, bool all_hold) {
   Json list = Json::array();

@@ -3,12 +3,14 @@
 #include <utility>
 
 #include "actuator_reader.hpp"
-#include "coilwright/formats/json_document.hpp"
-#include "coilwright/formats/object_reader.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 #include "design_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
+
+using namespace text;
 
 enum class Format { design, lumped_model };
 

@@ -5,7 +5,7 @@
 
 #include "coilwright/actuator/design.hpp"
 #include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/formats/json_document.hpp"
+#include "coilwright/text/json/document.hpp"
 #include "lumped_model_reader.hpp"
 
 namespace coilwright::formats {
@@ -17,6 +17,7 @@ struct ActuatorContent {
 };
 
 /// Its effects are of `known`.
-[[nodiscard]] ActuatorContent read_actuator_content(const Document& document, const actuator::EffectCatalogue& known);
+[[nodiscard]] ActuatorContent read_actuator_content(const text::Document& document,
+                                                    const actuator::EffectCatalogue& known);
 
 }  // namespace coilwright::formats

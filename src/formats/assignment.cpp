@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "argument.hpp"
-#include "coilwright/formats/spelling.hpp"
+#include "coilwright/text/argument.hpp"
+#include "coilwright/text/spelling.hpp"
 #include "design_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
+
+using namespace text;
 
 actuator::Configuration configuration_of(std::string_view text, std::string_view value) {
   using enum actuator::Configuration;

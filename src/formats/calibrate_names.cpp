@@ -4,11 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "coilwright/formats/one_line.hpp"
+#include "coilwright/text/json/json_pointer.hpp"
+#include "coilwright/text/one_line.hpp"
 #include "effects_reader.hpp"
-#include "json_pointer.hpp"
 
 namespace coilwright::formats {
+
+using namespace text;
 
 std::vector<std::string> CalibrateNames::steps(std::size_t i) const {
   auto steps = pointer_steps(name(i));

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "coilwright/formats/declared_actuator.hpp"
-#include "coilwright/formats/input_error.hpp"
-#include "coilwright/formats/rule.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/rule.hpp"
 
 namespace coilwright::formats {
 
@@ -34,10 +34,10 @@ class CalibrateNames {
   /// Says that name `i` stands for these numbers of the file. Throws when one of them has been claimed before.
   void claim(std::size_t i, const std::vector<std::string>& pointers);
 
-  [[nodiscard]] InputError error(std::size_t i, const std::string& rule) const;
-  [[nodiscard]] InputError leads_nowhere(std::size_t i) const;
+  [[nodiscard]] text::InputError error(std::size_t i, const std::string& rule) const;
+  [[nodiscard]] text::InputError leads_nowhere(std::size_t i) const;
   /// `why` ends "must lead to a number that a fit can move: ".
-  [[nodiscard]] InputError cannot_move(std::size_t i, const std::string& why) const;
+  [[nodiscard]] text::InputError cannot_move(std::size_t i, const std::string& why) const;
 
   /// The number of an effect that `steps` lead to; nothing where they do not lead into "effects". Throws where they
   /// lead there and to nothing that can be calibrated.
@@ -53,8 +53,8 @@ class CalibrateNames {
 /// A parameter of that key and value (SI), with the bounds of `rule` (in the key's unit). `usual` is a change of it
 /// that is usual where it is 0, SI; > 0.
 [[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(std::string key, double declared,
-                                                                              const Rule& rule, double denominator,
-                                                                              double usual);
+                                                                              const text::Rule& rule,
+                                                                              double denominator, double usual);
 
 /// The same for a number of an effect that the file declares.
 [[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,

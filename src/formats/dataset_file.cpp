@@ -5,16 +5,17 @@
 #include <set>
 #include <utility>
 
-#include "coilwright/formats/json_document.hpp"
-#include "coilwright/formats/object_reader.hpp"
 #include "coilwright/formats/run_file.hpp"
 #include "coilwright/measurement/data/data_quality.hpp"
 #include "coilwright/measurement/data/hold_out.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 #include "run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using measurement::data::Dataset;
 using measurement::data::Run;
 using measurement::data::RunKind;

@@ -11,6 +11,8 @@
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
+
 const std::vector<actuator::Effect>& effects_of(const std::variant<actuator::Design, LumpedModel>& content) {
   return std::visit([](const auto& one) -> const std::vector<actuator::Effect>& { return one.effects; }, content);
 }

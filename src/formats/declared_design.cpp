@@ -11,15 +11,16 @@
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/actuator/parameters.hpp"
+#include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
 #include "declared_parts.hpp"
 #include "design_reader.hpp"
-#include "json_pointer.hpp"
 #include "recent_results.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using actuator::Design;
 using actuator::Effect;
 using actuator::Hinge;

@@ -8,14 +8,15 @@
 #include <optional>
 #include <utility>
 
+#include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
 #include "declared_parts.hpp"
-#include "json_pointer.hpp"
 #include "recent_results.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using actuator::Effect;
 using actuator::Hinge;
 using actuator::HingePair;

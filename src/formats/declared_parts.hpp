@@ -8,9 +8,9 @@ namespace coilwright::formats {
 
 /// All of a DeclaredActuator but its name, for each format; what is read again has effects of `known`. Throw
 /// InputError.
-[[nodiscard]] DeclaredActuator declare(Document document, actuator::Design design, CalibrateNames names,
+[[nodiscard]] DeclaredActuator declare(text::Document document, actuator::Design design, CalibrateNames names,
                                        const actuator::EffectCatalogue& known);
-[[nodiscard]] DeclaredActuator declare(Document document, LumpedModel lumped, CalibrateNames names,
+[[nodiscard]] DeclaredActuator declare(text::Document document, LumpedModel lumped, CalibrateNames names,
                                        const actuator::EffectCatalogue& known);
 
 }  // namespace coilwright::formats

@@ -12,6 +12,8 @@
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
+
 // Far beyond any hardware, and near enough that nothing overflows or takes for ever.
 constexpr double largest_number = 1e6;
 constexpr double most_turns = 10'000.0;

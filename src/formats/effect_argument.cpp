@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "argument.hpp"
-#include "coilwright/formats/one_line.hpp"
-#include "coilwright/formats/spelling.hpp"
+#include "coilwright/text/argument.hpp"
+#include "coilwright/text/one_line.hpp"
+#include "coilwright/text/spelling.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using actuator::Effect;
 using actuator::EffectCatalogue;
 using actuator::EffectKind;

@@ -7,11 +7,12 @@
 #include <cmath>
 #include <string>
 
-#include "coilwright/formats/spelling.hpp"
+#include "coilwright/text/spelling.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using actuator::Effect;
 using actuator::EffectCatalogue;
 using actuator::EffectKind;

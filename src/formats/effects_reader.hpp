@@ -3,16 +3,17 @@
 #include <vector>
 
 #include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/formats/object_reader.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
 
 /// The rule of an effect's parameter in the unit of its key.
-[[nodiscard]] Rule rule_of(const actuator::EffectParameter& parameter);
+[[nodiscard]] text::Rule rule_of(const actuator::EffectParameter& parameter);
 
 /// The key "effects" of an actuator file, `[{"id": "dry_friction", "parameters": {"torque_Nmm": 0.61}}]`: effects that
 /// the model has beside its stages. Empty where the key is absent. An
 /// effect is one of `known`.
-[[nodiscard]] std::vector<actuator::Effect> read_effects(ObjectReader& in, const actuator::EffectCatalogue& known);
+[[nodiscard]] std::vector<actuator::Effect> read_effects(text::ObjectReader& in,
+                                                         const actuator::EffectCatalogue& known);
 
 }  // namespace coilwright::formats

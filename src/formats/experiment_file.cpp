@@ -9,16 +9,17 @@
 #include <set>
 #include <utility>
 
-#include "argument.hpp"
 #include "coilwright/formats/input_signal.hpp"
-#include "coilwright/formats/json_document.hpp"
-#include "coilwright/formats/object_reader.hpp"
-#include "coilwright/formats/spelling.hpp"
+#include "coilwright/text/argument.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/text/spelling.hpp"
 #include "run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using namespace measurement::data;
 using namespace measurement::experiment;
 

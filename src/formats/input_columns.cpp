@@ -7,6 +7,8 @@
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
+
 struct Known {
   std::string_view name;  // "#" stands for the number of the coil or joint
   InputKind kind;

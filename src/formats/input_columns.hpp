@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/formats/csv_table.hpp"
 #include "coilwright/formats/input_signal.hpp"
+#include "coilwright/text/csv/csv_table.hpp"
 
 namespace coilwright::formats {
 
@@ -17,6 +17,6 @@ struct InputColumns {
 
 /// Asks the header for the one input it must have, and finishes it: whatever else may stand in the file must have been
 /// asked for before. Throws InputError.
-[[nodiscard]] InputColumns ask_for_input(CsvHeader& header);
+[[nodiscard]] InputColumns ask_for_input(text::CsvHeader& header);
 
 }  // namespace coilwright::formats

@@ -3,11 +3,13 @@
 #include <array>
 #include <string>
 
-#include "coilwright/formats/csv_table.hpp"
+#include "coilwright/text/csv/csv_table.hpp"
 #include "input_columns.hpp"
 
 namespace coilwright::formats {
 namespace {
+
+using namespace text;
 
 // What a transient run may have been measured by; not an input.
 constexpr std::array measured_columns = {"bending_angle_deg", "theta#_deg", "omega#_rad_s"};

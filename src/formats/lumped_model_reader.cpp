@@ -18,6 +18,7 @@
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using actuator::Hinge;
 using actuator::HingePair;
 using actuator::HingePairParts;

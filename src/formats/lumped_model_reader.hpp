@@ -8,7 +8,7 @@
 
 #include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/model_spec.hpp"
-#include "coilwright/formats/object_reader.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
 
@@ -26,7 +26,7 @@ struct LumpedModel {
 template <class Part>
 struct LumpedNumber {
   std::string_view key;
-  Rule rule;
+  text::Rule rule;
   double Part::*member{};
   std::optional<double> otherwise{};  ///< SI, where the key may be absent
 };
@@ -36,28 +36,28 @@ inline constexpr double usual_gravity = 9.81;  // m/s^2
 
 /// Every number of the file but gravity and magnetics: the reader and the numbers that may be calibrated share these.
 inline constexpr std::array link_numbers = {
-    LumpedNumber<mechanics::Link>{"length_m", non_negative, &mechanics::Link::length},
-    LumpedNumber<mechanics::Link>{"com_along_m", finite, &mechanics::Link::com_along},
-    LumpedNumber<mechanics::Link>{"com_offset_m", finite, &mechanics::Link::com_offset},
-    LumpedNumber<mechanics::Link>{"mass_kg", positive, &mechanics::Link::mass},
-    LumpedNumber<mechanics::Link>{"inertia_kgm2", non_negative, &mechanics::Link::inertia},
+    LumpedNumber<mechanics::Link>{"length_m", text::non_negative, &mechanics::Link::length},
+    LumpedNumber<mechanics::Link>{"com_along_m", text::finite, &mechanics::Link::com_along},
+    LumpedNumber<mechanics::Link>{"com_offset_m", text::finite, &mechanics::Link::com_offset},
+    LumpedNumber<mechanics::Link>{"mass_kg", text::positive, &mechanics::Link::mass},
+    LumpedNumber<mechanics::Link>{"inertia_kgm2", text::non_negative, &mechanics::Link::inertia},
 };
 inline constexpr std::array joint_numbers = {
-    LumpedNumber<actuator::Hinge>{"stiffness_Nm_rad", non_negative, &actuator::Hinge::stiffness},
-    LumpedNumber<actuator::Hinge>{"damping_Nms_rad", non_negative, &actuator::Hinge::damping},
-    LumpedNumber<actuator::Hinge>{"torque_offset_Nm", finite, &actuator::Hinge::torque_offset, 0.0},
+    LumpedNumber<actuator::Hinge>{"stiffness_Nm_rad", text::non_negative, &actuator::Hinge::stiffness},
+    LumpedNumber<actuator::Hinge>{"damping_Nms_rad", text::non_negative, &actuator::Hinge::damping},
+    LumpedNumber<actuator::Hinge>{"torque_offset_Nm", text::finite, &actuator::Hinge::torque_offset, 0.0},
 };
 inline constexpr std::array contact_numbers = {
-    LumpedNumber<mechanics::FaceContact>{"closing_angle_deg", finite, &mechanics::FaceContact::closing_angle},
-    LumpedNumber<mechanics::FaceContact>{"stiffness_Nm_rad", positive, &mechanics::FaceContact::stiffness},
-    LumpedNumber<mechanics::FaceContact>{"damping_Nms_rad", non_negative, &mechanics::FaceContact::damping, 0.0},
+    LumpedNumber<mechanics::FaceContact>{"closing_angle_deg", text::finite, &mechanics::FaceContact::closing_angle},
+    LumpedNumber<mechanics::FaceContact>{"stiffness_Nm_rad", text::positive, &mechanics::FaceContact::stiffness},
+    LumpedNumber<mechanics::FaceContact>{"damping_Nms_rad", text::non_negative, &mechanics::FaceContact::damping, 0.0},
 };
 
 /// The keys of `lumped-model/1` but format and name.
-[[nodiscard]] LumpedModel read_lumped_model(ObjectReader& in, const actuator::EffectCatalogue& known);
+[[nodiscard]] LumpedModel read_lumped_model(text::ObjectReader& in, const actuator::EffectCatalogue& known);
 
 /// The entries of "magnetics": one per joint, null for a joint without a coil.
-[[nodiscard]] std::vector<actuator::HingePair> read_lumped_magnetics(const Node& node, std::size_t joints);
+[[nodiscard]] std::vector<actuator::HingePair> read_lumped_magnetics(const text::Node& node, std::size_t joints);
 
 /// Sets `coil_row` anew, as `links` and `pairs` have become. A finger of two joints with a pair on each is taken for
 /// configuration B: a coil on the base and one on the last link, the magnet between them. Where the coils of another

@@ -4,6 +4,7 @@
 
 namespace coilwright::formats {
 
+using namespace text;
 using magnetics::CylinderMagnet;
 using magnetics::ThickCoil;
 using magnetics::Winding;

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "coilwright/formats/object_reader.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
 
 /// {"radius_mm", "length_mm", "remanence_T"}
-[[nodiscard]] magnetics::CylinderMagnet read_magnet(const Node& node);
+[[nodiscard]] magnetics::CylinderMagnet read_magnet(const text::Node& node);
 
 /// {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"}
-[[nodiscard]] magnetics::ThickCoil read_coil(const Node& node, magnetics::Winding winding);
+[[nodiscard]] magnetics::ThickCoil read_coil(const text::Node& node, magnetics::Winding winding);
 
 /// "winding", one of paper_shells, layer_centres, uniform; uniform when it is not there.
-[[nodiscard]] magnetics::Winding read_winding(ObjectReader& in);
+[[nodiscard]] magnetics::Winding read_winding(text::ObjectReader& in);
 
 }  // namespace coilwright::formats

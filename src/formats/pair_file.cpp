@@ -5,13 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "coilwright/formats/json_document.hpp"
-#include "coilwright/formats/object_reader.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 #include "magnetic_parts.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using magnetics::CylinderMagnet;
 using magnetics::Pose;
 using magnetics::ThickCoil;

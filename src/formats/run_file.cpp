@@ -5,13 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/csv_table.hpp"
+#include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/units/unit.hpp"
 #include "input_columns.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using measurement::data::Channel;
 using measurement::data::Drive;
 using measurement::data::Quantity;

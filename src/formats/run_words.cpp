@@ -5,6 +5,7 @@
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using measurement::data::Drive;
 using measurement::data::RunKind;
 using measurement::data::Start;

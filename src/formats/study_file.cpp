@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/formats/json_document.hpp"
-#include "coilwright/formats/object_reader.hpp"
-#include "coilwright/formats/spelling.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/text/spelling.hpp"
 #include "design_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using namespace sizing;
 
 // Bounds far beyond any hardware and any search, and near enough that nothing overflows.

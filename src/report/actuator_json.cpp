@@ -13,6 +13,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using namespace actuator;
 
 Json section_json(const Design& design, std::string_view section) {
@@ -65,8 +66,8 @@ Json number_json(double value) {
   return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
 }
 
-Json copy_of(const formats::Node& node) {
-  using Kind = formats::Node::Kind;
+Json copy_of(const text::Node& node) {
+  using Kind = text::Node::Kind;
   switch (node.kind()) {
     case Kind::null:
       return {};
@@ -78,20 +79,20 @@ Json copy_of(const formats::Node& node) {
       return node.text();
     case Kind::array: {
       Json out = Json::array();
-      for (const formats::Node& element : node.elements()) out.add(copy_of(element));
+      for (const text::Node& element : node.elements()) out.add(copy_of(element));
       return out;
     }
     case Kind::object:
       break;
   }
   Json out = Json::object();
-  for (const formats::Node& member : node.members()) out.set(member.key(), copy_of(member));
+  for (const text::Node& member : node.members()) out.set(member.key(), copy_of(member));
   return out;
 }
 
 Json lumped_json(const formats::UpdatedLumpedModel& lumped) {
   Json out = Json::object();
-  for (const formats::Node& member : lumped.document.root().members())
+  for (const text::Node& member : lumped.document.root().members())
     if (member.key() != "effects") out.set(member.key(), copy_of(member));
   if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
   return out;

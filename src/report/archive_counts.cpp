@@ -6,6 +6,8 @@
 
 namespace coilwright::report {
 
+using namespace text;
+
 ArchiveCounts counts_of(const sizing::Archive& archive) {
   ArchiveCounts counts;
   for (const sizing::Record& record : archive.records()) {

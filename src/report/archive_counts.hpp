@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <string>
 
-#include "coilwright/report/json.hpp"
 #include "coilwright/sizing/problem/archive.hpp"
 #include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
@@ -18,13 +18,13 @@ struct ArchiveCounts {
 [[nodiscard]] ArchiveCounts counts_of(const sizing::Archive& archive);
 
 /// {"ok": .., "infeasible": .., "failed": ..}
-[[nodiscard]] Json to_json(const ArchiveCounts& counts);
+[[nodiscard]] text::Json to_json(const ArchiveCounts& counts);
 
 /// "1200 kept every limit, 700 did not, 100 could not be evaluated".
 [[nodiscard]] std::string to_text(const ArchiveCounts& counts);
 
 /// The first keys of a result file: what was asked, and how it was searched.
-[[nodiscard]] Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);
+[[nodiscard]] text::Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);
 
 /// "the evaluations allowed were made" for StopReason::evaluation_limit.
 [[nodiscard]] std::string_view meaning_of(sizing::StopReason reason);

@@ -7,12 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/report/csv_writer.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
 #include "report/measured_unit.hpp"
 
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using namespace measurement;
 
 Json run_json(const RunInRole& each) {

@@ -8,6 +8,7 @@
 
 namespace coilwright::report {
 
+using namespace text;
 using sizing::Evaluation;
 using sizing::Limit;
 using sizing::Study;

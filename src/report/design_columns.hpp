@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/report/csv_writer.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
 
 namespace coilwright::report {
 
 /// A row under construction: the names of its columns were collected in the same order.
-using Cells = std::vector<CsvCell>;
+using Cells = std::vector<text::CsvCell>;
 
 /// "ok", "infeasible" or "failed".
 [[nodiscard]] std::string_view status_of(const sizing::Evaluation& evaluation);

@@ -10,6 +10,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using namespace measurement;
 
 Json number_or_null(double value) {

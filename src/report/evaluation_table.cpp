@@ -8,6 +8,8 @@
 
 namespace coilwright::report {
 
+using namespace text;
+
 void write_evaluations(std::ostream& out, const sizing::Study& study, std::span<const sizing::Record> records) {
   std::vector<std::string> names;
   add_variable_names(study, names);

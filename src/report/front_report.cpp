@@ -14,6 +14,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using namespace sizing;
 
 // Hypervolume of the front in its own frame, reference 1.1: how full it is, comparable between runs of one study only.

@@ -10,6 +10,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using simulation::Motion;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;

@@ -6,12 +6,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coilwright/report/csv_writer.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
 #include "report/measured_unit.hpp"
 
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using measurement::Replay;
 using measurement::data::Quantity;
 

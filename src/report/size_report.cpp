@@ -16,6 +16,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using namespace sizing;
 
 template <class List, class Name>

@@ -12,6 +12,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using sizing::Study;
 using sizing::SweptDesign;
 

@@ -9,6 +9,7 @@
 namespace coilwright::report {
 namespace {
 
+using namespace text;
 using namespace measurement;
 
 Json instruments_json(const experiment::Instruments& instruments, double experiment::Instrument::*what) {

@@ -8,13 +8,13 @@
 #include <new>
 #include <stdexcept>
 
-#include "coilwright/formats/input_error.hpp"
-#include "coilwright/report/output_file.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-using report::OutputError;
+using text::OutputError;
 
 /// A command of its own for each way to end.
 template <class... Action>
@@ -26,7 +26,7 @@ void add_endings(CLI::App& app, Outcome& outcome) {
   add(app, "well");
   add(app, "infeasible", [&outcome] { outcome.code = ExitCode::infeasible; });
   add(app, "interrupted", [&outcome] { outcome.code = ExitCode::interrupted; });
-  add(app, "input", [] { throw formats::InputError({.file = "x.json", .place = "/a", .rule = "is missing"}); });
+  add(app, "input", [] { throw text::InputError({.file = "x.json", .place = "/a", .rule = "is missing"}); });
   add(app, "folder", [] { throw OutputError("out", "Permission denied", OutputError::Stage::preparing); });
   add(app, "disk", [] { throw OutputError("out", "No space left on device", OutputError::Stage::writing); });
   add(app, "memory", [] { throw std::bad_alloc(); });

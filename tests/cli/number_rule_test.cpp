@@ -7,7 +7,7 @@
 namespace coilwright::cli {
 namespace {
 
-std::string complaint(const std::string& argument, const formats::Rule& rule = formats::finite) {
+std::string complaint(const std::string& argument, const text::Rule& rule = text::finite) {
   CLI::App app;
   double value{};
   app.add_option("--current", value)->check(number_rule(rule));
@@ -21,7 +21,7 @@ std::string complaint(const std::string& argument, const formats::Rule& rule = f
 
 TEST(NumberRule, TakesNumbersThatTheRuleAllows) {
   EXPECT_EQ(complaint("-1.4"), "accepted");
-  EXPECT_EQ(complaint("2.5e-3", formats::positive), "accepted");
+  EXPECT_EQ(complaint("2.5e-3", text::positive), "accepted");
 }
 
 TEST(NumberRule, RefusesWhatIsNoFiniteNumber) {
@@ -31,8 +31,8 @@ TEST(NumberRule, RefusesWhatIsNoFiniteNumber) {
 }
 
 TEST(NumberRule, RefusesWhatTheRuleForbids) {
-  EXPECT_EQ(complaint("0", formats::positive), "--current: must be > 0; got \"0\"");
-  EXPECT_EQ(complaint("7", formats::Rule::between(2, 5)), "--current: must be from 2 to 5; got \"7\"");
+  EXPECT_EQ(complaint("0", text::positive), "--current: must be > 0; got \"0\"");
+  EXPECT_EQ(complaint("7", text::Rule::between(2, 5)), "--current: must be from 2 to 5; got \"7\"");
 }
 
 }  // namespace

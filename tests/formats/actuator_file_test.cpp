@@ -12,7 +12,7 @@
 namespace coilwright::formats {
 namespace {
 
-using testing::error_of;
+using text::testing::error_of;
 
 constexpr double degree = std::numbers::pi / 180.0;
 

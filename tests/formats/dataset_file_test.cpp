@@ -39,7 +39,7 @@ class DatasetFiles : public ::testing::Test {
   }
   // Without the folder's name.
   std::string refusal(const std::string& json) {
-    std::string text = testing::error_of([&] { (void)read(json); });
+    std::string text = text::testing::error_of([&] { (void)read(json); });
     const std::string prefix = folder_.path().string() + "/";
     return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
   }
@@ -175,7 +175,7 @@ TEST_F(DatasetFiles, NameTheFileThatIsAtFault) {
   write("a.csv", step);
   write("b.csv", "time_s,current_A,bending_angle_deg\n0,0,1\n1,1.4\n");
   EXPECT_EQ(runs_refusal(run_a + "," + run_b), "b.csv: line 3: must have 3 fields, as the header has; got 2");
-  EXPECT_THAT(testing::error_of([&] { (void)read_dataset(folder_.path() / "nothing"); }),
+  EXPECT_THAT(text::testing::error_of([&] { (void)read_dataset(folder_.path() / "nothing"); }),
               HasSubstr("nothing: cannot be opened: No such file or directory"));
 }
 

@@ -39,7 +39,7 @@ DeclaredActuator declared(const std::string& text, const Names& names) {
 }
 
 std::string refusal(const std::string& text, const Names& names) {
-  return testing::error_of([&] { (void)declared(text, names); });
+  return text::testing::error_of([&] { (void)declared(text, names); });
 }
 
 actuator::ModelSpec file_spec(const std::string& text) {

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/input_error_text.hpp"
+#include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 std::string refusal(const std::string& argument) {
-  return testing::error_of([&] { (void)parse_effect(argument); });
+  return text::testing::error_of([&] { (void)parse_effect(argument); });
 }
 
 TEST(EffectArgument, GivesParametersInSiInTheOrderOfTheEffect) {

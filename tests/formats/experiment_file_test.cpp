@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "formats/input_error_text.hpp"
 #include "temporary_folder.hpp"
+#include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -28,7 +28,7 @@ PlannedRun driven_by(const std::string& input) {
 }
 
 std::string refusal(const std::string& run) {
-  return ::coilwright::formats::testing::error_of([&] { (void)parse_experiment(with_runs(run), "x.json"); });
+  return text::testing::error_of([&] { (void)parse_experiment(with_runs(run), "x.json"); });
 }
 
 TEST(ExperimentFile, TheShippedOneIsLikeThePapers) {
@@ -175,7 +175,7 @@ TEST(ExperimentFile, NoiseMayBeSetByAnArgument) {
   set_noise(instruments, "temperature_K=0.5");
   EXPECT_EQ(instruments.temperature.noise, 0.5);
   const auto refused = [&](const char* argument) {
-    return ::coilwright::formats::testing::error_of([&] { set_noise(instruments, argument); });
+    return text::testing::error_of([&] { set_noise(instruments, argument); });
   };
   EXPECT_EQ(refused("angel_deg=1"), R"(angel_deg=1: is not a noise of an instrument; did you mean "angle_deg"?)");
   EXPECT_EQ(refused("angle_deg=-1"), "angle_deg=-1: must be from 0 to 1000000");

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "formats/input_error_text.hpp"
 #include "temporary_folder.hpp"
+#include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 
 std::string refusal(std::string_view text) {
-  return testing::error_of([&] { (void)parse_input_signal(text, "x.csv"); });
+  return text::testing::error_of([&] { (void)parse_input_signal(text, "x.csv"); });
 }
 
 TEST(InputSignal, CommandsAllCoilsByOneColumn) {

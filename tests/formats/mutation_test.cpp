@@ -12,15 +12,16 @@
 #include "coilwright/formats/actuator_file.hpp"
 #include "coilwright/formats/dataset_file.hpp"
 #include "coilwright/formats/experiment_file.hpp"
-#include "coilwright/formats/input_error.hpp"
 #include "coilwright/formats/input_signal.hpp"
 #include "coilwright/formats/pair_file.hpp"
 #include "coilwright/formats/run_file.hpp"
 #include "coilwright/formats/study_file.hpp"
+#include "coilwright/text/input_error.hpp"
 
 namespace coilwright::formats {
 namespace {
 
+using namespace text;
 using Read = std::function<void(const std::string& text)>;
 
 void read_as_pair(const std::string& text) {

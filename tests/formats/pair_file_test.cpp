@@ -4,11 +4,10 @@
 
 #include <string>
 
-#include "formats/input_error_text.hpp"
+#include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
 namespace {
-
 using magnetics::Winding;
 
 const std::filesystem::path data = std::filesystem::path(COILWRIGHT_TEST_DATA) / "formats";
@@ -19,7 +18,7 @@ const std::string magnet = R"({"radius_mm": 4, "length_mm": 6, "remanence_T": 1.
 const std::string poses = R"("poses": [{"position_mm": [0.5, 0, 12], "axis": [0, 0.1, 1]}])";
 
 std::string refusal(const std::string& members) {
-  return testing::error_of([&] { (void)parse_pair("{" + members + "}", "x.json"); });
+  return text::testing::error_of([&] { (void)parse_pair("{" + members + "}", "x.json"); });
 }
 
 std::string coil_and_magnet(const std::string& coil_text, const std::string& magnet_text) {

@@ -28,7 +28,7 @@ measurement::data::Run run_of(std::string_view text, RunKind kind) {
 }
 
 std::string refusal(std::string_view text, RunKind kind = RunKind::transient) {
-  return testing::error_of([&] { (void)run_of(text, kind); });
+  return text::testing::error_of([&] { (void)run_of(text, kind); });
 }
 
 std::string objection(std::string_view text, RunKind kind = RunKind::transient) {

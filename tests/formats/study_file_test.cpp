@@ -108,7 +108,7 @@ TEST_F(StudyFile, FromAFileIsTheSameAsFromItsText) {
 
 TEST_F(StudyFile, NamesTheActuatorsFileForTheActuatorsFaults) {
   std::ofstream(folder_.path() / "sub/finger.json") << R"({"format": "actuator/1", "configuration": "X"})";
-  const std::string error = testing::error_of([&] { (void)parse(text); });
+  const std::string error = text::testing::error_of([&] { (void)parse(text); });
   EXPECT_EQ(error, (folder_.path() / "sub/finger.json").string() +
                        R"(: /configuration: must be one of "A", "B", "C", "D"; got text "X")");
 }

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "coilwright/formats/input_error.hpp"
+#include "coilwright/text/input_error.hpp"
 
 namespace coilwright::fuzz {
 
@@ -14,7 +14,7 @@ template <class Read>
 int reads_or_refuses(const std::uint8_t* data, std::size_t size, Read read) {
   try {
     read(std::string_view(reinterpret_cast<const char*>(data), size));
-  } catch (const formats::InputError& error) {
+  } catch (const text::InputError& error) {
     if (std::string_view(error.what()).find_first_of("\n\r") != std::string_view::npos) std::abort();
   }
   return 0;

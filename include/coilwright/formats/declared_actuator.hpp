@@ -10,14 +10,14 @@
 
 #include "coilwright/actuator/design.hpp"
 #include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/formats/json_document.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
+#include "coilwright/text/json/document.hpp"
 
 namespace coilwright::formats {
 
 /// A lumped model's file with other numbers.
 struct UpdatedLumpedModel {
-  Document document;                      ///< as it was read, but for its numbers; its "effects" count no more
+  text::Document document;                ///< as it was read, but for its numbers; its "effects" count no more
   std::vector<actuator::Effect> effects;  ///< all of the model
 };
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "coilwright/formats/input_error.hpp"
 #include "coilwright/measurement/data/run.hpp"
+#include "coilwright/text/input_error.hpp"
 
 namespace coilwright::formats {
 
@@ -26,7 +26,7 @@ struct RunFile {
   measurement::data::Run run;
   /// Why the run cannot be used though its file is well formed: an angle that no finger reaches. Not thrown by the
   /// reader, because a run that is held out is not to be looked at.
-  std::optional<InputError> objection{};
+  std::optional<text::InputError> objection{};
 };
 
 /// Reads the CSV file of a run. Columns by kind (units of one dimension are interchangeable):

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "coilwright/measurement/data/dataset.hpp"
-#include "coilwright/report/json.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
@@ -16,7 +16,8 @@ struct RunInRole {
 };
 
 /// dataset.json of a measured-data/1 set; `actuator` is the declared model's file, counted from the set's folder.
-[[nodiscard]] Json dataset_json(const std::string& name, const std::string& actuator, std::span<const RunInRole> runs);
+[[nodiscard]] text::Json dataset_json(const std::string& name, const std::string& actuator,
+                                      std::span<const RunInRole> runs);
 
 /// The CSV file of a run: the columns of its kind, then its channels under their names, in the units of the names.
 /// Twelve digits, far beyond any instrument: what a resolution of 0.02 deg made 30.02 is not written as

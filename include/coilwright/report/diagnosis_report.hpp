@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/report/json.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
@@ -21,7 +21,7 @@ struct DiagnosisAnswer {
 /// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it
 /// (docs/formats-diagnosis.md). Numbers that do not exist (an open end of an interval, a criterion without a value) are
 /// null. No timings: the same diagnosis gives the same bytes.
-[[nodiscard]] Json to_json(const DiagnosisAnswer& answer);
+[[nodiscard]] text::Json to_json(const DiagnosisAnswer& answer);
 
 /// The same for a person, who has a minute.
 [[nodiscard]] std::string to_text(const DiagnosisAnswer& answer);

@@ -2,20 +2,20 @@
 
 #include <string>
 
-#include "coilwright/report/json.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/quantity.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
 /// Every quantity of a design under its name, null where it has no value, then the joint angles (deg) at rest, steady
 /// and in the blocked grasp, and the modes.
-[[nodiscard]] Json to_json(const simulation::DesignView& design,
-                           const simulation::QuantityTable& quantities = simulation::standard_quantities());
+[[nodiscard]] text::Json to_json(const simulation::DesignView& design,
+                                 const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 /// The same of a model that is given by its lumps alone: only the quantities that need no design. Current in A.
-[[nodiscard]] Json to_json(const simulation::Motion& motion, double current,
-                           const simulation::QuantityTable& quantities = simulation::standard_quantities());
+[[nodiscard]] text::Json to_json(const simulation::Motion& motion, double current,
+                                 const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 /// One line for each quantity, with its name, value and meaning; then the joint angles and the modes.
 [[nodiscard]] std::string to_text(const simulation::DesignView& design,

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "coilwright/report/json.hpp"
 #include "coilwright/sizing/search/search.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
@@ -18,7 +18,7 @@ struct SizeAnswer {
 };
 
 /// result.json of `size`; its keys are in docs/formats.md.
-[[nodiscard]] Json to_json(const SizeAnswer& answer);
+[[nodiscard]] text::Json to_json(const SizeAnswer& answer);
 
 /// The same for a person, who has a minute.
 [[nodiscard]] std::string to_text(const SizeAnswer& answer);

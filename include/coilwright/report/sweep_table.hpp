@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/report/csv_writer.hpp"
-#include "coilwright/report/json.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
@@ -22,8 +22,8 @@ class SweepTable {
 
  private:
   const sizing::Study* study_;
-  CsvWriter csv_;
-  std::vector<CsvCell> cells_;
+  text::CsvWriter csv_;
+  std::vector<text::CsvCell> cells_;
 };
 
 /// The leaders of a sweep as CSV: `best_for` (the objective), then the columns of SweepTable.
@@ -39,7 +39,7 @@ struct SweepAnswer {
 };
 
 /// The counts, and of each leader its configuration, variables, objectives and constraints.
-[[nodiscard]] Json to_json(const SweepAnswer& answer);
+[[nodiscard]] text::Json to_json(const SweepAnswer& answer);
 
 /// The leaders as a table to read: variables, objectives, what each is best for, and what is in the way where nothing
 /// is feasible; then the counts.

@@ -6,7 +6,7 @@
 
 #include "coilwright/actuator/effect.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
-#include "coilwright/report/json.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::report {
 
@@ -21,6 +21,6 @@ struct TwinAnswer {
 };
 
 /// The answer's file; its keys are in docs/formats-experiment.md.
-[[nodiscard]] Json to_json(const TwinAnswer& answer);
+[[nodiscard]] text::Json to_json(const TwinAnswer& answer);
 
 }  // namespace coilwright::report

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "coilwright/text/input_error.hpp"
+
+namespace coilwright::text {
+
+/// A mistake in an argument of the command line, which its error shows whole: `gap_mm=-1: must be > 0`.
+inline InputError argument_error(std::string_view argument, std::string rule) {
+  return InputError({.file = std::string(argument), .rule = std::move(rule)});
+}
+
+/// A name and a value out of `name=value`.
+struct NameAndValue {
+  std::string_view name;
+  std::string_view value;
+};
+
+/// Takes `part` of `argument` apart at its first '='; `example` shows what was expected.
+inline NameAndValue split_assignment(std::string_view argument, std::string_view part, std::string_view example) {
+  const std::size_t equals = part.find('=');
+  if (equals == std::string_view::npos)
+    throw argument_error(argument, "must be a name and a value, as in \"" + std::string(example) + '"');
+  return {.name = part.substr(0, equals), .value = part.substr(equals + 1)};
+}
+
+/// The number that `value` spells: as in our files (a point, no NaN, no Infinity).
+inline double number_of(std::string_view argument, std::string_view value) {
+  double number{};
+  const char* end = value.data() + value.size();
+  const auto [stop, status] = std::from_chars(value.data(), end, number);
+  if (status != std::errc() || stop != end || !std::isfinite(number))
+    throw argument_error(argument, "must be a finite number");
+  return number;
+}
+
+}  // namespace coilwright::text

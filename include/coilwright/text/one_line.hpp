@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace coilwright::text {
+
+/// `text` fit for one line of a terminal: control characters, line separators and bytes that are not UTF-8 are
+/// written as escapes (`\n`, `\x1b`), and what goes beyond `longest` bytes is cut and marked with "...".
+/// Applying it twice changes nothing.
+[[nodiscard]] std::string one_line(std::string_view text, std::size_t longest = 80);
+
+/// one_line(text) between double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text, std::size_t longest = 80);
+
+}  // namespace coilwright::text

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+namespace coilwright::text {
+
+/// An output that cannot be written: `out/x: cannot be written: Permission denied`, one line.
+class OutputError : public std::runtime_error {
+ public:
+  /// When it came out: before any work (the user named a place that cannot be used), or with the results in hand.
+  enum class Stage { preparing, writing };
+
+  OutputError(const std::filesystem::path& path, const std::string& reason, Stage stage);
+  [[nodiscard]] Stage stage() const noexcept { return stage_; }
+
+ private:
+  Stage stage_;
+};
+
+/// A file that appears under its name only when it is complete. Until commit() it grows as a hidden sibling, and what
+/// stood under the name stays as it was; without commit() the sibling is removed. Memory is bounded by the stream's
+/// buffer, however long the file.
+class OutputFile {
+ public:
+  /// Opens the sibling, so that a place that cannot be written is known before the work. Throws OutputError
+  /// (preparing).
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Writing to it throws OutputError (writing) as soon as the system refuses, say because the disk is full.
+  [[nodiscard]] std::ostream& stream() noexcept;
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+  /// Writes out what is buffered and checks that all was taken. Throws OutputError (writing).
+  void close();
+  /// Closes, and gives the file its name in one step, replacing what stood there. Throws OutputError (writing).
+  void commit();
+
+ private:
+  class Sink;
+
+  std::filesystem::path path_;
+  std::filesystem::path sibling_;
+  std::unique_ptr<Sink> sink_;
+  bool committed_{false};
+};
+
+}  // namespace coilwright::text

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/text/output/output_file.hpp"
+
+namespace coilwright::text {
+
+/// A folder of results that appear together. Files are written beside their final names and get them at commit(), each
+/// in one step, after all of them are complete; other files in the folder stay. Without commit() nothing is left: no
+/// file, and none of the folders that had to be made.
+class OutputFolder {
+ public:
+  /// Makes the folder if it is not there and tries that it can be written. Throws OutputError (preparing).
+  explicit OutputFolder(std::filesystem::path path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// A file of the folder to stream into; the stream lives until commit(). Throws OutputError (writing) when it cannot
+  /// be opened, std::invalid_argument when `name` is not a plain file name or was opened before.
+  [[nodiscard]] std::ostream& open(std::string_view name);
+  /// A file with this content.
+  void write(std::string_view name, std::string_view content);
+  /// Removes at commit() what an earlier run may have left under this name, so that it is not taken for a result of
+  /// this one.
+  void remove(std::string_view name);
+  /// Gives all files their names. Throws OutputError (writing); if a file is incomplete, none of them changes.
+  void commit();
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  void remove_made_folders() noexcept;
+
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;  // outermost first
+  std::vector<std::filesystem::path> outdated_;
+  std::deque<OutputFile> files_;  // a deque: a stream's address must not change
+};
+
+}  // namespace coilwright::text

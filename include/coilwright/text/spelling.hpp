@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace coilwright::text {
+
+/// Number of letters to insert, delete, replace or swap with their neighbour to turn `a` into `b` (the optimal
+/// string alignment distance).
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate that `word` was most likely meant to be: at most a third of its letters (at least one) away.
+[[nodiscard]] std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
+
+/// `; did you mean "evaluate"?`, or nothing when no candidate is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace coilwright::text

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "coilwright/text/csv/csv_table.hpp"
+#include "coilwright/text/one_line.hpp"
+#include "coilwright/text/spelling.hpp"
+#include "coilwright/units/unit.hpp"
+
+namespace coilwright::text {
+namespace {
+
+// The closed list of measured-data/1. A unit that JSON keys may carry is unknown here when it is not in it.
+constexpr std::array<std::string_view, 13> column_units = {"s",   "A",     "V",     "N",    "Nm", "Nmm", "deg",
+                                                           "rad", "deg_s", "rad_s", "degC", "m",  "mm"};
+
+bool is_column_unit(const units::Unit& unit) {
+  return std::find(column_units.begin(), column_units.end(), unit.suffix) != column_units.end();
+}
+
+// "theta1_rad" is the column that "theta1_deg" asks for.
+bool answers(std::string_view name, std::string_view asked) {
+  if (name == asked) return true;
+  const auto present = units::split_unit(name), wanted = units::split_unit(asked);
+  return present && wanted && present->quantity == wanted->quantity &&
+         present->unit.dimension == wanted->unit.dimension && is_column_unit(present->unit);
+}
+
+std::string with_number(std::string_view pattern, std::size_t number) {
+  const std::size_t mark = pattern.find('#');
+  return fmt::format("{}{}{}", pattern.substr(0, mark), number, pattern.substr(mark + 1));
+}
+
+std::string_view quantity_of(std::string_view name) {
+  const auto split = units::split_unit(name);
+  return split ? split->quantity : name;
+}
+
+}  // namespace
+
+CsvHeader::CsvHeader(std::string file, std::size_t line, std::vector<std::string> names)
+    : file_(std::move(file)), line_(line), names_(std::move(names)) {
+  std::set<std::string_view> seen;
+  for (const std::string& name : names_) {
+    if (name.empty()) throw error("must name every column");
+    if (!seen.insert(quantity_of(name)).second) throw error(name, "must not be there twice");
+  }
+}
+
+std::size_t CsvHeader::index_of(std::string_view name) const {
+  const auto found =
+      std::find_if(names_.begin(), names_.end(), [&](const std::string& each) { return answers(each, name); });
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+bool CsvHeader::find(std::string_view name) {
+  asked_for_.emplace_back(name);
+  const std::size_t index = index_of(name);
+  if (index == names_.size()) return false;
+  known_.insert(index);
+  kept_.insert(index);
+  return true;
+}
+
+void CsvHeader::require(std::string_view name) {
+  if (find(name)) return;
+  for (const std::string& each : names_) {
+    if (quantity_of(each) == quantity_of(name) || each == quantity_of(name)) {
+      throw error(each, "unknown unit; did you mean " + in_quotes(name) + "?");
+    }
+  }
+  const bool otherwise_separated = names_.front().find_first_of(";\t|") != std::string::npos;
+  throw error(name, otherwise_separated ? "is missing; columns must be separated by commas" : "is missing");
+}
+
+std::size_t CsvHeader::numbered(std::string_view pattern) {
+  std::size_t count = 0;
+  while (find(with_number(pattern, count + 1))) ++count;
+  return count;
+}
+
+void CsvHeader::ignore(std::string_view name) {
+  for (std::size_t number = 1;; ++number) {
+    const bool many = name.find('#') != std::string_view::npos;
+    const std::string each = many ? with_number(name, number) : std::string(name);
+    asked_for_.push_back(each);
+    const std::size_t index = index_of(each);
+    if (index == names_.size()) return;
+    known_.insert(index);
+    if (!many) return;
+  }
+}
+
+void CsvHeader::finish() const {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (known_.contains(i)) continue;
+    for (const std::string& asked : asked_for_) {
+      const bool same_quantity = quantity_of(names_[i]) == quantity_of(asked) || names_[i] == quantity_of(asked);
+      if (same_quantity) throw error(names_[i], "unknown unit; did you mean " + in_quotes(asked) + "?");
+    }
+    std::vector<std::string> absent;
+    for (const std::string& asked : asked_for_)
+      if (index_of(asked) == names_.size()) absent.push_back(asked);
+    throw error(names_[i], "unknown column" + did_you_mean(names_[i], absent));
+  }
+}
+
+InputError CsvHeader::error(std::string rule) const {
+  return InputError({.file = file_, .place = fmt::format("line {}", line_), .rule = std::move(rule)});
+}
+
+InputError CsvHeader::error(std::string_view column, std::string rule) const {
+  return InputError(
+      {.file = file_, .place = fmt::format("line {}: column {}", line_, one_line(column)), .rule = std::move(rule)});
+}
+
+}  // namespace coilwright::text

@@ -1,0 +1,122 @@
+#include "text/csv/csv_parser.hpp"
+
+#include <csv.h>
+#include <fmt/format.h>
+
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "coilwright/text/csv/csv_table.hpp"
+#include "coilwright/text/input_error.hpp"
+
+namespace coilwright::text {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+}  // namespace
+
+struct CsvParser::State {
+  std::string file;
+  OnRow on_row;
+  csv_parser parser{};
+  bool at_start{true};
+  bool after_carriage_return{false};
+  bool in_row{false};
+  bool row_complete{false};
+  std::size_t line{1};
+  std::size_t row_line{1};
+  std::size_t row_bytes{0};
+  std::string text{};               // the fields of the row, one after the other
+  std::vector<std::size_t> ends{};  // where each ends in `text`
+  std::vector<std::string_view> fields{};
+
+  InputError error(std::string rule) const {
+    return InputError({.file = file, .place = fmt::format("line {}", row_line), .rule = std::move(rule)});
+  }
+
+  // Called by libcsv, which is C: nothing may be thrown through it. The row is given out after it has returned.
+  static void on_field(void* field, std::size_t size, void* self) noexcept {
+    auto& state = *static_cast<State*>(self);
+    state.text.append(static_cast<const char*>(field), size);
+    state.ends.push_back(state.text.size());
+  }
+  static void on_row_end(int, void* self) noexcept { static_cast<State*>(self)->row_complete = true; }
+};
+
+CsvParser::CsvParser(std::string file, OnRow on_row)
+    : state_(std::make_unique<State>(State{.file = std::move(file), .on_row = std::move(on_row)})) {
+  if (csv_init(&state_->parser, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
+}
+
+CsvParser::~CsvParser() {
+  csv_free(&state_->parser);
+}
+
+void CsvParser::feed(std::string_view text) {
+  if (std::exchange(state_->at_start, false) && text.starts_with(byte_order_mark)) {
+    text.remove_prefix(byte_order_mark.size());
+  }
+  // libcsv gets a line at a time, so that we know the number of the line it is in.
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of("\r\n");
+    const bool ends_here = end != std::string_view::npos;
+    const std::string_view line = text.substr(0, ends_here ? end + 1 : text.size());
+    text.remove_prefix(line.size());
+    feed_line(line);
+    // CR LF is one line end.
+    const bool second_of_two = line == "\n" && state_->after_carriage_return;
+    if (ends_here && !second_of_two) ++state_->line;
+    state_->after_carriage_return = line.ends_with('\r');
+  }
+}
+
+void CsvParser::feed_line(std::string_view line) {
+  State& state = *state_;
+  if (!state.in_row) {
+    if (is_blank(line)) return;
+    state.in_row = true;
+    state.row_line = state.line;
+    state.row_bytes = 0;
+  }
+  state.row_bytes += line.size();
+  if (state.row_bytes > csv_row_limit) {
+    throw state.error(fmt::format("must not be longer than {} MB (is a quote not closed?)", csv_row_limit / 1'000'000));
+  }
+  const std::size_t taken =
+      csv_parse(&state.parser, line.data(), line.size(), &State::on_field, &State::on_row_end, &state);
+  if (taken != line.size()) {
+    throw state.error("must have quotes around whole fields only, and quotes inside them doubled");
+  }
+  if (state.row_complete) give_out_row();
+}
+
+void CsvParser::finish() {
+  State& state = *state_;
+  if (csv_fini(&state.parser, &State::on_field, &State::on_row_end, &state) != 0) {
+    throw state.error("must close the quote that it opens");
+  }
+  if (state.row_complete) give_out_row();
+}
+
+void CsvParser::give_out_row() {
+  State& state = *state_;
+  state.row_complete = false;
+  state.in_row = false;
+  state.fields.clear();
+  std::size_t start = 0;
+  for (const std::size_t end : state.ends) {
+    state.fields.push_back(std::string_view(state.text).substr(start, end - start));
+    start = end;
+  }
+  state.on_row(state.fields, state.row_line);
+  state.text.clear();
+  state.ends.clear();
+}
+
+}  // namespace coilwright::text

@@ -1,0 +1,50 @@
+#include "text/input_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "coilwright/text/input_error.hpp"
+
+namespace coilwright::text {
+namespace {
+
+namespace fs = std::filesystem;
+
+InputError cannot(std::string_view what, const std::string& name, int error) {
+  return InputError(
+      {.file = name, .rule = fmt::format("cannot be {}: {}", what, std::generic_category().message(error))});
+}
+
+InputError too_large(const std::string& name, std::size_t limit) {
+  return InputError({.file = name, .rule = fmt::format("must not be larger than {} MB", limit / 1'000'000)});
+}
+
+}  // namespace
+
+InputFile::InputFile(const fs::path& path, std::size_t size_limit) : name_(path.string()), size_limit_(size_limit) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw cannot("opened", name_, error ? error.value() : ENOENT);
+  if (fs::is_directory(status)) throw InputError({.file = name_, .rule = "must be a file, and is a folder"});
+  // A pipe or a device may never end, and opening it may block.
+  if (!fs::is_regular_file(status)) {
+    throw InputError({.file = name_, .rule = "must be a regular file, and is a device or a pipe"});
+  }
+  const auto size = fs::file_size(path, error);
+  if (error) throw cannot("opened", name_, error.value());
+  if (size > size_limit) throw too_large(name_, size_limit);
+  file_.reset(std::fopen(name_.c_str(), "rb"));
+  if (!file_) throw cannot("opened", name_, errno);
+}
+
+std::span<char> InputFile::read(std::span<char> buffer) {
+  const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file_.get());
+  if (count < buffer.size() && std::ferror(file_.get()) != 0) throw cannot("read", name_, errno);
+  bytes_read_ += count;
+  if (bytes_read_ > size_limit_) throw too_large(name_, size_limit_);
+  return buffer.first(count);
+}
+
+}  // namespace coilwright::text

@@ -1,0 +1,88 @@
+#include "coilwright/text/json/document.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "coilwright/text/json/json_pointer.hpp"
+#include "text/input_file.hpp"
+#include "text/json/json_parser.hpp"
+#include "text/json/json_value.hpp"
+
+namespace coilwright::text {
+
+struct Document::Content {
+  std::string file;
+  JsonValue root;
+};
+
+Document::Document(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
+Document::~Document() = default;
+Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(Document&&) noexcept = default;
+
+Node Document::root() const {
+  return Node(content_->file, content_->root, {}, {});
+}
+
+namespace {
+
+// Where a number may stand; a key that is new is made. Null where the pointer leads nowhere.
+JsonValue* number_at(JsonValue& root, std::string_view pointer) {
+  const auto steps = pointer_steps(pointer);
+  if (!steps || steps->empty()) return nullptr;
+  JsonValue* value = &root;
+  for (std::size_t i = 0; i < steps->size(); ++i) {
+    const std::string& step = (*steps)[i];
+    if (auto* array = std::get_if<JsonValue::Array>(&value->content)) {
+      const auto index = array_index(step);
+      if (!index || *index >= array->size()) return nullptr;
+      value = &(*array)[*index];
+    } else if (auto* object = std::get_if<JsonValue::Object>(&value->content)) {
+      const auto found = std::ranges::find(*object, step, [](const auto& member) { return member.first; });
+      if (found != object->end()) {
+        value = &found->second;
+      } else if (i + 1 == steps->size()) {
+        value = &object->emplace_back(step, JsonValue{.content = 0.0}).second;
+      } else {
+        return nullptr;
+      }
+    } else {
+      return nullptr;
+    }
+  }
+  return std::holds_alternative<double>(value->content) ? value : nullptr;
+}
+
+}  // namespace
+
+Document Document::with_numbers(const std::map<std::string, double>& numbers) const {
+  Content copy = *content_;
+  for (const auto& [pointer, number] : numbers) {
+    JsonValue* value = number_at(copy.root, pointer);
+    if (value == nullptr) throw std::invalid_argument("pointer must lead to a number; got " + pointer);
+    value->content = number;
+  }
+  return Document(std::make_unique<const Content>(std::move(copy)));
+}
+
+Document parse_json(std::string_view text, std::string file) {
+  JsonValue root = parse_json_value(text, file);
+  Document::Content content{.file = std::move(file), .root = std::move(root)};
+  return Document(std::make_unique<const Document::Content>(std::move(content)));
+}
+
+Document read_json(const std::filesystem::path& path) {
+  InputFile file(path, json_size_limit);
+  std::string text;
+  constexpr std::size_t block = 1 << 16;
+  for (std::size_t filled = 0;; filled = text.size()) {
+    text.resize(filled + block);
+    text.resize(filled + file.read({text.data() + filled, block}).size());
+    if (text.size() < filled + block) break;
+  }
+  return parse_json(text, file.name());
+}
+
+}  // namespace coilwright::text

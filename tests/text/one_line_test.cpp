@@ -1,0 +1,70 @@
+#include "coilwright/text/one_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/spelling.hpp"
+
+namespace coilwright::text {
+namespace {
+
+TEST(OneLine, KeepsPlainTextAndLettersOfAnyAlphabet) {
+  EXPECT_EQ(one_line("Länge λ 長 🧲"), "Länge λ 長 🧲");
+}
+
+TEST(OneLine, EscapesWhatWouldBreakTheLineOrMoveTheCursor) {
+  EXPECT_EQ(one_line("a\nb\r\tc\x1b[2J\x7f"), "a\\nb\\r\\tc\\x1b[2J\\x7f");
+  EXPECT_EQ(one_line("a\u2028b\u202ec\u0085d"), "a\\u2028b\\u202ec\\x85d");
+}
+
+TEST(OneLine, EscapesBytesThatAreNotUtf8) {
+  EXPECT_EQ(one_line("\xff|\xc3|\xe2\x82|\xc0\x80|\xed\xa0\x80|\xf5\x80\x80\x80"),
+            "\\xff|\\xc3|\\xe2\\x82|\\xc0\\x80|\\xed\\xa0\\x80|\\xf5\\x80\\x80\\x80");
+}
+
+TEST(OneLine, CutsLongTextBetweenLettersAndMarksTheCut) {
+  EXPECT_EQ(one_line("abcdefgh", 8), "abcdefgh");
+  EXPECT_EQ(one_line("abcdefghi", 8), "abcde...");
+  EXPECT_EQ(one_line("abcäöüß", 8), "abcä...");
+}
+
+TEST(OneLine, ChangesNothingTheSecondTime) {
+  for (const std::string text : {"a\nb", "\xff\xfe", "a text that is longer than twenty bytes", "plain"}) {
+    const std::string once = one_line(text, 20);
+    EXPECT_LE(once.size(), 20u);
+    EXPECT_EQ(one_line(once, 20), once);
+  }
+}
+
+TEST(InputError, IsOneLineOfFilePlaceRuleAndValue) {
+  const InputError error(
+      {.file = "study.json", .place = "/variables/gap_mm/upper", .rule = "must exceed lower (2)", .value = "1.5"});
+  EXPECT_STREQ(error.what(), "study.json: /variables/gap_mm/upper: must exceed lower (2); got 1.5");
+}
+
+TEST(InputError, LeavesOutPlaceAndValueWhenThereIsNone) {
+  EXPECT_STREQ(InputError({.file = "x.json", .rule = "cannot be opened: No such file or directory"}).what(),
+               "x.json: cannot be opened: No such file or directory");
+}
+
+TEST(InputError, IsOneLineEvenWhenNamesHoldLineBreaks) {
+  const InputError error({.file = "a\nb.json", .place = "/c\nd", .rule = "must be > 0", .value = "\"\n\""});
+  EXPECT_STREQ(error.what(), "a\\nb.json: /c\\nd: must be > 0; got \"\\n\"");
+}
+
+TEST(Spelling, CountsInsertionsDeletionsReplacementsAndSwaps) {
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);  // the textbook pair
+  EXPECT_EQ(edit_distance("evalute", "evaluate"), 1u);
+  EXPECT_EQ(edit_distance("turns_radail", "turns_radial"), 1u);
+  EXPECT_EQ(edit_distance("", "gap"), 3u);
+}
+
+TEST(Spelling, SuggestsTheNearestWordAndNothingFarOff) {
+  const std::vector<std::string> words = {"evaluate", "validate", "pareto"};
+  EXPECT_EQ(did_you_mean("evalute", words), "; did you mean \"evaluate\"?");
+  EXPECT_EQ(did_you_mean("vaildate", words), "; did you mean \"validate\"?");
+  EXPECT_EQ(did_you_mean("banana", words), "");
+}
+
+}  // namespace
+}  // namespace coilwright::text

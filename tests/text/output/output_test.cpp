@@ -1,0 +1,199 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <sstream>
+#include <stdexcept>
+
+#include "coilwright/text/output/output_folder.hpp"
+#include "temporary_folder.hpp"
+
+namespace coilwright::text {
+namespace {
+
+namespace fs = std::filesystem;
+using coilwright::testing::TemporaryFolder;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::ThrowsMessage;
+
+std::string content(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// What can be written to a file while it lives: the stand-in for a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    before_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, before_handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*before_handler_)(int){};
+};
+
+TEST(OutputFile, ReplacesWhatStoodThereOnlyOnCommit) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("x.csv", "before");
+  {
+    OutputFile file(path);
+    file.stream() << "after";
+    file.stream().flush();
+    EXPECT_EQ(content(path), "before");
+    file.commit();
+  }
+  EXPECT_EQ(content(path), "after");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("x.csv"));
+}
+
+TEST(OutputFile, LeavesNothingWithoutCommit) {
+  const TemporaryFolder folder;
+  { OutputFile(folder.path() / "x.csv").stream() << "half"; }
+  EXPECT_THAT(names_in(folder.path()), IsEmpty());
+}
+
+TEST(OutputFile, FollowsALinkAndKeepsIt) {
+  const TemporaryFolder folder;
+  const auto target = folder.file("target.csv", "before");
+  fs::create_symlink("target.csv", folder.path() / "link.csv");
+  OutputFile file(folder.path() / "link.csv");
+  file.stream() << "after";
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.csv"));
+  EXPECT_EQ(content(target), "after");
+}
+
+TEST(OutputFile, RefusesAPlaceThatCannotBeWrittenBeforeTheWork) {
+  const TemporaryFolder folder;
+  const auto refused = [](const fs::path& path) { return [path] { const OutputFile file(path); }; };
+  const auto absent = folder.path() / "no" / "x.csv";
+  EXPECT_THAT(refused(absent),
+              ThrowsMessage<OutputError>(absent.string() + ": cannot be written: No such file or directory"));
+  EXPECT_THAT(refused(folder.path()),
+              ThrowsMessage<OutputError>(folder.path().string() + ": cannot be written: Is a directory"));
+  EXPECT_THAT(refused("/dev/null"),
+              ThrowsMessage<OutputError>("/dev/null: cannot be written: it is a device or a pipe"));
+}
+
+TEST(OutputFile, KeepsTheOldFileWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("x.csv", "before");
+  {
+    OutputFile file(path);
+    const FileSizeLimit limit(10'000);
+    try {
+      file.stream() << std::string(200'000, 'x');
+      FAIL() << "a file beyond the limit was written";
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.what(), path.string() + ": cannot be written: File too large");
+      EXPECT_EQ(error.stage(), OutputError::Stage::writing);
+    }
+  }
+  EXPECT_EQ(content(path), "before");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("x.csv"));
+}
+
+TEST(OutputFolder, ShowsItsFilesTogetherOnCommitAndKeepsOthers) {
+  const TemporaryFolder folder;
+  folder.file("front.csv", "before");
+  folder.file("notes.txt", "mine");
+  OutputFolder out(folder.path());
+  out.open("front.csv") << "after";
+  out.write("result.json", "{}\n");
+  EXPECT_EQ(content(folder.path() / "front.csv"), "before");
+  EXPECT_FALSE(fs::exists(folder.path() / "result.json"));
+  out.commit();
+  EXPECT_EQ(content(folder.path() / "front.csv"), "after");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("front.csv", "notes.txt", "result.json"));
+}
+
+TEST(OutputFolder, RemovesAnOutdatedResultOnCommitOnly) {
+  const TemporaryFolder folder;
+  folder.file("actuator.json", "of an earlier run");
+  {
+    OutputFolder out(folder.path());
+    out.remove("actuator.json");
+  }
+  EXPECT_EQ(content(folder.path() / "actuator.json"), "of an earlier run");
+  OutputFolder out(folder.path());
+  out.remove("actuator.json");
+  out.remove("never_there.json");
+  out.write("result.json", "{}\n");
+  EXPECT_THROW(out.remove("../notes.txt"), std::invalid_argument);
+  out.commit();
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("result.json"));
+}
+
+TEST(OutputFolder, LeavesNoFolderThatItMadeWithoutCommit) {
+  const TemporaryFolder folder;
+  {
+    OutputFolder out(folder.path() / "a" / "b");
+    out.write("x.csv", "x");
+    EXPECT_TRUE(fs::is_directory(folder.path() / "a" / "b"));
+  }
+  EXPECT_THAT(names_in(folder.path()), IsEmpty());
+}
+
+TEST(OutputFolder, MakesFoldersAndKeepsThemOnCommit) {
+  const TemporaryFolder folder;
+  OutputFolder out(folder.path() / "a" / "b" / "");
+  out.write("x.csv", "x");
+  out.commit();
+  EXPECT_EQ(content(folder.path() / "a" / "b" / "x.csv"), "x");
+}
+
+TEST(OutputFolder, RefusesAPlaceThatCannotBeWrittenBeforeTheWork) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("plain", "x");
+  EXPECT_THAT([&] { const OutputFolder out(file / "out"); },
+              ThrowsMessage<OutputError>((file / "out").string() + ": cannot be written: Not a directory"));
+  EXPECT_THAT([&] { const OutputFolder out(file); },
+              ThrowsMessage<OutputError>(file.string() + ": cannot be written: Not a directory"));
+  EXPECT_THAT([&] { const OutputFolder out(""); },
+              ThrowsMessage<OutputError>(": cannot be written: the name of the folder must not be empty"));
+}
+
+TEST(OutputFolder, ChangesNoFileWhenOneIsIncomplete) {
+  const TemporaryFolder folder;
+  folder.file("a.csv", "before");
+  OutputFolder out(folder.path());
+  out.open("a.csv") << "after";
+  const FileSizeLimit limit(500);
+  out.open("b.csv") << std::string(900, 'x');  // still in the buffer: only closing meets the limit
+  EXPECT_THROW(out.commit(), OutputError);
+  EXPECT_EQ(content(folder.path() / "a.csv"), "before");
+}
+
+TEST(OutputFolder, RefusesNamesOutsideItselfAndASecondOpening) {
+  const TemporaryFolder folder;
+  OutputFolder out(folder.path());
+  EXPECT_THAT([&] { out.write("../x.csv", ""); },
+              ThrowsMessage<std::invalid_argument>("name must be a plain file name; got ../x.csv"));
+  out.write("x.csv", "");
+  EXPECT_THAT([&] { out.write("x.csv", ""); },
+              ThrowsMessage<std::invalid_argument>("name must not be opened twice; got x.csv"));
+}
+
+}  // namespace
+}  // namespace coilwright::text

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "coilwright/formats/assignment.hpp"
+#include "coilwright/formats/actuator/assignment.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::cli {

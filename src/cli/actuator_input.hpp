@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
 
 namespace coilwright::cli {
 

@@ -13,14 +13,14 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/formats/dataset_file.hpp"
-#include "coilwright/formats/declared_actuator.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
+#include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/formats/data/residual_table.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/report/actuator_json.hpp"
-#include "coilwright/report/diagnosis_report.hpp"
+#include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/phase_table.hpp"
-#include "coilwright/report/residual_table.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
@@ -109,7 +109,7 @@ const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
 std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
   const std::vector<Effect> added = effects_of(diagnosis);
   const std::string text =
-      report::to_json(declared.updated(values_of(diagnosis.calibration), added), declared.name).text();
+      formats::to_json(declared.updated(values_of(diagnosis.calibration), added), declared.name).text();
   const formats::ActuatorFile back = formats::parse_actuator(text, actuator_name);
   for (const Effect& effect : added) {
     bool there = false;
@@ -144,16 +144,16 @@ Found find(const Options& options) {
 }
 
 void write(const Options& options, const Found& found) {
-  const report::DiagnosisAnswer answer{.diagnosis = found.diagnosis,
-                                       .dataset = found.dataset,
-                                       .updated_actuator = actuator_name,
-                                       .held_out = found.held_out,
-                                       .seed = options.seed};
+  const formats::DiagnosisReport answer{.diagnosis = found.diagnosis,
+                                        .dataset = found.dataset,
+                                        .updated_actuator = actuator_name,
+                                        .held_out = found.held_out,
+                                        .seed = options.seed};
   text::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
-  folder.write(diagnosis_name, report::to_json(answer).text());
+  folder.write(diagnosis_name, formats::to_json(answer).text());
   folder.write(actuator_name, found.actuator);
-  report::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
+  formats::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
   folder.write(summary_name, summary);
   folder.commit();
   std::cout << summary;

@@ -8,7 +8,8 @@
 #include <variant>
 
 #include "actuator_input.hpp"
-#include "coilwright/report/performance_report.hpp"
+#include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/report/performance_text.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
@@ -35,7 +36,7 @@ void evaluate(const actuator::Design& design, const Options& options) {
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
-  std::cout << (options.json ? report::to_json(view).text() : report::to_text(view));
+  std::cout << (options.json ? formats::to_json(view).text() : report::to_text(view));
 }
 
 void evaluate(const actuator::Model& model, const Options& options) {
@@ -43,7 +44,7 @@ void evaluate(const actuator::Model& model, const Options& options) {
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::Motion& motion = std::get<simulation::Motion>(result);
-  std::cout << (options.json ? report::to_json(motion, options.current).text()
+  std::cout << (options.json ? formats::to_json(motion, options.current).text()
                              : report::to_text(motion, options.current));
 }
 

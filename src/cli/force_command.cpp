@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/formats/pair_file.hpp"
+#include "coilwright/formats/actuator/pair_file.hpp"
 #include "coilwright/magnetics/wrench.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/units/unit.hpp"

@@ -4,8 +4,9 @@
 #include <span>
 #include <stdexcept>
 
-#include "coilwright/report/evaluation_table.hpp"
-#include "coilwright/report/front_report.hpp"
+#include "coilwright/formats/study/evaluation_table.hpp"
+#include "coilwright/formats/study/front_json.hpp"
+#include "coilwright/report/front_text.hpp"
 #include "coilwright/sizing/search/pareto.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -37,11 +38,11 @@ ExitCode run_pareto(const StudyOptions& options) {
     return sizing::pareto(problem.problem(), search);
   }();
   check_front(problem, result.front);
-  report::write_front(folder.open("front.csv"), study, result.front);
-  report::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
-  folder.write("result.json", report::to_json(study, result).text());
+  formats::write_front(folder.open("front.csv"), study, result.front);
+  formats::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
+  folder.write("result.json", formats::to_json(study, result).text());
   folder.commit();
-  std::cout << (options.json ? report::to_json(study, result).text() : report::to_text(study, result));
+  std::cout << (options.json ? formats::to_json(study, result).text() : report::to_text(study, result));
   if (interruption.requested()) return ExitCode::interrupted;
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
 }

@@ -13,8 +13,8 @@
 
 #include "actuator_input.hpp"
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/formats/input_signal.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/simulation/input_signal.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"

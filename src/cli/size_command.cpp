@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/report/actuator_json.hpp"
-#include "coilwright/report/evaluation_table.hpp"
-#include "coilwright/report/size_report.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/study/evaluation_table.hpp"
+#include "coilwright/report/size_text.hpp"
 #include "coilwright/sizing/search/search.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
@@ -47,12 +47,12 @@ void check_written_design(const std::string& text, const EvaluatedDesign& best, 
 std::string actuator_text(const DesignProblem& problem, const sizing::SearchResult& result) {
   const std::string& study = problem.study().name;
   const std::string name = result.feasible ? study : study + " (least infeasible)";
-  return report::to_json(problem.design_at(result.best->point), name).text();
+  return formats::to_json(problem.design_at(result.best->point), name).text();
 }
 
-void write_results(text::OutputFolder& folder, const DesignProblem& problem, const report::SizeAnswer& answer) {
-  folder.write("result.json", report::to_json(answer).text());
-  report::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
+void write_results(text::OutputFolder& folder, const DesignProblem& problem, const formats::SizeReport& answer) {
+  folder.write("result.json", formats::to_json(answer).text());
+  formats::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
   if (!answer.result.best) {
     folder.remove("actuator.json");
   } else {
@@ -81,13 +81,13 @@ ExitCode run_size(const StudyOptions& options) {
     throw std::logic_error("the design found gives other numbers when it is evaluated again");
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
-  const report::SizeAnswer answer{.study = problem.study(),
-                                  .result = result,
-                                  .best = best ? &*best : nullptr,
-                                  .base = base,
-                                  .base_seen = base_seen};
+  const formats::SizeReport answer{.study = problem.study(),
+                                   .result = result,
+                                   .best = best ? &*best : nullptr,
+                                   .base = base,
+                                   .base_seen = base_seen};
   write_results(folder, problem, answer);
-  std::cout << (options.json ? report::to_json(answer).text() : report::to_text(answer));
+  std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
   if (interruption.requested()) return ExitCode::interrupted;
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }

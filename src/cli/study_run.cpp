@@ -7,7 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "coilwright/formats/study_file.hpp"
+#include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "number_rule.hpp"
 #include "threads_option.hpp"

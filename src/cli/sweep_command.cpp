@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coilwright/report/sweep_table.hpp"
+#include "coilwright/report/sweep_text.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -42,7 +42,7 @@ ExitCode run_sweep(const StudyOptions& options) {
   const Interruption interruption;
   text::OutputFolder folder(options.out);
   const std::size_t count = problem.point_count();
-  report::SweepTable designs(folder.open("designs.csv"), study);
+  formats::SweepTable designs(folder.open("designs.csv"), study);
   sizing::Leaders leaders(problem);
   std::size_t ok = 0;
   const std::size_t made = [&] {
@@ -57,10 +57,10 @@ ExitCode run_sweep(const StudyOptions& options) {
                          });
   }();
   const std::vector<sizing::Leader> best = leaders.all();
-  report::write_leaders(folder.open("best.csv"), study, best);
+  formats::write_leaders(folder.open("best.csv"), study, best);
   folder.commit();
-  const report::SweepAnswer answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
-  std::cout << (options.json ? report::to_json(answer).text() : report::to_text(answer));
+  const formats::SweepReport answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
+  std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
   if (made < count) return ExitCode::interrupted;
   return leaders.any_feasible() ? ExitCode::done : ExitCode::infeasible;
 }

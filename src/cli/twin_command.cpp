@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/formats/declared_actuator.hpp"
-#include "coilwright/formats/effect_argument.hpp"
-#include "coilwright/formats/experiment_file.hpp"
+#include "coilwright/formats/actuator/effect_argument.hpp"
+#include "coilwright/formats/data/dataset_writer.hpp"
+#include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/formats/data/experiment_file.hpp"
+#include "coilwright/formats/data/twin_answer.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
-#include "coilwright/report/dataset_writer.hpp"
-#include "coilwright/report/twin_answer.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -106,19 +106,19 @@ void write(const Options& options, const Experiment& experiment, const std::vect
   std::filesystem::path beside = out;
   beside += ".answer.json";
   text::OutputFile answer(beside);
-  answer.stream() << report::to_json(report::TwinAnswer{.dataset = out.filename().string(),
-                                                        .actuator = options.actuator,
-                                                        .experiment = options.experiment,
-                                                        .effects = hidden,
-                                                        .instruments = experiment.instruments,
-                                                        .seed = options.seed})
+  answer.stream() << formats::to_json(formats::TwinAnswer{.dataset = out.filename().string(),
+                                                          .actuator = options.actuator,
+                                                          .experiment = options.experiment,
+                                                          .effects = hidden,
+                                                          .instruments = experiment.instruments,
+                                                          .seed = options.seed})
                          .text();
-  std::vector<report::RunInRole> in_roles;
+  std::vector<formats::RunWithRole> in_roles;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     in_roles.push_back({.run = runs[i], .validate = experiment.runs[i].validate});
-    report::write_run(folder.open(runs[i].name), runs[i]);
+    formats::write_run(folder.open(runs[i].name), runs[i]);
   }
-  folder.write("dataset.json", report::dataset_json(experiment.name, actuator_name, in_roles).text());
+  folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
   folder.write(actuator_name, content_of(options.actuator));
   answer.close();
   folder.commit();

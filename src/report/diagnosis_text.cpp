@@ -10,14 +10,20 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/report/diagnosis_report.hpp"
-#include "report/diagnosis_words.hpp"
-#include "report/measured_unit.hpp"
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
+#include "coilwright/formats/data/measured_unit.hpp"
+#include "coilwright/report/diagnosis_text.hpp"
 #include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {
 
+using formats::difference_unit_of;
+using formats::error_unit;
+using formats::EstimateInUnit;
+using formats::ids;
+using formats::in_unit;
+using formats::main_first;
 using namespace measurement;
 using enum TextTable::Align;
 
@@ -123,7 +129,7 @@ std::string comparison_text(const ErrorComparison& comparison) {
   std::vector<std::string> rmse = line("  rmse", &Errors::rmse);
   rmse.push_back(fmt::format("noise alone: {}", shown(comparison.noise_floor_rmse)));
   TextTable rows;
-  rows.row({fmt::format("{}, {}", name_of(comparison.quantity), readable_unit(unit.suffix)), "as declared",
+  rows.row({fmt::format("{}, {}", formats::name_of(comparison.quantity), readable_unit(unit.suffix)), "as declared",
             "fitted anew", "with effects"});
   rows.row(line("  mean", &Errors::mae));
   rows.row(std::move(rmse));
@@ -247,25 +253,25 @@ std::vector<std::string> runs_of(const Diagnosis& diagnosis, bool validate) {
   return out;
 }
 
-std::string runs_text(const DiagnosisAnswer& answer) {
+std::string runs_text(const formats::DiagnosisReport& report) {
   std::string text;
   const auto line = [&text](const char* name, const std::vector<std::string>& runs) {
     if (!runs.empty()) text += fmt::format("  {} {}\n", name, fmt::join(runs, ", "));
   };
-  line("fitted:", runs_of(answer.diagnosis, false));
-  line("kept from the fit:", runs_of(answer.diagnosis, true));
-  line("chosen for that by the tool (the set names none):", answer.held_out);
+  line("fitted:", runs_of(report.diagnosis, false));
+  line("kept from the fit:", runs_of(report.diagnosis, true));
+  line("chosen for that by the tool (the set names none):", report.held_out);
   return text.empty() ? text : "\nRuns\n" + text;
 }
 
 }  // namespace
 
-std::string to_text(const DiagnosisAnswer& answer) {
-  const Diagnosis& diagnosis = answer.diagnosis;
-  return fmt::format("{}: {}\n\n{}\n", answer.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis)) +
+std::string to_text(const formats::DiagnosisReport& report) {
+  const Diagnosis& diagnosis = report.diagnosis;
+  return fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis)) +
          warnings_text(diagnosis) + effects_text(diagnosis) + errors_text(diagnosis) + rivals_text(diagnosis) +
          experiment_text(diagnosis) + residual_text(diagnosis) + calibration_text(diagnosis) + noise_text(diagnosis) +
-         runs_text(answer);
+         runs_text(report);
 }
 
 }  // namespace coilwright::report

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <filesystem>
 
-#include "coilwright/formats/dataset_file.hpp"
-#include "coilwright/formats/declared_actuator.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
+#include "coilwright/formats/data/declared_actuator.hpp"
 #include "truth/data_set.hpp"
 
 namespace attribution {

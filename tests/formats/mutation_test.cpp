@@ -9,13 +9,13 @@
 #include <string>
 #include <utility>
 
-#include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/formats/dataset_file.hpp"
-#include "coilwright/formats/experiment_file.hpp"
-#include "coilwright/formats/input_signal.hpp"
-#include "coilwright/formats/pair_file.hpp"
-#include "coilwright/formats/run_file.hpp"
-#include "coilwright/formats/study_file.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/actuator/pair_file.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
+#include "coilwright/formats/data/experiment_file.hpp"
+#include "coilwright/formats/data/run_file.hpp"
+#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 
 namespace coilwright::formats {

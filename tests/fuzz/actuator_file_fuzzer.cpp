@@ -1,4 +1,4 @@
-#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
 
 #include "reads_or_refuses.hpp"
 

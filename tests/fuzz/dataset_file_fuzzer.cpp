@@ -1,6 +1,6 @@
-#include "coilwright/formats/dataset_file.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
 
-#include "coilwright/formats/run_file.hpp"
+#include "coilwright/formats/data/run_file.hpp"
 #include "reads_or_refuses.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "coilwright/formats/declared_actuator.hpp"
+#include "coilwright/formats/data/declared_actuator.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "coilwright/formats/experiment_file.hpp"
+#include "coilwright/formats/data/experiment_file.hpp"
 
 #include "reads_or_refuses.hpp"
 

@@ -1,4 +1,4 @@
-#include "coilwright/formats/input_signal.hpp"
+#include "coilwright/formats/simulation/input_signal.hpp"
 
 #include "reads_or_refuses.hpp"
 

@@ -1,4 +1,4 @@
-#include "coilwright/formats/pair_file.hpp"
+#include "coilwright/formats/actuator/pair_file.hpp"
 
 #include "reads_or_refuses.hpp"
 

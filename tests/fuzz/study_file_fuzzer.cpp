@@ -1,4 +1,4 @@
-#include "coilwright/formats/study_file.hpp"
+#include "coilwright/formats/study/study_file.hpp"
 
 #include "reads_or_refuses.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/report/diagnosis_report.hpp"
+#include "coilwright/formats/data/diagnosis_json.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slide.hpp"
 
@@ -55,7 +55,7 @@ data::Dataset set_with(std::vector<data::Run> validate) {
 nlohmann::ordered_json report_of(const data::Dataset& data, int threads) {
   const Diagnosis diagnosis = diagnose(data, slide(2.2, 2.7), {.threads = threads});
   return nlohmann::ordered_json::parse(
-      report::to_json({.diagnosis = diagnosis, .dataset = data.name, .updated_actuator = "actuator.json"}).text());
+      formats::to_json({.diagnosis = diagnosis, .dataset = data.name, .updated_actuator = "actuator.json"}).text());
 }
 
 // Without the errors on validate runs, and the warning that is about them and comes after all else.

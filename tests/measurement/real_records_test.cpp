@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
-#include "coilwright/formats/dataset_file.hpp"
-#include "coilwright/formats/declared_actuator.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
+#include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 
 namespace coilwright::measurement {

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/simulation/performance.hpp"
 
 int main(int argc, char** argv) {

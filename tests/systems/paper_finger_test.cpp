@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "coilwright/actuator/parameters.hpp"
-#include "coilwright/formats/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
 
 namespace coilwright::systems {
 namespace {

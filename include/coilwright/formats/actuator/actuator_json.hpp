@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/effect.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// A lumped model's file with other numbers.
+struct UpdatedLumpedModel {
+  text::Document document;                ///< as it was read, but for its numbers; its "effects" count no more
+  std::vector<actuator::Effect> effects;  ///< all of the model
+};
+
+/// An actuator after a diagnosis, to be written by to_json().
+using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
+
+/// The key "effects" of an actuator file: read back, they are the same effects.
+[[nodiscard]] text::Json to_json(std::span<const actuator::Effect> effects);
+
+/// A design as an `actuator/1` file, with every value, its calibration factors and its effects: read back, it is the
+/// same design.
+[[nodiscard]] text::Json to_json(const actuator::Design& design, const std::string& name);
+
+/// An actuator after a diagnosis, complete: a design under `name`; a lumped model as its file was, with the new numbers
+/// and all effects.
+[[nodiscard]] text::Json to_json(const UpdatedActuator& actuator, const std::string& name);
+
+}  // namespace coilwright::formats

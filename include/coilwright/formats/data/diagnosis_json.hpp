@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "coilwright/measurement/diagnosis.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// What `diagnose` found, to be written.
+struct DiagnosisReport {
+  const measurement::Diagnosis& diagnosis;  ///< must outlive the report
+  std::string dataset{};                    ///< name of the data set
+  std::string updated_actuator{};           ///< file of the updated actuator, beside the report
+  std::vector<std::string> held_out{};      ///< files that the tool itself kept from the fit
+  std::uint64_t seed{};
+};
+
+/// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it
+/// (docs/formats-diagnosis.md). Numbers that do not exist (an open end of an interval, a criterion without a value) are
+/// null. No timings: the same diagnosis gives the same bytes.
+[[nodiscard]] text::Json to_json(const DiagnosisReport& report);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "coilwright/actuator/effect.hpp"
+#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// What is hidden in the data of a twin, and how they came about.
+struct TwinAnswer {
+  std::string dataset{};   ///< folder of the data set
+  std::string actuator{};  ///< file that it was made from
+  std::string experiment{};
+  std::span<const actuator::Effect> effects{};
+  const measurement::experiment::Instruments& instruments;
+  std::uint64_t seed{};
+};
+
+/// The answer's file; its keys are in docs/formats-experiment.md.
+[[nodiscard]] text::Json to_json(const TwinAnswer& answer);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// Index of the design of a front that is best in one objective. The front must not be empty.
+[[nodiscard]] std::size_t end_of(const sizing::ParetoResult& result, std::size_t objective);
+
+/// Index of the design of a front whose worst objective, from ideal to nadir, is least bad. The front must not be
+/// empty.
+[[nodiscard]] std::size_t middle_of(const sizing::ParetoResult& result);
+
+/// result.json of `pareto`; its keys are in docs/formats.md. `study` has the options that were used.
+[[nodiscard]] text::Json to_json(const sizing::Study& study, const sizing::ParetoResult& result);
+
+}  // namespace coilwright::formats

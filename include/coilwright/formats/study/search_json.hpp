@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "coilwright/sizing/problem/archive.hpp"
+#include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// What became of the designs of an archive.
+struct ArchiveCounts {
+  std::size_t ok{};
+  std::size_t infeasible{};
+  std::size_t failed{};
+};
+[[nodiscard]] ArchiveCounts counts_of(const sizing::Archive& archive);
+
+/// {"ok": .., "infeasible": .., "failed": ..}
+[[nodiscard]] text::Json to_json(const ArchiveCounts& counts);
+
+/// The first keys of a result file: what was asked, and how it was searched.
+[[nodiscard]] text::Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);
+
+}  // namespace coilwright::formats

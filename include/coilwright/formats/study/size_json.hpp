@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/sizing/search/search.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// What `size` found, to be written. Everything referred to must outlive it.
+struct SizeReport {
+  const sizing::Study& study;           ///< with the options that were used
+  const sizing::SearchResult& result;   ///< of the search
+  const sizing::DesignResult* best{};   ///< `result.best` evaluated again; nullptr if nothing was evaluated
+  const sizing::DesignResult& base;     ///< the actuator that the study starts from
+  const sizing::Evaluation& base_seen;  ///< what the search would be told of it
+};
+
+/// The limit or variable of a study that a result names; it must be there.
+[[nodiscard]] const sizing::Limit& limit_named(const sizing::Study& study, std::string_view name);
+[[nodiscard]] const sizing::StudyVariable& variable_named(const sizing::Study& study, std::string_view name);
+
+/// A binding limit as the search relaxed it.
+[[nodiscard]] sizing::Limit relaxed(const sizing::Limit& limit, const sizing::BindingConstraint& binding);
+
+/// A variable whose best value stands at an end of its range: it could not go further, whatever that would bring.
+struct RangeEnd {
+  std::size_t variable;  ///< index in the study
+  std::string_view end;  ///< "lower" or "upper"
+};
+[[nodiscard]] std::vector<RangeEnd> range_ends(const SizeReport& report);
+
+/// result.json of `size`; its keys are in docs/formats.md.
+[[nodiscard]] text::Json to_json(const SizeReport& report);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <span>
+#include <vector>
+
+#include "coilwright/sizing/study/leaders.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// The designs of a sweep as CSV, written as they come: the variables, `status` (ok, infeasible, failed), every
+/// quantity that `evaluate` prints, the margin of every limit, `reason` of a failed one.
+class SweepTable {
+ public:
+  /// `out` and `study` must outlive it.
+  SweepTable(std::ostream& out, const sizing::Study& study);
+  void row(const sizing::SweptDesign& design);
+
+ private:
+  const sizing::Study* study_;
+  text::CsvWriter csv_;
+  std::vector<text::CsvCell> cells_;
+};
+
+/// The leaders of a sweep as CSV: `best_for` (the objective), then the columns of SweepTable.
+void write_leaders(std::ostream& out, const sizing::Study& study, std::span<const sizing::Leader> leaders);
+
+/// What `sweep` found, to be written. Everything referred to must outlive it.
+struct SweepReport {
+  const sizing::Study& study;
+  std::size_t designs{};    ///< in the grid
+  std::size_t evaluated{};  ///< of those; fewer after an interruption
+  std::size_t ok{};         ///< of those evaluated: keep every limit
+  std::span<const sizing::Leader> leaders;
+};
+
+/// The counts, and of each leader its configuration, variables, objectives and constraints.
+[[nodiscard]] text::Json to_json(const SweepReport& report);
+
+}  // namespace coilwright::formats

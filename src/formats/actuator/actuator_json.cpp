@@ -1,0 +1,137 @@
+#include "coilwright/formats/actuator/actuator_json.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/units/unit.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+using namespace actuator;
+
+Json section_json(const Design& design, std::string_view section) {
+  Json out = Json::object();
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.section != section) continue;
+    const units::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
+    const double value = units::from_si(parameter.get(design), unit);
+    out.set(std::string(parameter.key), parameter.whole ? Json(static_cast<int>(value)) : Json(value));
+  }
+  return out;
+}
+
+Json layout_json(const Layout& layout) {
+  Json out = Json::array();
+  for (const Component& component : layout) out.add(component.kind == ComponentKind::coil ? "coil" : "magnet");
+  return out;
+}
+
+Json polarity_json(const Layout& layout) {
+  Json out = Json::array();
+  for (const Component& component : layout) out.add(component.polarity);
+  return out;
+}
+
+std::string_view word(magnetics::Winding winding) {
+  switch (winding) {
+    case magnetics::Winding::paper_shells:
+      return "paper_shells";
+    case magnetics::Winding::layer_centres:
+      return "layer_centres";
+    case magnetics::Winding::uniform:
+      return "uniform";
+  }
+  return "";
+}
+
+Json choices_json(const ModelChoices& choices) {
+  return Json::object(
+      {{"winding", word(choices.winding)},
+       {"torque", choices.torque == magnetics::Fidelity::exact ? "exact" : "line_of_centres"},
+       {"face_contact", choices.faces == FaceContact::walls ? "walls" : "hard_parts"},
+       {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"}});
+}
+
+// Whole numbers as a person writes them.
+Json number_json(double value) {
+  constexpr double exact = 9007199254740992.0;  // 2^53: beyond, a double skips integers
+  const bool whole = value == std::floor(value) && std::abs(value) < exact;
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json copy_of(const text::Node& node) {
+  using Kind = text::Node::Kind;
+  switch (node.kind()) {
+    case Kind::null:
+      return {};
+    case Kind::boolean:
+      return node.boolean();
+    case Kind::number:
+      return number_json(node.number());
+    case Kind::text:
+      return node.text();
+    case Kind::array: {
+      Json out = Json::array();
+      for (const text::Node& element : node.elements()) out.add(copy_of(element));
+      return out;
+    }
+    case Kind::object:
+      break;
+  }
+  Json out = Json::object();
+  for (const text::Node& member : node.members()) out.set(member.key(), copy_of(member));
+  return out;
+}
+
+Json lumped_json(const UpdatedLumpedModel& lumped) {
+  Json out = Json::object();
+  for (const text::Node& member : lumped.document.root().members())
+    if (member.key() != "effects") out.set(member.key(), copy_of(member));
+  if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
+  return out;
+}
+
+}  // namespace
+
+Json to_json(std::span<const Effect> effects) {
+  Json out = Json::array();
+  for (const Effect& effect : effects) {
+    Json values = Json::object();
+    for (std::size_t i = 0; i < effect.values.size(); ++i) {
+      const EffectParameter& parameter = effect.kind->parameters()[i];
+      const units::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
+      values.set(std::string(parameter.key), units::from_si(effect.values[i], unit));
+    }
+    out.add(Json::object({{"id", effect.kind->id()}, {"parameters", std::move(values)}}));
+  }
+  return out;
+}
+
+Json to_json(const Design& design, const std::string& name) {
+  Json out = Json::object({{"format", "actuator/1"},
+                           {"name", name},
+                           {"layout", layout_json(design.layout)},
+                           {"polarity", polarity_json(design.layout)},
+                           {"coil", section_json(design, "coil")},
+                           {"magnet", section_json(design, "magnet")},
+                           {"body", section_json(design, "body")},
+                           {"surroundings", section_json(design, "surroundings")},
+                           {"model", choices_json(design.choices)},
+                           {"calibration", section_json(design, "calibration")}});
+  if (!design.effects.empty()) out.set("effects", to_json(design.effects));
+  return out;
+}
+
+Json to_json(const UpdatedActuator& actuator, const std::string& name) {
+  if (const auto* design = std::get_if<Design>(&actuator)) return to_json(*design, name);
+  return lumped_json(std::get<UpdatedLumpedModel>(actuator));
+}
+
+}  // namespace coilwright::formats

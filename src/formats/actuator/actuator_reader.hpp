@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "formats/actuator/lumped_model_reader.hpp"
+
+namespace coilwright::formats {
+
+/// An actuator file in terms of its own numbers.
+struct ActuatorContent {
+  std::string name;
+  std::variant<actuator::Design, LumpedModel> content;
+};
+
+/// Its effects are of `known`.
+[[nodiscard]] ActuatorContent read_actuator_content(const text::Document& document,
+                                                    const actuator::EffectCatalogue& known);
+
+}  // namespace coilwright::formats

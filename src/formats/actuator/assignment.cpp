@@ -1,0 +1,49 @@
+#include "coilwright/formats/actuator/assignment.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "coilwright/text/argument.hpp"
+#include "coilwright/text/spelling.hpp"
+#include "formats/actuator/design_reader.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+
+actuator::Configuration configuration_of(std::string_view text, std::string_view value) {
+  using enum actuator::Configuration;
+  for (const actuator::Configuration each : {A, B, C, D})
+    if (value == actuator::name_of(each)) return each;
+  throw argument_error(text, R"(must be one of "A", "B", "C", "D")");
+}
+
+double value_of(std::string_view text, std::string_view value, const actuator::Parameter& parameter) {
+  const double number = number_of(text, value);
+  if (parameter.whole && number != std::floor(number)) throw argument_error(text, "must be a whole number");
+  const Rule rule = rule_of(parameter);
+  if (!rule.allows(number)) throw argument_error(text, rule.text());
+  return number;
+}
+
+}  // namespace
+
+actuator::Design with_assignment(actuator::Design design, std::string_view text) {
+  const NameAndValue assignment = split_assignment(text, text, "gap_mm=1.2");
+  if (assignment.name == "configuration") {
+    design.layout = actuator::layout_of(configuration_of(text, assignment.value));
+    return design;
+  }
+  const actuator::Parameter* parameter = actuator::find_parameter(assignment.name);
+  if (parameter == nullptr) {
+    std::vector<std::string> names{"configuration"};
+    for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
+    throw argument_error(text, "is not a number of a design" + did_you_mean(assignment.name, names));
+  }
+  parameter->set(design, value_of(text, assignment.value, *parameter) / parameter->denominator);
+  return design;
+}
+
+}  // namespace coilwright::formats

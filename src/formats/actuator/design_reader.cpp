@@ -1,0 +1,156 @@
+#include "formats/actuator/design_reader.hpp"
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "coilwright/actuator/calibrate.hpp"
+#include "coilwright/actuator/dimensions.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
+#include "formats/actuator/effects_reader.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+
+// Far beyond any hardware, and near enough that nothing overflows or takes for ever.
+constexpr double largest_number = 1e6;
+constexpr double most_turns = 10'000.0;
+constexpr Rule measurement = positive.and_also(Rule::at_most(largest_number));
+constexpr double absolute_zero = -273.15;  // degC
+// Shore A for which Gent's relation between hardness and modulus holds.
+constexpr double softest_shore = 20.0;
+constexpr double hardest_shore = 80.0;
+
+using actuator::Component;
+using actuator::ComponentKind;
+using actuator::Design;
+
+void read_section(ObjectReader& in, std::string_view section, Design& design) {
+  const auto node = in.find(section);
+  if (!node) return;
+  ObjectReader keys(*node);
+  for (const actuator::Parameter& parameter : actuator::parameters()) {
+    if (parameter.section != section) continue;
+    const auto value = keys.find(parameter.key);
+    if (!value) continue;
+    if (parameter.whole)
+      parameter.set(design, value->integer<int>(rule_of(parameter)));
+    else
+      parameter.set(design, value->number(rule_of(parameter)) / parameter.denominator);
+  }
+  keys.finish();
+}
+
+// "layout": ["coil", "magnet", ...] with an optional "polarity": [1, -1, ...].
+actuator::Layout read_layout(ObjectReader& in) {
+  if (in.one_of({"configuration", "layout"}) == "configuration")
+    return actuator::layout_of(read_configuration(in.at("configuration")));
+  actuator::Layout layout;
+  const Node list = in.at("layout");
+  for (const Node& part : list.elements(Length::at_least(1)))
+    layout.push_back(
+        {.kind = part.choice<ComponentKind>({{"coil", ComponentKind::coil}, {"magnet", ComponentKind::magnet}})});
+  if (const auto senses = in.find("polarity")) {
+    const std::vector<Node> elements = senses->elements(Length::exactly(layout.size()));
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      layout[i].polarity = elements[i].integer<int>();
+      if (layout[i].polarity != 1 && layout[i].polarity != -1) throw elements[i].error("must be 1 or -1");
+    }
+  }
+  try {
+    actuator::check_layout(layout);
+  } catch (const std::invalid_argument& mistake) {
+    throw list.error_without_value(mistake.what());
+  }
+  return layout;
+}
+
+actuator::ModelChoices read_choices(const Node& node) {
+  using namespace actuator;
+  return read_object(node, [](ObjectReader& in) {
+    const ModelChoices usual;
+    return ModelChoices{.winding = in.choice_or("winding", usual.winding,
+                                                {{"paper_shells", magnetics::Winding::paper_shells},
+                                                 {"layer_centres", magnetics::Winding::layer_centres},
+                                                 {"uniform", magnetics::Winding::uniform}}),
+                        .torque = in.choice_or("torque", usual.torque,
+                                               {{"line_of_centres", magnetics::Fidelity::line_of_centres},
+                                                {"exact", magnetics::Fidelity::exact}}),
+                        .faces = in.choice_or("face_contact", usual.faces,
+                                              {{"hard_parts", FaceContact::hard_parts}, {"walls", FaceContact::walls}}),
+                        .masses = in.choice_or("segment_mass", usual.masses,
+                                               {{"on_axis_points", SegmentMass::on_axis_points},
+                                                {"rigid_bodies", SegmentMass::rigid_bodies}})};
+  });
+}
+
+actuator::Measured read_measured(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    return actuator::Measured{.coil_outer_radius = in.optional_quantity("coil_outer_radius_mm", measurement),
+                              .coil_length = in.optional_quantity("coil_length_mm", measurement),
+                              .joint_stiffness = in.optional_quantity("joint_stiffness_Nmm_rad", measurement),
+                              .joint_damping = in.optional_quantity("joint_damping_Nmms_rad", measurement),
+                              .axis_offset = in.optional_quantity("axis_offset_mm", measurement),
+                              .magnet_segment_mass = in.optional_quantity("magnet_segment_mass_g", measurement),
+                              .tip_segment_mass = in.optional_quantity("tip_segment_mass_g", measurement),
+                              .tip_com = in.optional_quantity("tip_com_mm", measurement),
+                              .coil_resistance = in.optional_quantity("coil_resistance_Ohm", measurement),
+                              .continuous_current = in.optional_quantity("continuous_current_A", measurement)};
+  });
+}
+
+}  // namespace
+
+Rule rule_of(const actuator::Parameter& parameter) {
+  // What has a table, a relation or a lowest value of its own.
+  if (parameter.name == "wire_gauge_AWG") return Rule::between(winding::thickest_gauge, winding::thinnest_gauge);
+  if (parameter.name == "shore_hardness_A") return Rule::between(softest_shore, hardest_shore);
+  if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));
+  switch (parameter.rule) {
+    case actuator::ParameterRule::positive:
+      return positive.and_also(Rule::at_most(largest_number));
+    case actuator::ParameterRule::not_negative:
+      return Rule::between(0.0, largest_number);
+    case actuator::ParameterRule::at_least_one:
+      return Rule::between(1.0, most_turns);
+    case actuator::ParameterRule::any:
+      break;
+  }
+  return Rule::between(-largest_number, largest_number);
+}
+
+actuator::Configuration read_configuration(const Node& node) {
+  using actuator::Configuration;
+  return node.choice<Configuration>(
+      {{"A", Configuration::A}, {"B", Configuration::B}, {"C", Configuration::C}, {"D", Configuration::D}});
+}
+
+Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
+  Design design;
+  design.layout = read_layout(in);
+  for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
+  if (const auto choices = in.find("model")) design.choices = read_choices(*choices);
+  if (const actuator::Misfits broken = actuator::misfits(design); !broken.empty())
+    throw in.node().error_without_value(broken.front().rule);
+  const auto measured = in.find("measured");
+  if (measured && in.find("calibration"))
+    throw in.node().error_without_value(R"(gives "measured" and "calibration"; only one of them may be there)");
+  read_section(in, "calibration", design);
+  design.effects = read_effects(in, known);
+  if (measured) {
+    try {
+      design.calibration = actuator::calibrate(design, read_measured(*measured));
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception& mistake) {
+      throw measured->error_without_value(mistake.what());
+    }
+  }
+  return design;
+}
+
+}  // namespace coilwright::formats

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/rule.hpp"
+
+namespace coilwright::formats {
+
+/// A number of an effect that the file declares, by a pointer of four steps: /effects/0/parameters/torque_Nmm.
+struct EffectNumber {
+  std::size_t effect{};
+  std::size_t parameter{};
+};
+
+/// The names of one data set, gone through from the first to the last.
+class CalibrateNames {
+ public:
+  /// `actuator` is the file in which pointers lead.
+  CalibrateNames(const Calibrate& calibrate, std::string actuator)
+      : calibrate_(calibrate), actuator_(std::move(actuator)) {}
+
+  [[nodiscard]] std::size_t size() const { return calibrate_.names.size(); }
+  [[nodiscard]] const std::string& name(std::size_t i) const { return calibrate_.names[i]; }
+  /// Throws when it is no JSON pointer.
+  [[nodiscard]] std::vector<std::string> steps(std::size_t i) const;
+
+  /// Says that name `i` stands for these numbers of the file. Throws when one of them has been claimed before.
+  void claim(std::size_t i, const std::vector<std::string>& pointers);
+
+  [[nodiscard]] text::InputError error(std::size_t i, const std::string& rule) const;
+  [[nodiscard]] text::InputError leads_nowhere(std::size_t i) const;
+  /// `why` ends "must lead to a number that a fit can move: ".
+  [[nodiscard]] text::InputError cannot_move(std::size_t i, const std::string& why) const;
+
+  /// The number of an effect that `steps` lead to; nothing where they do not lead into "effects". Throws where they
+  /// lead there and to nothing that can be calibrated.
+  [[nodiscard]] std::optional<EffectNumber> effect_number(std::size_t i, std::span<const std::string> steps,
+                                                          const std::vector<actuator::Effect>& effects) const;
+
+ private:
+  Calibrate calibrate_;
+  std::string actuator_;
+  std::set<std::string> claimed_{};
+};
+
+/// A parameter of that key and value (SI), with the bounds of `rule` (in the key's unit). `usual` is a change of it
+/// that is usual where it is 0, SI; > 0.
+[[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(std::string key, double declared,
+                                                                              const text::Rule& rule,
+                                                                              double denominator, double usual);
+
+/// The same for a number of an effect that the file declares.
+[[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,
+                                                                              const actuator::Effect& effect,
+                                                                              std::size_t parameter);
+
+/// The effects of the file and those that are added; one of a kind that is there already takes its place.
+[[nodiscard]] std::vector<actuator::Effect> joined(std::vector<actuator::Effect> declared,
+                                                   const std::vector<actuator::Effect>& added);
+
+}  // namespace coilwright::formats

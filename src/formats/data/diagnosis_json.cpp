@@ -1,0 +1,197 @@
+#include "coilwright/formats/data/diagnosis_json.hpp"
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
+#include "coilwright/formats/data/measured_unit.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+using namespace measurement;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json in_unit_or_null(double value, const units::Unit& unit) {
+  return number_or_null(units::from_si(value, unit));
+}
+
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json words_json(std::span<const std::string> words) {
+  Json out = Json::array();
+  for (const std::string& each : words) out.add(each);
+  return out;
+}
+
+Json ids_json(std::span<const actuator::EffectKind* const> kinds) {
+  return words_json(ids(kinds));
+}
+
+Json estimate_json(const compare::Estimate& estimate) {
+  const EstimateInUnit shown = in_unit(estimate);
+  Json interval = Json::array();
+  interval.add(number_or_null(shown.lower)).add(number_or_null(shown.upper));
+  Json out = Json::object({{"value", number_or_null(shown.value)}, {"ci95", std::move(interval)}});
+  if (!estimate.determined) out.set("determined", false);
+  if (estimate.chosen) out.set("choice", true);
+  return out;
+}
+
+Json estimates_json(std::span<const compare::Estimate> estimates) {
+  Json out = Json::object();
+  for (const compare::Estimate& each : estimates) out.set(each.key, estimate_json(each));
+  return out;
+}
+
+Json evidence_json(const compare::Evidence& evidence) {
+  return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
+                       {"chi_square_after", number_or_null(evidence.chi_square_after)},
+                       {"criterion_gain", number_or_null(evidence.criterion_gain)},
+                       {"cross_validated_gain", number_or_null(evidence.cross_validated_gain)},
+                       {"correlation_time_samples", number_or_null(evidence.correlation_time)}});
+}
+
+Json effects_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const AddedEffect& effect : diagnosis.effects)
+    out.add(Json::object({{"id", effect.kind->id()},
+                          {"parameters", estimates_json(effect.parameters)},
+                          {"evidence", evidence_json(effect.evidence)}}));
+  return out;
+}
+
+Json indistinguishable_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const auto& set : diagnosis.indistinguishable) out.add(ids_json(set));
+  return out;
+}
+
+Json errors_json(const Errors& errors, const units::Unit& unit) {
+  return Json::object({{with_unit("mae", unit), in_unit_or_null(errors.mae, unit)},
+                       {with_unit("rmse", unit), in_unit_or_null(errors.rmse, unit)},
+                       {with_unit("max", unit), in_unit_or_null(errors.max, unit)}});
+}
+
+void add_comparison(Json& out, const ErrorComparison& comparison) {
+  const units::Unit unit = error_unit(comparison.quantity);
+  out.set("declared", errors_json(comparison.declared, unit));
+  out.set("before", errors_json(comparison.before, unit));
+  out.set("after", errors_json(comparison.after, unit));
+  out.set(with_unit("noise_floor_rmse", unit), in_unit_or_null(comparison.noise_floor_rmse, unit));
+  out.set(with_unit("uncertainty_rmse", unit), in_unit_or_null(comparison.uncertainty_rmse, unit));
+  out.set("samples", comparison.samples);
+}
+
+// The first quantity's errors stand in the block itself, as the format has them; each other one in an object of its
+// own beside them.
+Json comparisons_json(std::span<const ErrorComparison> comparisons) {
+  Json out = Json::object();
+  const auto ordered = main_first(comparisons);
+  if (ordered.empty()) return out;
+  add_comparison(out, *ordered.front());
+  out.set("quantity", name_of(ordered.front()->quantity));
+  for (const ErrorComparison* each : std::span(ordered).subspan(1)) {
+    Json other = Json::object();
+    add_comparison(other, *each);
+    out.set(std::string(name_of(each->quantity)), std::move(other));
+  }
+  return out;
+}
+
+Json next_experiment_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.next_experiment) return nullptr;
+  const experiment::NextExperiment& next = *diagnosis.next_experiment;
+  return Json::object(
+      {{"kind", next.kind}, {"input", next.input}, {"why", next.why}, {"separation", number_or_null(next.separation)}});
+}
+
+Json candidates_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const compare::Candidate& candidate : diagnosis.candidates)
+    out.add(Json::object({{"effects", ids_json(candidate.effects)},
+                          {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json(nullptr)},
+                          {"remark", text_or_null(candidate.remark)}}));
+  return out;
+}
+
+Json adequacy_json(const whiteness::Adequacy& adequacy) {
+  return Json::object({{"level", number_or_null(adequacy.level)},
+                       {"structure", number_or_null(adequacy.structure)},
+                       {"where", text_or_null(adequacy.where)},
+                       {"noise_only", adequacy.noise_only()}});
+}
+
+Json in_unit_json(std::span<const double> values, const units::Unit& unit) {
+  Json out = Json::array();
+  for (const double value : values) out.add(in_unit_or_null(value, unit));
+  return out;
+}
+
+Json residual_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.residual) return nullptr;
+  const localise::ResidualTorque& residual = *diagnosis.residual;
+  const units::Unit torque = error_unit(data::Quantity::torque);
+  Json dependences = Json::array();
+  for (const localise::Dependence& each : residual.dependences) {
+    const units::Unit unit = variable_unit(each.variable);
+    dependences.add(Json::object({{"variable", each.variable},
+                                  {"explained", number_or_null(each.explained)},
+                                  {with_unit("at", unit), in_unit_json(each.at, unit)},
+                                  {with_unit("residual", torque), in_unit_json(each.residual, torque)}}));
+  }
+  Json out = Json::object({{with_unit("rms", torque), in_unit_or_null(residual.rms, torque)},
+                           {with_unit("smallest_visible", torque), in_unit_or_null(residual.smallest_visible, torque)},
+                           {"dependences", std::move(dependences)}});
+  out.set("frequency_Hz", residual.frequency ? number_or_null(*residual.frequency) : Json(nullptr));
+  return out;
+}
+
+Json noise_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const noise::NoiseLevel& each : diagnosis.noise) {
+    const units::Unit unit = difference_unit_of(each.channel);
+    out.add(Json::object({{"run", each.run},
+                          {"channel", each.channel},
+                          {with_unit("sigma", unit), in_unit_or_null(each.sigma, unit)},
+                          {"source", each.source}}));
+  }
+  return out;
+}
+
+Json warnings_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const data::Warning& each : diagnosis.warnings)
+    out.add(Json::object({{"run", text_or_null(each.run)}, {"text", each.text}}));
+  return out;
+}
+
+}  // namespace
+
+Json to_json(const DiagnosisReport& report) {
+  const Diagnosis& diagnosis = report.diagnosis;
+  Json out = Json::object({{"format", "diagnosis/1"}, {"verdict", name_of(diagnosis.verdict)}});
+  out.set("effects", effects_json(diagnosis)).set("indistinguishable", indistinguishable_json(diagnosis));
+  out.set("error", Json::object({{"validate", comparisons_json(diagnosis.validate_errors)},
+                                 {"fit", comparisons_json(diagnosis.fit_errors)}}));
+  out.set("calibration", estimates_json(diagnosis.calibration));
+  out.set("updated_actuator", report.updated_actuator);
+  out.set("next_experiment", next_experiment_json(diagnosis));
+  // Beyond the format.
+  out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));
+  out.set("adequacy",
+          Json::object({{"before", adequacy_json(diagnosis.before)}, {"after", adequacy_json(diagnosis.after)}}));
+  out.set("residual", residual_json(diagnosis)).set("candidates", candidates_json(diagnosis));
+  out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis));
+  return out;
+}
+
+}  // namespace coilwright::formats

@@ -1,0 +1,342 @@
+#include "coilwright/formats/data/experiment_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/text/argument.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/text/spelling.hpp"
+#include "formats/data/run_words.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+using namespace measurement::data;
+using namespace measurement::experiment;
+
+// Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.
+constexpr Rule level_rule = Rule::between(-1e6, 1e6);
+constexpr Rule time_rule = Rule::between(0.0, 1e5);
+constexpr Rule duration_rule = Rule::above(0.0).and_also(Rule::at_most(1e5));
+constexpr Rule rate_rule = Rule::above(0.0).and_also(Rule::at_most(1e6));
+constexpr Rule angle_rule = Rule::between(-180.0, 180.0);  // deg
+constexpr double most_samples = 1e6;
+constexpr std::size_t most_points = 100'000;
+constexpr std::size_t most_runs = 1000;
+
+// What instruments are called in the file and on the command line.
+struct InstrumentKey {
+  std::string_view key;
+  Instrument Instruments::*member;
+};
+constexpr std::array instrument_keys = {
+    InstrumentKey{"angle_deg", &Instruments::angle}, InstrumentKey{"rate_deg_s", &Instruments::rate},
+    InstrumentKey{"torque_Nmm", &Instruments::torque}, InstrumentKey{"force_N", &Instruments::force},
+    InstrumentKey{"temperature_K", &Instruments::temperature}};
+
+// What holds for every run that does not say otherwise.
+struct Defaults {
+  std::optional<double> rate{};  // samples a second
+  std::vector<std::string> measure{"bending_angle_deg"};
+};
+
+std::string_view unit_of(Drive drive) {
+  switch (drive) {
+    case Drive::current:
+      return "A";
+    case Drive::voltage:
+      return "V";
+    case Drive::torque:
+      break;
+  }
+  return "Nmm";
+}
+
+// Keys of a shape's levels carry the unit of the drive.
+class ShapeReader {
+ public:
+  ShapeReader(ObjectReader& in, Drive drive) : in_(in), unit_(unit_of(drive)) {}
+  [[nodiscard]] double level(std::string_view name) {
+    return in_.quantity(fmt::format("{}_{}", name, unit_), level_rule);
+  }
+  [[nodiscard]] double level_or_zero(std::string_view name) {
+    return in_.quantity_or(fmt::format("{}_{}", name, unit_), 0.0, level_rule);
+  }
+  [[nodiscard]] double time(std::string_view key) { return in_.quantity(key, time_rule); }
+  [[nodiscard]] double frequency(std::string_view key) { return in_.quantity(key, rate_rule); }
+  [[nodiscard]] ObjectReader& in() { return in_; }
+
+ private:
+  ObjectReader& in_;
+  std::string_view unit_;
+};
+
+StepShape read_step(ShapeReader in) {
+  return {.before = in.level_or_zero("before"), .after = in.level("after"), .at = in.time("at_s")};
+}
+
+StepShape read_release(ShapeReader in) {
+  return {.before = in.level("level"), .after = 0.0, .at = in.time("at_s")};
+}
+
+SineShape read_sine(ShapeReader in) {
+  return {.amplitude = in.level("amplitude"),
+          .offset = in.level_or_zero("offset"),
+          .frequency = in.frequency("frequency_Hz")};
+}
+
+ChirpShape read_chirp(ShapeReader in) {
+  return {.amplitude = in.level("amplitude"),
+          .offset = in.level_or_zero("offset"),
+          .from = in.frequency("from_Hz"),
+          .to = in.frequency("to_Hz")};
+}
+
+HoldShape read_hold(ShapeReader in) {
+  HoldShape hold{.level = in.level("level"), .from = in.time("from_s"), .until = in.time("until_s")};
+  if (hold.until <= hold.from) throw in.in().at("until_s").error(fmt::format("must exceed from_s ({})", hold.from));
+  return hold;
+}
+
+PulseShape read_pulses(ShapeReader in) {
+  return {.low = in.level_or_zero("low"),
+          .high = in.level("high"),
+          .period = in.in().quantity("period_s", duration_rule),
+          .duty = in.in().number_or("duty", 0.5, Rule::above(0.0).and_also(Rule::below(1.0)))};
+}
+
+TableShape read_table(const Node& node, Drive drive) {
+  const InputSignal signal = read_input_signal(node.path());
+  constexpr std::array words = {std::pair(InputKind::current, Drive::current),
+                                std::pair(InputKind::voltage, Drive::voltage),
+                                std::pair(InputKind::torque, Drive::torque)};
+  for (const auto& [kind, its_drive] : words)
+    if (kind == signal.kind && its_drive != drive) throw node.error("must have an input column of this run's drive");
+  TableShape table{.times = signal.times, .rows = std::vector<std::vector<double>>(signal.times.size())};
+  for (const std::vector<double>& column : signal.values)
+    for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(column[i]);
+  return table;
+}
+
+InputShape read_shape(const Node& node, Drive drive) {
+  return read_object(node, [drive](ObjectReader& in) -> InputShape {
+    const std::string name = in.one_of({"step", "sine", "chirp", "release", "hold", "pulses", "file"});
+    const Node shape = in.at(name);
+    if (name == "file") return read_table(shape, drive);
+    return read_object(shape, [&](ObjectReader& keys) -> InputShape {
+      const ShapeReader levels(keys, drive);
+      if (name == "step") return read_step(levels);
+      if (name == "sine") return read_sine(levels);
+      if (name == "chirp") return read_chirp(levels);
+      if (name == "release") return read_release(levels);
+      if (name == "hold") return read_hold(levels);
+      return read_pulses(levels);
+    });
+  });
+}
+
+// The number in "theta2" for the stem "theta", from 1; nothing for another name.
+std::optional<int> numbered(std::string_view name, std::string_view stem) {
+  if (!name.starts_with(stem)) return std::nullopt;
+  const std::string_view digits = name.substr(stem.size());
+  int number{};
+  const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (status != std::errc() || stop != digits.data() + digits.size() || number < 1 || digits.front() == '0')
+    return std::nullopt;
+  return number;
+}
+
+Channel channel_named(const std::string& name, const Node& node) {
+  const auto split = units::split_unit(name);
+  const std::string_view unit = split ? split->unit.suffix : "";
+  if (split && (unit == "deg" || unit == "rad")) {
+    if (split->quantity == "bending_angle") return {.name = name, .quantity = Quantity::bending_angle};
+    if (const auto joint = numbered(split->quantity, "theta"))
+      return {.name = name, .quantity = Quantity::joint_angle, .joint = *joint - 1};
+  }
+  if (split && (unit == "deg_s" || unit == "rad_s"))
+    if (const auto joint = numbered(split->quantity, "omega"))
+      return {.name = name, .quantity = Quantity::joint_rate, .joint = *joint - 1};
+  throw node.error("must be measured columns: bending_angle_deg, theta1_deg, .. or omega1_rad_s, ..");
+}
+
+// A data set numbers the columns of a quantity from 1, without a gap.
+std::vector<std::string> read_measure(const Node& node) {
+  std::vector<std::string> names;
+  std::map<Quantity, int> next;
+  for (const Node& element : node.elements(Length::at_least(1))) {
+    const Channel channel = channel_named(element.text(), element);
+    const int place = next[channel.quantity]++;
+    if (channel.quantity == Quantity::bending_angle && place > 0) throw element.error("must not be there twice");
+    if (channel.joint != place) throw element.error("must be numbered 1, 2, .. in turn");
+    names.push_back(channel.name);
+  }
+  return names;
+}
+
+void read_instruments(const Node& node, Instruments& instruments, double Instrument::*what) {
+  read_object(node, [&](ObjectReader& in) {
+    for (const InstrumentKey& each : instrument_keys)
+      (instruments.*each.member).*what = in.quantity_or(each.key, 0.0, Rule::between(0.0, 1e6));
+    return 0;
+  });
+}
+
+// The name of a run is that of its file, beside dataset.json.
+std::string read_file_name(const Node& node) {
+  const std::string& name = node.text();
+  const std::filesystem::path path(name);
+  if (path.has_parent_path() || path.extension() != ".csv" || path.stem().empty() || name.starts_with('.'))
+    throw node.error("must be a plain file name that ends in .csv");
+  return name;
+}
+
+void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
+  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, rate_rule)
+                               : in.quantity("sampling_rate_Hz", rate_rule);
+  planned.input = read_shape(in.at("input"), planned.plan.drive);
+  const auto* table = std::get_if<TableShape>(&planned.input);
+  const double of_file = table == nullptr ? 0.0 : table->times.back() - table->times.front();
+  planned.duration =
+      of_file > 0.0 ? in.quantity_or("duration_s", of_file, duration_rule) : in.quantity("duration_s", duration_rule);
+  const double samples = planned.duration * planned.rate;
+  if (samples < 5.0 || samples > most_samples)
+    throw in.node().error_without_value(
+        fmt::format("duration_s times sampling_rate_Hz must be from 5 to {:.0f}; got {:g}", most_samples, samples));
+}
+
+void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
+  Run& run = planned.plan;
+  const auto drive = in.find("drive");
+  run.drive = drive ? read_drive(*drive) : Drive::current;
+  const auto start = in.find("start");
+  run.start = start ? read_start(*start) : Start::at_rest;
+  if (const auto angles = in.find("start_angles_deg")) {
+    if (run.start == Start::at_rest) throw angles->error("must not be there where the start is \"at_rest\"");
+    planned.start_angles = angles->quantities(Length::at_least(1), angle_rule);
+  }
+  read_time_axis(in, defaults, planned);
+  const std::string_view one = run.drive == Drive::torque ? "joint" : "coil";
+  if (const auto only = in.find(one)) {
+    if (run.drive == Drive::voltage) throw only->error("must not be there under a voltage, which all coils share");
+    if (std::holds_alternative<TableShape>(planned.input))
+      throw only->error("must not be there beside a file, whose columns say what is driven");
+    planned.only = only->integer(Rule::at_least(1)) - 1;
+  }
+  std::vector<std::string> measure = defaults.measure;
+  const auto own = in.find("measure");
+  if (own) measure = read_measure(*own);
+  for (const std::string& name : measure) run.channels.push_back(channel_named(name, in.node()));
+}
+
+void read_temperature(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
+  read_time_axis(in, defaults, planned);
+  const auto* table = std::get_if<TableShape>(&planned.input);
+  if (table != nullptr && table->rows.front().size() != 1)
+    throw in.at("input").error_without_value("must have one current for all coils");
+  planned.plan.channels = {{.name = "temperature_degC", .quantity = Quantity::temperature}};
+}
+
+std::vector<double> read_points(ObjectReader& in, std::string_view key, const Rule& rule) {
+  return in.quantities(key, Length::from_to(1, most_points), rule);
+}
+
+// Every angle under every current.
+void read_static_torque(ObjectReader& in, Run& run) {
+  const std::vector<double> angles = read_points(in, "angles_deg", angle_rule);
+  const std::vector<double> currents = read_points(in, "currents_A", level_rule);
+  if (angles.size() * currents.size() > most_points)
+    throw in.node().error_without_value(fmt::format("must make at most {} points", most_points));
+  for (const double current : currents)
+    for (const double angle : angles) {
+      run.angles.push_back(angle);
+      run.inputs.push_back({current});
+    }
+  run.channels = {{.name = "torque_Nmm", .quantity = Quantity::torque}};
+}
+
+void read_bench(ObjectReader& in, Run& run) {
+  if (run.kind == RunKind::static_torque) {
+    read_static_torque(in, run);
+  } else if (run.kind == RunKind::joint_stiffness) {
+    run.angles = read_points(in, "angles_deg", angle_rule);
+    run.channels = {{.name = "torque_Nmm", .quantity = Quantity::torque}};
+  } else {
+    for (const double current : read_points(in, "currents_A", level_rule)) run.inputs.push_back({current});
+    run.channels = {{.name = "force_N", .quantity = Quantity::force}};
+  }
+}
+
+PlannedRun read_run(const Node& node, const Defaults& defaults) {
+  return read_object(node, [&](ObjectReader& in) {
+    PlannedRun planned;
+    planned.plan.name = read_file_name(in.at("file"));
+    planned.validate = in.choice<bool>("role", {{"fit", false}, {"validate", true}});
+    const auto kind = in.find("kind");
+    planned.plan.kind = kind ? read_run_kind(*kind) : RunKind::transient;
+    if (planned.plan.kind == RunKind::transient)
+      read_transient(in, defaults, planned);
+    else if (planned.plan.kind == RunKind::temperature)
+      read_temperature(in, defaults, planned);
+    else
+      read_bench(in, planned.plan);
+    return planned;
+  });
+}
+
+Experiment read_experiment_file(const Document& document) {
+  return read_object(document.root(), [](ObjectReader& in) {
+    in.literal("format", "experiment/1");
+    Experiment experiment;
+    experiment.name = in.text("name");
+    (void)in.text_or("description", "");
+    Defaults defaults;
+    defaults.rate = in.optional_quantity("sampling_rate_Hz", rate_rule);
+    if (const auto measure = in.find("measure")) defaults.measure = read_measure(*measure);
+    if (const auto noise = in.find("noise")) read_instruments(*noise, experiment.instruments, &Instrument::noise);
+    if (const auto resolution = in.find("resolution"))
+      read_instruments(*resolution, experiment.instruments, &Instrument::resolution);
+    std::set<std::string> names;
+    for (const Node& element : in.elements("runs", Length::from_to(1, most_runs))) {
+      experiment.runs.push_back(read_run(element, defaults));
+      if (!names.insert(experiment.runs.back().plan.name).second)
+        throw element.find("file")->error("must not be there twice");
+    }
+    return experiment;
+  });
+}
+
+}  // namespace
+
+Experiment read_experiment(const std::filesystem::path& path) {
+  return read_experiment_file(read_json(path));
+}
+
+Experiment parse_experiment(std::string_view text, std::string file) {
+  return read_experiment_file(parse_json(text, std::move(file)));
+}
+
+void set_noise(Instruments& instruments, std::string_view argument) {
+  const NameAndValue assignment = split_assignment(argument, argument, "angle_deg=0.3");
+  const auto found = std::ranges::find(instrument_keys, assignment.name, &InstrumentKey::key);
+  if (found == instrument_keys.end()) {
+    std::vector<std::string> keys;
+    for (const InstrumentKey& each : instrument_keys) keys.emplace_back(each.key);
+    throw argument_error(argument, "is not a noise of an instrument" + did_you_mean(assignment.name, keys));
+  }
+  const double value = number_of(argument, assignment.value);
+  const Rule rule = Rule::between(0.0, 1e6);
+  if (!rule.allows(value)) throw argument_error(argument, rule.text());
+  (instruments.*(found->member)).noise = units::to_si(value, units::split_unit(found->key)->unit);
+}
+
+}  // namespace coilwright::formats

@@ -1,0 +1,79 @@
+#include "coilwright/formats/data/measured_unit.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace coilwright::formats {
+namespace {
+
+using measurement::data::Quantity;
+
+constexpr units::Unit as_it_is{.suffix = "", .dimension = ""};
+
+units::Unit unit_named(std::string_view suffix) {
+  for (const units::Unit& unit : units::all_units())
+    if (unit.suffix == suffix) return unit;
+  return as_it_is;
+}
+
+}  // namespace
+
+std::string_view name_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bending_angle:
+    case Quantity::joint_angle:
+      return "angle";
+    case Quantity::joint_rate:
+      return "joint_rate";
+    case Quantity::torque:
+      return "torque";
+    case Quantity::force:
+      return "force";
+    case Quantity::temperature:
+      return "temperature";
+  }
+  return "";
+}
+
+units::Unit error_unit(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bending_angle:
+    case Quantity::joint_angle:
+      return unit_named("deg");
+    case Quantity::joint_rate:
+      return unit_named("deg_s");
+    case Quantity::torque:
+      return unit_named("Nmm");
+    case Quantity::force:
+      return unit_named("N");
+    case Quantity::temperature:
+      return unit_named("K");
+  }
+  return as_it_is;
+}
+
+units::Unit difference_unit_of(std::string_view column) {
+  const auto split = units::split_unit(column);
+  if (!split) return as_it_is;
+  return split->unit.offset == 0.0 ? split->unit : unit_named("K");
+}
+
+double in_column_unit(double value, std::string_view column) {
+  return units::from_si(value, difference_unit_of(column));
+}
+
+units::Unit variable_unit(std::string_view variable) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> table = {
+      {{"angle", "deg"}, {"rate", "deg_s"}, {"current", "A"}, {"time", "s"}, {"frequency", "Hz"}}};
+  for (const auto& [name, suffix] : table)
+    if (name == variable) return unit_named(suffix);
+  return as_it_is;
+}
+
+std::string with_unit(std::string_view name, const units::Unit& unit) {
+  return unit.suffix.empty() ? std::string(name) : fmt::format("{}_{}", name, unit.suffix);
+}
+
+}  // namespace coilwright::formats

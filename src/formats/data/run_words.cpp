@@ -1,0 +1,33 @@
+#include "formats/data/run_words.hpp"
+
+#include <utility>
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+using measurement::data::Drive;
+using measurement::data::RunKind;
+using measurement::data::Start;
+
+template <class... Values>
+auto read_name(const Node& node, Values... values) {
+  return node.choice({std::pair(name_of(values), values)...});
+}
+
+}  // namespace
+
+RunKind read_run_kind(const Node& node) {
+  return read_name(node, RunKind::transient, RunKind::static_torque, RunKind::joint_stiffness, RunKind::blocked_force,
+                   RunKind::temperature);
+}
+
+Drive read_drive(const Node& node) {
+  return read_name(node, Drive::current, Drive::voltage, Drive::torque);
+}
+
+Start read_start(const Node& node) {
+  return read_name(node, Start::at_rest, Start::measured, Start::free);
+}
+
+}  // namespace coilwright::formats

@@ -1,0 +1,41 @@
+#include "coilwright/formats/data/twin_answer.hpp"
+
+#include <array>
+#include <utility>
+
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/data/measured_unit.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+using namespace measurement;
+
+Json instruments_json(const experiment::Instruments& instruments, double experiment::Instrument::*what) {
+  constexpr std::array quantities = {
+      std::pair("angle", data::Quantity::bending_angle), std::pair("rate", data::Quantity::joint_rate),
+      std::pair("torque", data::Quantity::torque), std::pair("force", data::Quantity::force),
+      std::pair("temperature", data::Quantity::temperature)};
+  Json out = Json::object();
+  for (const auto& [name, quantity] : quantities) {
+    const units::Unit unit = error_unit(quantity);
+    out.set(with_unit(name, unit), units::from_si(instruments.of(quantity).*what, unit));
+  }
+  return out;
+}
+
+}  // namespace
+
+Json to_json(const TwinAnswer& answer) {
+  return Json::object({{"format", "twin-answer/1"},
+                       {"dataset", answer.dataset},
+                       {"actuator", answer.actuator},
+                       {"experiment", answer.experiment},
+                       {"effects", to_json(answer.effects)},
+                       {"noise", instruments_json(answer.instruments, &experiment::Instrument::noise)},
+                       {"resolution", instruments_json(answer.instruments, &experiment::Instrument::resolution)},
+                       {"seed", answer.seed}});
+}
+
+}  // namespace coilwright::formats

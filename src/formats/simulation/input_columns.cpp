@@ -1,0 +1,54 @@
+#include "formats/simulation/input_columns.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+
+struct Known {
+  std::string_view name;  // "#" stands for the number of the coil or joint
+  InputKind kind;
+  InputAddressing addressing;
+};
+
+constexpr std::array known_inputs = {
+    Known{"current_A", InputKind::current, InputAddressing::common},
+    Known{"current#_A", InputKind::current, InputAddressing::each},
+    Known{"voltage_V", InputKind::voltage, InputAddressing::common},
+    Known{"torque#_Nm", InputKind::torque, InputAddressing::each},
+};
+
+std::vector<std::string> quantities(CsvHeader& header, const Known& input) {
+  const std::string_view name = input.name;
+  if (input.addressing == InputAddressing::common) {
+    if (!header.find(name)) return {};
+    return {std::string(name.substr(0, name.rfind('_')))};
+  }
+  std::vector<std::string> all;
+  const std::size_t count = header.numbered(name);
+  for (std::size_t number = 1; number <= count; ++number)
+    all.push_back(std::string(name.substr(0, name.find('#'))) + std::to_string(number));
+  return all;
+}
+
+}  // namespace
+
+InputColumns ask_for_input(CsvHeader& header) {
+  std::optional<InputColumns> chosen;
+  for (const Known& input : known_inputs) {
+    std::vector<std::string> found = quantities(header, input);
+    if (found.empty()) continue;
+    if (chosen)
+      throw header.error("must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
+    chosen = InputColumns{.kind = input.kind, .addressing = input.addressing, .quantities = std::move(found)};
+  }
+  header.finish();  // a misspelt input is named as such before it is missed
+  if (!chosen) throw header.error("must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
+  return *chosen;
+}
+
+}  // namespace coilwright::formats

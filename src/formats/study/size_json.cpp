@@ -1,0 +1,132 @@
+#include "coilwright/formats/study/size_json.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_json.hpp"
+#include "coilwright/formats/study/search_json.hpp"
+
+namespace coilwright::formats {
+
+using namespace sizing;
+using namespace text;
+
+const Limit& limit_named(const Study& study, std::string_view name) {
+  return *std::ranges::find_if(study.limits, [&](const Limit& each) { return name_of(each) == name; });
+}
+
+const StudyVariable& variable_named(const Study& study, std::string_view name) {
+  return *std::ranges::find_if(study.variables, [&](const StudyVariable& each) { return name_of(each) == name; });
+}
+
+Limit relaxed(const Limit& limit, const BindingConstraint& binding) {
+  Limit out = limit;
+  const double change = binding.relaxed_by * scale_of(limit);
+  out.value += limit.side == Limit::Side::at_most ? change : -change;
+  return out;
+}
+
+std::vector<RangeEnd> range_ends(const SizeReport& report) {
+  std::vector<RangeEnd> ends;
+  if (!report.result.best) return ends;
+  for (std::size_t i = 0; i < report.study.variables.size(); ++i) {
+    const Variable variable = search_variable(report.study.variables[i]);
+    if (variable.kind == VariableKind::categorical || variable.lower == variable.upper) continue;
+    const double value = report.result.best->point[i];
+    const double step = variable.step > 0.0 ? variable.step : (variable.kind == VariableKind::integer ? 1.0 : 0.0);
+    // Beyond the last value of a grid there may be less than a step.
+    const double near = step > 0.0 ? 0.999 * step : 1e-9 * (variable.upper - variable.lower);
+    if (value - variable.lower < near) ends.push_back({i, "lower"});
+    if (variable.upper - value < near) ends.push_back({i, "upper"});
+  }
+  return ends;
+}
+
+namespace {
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json binding_json(const Study& study, const BindingConstraint& binding) {
+  const Limit& limit = limit_named(study, binding.name);
+  Json out = Json::object({{"constraint", binding.name},
+                           {"margin", margin_of(limit, -binding.margin)},
+                           {"at_limit", binding.at_limit},
+                           {"blocks_step", binding.blocks_step},
+                           {"relaxed_to", relaxed(limit, binding).value},
+                           {"objective_change", number_or_null(binding.objective_change)}});
+  out.set("relaxed_best", binding.relaxed_best ? variables_json(study, binding.relaxed_best->point) : Json(nullptr));
+  return out;
+}
+
+Json step_json(const Study& study, const VariableStep& step) {
+  const StudyVariable& variable = variable_named(study, step.variable);
+  Json violates = Json::array();
+  for (const std::string& name : step.violates) violates.add(name);
+  return Json::object({{"variable", step.variable},
+                       {"from", value_json(variable, step.from)},
+                       {"to", value_json(variable, step.to)},
+                       {"objective_change", number_or_null(step.objective_change)},
+                       {"improves", step.improves},
+                       {"violates", std::move(violates)}});
+}
+
+Json operating_json(const simulation::OperatingPoint& point) {
+  return Json::object({{"current_A", point.current}, {"duty", point.duty}});
+}
+
+Json base_json(const SizeReport& report) {
+  if (!report.base_seen.failure.empty()) return Json::object({{"reason", report.base_seen.failure}});
+  return Json::object({{"current_A", std::get<EvaluatedDesign>(report.base).point.current},
+                       {"objectives", objectives_json(report.study, report.base_seen)},
+                       {"constraints", constraints_json(report.study, report.base_seen)}});
+}
+
+Json best_json(const SizeReport& report) {
+  if (!report.result.best) return nullptr;
+  const Record& best = *report.result.best;
+  Json out = Json::object({{"variables", variables_json(report.study, best.point)},
+                           {"objectives", objectives_json(report.study, best.evaluation)},
+                           {"constraints", constraints_json(report.study, best.evaluation)}});
+  if (!best.evaluation.failure.empty()) out.set("reason", best.evaluation.failure);
+  return out;
+}
+
+Json range_ends_json(const SizeReport& report) {
+  Json out = Json::array();
+  for (const RangeEnd& each : range_ends(report))
+    out.add(Json::object({{"variable", name_of(report.study.variables[each.variable])}, {"end", each.end}}));
+  return out;
+}
+
+}  // namespace
+
+Json to_json(const SizeReport& report) {
+  const SearchResult& result = report.result;
+  Json evaluations = to_json(counts_of(result.archive));
+  evaluations.set("search", result.search_evaluations).set("surroundings", result.sensitivity_evaluations);
+  evaluations.set("total", result.archive.size());
+  Json violated = Json::array();
+  for (const std::string& name : result.violated) violated.add(name);
+  Json binding = Json::array();
+  for (const BindingConstraint& each : result.sensitivity.binding) binding.add(binding_json(report.study, each));
+  Json steps = Json::array();
+  for (const VariableStep& each : result.sensitivity.steps) steps.add(step_json(report.study, each));
+  const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
+
+  Json out = result_head("size", report.study, result.stop_reason);
+  out.set("evaluations", std::move(evaluations)).set("feasible", result.feasible);
+  out.set("best", best_json(report)).set("violated", std::move(violated)).set("base", base_json(report));
+  out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(report));
+  out.set("steps", std::move(steps));
+  out.set("operating_point", evaluated ? operating_json(evaluated->point) : Json(nullptr));
+  out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
+  return out;
+}
+
+}  // namespace coilwright::formats

@@ -1,0 +1,58 @@
+#include "coilwright/report/front_text.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "coilwright/formats/study/front_json.hpp"
+#include "report/design_text.hpp"
+#include "report/search_text.hpp"
+#include "report/text_table.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace sizing;
+
+std::string table_of(const Study& study, const ParetoResult& result) {
+  TextTable table;
+  std::vector<std::string> header{""};
+  for (const StudyVariable& variable : study.variables) header.push_back(name_of(variable));
+  for (const StudyObjective& objective : study.objectives) header.emplace_back(objective.quantity.name);
+  table.row(std::move(header));
+  const auto add = [&](std::string title, const Record& record) {
+    std::vector<std::string> row{std::move(title)};
+    for (std::string& text : variable_texts(study, record.point)) row.push_back(std::move(text));
+    for (const double value : record.evaluation.objectives) row.push_back(short_number(value));
+    table.row(std::move(row));
+  };
+  for (std::size_t i = 0; i < study.objectives.size(); ++i)
+    add("best " + study.objectives[i].quantity.name, result.front[formats::end_of(result, i)]);
+  add("middle", result.front[formats::middle_of(result)]);
+  return table.text(0, {TextTable::Align::left});
+}
+
+std::string nearest_text(const Study& study, const ParetoResult& result) {
+  if (!result.least_infeasible) return "Nothing was evaluated.\n";
+  TextTable table;
+  const std::vector<std::string> values = variable_texts(study, result.least_infeasible->point);
+  for (std::size_t i = 0; i < values.size(); ++i) table.row({name_of(study.variables[i]), values[i]});
+  return "No design found keeps every limit. The least infeasible one\n" +
+         table.text(2, {TextTable::Align::left, TextTable::Align::right}) +
+         fmt::format("In the way: {}\n", what_is_in_the_way(study, result.least_infeasible->evaluation));
+}
+
+}  // namespace
+
+std::string to_text(const Study& study, const ParetoResult& result) {
+  std::string text = study.name + ":";
+  for (const StudyObjective& objective : study.objectives)
+    text += (&objective == &study.objectives.front() ? " " : ", ") + objective_text(objective);
+  text += "\n\n" + (result.front.empty() ? nearest_text(study, result) : table_of(study, result));
+  return text + fmt::format("\n{} designs on the front. Stopped because {}: {} evaluations; {}.\n", result.front.size(),
+                            meaning_of(result.stop_reason), result.evaluations,
+                            to_text(formats::counts_of(result.archive)));
+}
+
+}  // namespace coilwright::report

@@ -1,0 +1,58 @@
+#include "coilwright/report/sweep_text.hpp"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "coilwright/formats/study/design_columns.hpp"
+#include "report/design_text.hpp"
+#include "report/text_table.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using sizing::Study;
+using sizing::SweptDesign;
+
+// What the design at `first` is best for, and where the leaders after it are the same design: that too.
+std::string verdict(const Study& study, std::span<const sizing::Leader> leaders, std::size_t first) {
+  const SweptDesign& design = leaders[first].design;
+  if (!sizing::is_feasible(design.evaluation))
+    return "nothing feasible; nearest: " + what_is_in_the_way(study, design.evaluation);
+  std::string text;
+  for (std::size_t i = first; i < leaders.size() && leaders[i].design.index == design.index; ++i)
+    text += (text.empty() ? "" : ", ") + study.objectives[leaders[i].objective].quantity.name;
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const formats::SweepReport& report) {
+  const auto& [study, designs, evaluated, ok, leaders] = report;
+  TextTable table;
+  std::vector<std::string> header;
+  formats::add_variable_names(study, header);
+  formats::add_objective_names(study, header);
+  header.emplace_back("best for");
+  table.row(std::move(header));
+  for (std::size_t k = 0; k < leaders.size(); ++k) {
+    const SweptDesign& design = leaders[k].design;
+    if (k > 0 && leaders[k - 1].design.index == design.index) continue;
+    std::vector<std::string> row = variable_texts(study, design.point);
+    const sizing::Evaluation& evaluation = design.evaluation;
+    for (std::size_t i = 0; i < study.objectives.size(); ++i) {
+      if (formats::is_variable(study, study.objectives[i].quantity.name)) continue;
+      row.push_back(evaluation.failure.empty() ? short_number(evaluation.objectives[i]) : "-");
+    }
+    row.push_back(verdict(study, leaders, k));
+    table.row(std::move(row));
+  }
+  std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);
+  align.push_back(TextTable::Align::left);
+  return table.text(0, std::move(align)) +
+         fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", evaluated, designs, ok);
+}
+
+}  // namespace coilwright::report

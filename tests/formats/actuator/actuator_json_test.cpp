@@ -1,0 +1,102 @@
+#include "coilwright/formats/actuator/actuator_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <variant>
+
+#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "formats/actuator/same_bits.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using actuator::Design;
+using coilwright::testing::expect_same_bits;
+
+Design read_back(const Design& design) {
+  return std::get<Design>(parse_actuator(to_json(design, "x").text(), "x").content);
+}
+
+TEST(ActuatorJson, ReadsBackAsTheSameBitsForEveryChoice) {
+  Design design;
+  design.layout = actuator::layout_of(actuator::Configuration::C);
+  design.layout[3].polarity = -1;
+  for (const auto winding :
+       {magnetics::Winding::paper_shells, magnetics::Winding::layer_centres, magnetics::Winding::uniform})
+    for (const auto torque : {magnetics::Fidelity::line_of_centres, magnetics::Fidelity::exact})
+      for (const auto faces : {actuator::FaceContact::hard_parts, actuator::FaceContact::walls})
+        for (const auto masses : {actuator::SegmentMass::on_axis_points, actuator::SegmentMass::rigid_bodies}) {
+          design.choices = {.winding = winding, .torque = torque, .faces = faces, .masses = masses};
+          expect_same_bits(read_back(design), design);
+        }
+}
+
+TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
+  // Numbers as a search finds them: what a study says in millimetres, divided by a thousand.
+  std::mt19937_64 random(20240907);
+  std::uniform_real_distribution<double> factor(0.7, 1.4);
+  for (int i = 0; i < 300; ++i) {
+    Design design;
+    for (const actuator::Parameter& parameter : actuator::parameters()) {
+      const double value = parameter.get(design) * parameter.denominator * factor(random);
+      parameter.set(design, value / parameter.denominator);
+    }
+    design.coil.wire_gauge = 20 + i % 21;
+    design.coil.inner_radius = 4.0 * factor(random) / 1e3;  // no bore too tight for the wire
+    design.body.shore_hardness = 40.0 * factor(random);     // within Gent's relation
+    const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");
+    tilt.set(design, 17.0 * factor(random) / tilt.denominator);
+    expect_same_bits(read_back(design), design);
+  }
+}
+
+TEST(ActuatorJson, SaysMillimetresAsAPersonWouldWriteThem) {
+  Design design;
+  design.body.gap = 0.9e-3;
+  design.coil.inner_radius = 3.3e-3;
+  const std::string text = to_json(design, "plain").text();
+  EXPECT_NE(text.find("\"gap_mm\": 0.9,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"inner_radius_mm\": 3.3,"), std::string::npos);
+  EXPECT_NE(text.find("\"turns_axial\": 30,"), std::string::npos);
+}
+
+TEST(ActuatorJson, ReadsBackAsTheSameEffectsWhateverTheirNumbers) {
+  std::mt19937_64 random(20241105);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int round = 0; round < 200; ++round) {
+    Design design;
+    for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
+      actuator::Effect effect{.kind = kind, .values = {}};
+      for (const actuator::EffectParameter& parameter : kind->parameters()) {
+        const double lower = std::max(parameter.lower, -3.0), upper = std::min(parameter.upper, 3.0);
+        // Numbers that some decimal in the key's unit means; between those there are doubles that none does.
+        const double value = (lower + share(random) * (upper - lower)) * parameter.denominator;
+        effect.values.push_back(parameter.choices.empty() ? value / parameter.denominator
+                                                          : parameter.choices[round % parameter.choices.size()]);
+      }
+      // The bounds themselves, too.
+      if (round == 0 && !effect.values.empty() && std::isfinite(kind->parameters()[0].upper))
+        effect.values[0] = kind->parameters()[0].upper;
+      if (round == 1 && !effect.values.empty() && std::isfinite(kind->parameters()[0].lower))
+        effect.values[0] = kind->parameters()[0].lower;
+      design.effects.push_back(std::move(effect));
+    }
+    const Design back = read_back(design);
+    ASSERT_EQ(back.effects.size(), design.effects.size());
+    for (std::size_t i = 0; i < back.effects.size(); ++i) {
+      EXPECT_EQ(back.effects[i].kind, design.effects[i].kind);
+      EXPECT_EQ(back.effects[i].values, design.effects[i].values) << back.effects[i].kind->id();
+    }
+  }
+}
+
+TEST(ActuatorJson, NamesNoEffectsWhereThereAreNone) {
+  EXPECT_EQ(to_json(Design(), "plain").text().find("effects"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coilwright::formats

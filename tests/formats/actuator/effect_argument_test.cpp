@@ -1,0 +1,45 @@
+#include "coilwright/formats/actuator/effect_argument.hpp"
+
+#include <gtest/gtest.h>
+
+#include "text/input_error_text.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+std::string refusal(const std::string& argument) {
+  return text::testing::error_of([&] { (void)parse_effect(argument); });
+}
+
+TEST(EffectArgument, GivesParametersInSiInTheOrderOfTheEffect) {
+  const actuator::Effect friction = parse_effect("dry_friction:torque_Nmm=0.6");
+  EXPECT_EQ(friction.kind, actuator::standard_effects().find("dry_friction"));
+  ASSERT_EQ(friction.values.size(), 1u);
+  EXPECT_DOUBLE_EQ(friction.values[0], 0.6e-3);
+  const actuator::Effect creep = parse_effect("viscoelastic_creep:time_constant_s=0.5,stiffness_ratio=0.2");
+  EXPECT_EQ(creep.values, (std::vector<double>{0.2, 0.5}));
+}
+
+TEST(EffectArgument, IsRefusedInALineThatNamesTheRule) {
+  EXPECT_EQ(refusal("dry_fricton:torque_Nmm=0.6"),
+            R"(dry_fricton:torque_Nmm=0.6: "dry_fricton" is not an effect; did you mean "dry_friction"?)");
+  EXPECT_EQ(refusal(""), R"(: "" is not an effect)");
+  EXPECT_EQ(
+      refusal("dry_friction:torque_Nm=0.6"),
+      R"(dry_friction:torque_Nm=0.6: "torque_Nm" is not a parameter of dry_friction; did you mean "torque_Nmm"?)");
+  EXPECT_EQ(refusal("dry_friction"), "dry_friction: needs torque_Nmm: friction torque of a sliding joint, every joint");
+  EXPECT_EQ(refusal("dry_friction:torque_Nmm"),
+            R"(dry_friction:torque_Nmm: must be a name and a value, as in "dry_friction:torque_Nmm=0.6")");
+  EXPECT_EQ(refusal("dry_friction:torque_Nmm=0.6,"),
+            R"(dry_friction:torque_Nmm=0.6,: must be a name and a value, as in "dry_friction:torque_Nmm=0.6")");
+  EXPECT_EQ(refusal("dry_friction:torque_Nmm=0.6,torque_Nmm=0.7"),
+            R"(dry_friction:torque_Nmm=0.6,torque_Nmm=0.7: "torque_Nmm" must not be there twice)");
+  EXPECT_EQ(refusal("dry_friction:torque_Nmm=nan"), "dry_friction:torque_Nmm=nan: must be a finite number");
+  EXPECT_EQ(refusal("dry_friction:torque_Nmm=1,5"),
+            R"(dry_friction:torque_Nmm=1,5: must be a name and a value, as in "dry_friction:torque_Nmm=0.6")");
+  EXPECT_EQ(refusal("dry_friction:torque_Nmm=-1"),
+            "dry_friction:torque_Nmm=-1: effect dry_friction: torque_Nmm must be >= 0; got -1");
+}
+
+}  // namespace
+}  // namespace coilwright::formats

@@ -1,0 +1,246 @@
+#include "coilwright/formats/data/dataset_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "coilwright/formats/data/declared_actuator.hpp"
+
+#include "temporary_folder.hpp"
+#include "text/input_error_text.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using measurement::data::RunKind;
+using measurement::data::Start;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string step = "time_s,current_A,bending_angle_deg\n0,0,1\n0.01,1.4,2\n0.02,1.4,4.5\n0.03,1.4,6.5\n";
+const std::string bench = "angle_deg,current_A,torque_Nmm\n10,1.4,17\n20,1.4,16\n";
+
+// A folder with two motions and a bench, and whatever dataset.json a test gives it.
+class DatasetFiles : public ::testing::Test {
+ protected:
+  DatasetFiles() {
+    folder_.file("a.csv", step);
+    folder_.file("b.csv", step);
+    folder_.file("bench.csv", bench);
+  }
+  void write(std::string_view name, std::string_view content) { folder_.file(name, content); }
+  DatasetFile read(const std::string& json) { return read_dataset(folder_.file("dataset.json", json)); }
+  DatasetFile read_runs(const std::string& runs) {
+    return read(R"({"format": "measured-data/1", "runs": [)" + runs + "]}");
+  }
+  // Without the folder's name.
+  std::string refusal(const std::string& json) {
+    std::string text = text::testing::error_of([&] { (void)read(json); });
+    const std::string prefix = folder_.path().string() + "/";
+    return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+  }
+  std::string runs_refusal(const std::string& runs) {
+    return refusal(R"({"format": "measured-data/1", "runs": [)" + runs + "]}");
+  }
+
+  coilwright::testing::TemporaryFolder folder_;
+};
+
+const std::string run_a = R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "current"})";
+const std::string run_b = R"({"file": "b.csv", "kind": "transient", "role": "validate", "drive": "current"})";
+
+TEST_F(DatasetFiles, AreReadToTheLetter) {
+  const DatasetFile file = read(R"({
+    "format": "measured-data/1", "name": "finger", "actuator": "../configs/finger.json",
+    "calibrate": ["/links/0/mass_kg", "joint_damping"],
+    "runs": [
+      {"file": "a.csv", "kind": "transient", "role": "fit", "drive": "current", "start": "free", "window_s": 0.5,
+       "sigma": 0.3},
+      {"file": "b.csv", "kind": "transient", "role": "validate", "drive": "current", "start": "at_rest"},
+      {"file": "bench.csv", "kind": "static_torque", "role": "fit"}
+    ]})");
+  EXPECT_EQ(file.data.name, "finger");
+  EXPECT_EQ(*file.actuator, folder_.path() / "../configs/finger.json");
+  EXPECT_THAT(file.calibrate, ElementsAre("/links/0/mass_kg", "joint_damping"));
+  EXPECT_EQ(file.data.validate.count(), 1u);
+  EXPECT_THAT(file.data.held_out, IsEmpty());
+  ASSERT_EQ(file.data.fit.size(), 2u);
+  const measurement::data::Run& run = file.data.fit[0];
+  EXPECT_EQ(run.name, "a.csv");
+  EXPECT_EQ(run.start, Start::free);
+  EXPECT_EQ(run.window, 0.5);
+  EXPECT_DOUBLE_EQ(*run.sigma, 0.3 * 3.14159265358979323846 / 180.0);
+  EXPECT_EQ(run.samples(), 4u);
+  EXPECT_EQ(file.data.fit[1].kind, RunKind::static_torque);
+}
+
+TEST_F(DatasetFiles, MayBeGivenByTheirFolder) {
+  (void)read_runs(run_a + "," + run_b);
+  EXPECT_EQ(read_dataset(folder_.path()).data.fit.size(), 1u);
+}
+
+TEST_F(DatasetFiles, HaveDefaults) {
+  const DatasetFile file = read_runs(run_a + "," + run_b);
+  EXPECT_THAT(file.calibrate, ElementsAre("joint_stiffness", "joint_damping"));
+  EXPECT_FALSE(file.actuator);
+  EXPECT_EQ(file.data.fit[0].start, Start::at_rest);
+  EXPECT_FALSE(file.data.fit[0].window);
+  EXPECT_FALSE(file.data.fit[0].sigma);
+}
+
+TEST_F(DatasetFiles, HoldRunsOutThemselvesWhereNoneIsNamed) {
+  const DatasetFile file = read_runs(run_a + R"(, {"file": "b.csv", "kind": "transient", "role": "fit",
+                                                    "drive": "current"})");
+  EXPECT_THAT(file.data.held_out, ElementsAre("b.csv"));
+  EXPECT_EQ(file.data.validate.count(), 1u);
+  EXPECT_EQ(file.data.fit.size(), 1u);
+}
+
+TEST_F(DatasetFiles, RefuseASetWithoutAFitRun) {
+  EXPECT_EQ(runs_refusal(run_b), "dataset.json: /runs: needs at least one fit run");
+  EXPECT_EQ(runs_refusal(""), "dataset.json: /runs: must have 1 to 10000 elements; got an array of 0");
+}
+
+TEST_F(DatasetFiles, RefuseWordsThatDoNotExist) {
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "train", "drive": "current"})"),
+            R"(dataset.json: /runs/0/role: must be one of "fit", "validate"; got text "train")");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "motion", "role": "fit", "drive": "current"})"),
+            R"(dataset.json: /runs/0/kind: must be one of "transient", "static_torque", "joint_stiffness", )"
+            R"("blocked_force", "temperature"; got text "motion")");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "force"})"),
+            R"(dataset.json: /runs/0/drive: must be one of "current", "voltage", "torque"; got text "force")");
+  EXPECT_EQ(
+      runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "current", "start": "moving"})"),
+      R"(dataset.json: /runs/0/start: must be one of "at_rest", "measured", "free"; got text "moving")");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "current", "windw_s": 1})"),
+            R"(dataset.json: /runs/0/windw_s: unknown key; did you mean "window_s"?)");
+  EXPECT_EQ(refusal(R"({"format": "measured-data/2", "runs": []})"),
+            R"(dataset.json: /format: must be "measured-data/1"; got text "measured-data/2")");
+  EXPECT_EQ(refusal(R"({"format": "measured-data/1", "calibrate": ["stiffness"], "runs": []})"),
+            R"(dataset.json: /calibrate/0: must be "joint_stiffness", "joint_damping" or a JSON pointer into the )"
+            R"(actuator file; got text "stiffness")");
+}
+
+TEST_F(DatasetFiles, RefuseMissingKeys) {
+  EXPECT_EQ(runs_refusal(R"({"kind": "transient", "role": "fit", "drive": "current"})"),
+            "dataset.json: /runs/0/file: is missing");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit"})"),
+            "dataset.json: /runs/0/drive: is missing");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "drive": "current"})"),
+            "dataset.json: /runs/0/role: is missing");
+}
+
+TEST_F(DatasetFiles, RefuseNumbersBeyondTheirRules) {
+  const auto with = [&](const std::string& key) {
+    return runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "current", )" + key + "}");
+  };
+  EXPECT_EQ(with(R"("window_s": 0)"), "dataset.json: /runs/0/window_s: must be > 0; got 0");
+  EXPECT_EQ(with(R"("window_s": 0.01)"),
+            "dataset.json: /runs/0/window_s: must exceed the mean interval between samples; got 0.01");
+  EXPECT_EQ(with(R"("sigma": -0.3)"), "dataset.json: /runs/0/sigma: must be from 1e-12 to 1000000000000; got -0.3");
+}
+
+TEST_F(DatasetFiles, RefuseADriveThatTheColumnsContradict) {
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "voltage"})"),
+            "dataset.json: /runs/0/drive: must be \"current\", as the input column of the file says; got text "
+            "\"voltage\"");
+  EXPECT_EQ(runs_refusal(R"({"file": "bench.csv", "kind": "static_torque", "role": "fit", "drive": "torque"})"),
+            "dataset.json: /runs/0/drive: must be \"current\", as the input column of the file says; got text "
+            "\"torque\"");
+}
+
+TEST_F(DatasetFiles, RefuseAMeasuredStartWithoutAnAngle) {
+  write("rates.csv", "time_s,current_A,omega1_rad_s\n0,0,1\n0.01,1.4,2\n");
+  EXPECT_EQ(runs_refusal(R"({"file": "rates.csv", "kind": "transient", "role": "fit", "drive": "current",
+                             "start": "measured"})"),
+            "dataset.json: /runs/0/start: must not be \"measured\" where no angle is measured; got text \"measured\"");
+}
+
+TEST_F(DatasetFiles, RefuseAFileThatIsThereTwiceUnderAnyName) {
+  EXPECT_EQ(runs_refusal(run_a + R"(, {"file": "./a.csv", "kind": "transient", "role": "validate",
+                                        "drive": "current"})"),
+            "dataset.json: /runs/1/file: must not be there twice; got text \"./a.csv\"");
+}
+
+TEST_F(DatasetFiles, NameTheFileThatIsAtFault) {
+  EXPECT_EQ(runs_refusal(R"({"file": "c.csv", "kind": "transient", "role": "fit", "drive": "current"})"),
+            "c.csv: cannot be opened: No such file or directory");
+  write("a.csv", "time_s,current_A,bending_angle_deg\n0,0,1\n0,1.4,2\n");
+  EXPECT_EQ(runs_refusal(run_a), "a.csv: line 3: column time_s: must exceed the value before it (0); got 0");
+  // A validate run, too, must be a table.
+  write("a.csv", step);
+  write("b.csv", "time_s,current_A,bending_angle_deg\n0,0,1\n1,1.4\n");
+  EXPECT_EQ(runs_refusal(run_a + "," + run_b), "b.csv: line 3: must have 3 fields, as the header has; got 2");
+  EXPECT_THAT(text::testing::error_of([&] { (void)read_dataset(folder_.path() / "nothing"); }),
+              HasSubstr("nothing: cannot be opened: No such file or directory"));
+}
+
+TEST_F(DatasetFiles, JudgeTheNumbersOfFitRunsOnly) {
+  const std::string absurd = "time_s,current_A,bending_angle_deg\n0,1,3000\n1,1,3000\n50,1,3000\n";
+  write("b.csv", absurd);
+  EXPECT_THAT(read_runs(run_a + "," + run_b).data.warnings, IsEmpty());
+  write("a.csv", absurd);
+  EXPECT_EQ(runs_refusal(run_a + "," + run_b),
+            "a.csv: line 2: column bending_angle_deg: must be within two turns, as no finger bends further (is the "
+            "unit right?); got 3000");
+}
+
+TEST_F(DatasetFiles, WarnOfRunsThatLookWrong) {
+  write("a.csv", "time_s,current_A,bending_angle_deg\n0,1.4,1\n0.01,1.4,2\n0.02,1.4,4.5\n0.03,1.4,6.5\n");
+  const DatasetFile file = read_runs(run_a + "," + run_b);
+  ASSERT_EQ(file.data.warnings.size(), 1u);
+  EXPECT_EQ(file.data.warnings[0].run, "a.csv");
+  EXPECT_THAT(file.data.warnings[0].text, HasSubstr("the input never moves"));
+}
+
+// Blocks of docs/formats.md that begin ```<kind>, by what else is on that line.
+std::map<std::string, std::string> documented(const std::string& kind) {
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats.md");
+  std::map<std::string, std::string> blocks;
+  std::string opening("```");
+  opening.append(kind).push_back(' ');
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(opening)) continue;
+    std::string& block = blocks[line.substr(opening.size())];
+    for (std::string inside; std::getline(file, inside) && inside != "```";) block.append(inside).push_back('\n');
+  }
+  return blocks;
+}
+
+TEST_F(DatasetFiles, OfTheDocumentAreLegal) {
+  const auto runs = documented("csv");
+  EXPECT_EQ(runs.size(), 3u);
+  for (const auto& [name, text] : runs) write(name, text);
+  const DatasetFile file = read(documented("json").at("dataset"));
+  EXPECT_EQ(file.data.fit.size(), 2u);
+  EXPECT_EQ(file.data.validate.count(), 1u);
+  EXPECT_THAT(file.data.warnings, IsEmpty());
+  // Its names mean numbers of the actuator it names, which it looks for beside the document.
+  EXPECT_EQ(file.actuator->filename(), "paper_finger.json");
+  const DeclaredActuator actuator = read_declared_actuator(COILWRIGHT_SOURCE_DIR "/configs/actuators/paper_finger.json",
+                                                           {.names = file.calibrate, .file = file.file});
+  EXPECT_EQ(actuator.model.calibration.size(), 3u);
+}
+
+TEST(EffectsOfTheDocument, AreThoseOfTheCatalogue) {
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats.md");
+  std::vector<std::string> rows;
+  std::string line;
+  while (std::getline(file, line) && !line.starts_with("| id | parameters |")) continue;
+  while (std::getline(file, line) && line.starts_with("|"))
+    if (line.starts_with("| `")) rows.push_back(line);
+  ASSERT_EQ(rows.size(), actuator::standard_effects().kinds().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const actuator::EffectKind& kind = *actuator::standard_effects().kinds()[i];
+    EXPECT_THAT(rows[i], HasSubstr(std::string("| `").append(kind.id()).append("` |")));
+    for (const actuator::EffectParameter& parameter : kind.parameters())
+      EXPECT_THAT(rows[i], HasSubstr(std::string("`").append(parameter.key).append("`")));
+  }
+}
+
+}  // namespace
+}  // namespace coilwright::formats

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+#include "coilwright/formats/data/diagnosis_json.hpp"
+#include "formats/data/named_effect.hpp"
+
+namespace coilwright::testing {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double degree = std::numbers::pi / 180.0;
+
+inline const NamedEffect dry_friction("dry_friction", "Coulomb friction at the hinges");
+inline const NamedEffect coil_heating("coil_heating", "the coil's resistance rises");
+inline const NamedEffect magnet_heating("magnet_heating", "the remanence falls");
+inline constexpr std::array sides = {-1.0, 1.0};
+inline const NamedEffect end_stop("end_stop", "a stop",
+                                  {{.key = "angle_deg", .text = "where"},
+                                   {.key = "side", .text = "which", .choices = sides}});
+
+inline measurement::Errors degrees(double mae, double rmse, double max) {
+  return {.mae = mae * degree, .rmse = rmse * degree, .max = max * degree};
+}
+
+inline measurement::ErrorComparison comparison(measurement::data::Quantity quantity, std::size_t samples,
+                                               double noise_floor) {
+  return {.quantity = quantity,
+          .samples = samples,
+          .declared = {},
+          .before = {},
+          .after = {},
+          .noise_floor_rmse = noise_floor};
+}
+
+// Stiff at 40 degrees, on the lower side.
+inline measurement::AddedEffect stopped() {
+  return {.kind = &end_stop,
+          .parameters = {{.key = "angle_deg",
+                          .denominator = 180.0 / std::numbers::pi,
+                          .value = 40.0 * degree,
+                          .lower = 39.0 * degree,
+                          .upper = 41.0 * degree},
+                         {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0, .chosen = true}},
+          .evidence = {}};
+}
+
+// The example of measured-data/1, as values in memory.
+inline measurement::Diagnosis example() {
+  measurement::Diagnosis diagnosis;
+  diagnosis.verdict = measurement::Verdict::explained;
+  diagnosis.effects = {
+      {.kind = &dry_friction,
+       .parameters = {{.key = "torque_Nmm", .denominator = 1e3, .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
+       .evidence = {.chi_square_before = 52000.0,
+                    .chi_square_after = 12000.0,
+                    .criterion_gain = 800.0,
+                    .cross_validated_gain = 0.97,
+                    .correlation_time = 4.0}}};
+  diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
+  diagnosis.validate_errors = {{.quantity = measurement::data::Quantity::bending_angle,
+                                .samples = 900,
+                                .declared = degrees(2.9, 3.5, 9.1),
+                                .before = degrees(1.1, 1.4, 5.0),
+                                .after = degrees(0.24, 0.30, 1.2),
+                                .noise_floor_rmse = 0.30 * degree}};
+  diagnosis.calibration = {
+      {.key = "joint_stiffness_Nmm_rad", .denominator = 1e3, .value = 12.4e-3, .lower = 12.3e-3, .upper = 12.5e-3}};
+  diagnosis.after = {.level = 1.01, .structure = 0.8, .where = "step_1.4A.csv, 20 ms"};
+  return diagnosis;
+}
+
+inline formats::DiagnosisReport report_of(const measurement::Diagnosis& diagnosis) {
+  return {.diagnosis = diagnosis,
+          .dataset = "finger-2024-03-11",
+          .updated_actuator = "actuator.json",
+          .held_out = {},
+          .seed = 7};
+}
+
+}  // namespace coilwright::testing

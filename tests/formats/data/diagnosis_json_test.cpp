@@ -1,0 +1,210 @@
+#include "coilwright/formats/data/diagnosis_json.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "formats/data/diagnosis_by_hand.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace coilwright::testing;
+using namespace measurement;
+using nlohmann::ordered_json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+ordered_json json_of(const Diagnosis& diagnosis) {
+  return ordered_json::parse(to_json(report_of(diagnosis)).text());
+}
+
+std::vector<std::string> keys_of(const ordered_json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+// Every key of `expected` is in `seen`, in the same order among themselves and with the same value; more may be there.
+void expect_holds(const ordered_json& seen, const ordered_json& expected, const std::string& pointer) {
+  if (!expected.is_object()) {
+    if (expected.is_array() && !expected.empty() && expected[0].is_object()) {
+      ASSERT_EQ(seen.size(), expected.size()) << pointer;
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        expect_holds(seen[i], expected[i], pointer + "/" + std::to_string(i));
+      return;
+    }
+    EXPECT_EQ(seen, expected) << pointer;
+    return;
+  }
+  ASSERT_TRUE(seen.is_object()) << pointer;
+  const std::vector<std::string> there = keys_of(seen);
+  auto from = there.begin();
+  for (const auto& [key, value] : expected.items()) {
+    from = std::find(from, there.end(), key);
+    ASSERT_NE(from, there.end()) << pointer << "/" << key << " is missing, or not in the order of the format";
+    expect_holds(seen[key], value, pointer + "/" + key);
+  }
+}
+
+TEST(DiagnosisJson, IsTheFormatsExampleToTheLetter) {
+  const auto example_of_the_format = ordered_json::parse(R"({
+    "format": "diagnosis/1",
+    "verdict": "explained",
+    "effects": [
+      {"id": "dry_friction", "parameters": {"torque_Nmm": {"value": 0.61, "ci95": [0.58, 0.64]}}, "evidence": {}}
+    ],
+    "indistinguishable": [["coil_heating", "magnet_heating"]],
+    "error": {
+      "validate": {
+        "declared": {"mae_deg": 2.9, "rmse_deg": 3.5, "max_deg": 9.1},
+        "before":   {"mae_deg": 1.1, "rmse_deg": 1.4, "max_deg": 5.0},
+        "after":    {"mae_deg": 0.24, "rmse_deg": 0.30, "max_deg": 1.2},
+        "noise_floor_rmse_deg": 0.30
+      },
+      "fit": {}
+    },
+    "calibration": {"joint_stiffness_Nmm_rad": {"value": 12.4, "ci95": [12.3, 12.5]}},
+    "updated_actuator": "actuator.json",
+    "next_experiment": null
+  })");
+  expect_holds(json_of(example()), example_of_the_format, "");
+  const auto first = keys_of(json_of(example()));
+  EXPECT_THAT(std::vector(first.begin(), first.begin() + 8),
+              ElementsAre("format", "verdict", "effects", "indistinguishable", "error", "calibration",
+                          "updated_actuator", "next_experiment"));
+}
+
+TEST(DiagnosisJson, HasAWordForEachVerdict) {
+  Diagnosis diagnosis;
+  for (const auto& [verdict, word] :
+       {std::pair(Verdict::no_missing_effect, "no_missing_effect"), std::pair(Verdict::explained, "explained"),
+        std::pair(Verdict::partly_explained, "partly_explained"), std::pair(Verdict::unexplained, "unexplained")}) {
+    diagnosis.verdict = verdict;
+    EXPECT_EQ(json_of(diagnosis)["verdict"], word);
+  }
+}
+
+TEST(DiagnosisJson, GivesEvidenceAsNumbers) {
+  const auto evidence = json_of(example())["effects"][0]["evidence"];
+  EXPECT_EQ(evidence, ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 12000.0,
+      "criterion_gain": 800.0, "cross_validated_gain": 0.97, "correlation_time_samples": 4.0})"));
+}
+
+TEST(DiagnosisJson, HasNullForASideWithoutABound) {
+  Diagnosis diagnosis = example();
+  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
+  estimate.lower = -infinity;
+  auto parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
+  EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, 0.64]})"));
+  estimate.upper = infinity;
+  estimate.determined = false;
+  parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
+  EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [null, null], "determined": false})"));
+  diagnosis.effects[0].evidence.cross_validated_gain = nan;
+  EXPECT_TRUE(json_of(diagnosis)["effects"][0]["evidence"]["cross_validated_gain"].is_null());
+}
+
+TEST(DiagnosisJson, SaysOfAChoiceThatItIsOne) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects = {stopped()};
+  const auto parameters = json_of(diagnosis)["effects"][0]["parameters"];
+  EXPECT_NEAR(parameters["angle_deg"]["ci95"][0].get<double>(), 39.0, 1e-12);  // some roundings
+  EXPECT_FALSE(parameters["angle_deg"].contains("choice"));
+  EXPECT_EQ(parameters["side"], ordered_json::parse(R"({"value": -1.0, "ci95": [-1.0, -1.0], "choice": true})"));
+}
+
+TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
+  Diagnosis diagnosis = example();
+  ErrorComparison torque = comparison(data::Quantity::torque, 12, 1e-3);
+  torque.after = {.mae = 0.5e-3, .rmse = 0.75e-3, .max = 2e-3};
+  ErrorComparison rate = comparison(data::Quantity::joint_rate, 3, 0.5 * degree);
+  ErrorComparison heat = comparison(data::Quantity::temperature, 4, 0.25);
+  ErrorComparison force = comparison(data::Quantity::force, 5, 0.125);
+  // An angle comes first wherever it stands.
+  diagnosis.validate_errors.insert(diagnosis.validate_errors.begin(), torque);
+  for (const auto& each : {rate, heat, force}) diagnosis.validate_errors.push_back(each);
+  const auto block = json_of(diagnosis)["error"]["validate"];
+  EXPECT_EQ(block["after"]["rmse_deg"], 0.30);
+  EXPECT_EQ(block["quantity"], "angle");
+  EXPECT_EQ(block["samples"], 900);
+  EXPECT_EQ(block["torque"]["after"], ordered_json::parse(R"({"mae_Nmm": 0.5, "rmse_Nmm": 0.75, "max_Nmm": 2.0})"));
+  EXPECT_EQ(block["torque"]["noise_floor_rmse_Nmm"], 1.0);
+  EXPECT_EQ(block["torque"]["samples"], 12);
+  EXPECT_EQ(block["joint_rate"]["noise_floor_rmse_deg_s"], 0.5);
+  EXPECT_EQ(block["temperature"]["noise_floor_rmse_K"], 0.25);
+  EXPECT_EQ(block["force"]["noise_floor_rmse_N"], 0.125);
+}
+
+TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
+  Diagnosis diagnosis;
+  diagnosis.fit_errors = {comparison(data::Quantity::force, 5, 0.125)};
+  const auto block = json_of(diagnosis)["error"];
+  EXPECT_EQ(block["fit"]["noise_floor_rmse_N"], 0.125);
+  EXPECT_EQ(block["fit"]["after"], ordered_json::parse(R"({"mae_N": 0.0, "rmse_N": 0.0, "max_N": 0.0})"));
+  EXPECT_EQ(block["validate"], ordered_json::object());
+}
+
+TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
+  Diagnosis diagnosis = example();
+  diagnosis.next_experiment = {
+      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
+  diagnosis.candidates = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
+                          {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
+  diagnosis.residual = localise::ResidualTorque{
+      .rms = 0.2e-3,
+      .smallest_visible = 0.05e-3,
+      .dependences =
+          {{.variable = "rate", .explained = 0.5, .at = {-90.0 * degree, 90.0 * degree}, .residual = {0.1e-3, -0.1e-3}},
+           {.variable = "current history", .explained = 0.25, .at = {1.0}, .residual = {nan}}},
+      .frequency = 5.0};
+  diagnosis.noise = {
+      {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .given = true, .source = "given"},
+      {.run = "b.csv", .channel = "torque_Nm", .sigma = 0.002, .source = "second differences"},
+      {.run = "c.csv", .channel = "temperature_degC", .sigma = 0.5, .given = true, .source = "given"}};
+  diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}, {.run = "", .text = "few runs"}};
+  const auto json = json_of(diagnosis);
+  EXPECT_EQ(json["next_experiment"], ordered_json::parse(R"({"kind": "hot_hold", "input": "1.05 A for 60 s",
+      "why": "they part when hot", "separation": 8.5})"));
+  EXPECT_EQ(json["candidates"][0]["effects"], ordered_json({"coil_heating", "dry_friction"}));
+  EXPECT_TRUE(json["candidates"][0]["remark"].is_null());
+  EXPECT_EQ(json["candidates"][1]["remark"], "interval includes absent");
+  EXPECT_EQ(json["residual"], ordered_json::parse(R"({"rms_Nmm": 0.2, "smallest_visible_Nmm": 0.05, "dependences": [
+      {"variable": "rate", "explained": 0.5, "at_deg_s": [-90.0, 90.0], "residual_Nmm": [0.1, -0.1]},
+      {"variable": "current history", "explained": 0.25, "at": [1.0], "residual_Nmm": [null]}],
+      "frequency_Hz": 5.0})"));
+  EXPECT_EQ(json["noise"], ordered_json::parse(R"([
+      {"run": "a.csv", "channel": "bending_angle_deg", "sigma_deg": 0.3, "source": "given"},
+      {"run": "b.csv", "channel": "torque_Nm", "sigma_Nm": 0.002, "source": "second differences"},
+      {"run": "c.csv", "channel": "temperature_degC", "sigma_K": 0.5, "source": "given"}])"));
+  EXPECT_EQ(json["warnings"],
+            ordered_json::parse(R"([{"run": "a.csv", "text": "saturated"}, {"run": null, "text": "few runs"}])"));
+  EXPECT_EQ(json["adequacy"]["after"]["noise_only"], true);
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["dataset"], "finger-2024-03-11");
+}
+
+TEST(DiagnosisJson, HasNoEvidenceOfAHypothesisThatWasRuledOutWithoutAFit) {
+  Diagnosis diagnosis = example();
+  const compare::Evidence fitted{.chi_square_before = 52000.0, .chi_square_after = 12000.0, .correlation_time = 1.0};
+  diagnosis.candidates = {{.effects = {&dry_friction}, .evidence = fitted, .remark = ""},
+                          {.effects = {&magnet_heating}, .evidence = fitted, .remark = "interval includes absent"},
+                          {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
+  const auto candidates = json_of(diagnosis)["candidates"];
+  EXPECT_EQ(candidates[0]["evidence"]["chi_square_after"], 12000.0);
+  EXPECT_EQ(candidates[1]["evidence"]["chi_square_after"], 12000.0);
+  EXPECT_EQ(candidates[2],
+            ordered_json::parse(R"({"effects": ["coil_heating"], "evidence": null, "remark": "no coils"})"));
+}
+
+TEST(DiagnosisJson, SaysNothingOfTime) {
+  Diagnosis diagnosis = example();
+  const std::string text = to_json(report_of(diagnosis)).text();
+  diagnosis.phases = {{.name = "pairs", .seconds = 12.5, .simulated_runs = 4000}};
+  EXPECT_EQ(to_json(report_of(diagnosis)).text(), text);
+}
+
+}  // namespace
+}  // namespace coilwright::formats

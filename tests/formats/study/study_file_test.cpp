@@ -1,0 +1,117 @@
+// What a study becomes. What is refused, and how, is in tests/cli/study_input_test.py, text by text.
+#include "coilwright/formats/study/study_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "temporary_folder.hpp"
+#include "text/input_error_text.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace sizing;
+
+const std::string text = R"({
+  "format": "study/1", "name": "all kinds", "description": "of variables", "actuator": "sub/finger.json",
+  "operating_point": {"share_of_current_limit": 0.8, "duty": 0.3},
+  "variables": {
+    "configuration": {"values": ["D", "A"]},
+    "turns_radial": {"lower": 5, "upper": 17, "step": 3},
+    "gap_mm": {"lower": 0.7, "upper": 1.6},
+    "bottom_layer_mm": {"lower": 2, "upper": 3, "step": 0.25},
+    "wire_gauge_AWG": {"values": [26, 29]}
+  },
+  "objectives": [{"maximise": "grasp_force_N"}, {"minimise": "mass_g"}],
+  "constraints": [{"quantity": "mass_g", "at_most": 66.5}, {"quantity": "damping_ratio", "at_least": 0.04}],
+  "search": {"algorithm": "cobyla", "max_evaluations": 321, "seed": 9007199254740992}
+})";
+
+class StudyFile : public ::testing::Test {
+ protected:
+  StudyFile() {
+    std::filesystem::create_directory(folder_.path() / "sub");
+    std::ofstream(folder_.path() / "sub/finger.json")
+        << R"({"format": "actuator/1", "configuration": "B", "coil": {"turns_axial": 23}})";
+  }
+
+  Study parse(const std::string& study) const { return parse_study(study, (folder_.path() / "s.json").string()); }
+
+  coilwright::testing::TemporaryFolder folder_;
+};
+
+TEST_F(StudyFile, IsReadWithTheActuatorBesideIt) {
+  const Study study = parse(text);
+  EXPECT_EQ(study.name, "all kinds");
+  EXPECT_EQ(study.base.coil.turns_axial, 23);
+  EXPECT_EQ(std::get<ShareOfLimit>(study.current).share, 0.8);
+  EXPECT_EQ(study.duty, 0.3);
+  EXPECT_EQ(study.search.algorithm, Algorithm::cobyla);
+  EXPECT_EQ(study.search.max_evaluations, 321u);
+  EXPECT_EQ(study.search.seed, 9007199254740992u);
+}
+
+TEST_F(StudyFile, KeepsItsVariablesInTheOrderWritten) {
+  const Study study = parse(text);
+  ASSERT_EQ(study.variables.size(), 5u);
+  EXPECT_EQ(std::get<ConfigurationVariable>(study.variables[0]).values,
+            (std::vector{actuator::Configuration::D, actuator::Configuration::A}));
+  const auto& turns = std::get<Interval>(std::get<ParameterVariable>(study.variables[1]).range);
+  EXPECT_EQ(turns.upper, 17.0);
+  EXPECT_EQ(turns.step, 3.0);
+  EXPECT_EQ(name_of(study.variables[2]), "gap_mm");
+  EXPECT_EQ(std::get<Interval>(std::get<ParameterVariable>(study.variables[2]).range).step, 0.0);
+  EXPECT_EQ(std::get<Choice>(std::get<ParameterVariable>(study.variables[4]).range).values, (std::vector{26.0, 29.0}));
+}
+
+TEST_F(StudyFile, NamesItsObjectivesAndLimits) {
+  const Study study = parse(text);
+  ASSERT_EQ(study.objectives.size(), 2u);
+  EXPECT_EQ(study.objectives[1].quantity.name, "mass_g");
+  EXPECT_EQ(study.objectives[1].sense, Sense::minimise);
+  ASSERT_EQ(study.limits.size(), 2u);
+  EXPECT_EQ(name_of(study.limits[0]), "mass_g <= 66.5");
+  EXPECT_EQ(name_of(study.limits[1]), "damping_ratio >= 0.04");
+}
+
+TEST_F(StudyFile, NamesQuantitiesOfTheTableItIsGiven) {
+  const simulation::QuantityTable table =
+      simulation::standard_quantities().with({.name = "aspect_ratio",
+                                              .meaning = "width divided by height of the cross-section",
+                                              .scale = 1.0,
+                                              .value = [](const simulation::DesignView& d) {
+                                                return d.assembly.dimensions.width / d.assembly.dimensions.height;
+                                              }});
+  std::string own = text;
+  own.replace(own.find("damping_ratio"), std::string_view("damping_ratio").size(), "aspect_ratio");
+  const Study study = parse_study(own, (folder_.path() / "s.json").string(), table);
+  EXPECT_EQ(study.limits[1].quantity.meaning, "width divided by height of the cross-section");
+  EXPECT_EQ(study.quantities.size(), table.size());
+  EXPECT_THROW((void)parse(own), text::InputError);  // the default has no such row
+}
+
+TEST_F(StudyFile, MayVaryTheCurrentAndSayNothingElseOfIt) {
+  const Study study = parse(R"({"format": "study/1", "name": "current", "actuator": "sub/finger.json",
+      "variables": {"current_A": {"lower": -0.4, "upper": 1.2}}, "objectives": [{"maximise": "stroke_deg"}]})");
+  EXPECT_TRUE(std::holds_alternative<VariedCurrent>(study.current));
+  EXPECT_EQ(study.duty, 1.0);
+  EXPECT_EQ(study.search.max_evaluations, SearchOptions{}.max_evaluations);
+}
+
+TEST_F(StudyFile, FromAFileIsTheSameAsFromItsText) {
+  std::ofstream(folder_.path() / "s.json") << text;
+  EXPECT_EQ(read_study(folder_.path() / "s.json").variables.size(), parse(text).variables.size());
+}
+
+TEST_F(StudyFile, NamesTheActuatorsFileForTheActuatorsFaults) {
+  std::ofstream(folder_.path() / "sub/finger.json") << R"({"format": "actuator/1", "configuration": "X"})";
+  const std::string error = text::testing::error_of([&] { (void)parse(text); });
+  EXPECT_EQ(error, (folder_.path() / "sub/finger.json").string() +
+                       R"(: /configuration: must be one of "A", "B", "C", "D"; got text "X")");
+}
+
+}  // namespace
+}  // namespace coilwright::formats

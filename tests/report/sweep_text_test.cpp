@@ -1,0 +1,37 @@
+#include "coilwright/report/sweep_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "formats/study/designs_by_hand.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using coilwright::testing::records;
+using coilwright::testing::study;
+using coilwright::testing::swept;
+using sizing::Leader;
+using sizing::Study;
+using sizing::SweptDesign;
+
+TEST(SweepText, NamesADesignOnceAndSaysWhatIsInTheWay) {
+  const Study asked = study();
+  const std::vector<Leader> leaders = {{.configuration = "D", .objective = 0, .design = swept(records[0])},
+                                       {.configuration = "D", .objective = 1, .design = swept(records[0])},
+                                       {.configuration = "A", .objective = 0, .design = [] {
+                                          SweptDesign other = swept(records[1]);
+                                          other.index = 4;
+                                          return other;
+                                        }()}};
+  EXPECT_EQ(to_text(formats::SweepReport{.study = asked, .designs = 9, .evaluated = 7, .ok = 2, .leaders = leaders}),
+            "configuration  current_A  wire_gauge_AWG  grasp_force_N  best for\n"
+            "            D        0.4              30           1.25  current_A, grasp_force_N\n"
+            "            A        0.8              26            2.5  nothing feasible; nearest: mass_g <= 64 broken "
+            "by 16 g\n"
+            "\n7 of 9 designs evaluated; 2 keep every limit.\n");
+}
+
+}  // namespace
+}  // namespace coilwright::report

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "coilwright/formats/study/study_file.hpp"
-#include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
 
 namespace {

@@ -9,11 +9,11 @@
 
 #include "coilwright/actuator/described_effect.hpp"
 #include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/formats/actuator_file.hpp"
-#include "coilwright/formats/declared_actuator.hpp"
-#include "coilwright/formats/effect_argument.hpp"
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/actuator/effect_argument.hpp"
+#include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/report/actuator_json.hpp"
 #include "measurement/slide.hpp"
 
 // An effect that a user's program brings along is read, diagnosed and written like one of ours.
@@ -101,7 +101,7 @@ TEST(OwnEffect, IsFoundInMeasuredMotionAndWrittenIntoTheActuator) {
   EXPECT_GE(strength.upper, 1.0);
 
   const std::vector<Effect> found = {{.kind = &push, .values = {strength.value}}};
-  const std::string text = report::to_json(declared.updated({}, found), "slide").text();
+  const std::string text = formats::to_json(declared.updated({}, found), "slide").text();
   const auto back = formats::parse_actuator(text, "a.json", own_effects());
   const std::vector<Effect>& effects = std::get<actuator::Model>(back.content).spec().effects;
   ASSERT_EQ(effects.size(), 1u);

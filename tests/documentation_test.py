@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every page of docs is in its index, every command in the README, and every relative link of a page leads to a file and a
-heading that exist."""
+"""Every page of docs is in its index, every command in the README, every effect and every room in the pages about
+them, and every relative link of a page leads to a file and a heading that exist."""
 
 import pathlib
 import re
@@ -8,45 +8,75 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INDEX = ROOT / "docs/README.md"
+README_LINES = 120  # more is not read
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 
 
-def without_code(text: str) -> str:
-    return re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
+def text_of(path) -> str:
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
+def without_blocks(text: str) -> str:
+    return re.sub(r"```.*?```", "", text, flags=re.DOTALL)
 
 
 def anchors(page: pathlib.Path) -> set[str]:
     """The anchors that GitHub gives to the headings of a page."""
-    found = set()
-    for heading in re.findall(r"^#+ +(.+)$", re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL),
-                              re.MULTILINE):
-        found.add(re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-"))
+    headings = re.findall(r"^#+ +(.+)$", without_blocks(text_of(page)), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings}
+
+
+def links_of(page: pathlib.Path) -> list[tuple[str, pathlib.Path, str]]:
+    """Each relative link as it is written, the file it leads to, and the anchor there or an empty text."""
+    found = []
+    for target in LINK.findall(re.sub(r"`[^`\n]*`", "", without_blocks(text_of(page)))):
+        if "://" not in target:
+            path, _, anchor = target.partition("#")
+            found.append((target, (page.parent / path).resolve() if path else page, anchor))
+    return found
+
+
+def faults_of_links(pages: list[pathlib.Path]) -> list[str]:
+    found = []
+    for page in pages:
+        for target, there, anchor in links_of(page):
+            if not there.exists():
+                found.append(f"{page.relative_to(ROOT)}: {target}: does not exist")
+            elif anchor and anchor not in anchors(there):
+                found.append(f"{page.relative_to(ROOT)}: {target}: has no such heading")
+    return found
+
+
+def faults_of_index() -> list[str]:
+    linked = {there for _, there, _ in links_of(INDEX)}
+    return [f"{page.relative_to(ROOT)}: is missing from docs/README.md"
+            for page in sorted((ROOT / "docs").rglob("*.md")) if page != INDEX and not linked & {page, page.parent}]
+
+
+def faults_of_lists() -> list[str]:
+    """What is a list in the code and a table in a page."""
+    readme = text_of("README.md")
+    commands = re.findall(r"add_(\w+)_command", text_of("src/cli/main.cpp"))
+    effects = re.findall(r"^ +EFFECT\((\w+)\)", text_of("src/actuator/effects/standard_effects.cpp"), re.MULTILINE)
+    found = [f"README.md: does not have the command {name}" for name in commands if f"| `{name}" not in readme]
+    for page in ("docs/formats.md", "docs/theory/effects.md"):
+        text = text_of(page)
+        found += [f"{page}: does not have the effect {name}" for name in effects if f"| `{name}` |" not in text]
+    rooms = re.findall(r"^set\(rooms ([\w ]+)\)", text_of("src/CMakeLists.txt"), re.MULTILINE)
+    architecture = text_of("docs/architecture.md")
+    found += [f"docs/architecture.md: does not have the room {name}" for name in " ".join(rooms).split()
+              if f"| `{name}` |" not in architecture]
+    if not (commands and effects and rooms):
+        found.append("this test does not find the list of commands, effects or rooms any more")
+    if len(readme.splitlines()) >= README_LINES:
+        found.append(f"README.md: must have fewer than {README_LINES} lines")
     return found
 
 
 def main() -> int:
-    pages = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").rglob("*.md")) + sorted((ROOT / "studies").rglob("*.md"))
-    faults, linked = [], set()
-    for page in pages:
-        for target in LINK.findall(without_code(page.read_text(encoding="utf-8"))):
-            if "://" in target:
-                continue
-            path, _, anchor = target.partition("#")
-            there = (page.parent / path).resolve() if path else page
-            where = f"{page.relative_to(ROOT)}: {target}"
-            if not there.exists():
-                faults.append(f"{where}: does not exist")
-            elif anchor and anchor not in anchors(there):
-                faults.append(f"{where}: has no such heading")
-            if page == INDEX:
-                linked.add(there)
-    for page in sorted((ROOT / "docs").rglob("*.md")):
-        if page != INDEX and not linked & {page, page.parent}:
-            faults.append(f"{page.relative_to(ROOT)}: is missing from docs/README.md")
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    for command in re.findall(r"add_(\w+)_command", (ROOT / "src/cli/main.cpp").read_text(encoding="utf-8")):
-        if f"| `{command}" not in readme:
-            faults.append(f"README.md: does not have the command {command}")
+    pages = sorted(page for folder in (ROOT.glob, (ROOT / "docs").rglob, (ROOT / "studies").rglob)
+                   for page in folder("*.md"))
+    faults = faults_of_links(pages) + faults_of_index() + faults_of_lists()
     print("\n".join(faults) if faults else f"{len(pages)} pages, all links lead somewhere")
     return 1 if faults or not pages else 0
 

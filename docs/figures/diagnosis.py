@@ -54,7 +54,8 @@ def draw(path):
     angle.set_title("Step to 1.25 A, a held-out run of studies/undeclared_effect (synthetic records)", loc="left",
                     fontsize=12, fontweight="bold")
 
-    for model, colour, style, name in ((declared, DECLARED, "--", "as declared"), (corrected, CORRECTED, "-", "corrected")):
+    for model, colour, style, name in ((declared, DECLARED, "--", "as declared"),
+                                       (corrected, CORRECTED, "-", "corrected")):
         left = [a - b for a, b in zip(measured, model)]
         residual.plot(time, left, style, color=colour, linewidth=1.2, label=f"{name}: {rms(left):.2f} deg rms")
     residual.axhline(0, color=INK, linewidth=0.8)

@@ -88,7 +88,7 @@ void simulated_sine(benchmark::State& state, const std::vector<std::pair<const c
   for (const auto& effect : effects)
     spec.effects.push_back({actuator::standard_effects().find(effect.first), effect.second});
   const actuator::Model model(spec);
-  const InputSignal input =
+  const ModelInput input =
       sine_input(model, {.amplitude = 0.7, .offset = 0.7, .frequency = 2.0, .duration = 2.0, .interval = 2e-3});
   const State start{.angles = mechanics::JointVector::Zero(2), .rates = mechanics::JointVector::Zero(2)};
   for (auto _ : state) benchmark::DoNotOptimize(simulate(model, input, start));

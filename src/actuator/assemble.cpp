@@ -139,17 +139,19 @@ Assembly assemble_fitting(const Design& design) {
   PairCurves curves(design, size);
   MagneticStage magnetics = magnetics_of(design, size, curves);
   const double sense = magnetics.hinge_pairs().front().sense;
+  const CoilElectrics electrics = electrics_of(design, coil);
   Model model({.chain = chain,
                .hinges = hinges_of(design, size, chain),
                .magnetics = std::move(magnetics),
                .coils = coil_count(design.layout),
                .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0},
                .effects = {},
-               .coil_row = coil_row_of(design, size, curves, chain)});
+               .coil_row = coil_row_of(design, size, curves, chain),
+               .coil_resistance = electrics.resistance});
   return {.model = std::move(model),
           .dimensions = size,
           .segments = std::move(parts),
-          .coil = electrics_of(design, coil),
+          .coil = electrics,
           .coils = coil_count(design.layout),
           .magnets = magnet_count(design.layout),
           .rest_force_per_ampere = sense * curves.rest_force_per_ampere()};

@@ -48,6 +48,8 @@ void check_stages(const Model::Spec& spec) {
   if (static_cast<int>(spec.hinges.size()) != n)
     throw std::invalid_argument(fmt::format("hinges: one per joint, {} here; got {}", n, spec.hinges.size()));
   if (spec.coils < 0) throw std::invalid_argument(fmt::format("coils must be >= 0; got {}", spec.coils));
+  if (const auto ohm = spec.coil_resistance; ohm && !(std::isfinite(*ohm) && *ohm > 0.0))
+    throw std::invalid_argument(fmt::format("coil_resistance must be finite and > 0; got {}", *ohm));
   for (int j = 0; j < n; ++j) {
     const auto require = [&](bool valid, const char* field, double value) {
       if (!valid || !std::isfinite(value))
@@ -106,14 +108,14 @@ EffectTerm::Own Model::own(const Term& term, const double* states, double* slope
   return {.states = states + term.first, .slopes = slopes == nullptr ? nullptr : slopes + term.first};
 }
 
-InternalStates Model::settled(const JointVector& angles, const CoilCurrents& command, AtRest since) const {
+InternalStates Model::settled(const JointVector& angles, const CoilCurrents& command, InitialHistory history) const {
   InternalStates states = InternalStates::Zero(internal_states_);
   if (terms_.empty()) return states;
   const JointVector still = JointVector::Zero(joints());
   const EffectTerm::Motion motion{.chain = spec_.chain, .angles = angles, .rates = still};
   const auto settle = [&](const Term& term, const CoilCurrents& entering) {
     if (term.held) return;
-    if (since == AtRest::run_start)
+    if (history == InitialHistory::recorded_run)
       term.effect->begin(motion, entering, states.data() + term.first);
     else
       term.effect->settle(motion, entering, states.data() + term.first);
@@ -130,6 +132,12 @@ InternalStates Model::settled(const JointVector& angles, const CoilCurrents& com
   }
   for (const Term& term : terms(Stage::hinge, Stage::chain)) settle(term, strength);
   return states;
+}
+
+CoilCurrents Model::currents_under(const CoilCurrents& voltages) const {
+  if (!spec_.coil_resistance)
+    throw std::invalid_argument("a voltage needs the resistance of a coil, which is not known");
+  return voltages / *spec_.coil_resistance;
 }
 
 CoilCurrents Model::strength(const JointVector& angles, const CoilCurrents& command) const {
@@ -185,13 +193,13 @@ void Model::add_term_torques(const EffectTerm::Motion& motion, const CoilCurrent
 }
 
 JointVector Model::torques(const JointVector& angles, const JointVector& rates, const CoilCurrents& currents,
-                           AtRest since) const {
+                           InitialHistory history) const {
   JointVector torque(joints());
   if (terms_.empty()) {
     stage_torques(angles, rates, currents, torque);
     return torque;
   }
-  const InternalStates states = settled(angles, currents, since);
+  const InternalStates states = settled(angles, currents, history);
   const CoilCurrents seen = strength(currents, states.data(), nullptr);
   stage_torques(angles, rates, seen, torque);
   add_term_torques({.chain = spec_.chain, .angles = angles, .rates = rates}, seen, states.data(), nullptr, torque);
@@ -242,19 +250,20 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
   accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
 }
 
-JointVector Model::static_residual(const JointVector& angles, const CoilCurrents& currents, AtRest since) const {
-  return torques(angles, JointVector::Zero(joints()), currents, since) - spec_.chain.gravity_torques(angles);
+JointVector Model::static_residual(const JointVector& angles, const CoilCurrents& currents,
+                                   InitialHistory history) const {
+  return torques(angles, JointVector::Zero(joints()), currents, history) - spec_.chain.gravity_torques(angles);
 }
 
 // Strengths do not depend on the pose, so only what the terms themselves add is left to differences.
-void Model::add_term_stiffness(const JointVector& angles, const CoilCurrents& command, AtRest since,
+void Model::add_term_stiffness(const JointVector& angles, const CoilCurrents& command, InitialHistory history,
                                JointMatrix& stiffness) const {
   constexpr double step = 1e-5;  // rad: truncation 1e-10 relative, as for distant pairs
   const JointVector still = JointVector::Zero(joints());
   JointVector shifted = angles;
   const EffectTerm::Motion motion{.chain = spec_.chain, .angles = shifted, .rates = still};
   const auto term_torques = [&] {
-    const InternalStates states = settled(shifted, command, since);
+    const InternalStates states = settled(shifted, command, history);
     JointVector torque = JointVector::Zero(joints());
     add_term_torques(motion, strength(command, states.data(), nullptr), states.data(), nullptr, torque);
     return torque;
@@ -269,7 +278,8 @@ void Model::add_term_stiffness(const JointVector& angles, const CoilCurrents& co
   }
 }
 
-JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurrents& currents, AtRest since) const {
+JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurrents& currents,
+                                     InitialHistory history) const {
   JointMatrix stiffness = spec_.chain.gravity_stiffness(angles);
   for (int j = 0; j < joints(); ++j)
     stiffness(j, j) += spec_.hinges[j].stiffness + spec_.hinges[j].contact.tangent_stiffness(angles[j]);
@@ -277,9 +287,9 @@ JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurren
     spec_.magnetics.add_stiffness(spec_.chain, angles, currents, stiffness);
     return stiffness;
   }
-  const InternalStates states = settled(angles, currents, since);
+  const InternalStates states = settled(angles, currents, history);
   spec_.magnetics.add_stiffness(spec_.chain, angles, strength(currents, states.data(), nullptr), stiffness);
-  add_term_stiffness(angles, currents, since, stiffness);
+  add_term_stiffness(angles, currents, history, stiffness);
   return stiffness;
 }
 

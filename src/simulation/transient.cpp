@@ -33,16 +33,18 @@ State with_internal_states(const actuator::Model& model, const State& start, con
   if (given != 0)
     throw std::invalid_argument(
         fmt::format("start: {} states of the effects are needed, or none; got {}", model.internal_states(), given));
-  return {.angles = start.angles, .rates = start.rates, .internal = model.settled(start.angles, currents)};
+  return {.angles = start.angles,
+          .rates = start.rates,
+          .internal = model.settled(start.angles, currents, actuator::InitialHistory::recorded_run)};
 }
 
-Stepper::Input input_at(const actuator::Model& model, const InputSignal& signal, std::size_t sample) {
+Stepper::Input input_at(const actuator::Model& model, const ModelInput& signal, std::size_t sample) {
   return {.currents = signal.currents[sample],
           .applied = signal.joint_torques.empty() ? mechanics::JointVector::Zero(model.joints())
                                                   : signal.joint_torques[sample]};
 }
 
-bool same_input(const InputSignal& signal, std::size_t a, std::size_t b) {
+bool same_input(const ModelInput& signal, std::size_t a, std::size_t b) {
   return signal.currents[a] == signal.currents[b] &&
          (signal.joint_torques.empty() || signal.joint_torques[a] == signal.joint_torques[b]);
 }
@@ -56,7 +58,7 @@ void check_motion(const actuator::Model& model, const State& state, double time)
         fmt::format("the motion leaves the model at {:.6g} s: a joint turns beyond 180 degrees", time));
 }
 
-void check_times(const InputSignal& input, std::span<const double> times) {
+void check_times(const ModelInput& input, std::span<const double> times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!(times[i] >= input.times.front() && times[i] <= input.times.back()))
       throw std::invalid_argument(fmt::format("times: must be from {} to {} s, the input's; got {}",
@@ -68,14 +70,14 @@ void check_times(const InputSignal& input, std::span<const double> times) {
 
 }  // namespace
 
-std::vector<State> simulate(const actuator::Model& model, const InputSignal& input, const State& start,
+std::vector<State> simulate(const actuator::Model& model, const ModelInput& input, const State& start,
                             const Accuracy& accuracy) {
   return simulate_at(model, input, start, input.times, accuracy);
 }
 
-std::vector<State> simulate_at(const actuator::Model& model, const InputSignal& input, const State& start,
+std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& input, const State& start,
                                std::span<const double> times, const Accuracy& accuracy) {
-  input.check(model);
+  input.require_fits(model);
   check_times(input, times);
   std::vector<State> out;
   out.reserve(times.size());
@@ -108,9 +110,9 @@ std::vector<State> simulate_at(const actuator::Model& model, const InputSignal& 
   return out;
 }
 
-std::vector<State> simulate_seen(const actuator::Model& model, const InputSignal& input, const State& start,
-                                 const Accuracy& accuracy) {
-  input.check(model);
+std::vector<State> simulate_as_observed(const actuator::Model& model, const ModelInput& input, const State& start,
+                                        const Accuracy& accuracy) {
+  input.require_fits(model);
   const double delay = model.delay();
   std::vector<double> times;
   times.reserve(input.times.size());

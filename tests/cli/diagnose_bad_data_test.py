@@ -188,7 +188,7 @@ class BadData(ProgramTest):
             self.write(f"set/{entry['file']}", table(["time_s", "current1_A", "current2_A", "bending_angle_deg"],
                                                      [[t, u, u, y] for t, u, y in rows()]))
             entry["drive"] = "current"
-        self.refuse("set/dataset.json: a.csv: needs one value, or one for each of the 1 coils; got 2")
+        self.refuse("set/dataset.json: a.csv: needs a current for each of the 1 coils; got 2")
         self.set["actuator"] = "rod.json"
         self.refuse("set/dataset.json: a.csv: drives coils, and the model has none")
         self.write("set/a.csv", table(["time_s", "torque1_Nm", "theta1_deg", "theta2_deg"],

@@ -51,6 +51,26 @@ class Simulate(ProgramTest):
         for angle, time in zip(angles, (0, 1, 3)):
             self.assertAlmostEqual(angle, math.degrees(0.75 * time * time), places=6)
 
+    def test_a_run_starts_as_warm_as_the_actuator_says(self):
+        # The same start as that of a recorded run at rest (twin, diagnose). Cold, the coils carry the whole ampere;
+        # warm, 1/1.171 of it: x (1 + x) = 0.2.
+        self.write("hold.csv", "time_s,current_A\n" + "".join(f"{0.1 * i:.1f},1\n" for i in range(11)))
+        plan = {"format": "experiment/1", "name": "hold", "sampling_rate_Hz": 10,
+                "runs": [{"file": "hold.csv", "role": "fit", "duration_s": 1, "input": {"file": "hold.csv"}}]}
+        self.write("plan.json", json.dumps(plan))
+        for warm, start in ((0, 55.67), (1, 52.34)):
+            heating = {"id": "coil_heating", "parameters": {"fade_1_A2": 0.2, "time_constant_s": 4, "warm_start": warm}}
+            self.write("warming.json", json.dumps({"format": "actuator/1", "configuration": "B", "effects": [heating]}))
+            result = run("simulate", "warming.json", "--input", "hold.csv", "--out", "out.csv", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            angles = [float(row["bending_angle_deg"]) for row in self.table("out.csv")]
+            self.assertAlmostEqual(angles[0], start, places=2)
+            result = run("twin", "warming.json", "--experiment", "plan.json", "--out", f"set{warm}", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            twin = [float(row["bending_angle_deg"]) for row in self.table(f"set{warm}/hold.csv")]
+            for ours, theirs in zip(angles, twin):
+                self.assertAlmostEqual(ours, theirs, delta=1e-6 * start)
+
     def test_a_sine_is_what_it_says(self):
         rows = self.simulate("--sine", "0.6", "0.7", "2", "--duration-s", "1.5", "--interval-s", "0.01")
         self.assertEqual(len(rows), 151)

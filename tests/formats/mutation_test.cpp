@@ -45,7 +45,7 @@ Read read_as_run(measurement::data::RunKind kind) {
   return [kind](const std::string& text) { (void)parse_run(text, "x", {.name = "x", .kind = kind, .sigma = 0.3}); };
 }
 void read_as_signal(const std::string& text) {
-  (void)parse_input_signal(text, "x");
+  (void)parse_commanded_input(text, "x");
 }
 
 std::string load(const std::string& name) {

@@ -4,5 +4,5 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return coilwright::fuzz::reads_or_refuses(
-      data, size, [](std::string_view text) { (void)coilwright::formats::parse_input_signal(text, "x"); });
+      data, size, [](std::string_view text) { (void)coilwright::formats::parse_commanded_input(text, "x"); });
 }

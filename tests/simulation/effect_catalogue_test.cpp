@@ -30,8 +30,8 @@ JointVector rest_of(const Model& model, double current) {
 }
 
 // Up, down, reversed and released, 0.3 s each, at 500 Hz.
-InputSignal exercise(const Model& model) {
-  InputSignal input;
+ModelInput exercise(const Model& model) {
+  ModelInput input;
   for (int i = 0; i <= 600; ++i) {
     constexpr double levels[] = {1.4, 0.35, -0.4, 0.0};
     input.times.push_back(2e-3 * i);
@@ -43,7 +43,7 @@ InputSignal exercise(const Model& model) {
 // From the rest of the finger without effects, its effects settled there.
 std::vector<State> exercised(const Model& model) {
   const JointVector rest = rest_of(finger_with({}), 0.0);
-  const InputSignal input = exercise(model);
+  const ModelInput input = exercise(model);
   State start{.angles = rest, .rates = JointVector::Zero(2)};
   if (model.internal_states() > 0) start.internal = model.settled(rest, model.all_coils(0.0));
   return simulate(model, input, start);
@@ -115,8 +115,11 @@ TEST(EffectCatalogue, StaysInItsEquilibrium) {
     for (const std::vector<double>& start : kind->starts(scale_of_exercise())) {
       const Model model = finger_with({{.kind = kind, .values = start}});
       const JointVector rest = rest_of(model, 0.9);
-      const InputSignal input = step_input(model, {.current = 0.9, .duration = 1.0, .interval = 0.1});
-      const std::vector<State> motion = simulate(model, input, {.angles = rest, .rates = JointVector::Zero(2)});
+      const ModelInput input = step_input(model, {.current = 0.9, .duration = 1.0, .interval = 0.1});
+      const State settled{.angles = rest,
+                          .rates = JointVector::Zero(2),
+                          .internal = model.settled(rest, model.all_coils(0.9), actuator::InitialHistory::long_hold)};
+      const std::vector<State> motion = simulate(model, input, settled);
       for (const State& state : motion)
         EXPECT_LT((state.angles - rest).lpNorm<Eigen::Infinity>(), 1e-6) << kind->id();  // equilibria to 1e-11
     }

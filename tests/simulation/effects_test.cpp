@@ -31,7 +31,7 @@ TEST(SimulateEffects, FollowsALagInClosedForm) {
   const Model model = sample::rig({.inertia = 2.0}, {{&sample::lag, {time}}});
   ASSERT_EQ(model.internal_states(), 1);
   ASSERT_EQ(model.drive_states(), 1);
-  const InputSignal input = step_input(model, {.current = 0.3, .duration = 2.0, .interval = 0.01});
+  const ModelInput input = step_input(model, {.current = 0.3, .duration = 2.0, .interval = 0.01});
   const std::vector<State> motion = simulate(model, input, at_rest_with(model, 0.0), {.relative = 1e-10});
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const double t = input.times[i];
@@ -48,7 +48,7 @@ TEST(SimulateEffects, CopesWithALagOfMicroseconds) {
   const double time = 2e-6;
   const Model model = sample::rig({.inertia = 2.0, .stiffness = 50.0, .damping = 1.0}, {{&sample::lag, {time}}});
   const Model prompt = sample::rig({.inertia = 2.0, .stiffness = 50.0, .damping = 1.0}, {});
-  const InputSignal input = step_input(model, {.current = 0.3, .duration = 30.0, .interval = 0.1});
+  const ModelInput input = step_input(model, {.current = 0.3, .duration = 30.0, .interval = 0.1});
   const std::vector<State> late = simulate(model, input, at_rest_with(model, 0.0));
   const std::vector<State> sharp = simulate(prompt, input, at_rest(prompt));
   for (std::size_t i = 0; i < late.size(); ++i)
@@ -57,7 +57,7 @@ TEST(SimulateEffects, CopesWithALagOfMicroseconds) {
 
 TEST(SimulateEffects, SettlesAStartWithoutInternalStatesUnderTheFirstInput) {
   const Model model = sample::rig({.inertia = 2.0, .stiffness = 1.0}, {{&sample::lag, {0.1}}});
-  const InputSignal input = step_input(model, {.current = 0.3, .duration = 0.2, .interval = 0.1});
+  const ModelInput input = step_input(model, {.current = 0.3, .duration = 0.2, .interval = 0.1});
   const std::vector<State> motion = simulate(model, input, at_rest(model));
   for (const State& state : motion) EXPECT_EQ(state.internal[0], 0.3);
   EXPECT_EQ(error_text([&] {
@@ -83,7 +83,7 @@ TEST(SimulateEffects, FollowsCreepAsItsMatrixExponentialSays) {
       -(k + branch) / inertia, -b / inertia, branch / inertia, torque / inertia,  //
       1.0 / time, 0.0, -1.0 / time, 0.0,                                          //
       0.0, 0.0, 0.0, 0.0;
-  const InputSignal input = step_input(model, {.current = torque, .duration = 4.0, .interval = 0.05});
+  const ModelInput input = step_input(model, {.current = torque, .duration = 4.0, .interval = 0.05});
   const std::vector<State> motion = simulate(model, input, at_rest(model), {.relative = 1e-10});
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const Eigen::Matrix4d flow = (system * input.times[i]).exp();
@@ -102,7 +102,7 @@ TEST(SimulateEffects, BalancesTheEnergyOfCreep) {
   const Model model = sample::with_effects(bare, {{&sample::creep, {branch, time, 0.0}}});
   const actuator::CoilCurrents currents = model.all_coils(1.4);
   const State start{.angles = rest_of(model), .rates = straight(model)};
-  const InputSignal input = step_input(model, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
+  const ModelInput input = step_input(model, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
   const std::vector<State> motion = simulate(model, input, start, {.relative = 1e-10});
   const auto power = [&](const State& state) {
     JointVector magnetic = straight(model);
@@ -157,7 +157,7 @@ TEST(SimulateEffects, IsBitForBitTheSameWithAnEffectThatDoesNothing) {
   const Model bare = finger(actuator::Configuration::B).model;
   const Model model = sample::with_effects(bare, {{&sample::nothing, {}}});
   const State start{.angles = rest_of(bare), .rates = straight(bare)};
-  const InputSignal input =
+  const ModelInput input =
       sine_input(bare, {.amplitude = 0.7, .offset = 0.7, .frequency = 3.0, .duration = 0.5, .interval = 2e-3});
   const std::vector<State> with = simulate(model, input, start);
   const std::vector<State> without = simulate(bare, input, start);

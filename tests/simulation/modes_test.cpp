@@ -22,7 +22,7 @@ struct Ringing {
 Ringing simulated(const Model& model, const JointVector& angles, double current, int first_extremum,
                   int last_extremum) {
   constexpr double interval = 1e-5;
-  const InputSignal input = step_input(model, {.current = current, .duration = 1.2, .interval = interval});
+  const ModelInput input = step_input(model, {.current = current, .duration = 1.2, .interval = interval});
   State start{.angles = angles, .rates = straight(model)};
   start.angles.array() += 1e-5;
   const std::vector<State> motion = simulate(model, input, start, {.relative = 1e-11});

@@ -130,7 +130,7 @@ TEST(StepEffects, OfALaggingFingerIsWhatBruteForceMeasures) {
   const auto step = step_response(model, model.all_coils(1.4), rest);
   ASSERT_TRUE(step && step->settling_time && step->rise_time);
   constexpr double interval = 1e-4;
-  const InputSignal input = step_input(model, {.current = 1.4, .duration = 3.0, .interval = interval});
+  const ModelInput input = step_input(model, {.current = 1.4, .duration = 3.0, .interval = interval});
   const State start{.angles = rest, .rates = straight(model), .internal = model.settled(rest, model.all_coils(0.0))};
   const std::vector<State> motion = simulate(model, input, start, {.relative = 1e-9});
   EXPECT_LT((motion.back().angles - step->steady_angles).lpNorm<Eigen::Infinity>(), 1e-7);
@@ -231,7 +231,7 @@ TEST(PerformanceEffects, AreThereForEveryEffectOfTheCatalogue) {
       ASSERT_NE(motion, nullptr) << kind->id() << ": " << std::get<NoPerformance>(result).reason;
       const State start{.angles = motion->rest_angles, .rates = straight(model)};
       const Model cold = model.with_slow_states_held(model.settled(start.angles, model.all_coils(0.0)));
-      InputSignal step;
+      ModelInput step;
       step.times = {0.0, 1e-9, 15.0};
       step.currents = {model.all_coils(0.0), model.all_coils(1.4), model.all_coils(1.4)};
       const JointVector end = simulate(cold, step, start).back().angles;
@@ -247,11 +247,11 @@ TEST(SimulateSeen, IsLateAndAsTheCameraShowsIt) {
   const double delay = 0.0337;
   const Model model = sample::with_effects(bare, {{&sample::camera, {1.1, 0.02, delay}}});
   const State start{.angles = rest_of(bare), .rates = straight(bare)};
-  const InputSignal input = step_input(bare, {.current = 1.4, .duration = 0.2, .interval = 0.01});
-  const std::vector<State> seen = simulate_seen(model, input, start);
+  const ModelInput input = step_input(bare, {.current = 1.4, .duration = 0.2, .interval = 0.01});
+  const std::vector<State> seen = simulate_as_observed(model, input, start);
   ASSERT_EQ(seen.size(), input.times.size());
   EXPECT_EQ(seen[3].angles, start.angles);
-  const InputSignal fine = step_input(bare, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
+  const ModelInput fine = step_input(bare, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
   const std::vector<State> motion = simulate(bare, fine, start);
   for (std::size_t i = 4; i < seen.size(); ++i) {
     const auto sample = static_cast<std::size_t>(std::lround((input.times[i] - delay) / 1e-4));

@@ -25,7 +25,7 @@ struct Measures {
 
 // The same figures from a motion sampled every few microseconds, with no thought.
 Measures by_brute_force(const Model& model, const StepInput& sampled, const JointVector& rest, const JointVector& end) {
-  const InputSignal input = step_input(model, sampled);
+  const ModelInput input = step_input(model, sampled);
   const std::vector<State> motion =
       simulate(model, input, {.angles = rest, .rates = straight(model)}, {.relative = 1e-9});
   Measures out;

@@ -23,7 +23,7 @@ TEST(Simulate, IsWhatAFixedStepIntegratorComesTo) {
   const Model model = finger(Configuration::B).model;
   const actuator::CoilCurrents currents = model.all_coils(1.4);
   const State start{.angles = rest_of(model), .rates = straight(model)};
-  const InputSignal input = step_input(model, {.current = 1.4, .duration = 0.1, .interval = 0.1});
+  const ModelInput input = step_input(model, {.current = 1.4, .duration = 0.1, .interval = 0.1});
   const State end = simulate(model, input, start, {.relative = 1e-10}).back();
   double before = 0.0;
   for (const int steps : {100, 200, 400}) {
@@ -41,7 +41,7 @@ TEST(Simulate, IsWhatAFixedStepIntegratorComesTo) {
 TEST(Simulate, ErrsByLessAtATighterTolerance) {
   const Model model = finger(Configuration::B).model;
   const State start{.angles = rest_of(model), .rates = straight(model)};
-  const InputSignal input = step_input(model, {.current = 1.4, .duration = 0.4, .interval = 0.4});
+  const ModelInput input = step_input(model, {.current = 1.4, .duration = 0.4, .interval = 0.4});
   const State best = simulate(model, input, start, {.relative = 1e-12}).back();
   const double loose = largest_difference(simulate(model, input, start, {.relative = 1e-5}).back(), best);
   const double standard = largest_difference(simulate(model, input, start).back(), best);
@@ -52,10 +52,10 @@ TEST(Simulate, ErrsByLessAtATighterTolerance) {
 TEST(Simulate, AnswersAtEverySampleWhateverTheirSpacing) {
   const Model model = finger(Configuration::B).model;
   const State start{.angles = rest_of(model), .rates = straight(model)};
-  InputSignal sparse;
+  ModelInput sparse;
   sparse.times = {0.0, 0.033, 0.035, 0.2};
   sparse.currents.assign(4, model.all_coils(1.1));
-  const InputSignal dense = step_input(model, {.current = 1.1, .duration = 0.2, .interval = 1e-3});
+  const ModelInput dense = step_input(model, {.current = 1.1, .duration = 0.2, .interval = 1e-3});
   const std::vector<State> few = simulate(model, sparse, start);
   const std::vector<State> many = simulate(model, dense, start);
   ASSERT_EQ(few.size(), 4U);
@@ -71,7 +71,7 @@ TEST(Simulate, AnswersAtEverySampleWhateverTheirSpacing) {
 TEST(Simulate, HoldsTheInputBetweenSamples) {
   const Model model = finger(Configuration::B).model;
   const State start{.angles = rest_of(model), .rates = straight(model)};
-  InputSignal pulse;
+  ModelInput pulse;
   pulse.times = {0.0, 0.02, 0.07};
   pulse.currents = {model.all_coils(1.4), model.all_coils(-0.3), model.all_coils(99.0)};
   pulse.joint_torques = {straight(model), JointVector::Constant(2, 2e-3), straight(model)};
@@ -80,7 +80,7 @@ TEST(Simulate, HoldsTheInputBetweenSamples) {
   State state = start;
   for (int i = 0; i < 2000; ++i) state = rk4_step(model, model.all_coils(1.4), state, 1e-5);
   EXPECT_LT(largest_difference(both[1], state), 1e-8);
-  InputSignal second;
+  ModelInput second;
   second.times = {0.0, 0.05};
   second.currents.assign(2, model.all_coils(-0.3));
   second.joint_torques.assign(2, JointVector::Constant(2, 2e-3));
@@ -92,7 +92,7 @@ TEST(Simulate, BalancesItsEnergy) {
   const Model model = finger(Configuration::B).model;
   const actuator::CoilCurrents currents = model.all_coils(1.4);
   const State start{.angles = rest_of(model), .rates = straight(model)};
-  const InputSignal input = step_input(model, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
+  const ModelInput input = step_input(model, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
   const std::vector<State> motion = simulate(model, input, start, {.relative = 1e-10});
   const auto power = [&](const State& state) {
     JointVector magnetic = straight(model);
@@ -115,7 +115,7 @@ TEST(Simulate, KeepsTheEnergyOfAFingerWithoutLosses) {
   });
   State start{.angles = straight(model), .rates = straight(model)};
   start.angles << 0.5, 0.3, 0.25, 0.7;
-  const InputSignal input = step_input(model, {.current = 0.0, .duration = 0.3, .interval = 1e-3});
+  const ModelInput input = step_input(model, {.current = 0.0, .duration = 0.3, .interval = 1e-3});
   const double before = energy_of(model, start);
   double swing = 0.0;
   for (const State& state : simulate(model, input, start, {.relative = 1e-9})) {
@@ -128,7 +128,7 @@ TEST(Simulate, KeepsTheEnergyOfAFingerWithoutLosses) {
 
 TEST(Simulate, SaysWhereAMotionLeavesTheModel) {
   const Model model = finger(Configuration::B).model;
-  InputSignal input = step_input(model, {.current = 0.0, .duration = 1.0, .interval = 1.0});
+  ModelInput input = step_input(model, {.current = 0.0, .duration = 1.0, .interval = 1.0});
   input.joint_torques.assign(2, JointVector::Constant(2, 1.0));
   try {
     (void)simulate(model, input, {.angles = straight(model), .rates = straight(model)});
@@ -139,35 +139,34 @@ TEST(Simulate, SaysWhereAMotionLeavesTheModel) {
   }
 }
 
-TEST(InputSignal, SaysWhatDoesNotFit) {
+TEST(ModelInput, SaysWhatDoesNotFit) {
   const Model model = finger(Configuration::B).model;
-  const InputSignal good = step_input(model, {.current = 0.4, .duration = 0.3, .interval = 0.1});
+  const ModelInput good = step_input(model, {.current = 0.4, .duration = 0.3, .interval = 0.1});
   const auto text = [&](auto&& change) {
-    InputSignal input = good;
+    ModelInput input = good;
     change(input);
     return coilwright::error_text(
         [&] { (void)simulate(model, input, {.angles = straight(model), .rates = straight(model)}); });
   };
-  EXPECT_EQ(text([](InputSignal& s) { s.times.clear(); }), "input: at least one sample is needed; got 0");
-  EXPECT_EQ(text([](InputSignal& s) { s.currents.pop_back(); }), "input: one row of currents per time, 4 here; got 3");
-  EXPECT_EQ(text([&](InputSignal& s) { s.joint_torques.assign(2, straight(model)); }),
+  EXPECT_EQ(text([](ModelInput& s) { s.times.clear(); }), "input: at least one sample is needed; got 0");
+  EXPECT_EQ(text([](ModelInput& s) { s.currents.pop_back(); }), "input: one row of currents per time, 4 here; got 3");
+  EXPECT_EQ(text([&](ModelInput& s) { s.joint_torques.assign(2, straight(model)); }),
             "input: one row of torques per time, 4 here; got 2");
-  EXPECT_EQ(text([](InputSignal& s) { s.times[2] = s.times[1]; }), "input: time must increase; sample 2 is at 0.1 s");
-  EXPECT_EQ(text([](InputSignal& s) { s.times[3] = NAN; }), "input: time must increase; sample 3 is at nan s");
-  EXPECT_EQ(text([](InputSignal& s) { s.currents[1].resize(3); }),
-            "input: sample 1 must have 2 finite currents; got 3");
-  EXPECT_EQ(text([](InputSignal& s) { s.currents[1][0] = INFINITY; }),
+  EXPECT_EQ(text([](ModelInput& s) { s.times[2] = s.times[1]; }), "input: time must increase; sample 2 is at 0.1 s");
+  EXPECT_EQ(text([](ModelInput& s) { s.times[3] = NAN; }), "input: time must increase; sample 3 is at nan s");
+  EXPECT_EQ(text([](ModelInput& s) { s.currents[1].resize(3); }), "input: sample 1 must have 2 finite currents; got 3");
+  EXPECT_EQ(text([](ModelInput& s) { s.currents[1][0] = INFINITY; }),
             "input: sample 1 must have 2 finite currents; got 2");
-  EXPECT_EQ(text([](InputSignal& s) { s.joint_torques.assign(4, JointVector::Zero(3)); }),
+  EXPECT_EQ(text([](ModelInput& s) { s.joint_torques.assign(4, JointVector::Zero(3)); }),
             "input: sample 0 must have 2 finite torques; got 3");
 }
 
-TEST(InputSignal, SamplesStepsAndSines) {
+TEST(ModelInput, SamplesStepsAndSines) {
   const Model model = finger(Configuration::B).model;
-  const InputSignal step = step_input(model, {.current = 0.4, .duration = 0.35, .interval = 0.1});
+  const ModelInput step = step_input(model, {.current = 0.4, .duration = 0.35, .interval = 0.1});
   EXPECT_EQ(step.times.size(), 4U);
   EXPECT_DOUBLE_EQ(step.times.back(), 0.3);
-  const InputSignal sine =
+  const ModelInput sine =
       sine_input(model, {.amplitude = 0.7, .offset = 0.6, .frequency = 2.0, .duration = 1.0, .interval = 0.0625});
   ASSERT_EQ(sine.times.size(), 17U);
   EXPECT_NEAR(sine.currents[2][1], 1.3, 1e-12);   // a quarter period

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,15 +9,15 @@
 
 namespace coilwright::actuator {
 
-/// Since when a model stands at rest: for longer than all that its effects remember, or as a recorded run finds it
+/// History of a model at rest before t = 0: held until every internal state is steady, or as a recorded run finds it
 /// (which differs for heat alone: see EffectTerm::begin).
-enum class AtRest { settled, run_start };
+enum class InitialHistory { long_hold, recorded_run };
 
 /// An actuator as the simulation sees it: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what
 /// is large.
 ///
-/// Effects may carry states of their own (currents, heat, creep, bristles). What is asked of a pose at rest (torques,
-/// equilibria, stiffness) is answered with these states settled there: after a hold that outlasts them all.
+/// Effects may carry states of their own (currents, heat, creep, bristles). Static queries (torques, equilibria,
+/// stiffness) use the steady values of all these states at that pose, unless another InitialHistory is asked for.
 class Model {
  public:
   using Spec = ModelSpec;
@@ -42,7 +43,7 @@ class Model {
   [[nodiscard]] int drive_states() const noexcept { return drive_states_; }
   /// The effects' states at rest at `angles` (rad) under `command` (A).
   [[nodiscard]] InternalStates settled(const mechanics::JointVector& angles, const CoilCurrents& command,
-                                       AtRest since = AtRest::settled) const;
+                                       InitialHistory history = InitialHistory::long_hold) const;
 
   /// The currents as the force sees them in the magnetics after a long hold at `angles` (rad) under `command` (A): what
   /// drive and magnets make of it.
@@ -54,13 +55,20 @@ class Model {
   /// they are no longer among the states of the result.
   [[nodiscard]] Model with_slow_states_held(const InternalStates& internal) const;
 
+  /// Resistance of one coil at 20 degC, ohm; nothing for a lumped model.
+  [[nodiscard]] std::optional<double> coil_resistance() const noexcept { return spec_.coil_resistance; }
+  /// The currents that `voltages` (V, one a coil) drive at 20 degC, A: the nominal drive under a voltage. Quasi-static:
+  /// L / R of a coil (0.3 ms in the prototype) is far below a finger's 30 ms; heat and lag are effects. Throws
+  /// std::invalid_argument where the resistance is not known.
+  [[nodiscard]] CoilCurrents currents_under(const CoilCurrents& voltages) const;
+
   /// The same current in every coil: one driver.
   [[nodiscard]] CoilCurrents all_coils(double current) const { return CoilCurrents::Constant(coils(), current); }
 
   /// Joint torques of magnetics and hinges, N m: everything but gravity and inertia.
   [[nodiscard]] mechanics::JointVector torques(const mechanics::JointVector& angles,
                                                const mechanics::JointVector& rates, const CoilCurrents& currents,
-                                               AtRest since = AtRest::settled) const;
+                                               InitialHistory history = InitialHistory::long_hold) const;
 
   /// Of the magnetics alone, at rest under `command` (A), N m: what a torque bench with a bare joint reads.
   [[nodiscard]] mechanics::JointVector magnetic_torques(const mechanics::JointVector& angles,
@@ -84,12 +92,12 @@ class Model {
   /// Torque left over at rest, N m: zero in an equilibrium.
   [[nodiscard]] mechanics::JointVector static_residual(const mechanics::JointVector& angles,
                                                        const CoilCurrents& currents,
-                                                       AtRest since = AtRest::settled) const;
+                                                       InitialHistory history = InitialHistory::long_hold) const;
 
   /// -d(static residual)/d(angle), (n, n), N m/rad; an equilibrium is stable where it is positive definite.
   [[nodiscard]] mechanics::JointMatrix tangent_stiffness(const mechanics::JointVector& angles,
                                                          const CoilCurrents& currents,
-                                                         AtRest since = AtRest::settled) const;
+                                                         InitialHistory history = InitialHistory::long_hold) const;
 
   /// Damping of every joint at rest at `angles`, N m s/rad: of its hinge, and of its stop where that is pressed.
   [[nodiscard]] mechanics::JointVector damping(const mechanics::JointVector& angles) const;
@@ -128,7 +136,7 @@ class Model {
                      const CoilCurrents& strength, mechanics::JointVector& torques) const;
   void add_term_torques(const EffectTerm::Motion& motion, const CoilCurrents& strength, const double* states,
                         double* slopes, mechanics::JointVector& torques) const;
-  void add_term_stiffness(const mechanics::JointVector& angles, const CoilCurrents& command, AtRest since,
+  void add_term_stiffness(const mechanics::JointVector& angles, const CoilCurrents& command, InitialHistory history,
                           mechanics::JointMatrix& stiffness) const;
 
   Spec spec_;                            // with the effects built in

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "coilwright/actuator/coil_row.hpp"
@@ -29,6 +30,7 @@ struct ModelSpec {
   std::vector<Effect> effects{};  ///< each kind at most once
   /// Where the coils are, for the forces among them that `magnetics` leaves out; null where nobody knows.
   std::shared_ptr<const CoilRow> coil_row{};
+  std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
 };
 
 }  // namespace coilwright::actuator

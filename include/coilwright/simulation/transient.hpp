@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coilwright/actuator/model.hpp"
-#include "coilwright/simulation/input_signal.hpp"
+#include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
 
 namespace coilwright::simulation {
@@ -20,22 +20,22 @@ struct Accuracy {
 };
 
 /// The state at every sample of `input`, from `start` at the first; the states of effects, where `start` has none,
-/// settled there under the first input. Dormand-Prince 5(4) with dense output
-/// (Boost.Odeint); the steps do not see the samples unless the input changes there. Throws std::invalid_argument for an
-/// input that does not fit the model, std::runtime_error naming the time where the motion cannot be followed (a joint
-/// beyond 180 degrees, or more than 1e6 steps between two changes of the input, 1e5 a second added where effects have
-/// states).
-[[nodiscard]] std::vector<State> simulate(const actuator::Model& model, const InputSignal& input, const State& start,
+/// as a recorded run finds them there under the first input (InitialHistory::recorded_run). Dormand-Prince 5(4) with
+/// dense output (Boost.Odeint); the steps do not see the samples unless the input changes there. Throws
+/// std::invalid_argument for an input that does not fit the model, std::runtime_error naming the time where the motion
+/// cannot be followed (a joint beyond 180 degrees, or more than 1e6 steps between two changes of the input, 1e5 a
+/// second added where effects have states).
+[[nodiscard]] std::vector<State> simulate(const actuator::Model& model, const ModelInput& input, const State& start,
                                           const Accuracy& accuracy = {});
 
 /// The same motion at `times` (s, increasing) instead; each from the first to the last sample of the input, else
 /// std::invalid_argument.
-[[nodiscard]] std::vector<State> simulate_at(const actuator::Model& model, const InputSignal& input, const State& start,
+[[nodiscard]] std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& input, const State& start,
                                              std::span<const double> times, const Accuracy& accuracy = {});
 
 /// The same motion as old as the camera shows it: at every sample of `input` the state model.delay() earlier, which is
 /// `start` for the first ones. What is shown of an angle is model.observed(angle).
-[[nodiscard]] std::vector<State> simulate_seen(const actuator::Model& model, const InputSignal& input,
-                                               const State& start, const Accuracy& accuracy = {});
+[[nodiscard]] std::vector<State> simulate_as_observed(const actuator::Model& model, const ModelInput& input,
+                                                      const State& start, const Accuracy& accuracy = {});
 
 }  // namespace coilwright::simulation

@@ -239,7 +239,6 @@ DeclaredActuator declare(Document document, Design design, CalibrateNames names,
     return {.name = {},
             .model = {.calibration = model->parameters(),
                       .build = [model](std::span<const double> values) { return model->spec_at(values); },
-                      .coil_resistance = assembly.coil.resistance,
                       .heat = std::move(heat)},
             .updated = [model](std::span<const double> values, const std::vector<Effect>& effects) {
               return model->updated(values, effects);

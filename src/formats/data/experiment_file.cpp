@@ -115,16 +115,9 @@ PulseShape read_pulses(ShapeReader in) {
 }
 
 TableShape read_table(const Node& node, Drive drive) {
-  const InputSignal signal = read_input_signal(node.path());
-  constexpr std::array words = {std::pair(InputKind::current, Drive::current),
-                                std::pair(InputKind::voltage, Drive::voltage),
-                                std::pair(InputKind::torque, Drive::torque)};
-  for (const auto& [kind, its_drive] : words)
-    if (kind == signal.kind && its_drive != drive) throw node.error("must have an input column of this run's drive");
-  TableShape table{.times = signal.times, .rows = std::vector<std::vector<double>>(signal.times.size())};
-  for (const std::vector<double>& column : signal.values)
-    for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].push_back(column[i]);
-  return table;
+  simulation::CommandedInput command = read_commanded_input(node.path());
+  if (command.drive != drive) throw node.error("must have an input column of this run's drive");
+  return {.times = std::move(command.times), .rows = std::move(command.rows)};
 }
 
 InputShape read_shape(const Node& node, Drive drive) {

@@ -68,7 +68,7 @@ Columns ask_bench(CsvHeader& header, RunKind kind) {
   if (columns.angles) header.require("angle_deg");
   if (kind != RunKind::joint_stiffness) {
     header.require("current_A");
-    columns.input = {.kind = InputKind::current, .addressing = InputAddressing::common, .quantities = {"current"}};
+    columns.input = {.drive = Drive::current, .addressing = simulation::Addressing::common, .quantities = {"current"}};
   }
   if (columns.angles) {
     header.require("torque_Nmm");
@@ -85,18 +85,6 @@ Columns ask_bench(CsvHeader& header, RunKind kind) {
 
 Columns ask(CsvHeader& header, RunKind kind) {
   return kind == RunKind::transient ? ask_transient(header) : ask_bench(header, kind);
-}
-
-Drive drive_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::voltage:
-      return Drive::voltage;
-    case InputKind::torque:
-      return Drive::torque;
-    case InputKind::current:
-      break;
-  }
-  return Drive::current;
 }
 
 std::vector<double> values_of(const CsvTable& table, const std::string& quantity) {
@@ -126,7 +114,7 @@ double spread_in_si(double sigma, const std::string& column) {
 std::optional<InputError> objection(const CsvTable& table, const Columns& columns) {
   std::vector<std::string> angles;
   if (columns.angles) angles.emplace_back("angle");
-  if (columns.input.kind != InputKind::torque)
+  if (columns.input.drive != Drive::torque)
     for (const Measured& measured : columns.measured)
       if (measured.kind == Quantity::bending_angle || measured.kind == Quantity::joint_angle)
         angles.push_back(measured.quantity);
@@ -142,7 +130,7 @@ std::optional<InputError> objection(const CsvTable& table, const Columns& column
 RunFile run_of(const CsvTable& table, const Columns& columns, const RunEntry& entry) {
   Run run{.name = entry.name,
           .kind = entry.kind,
-          .drive = drive_of(columns.input.kind),
+          .drive = columns.input.drive,
           .start = entry.start,
           .window = entry.window};
   if (columns.times) {

@@ -8,23 +8,25 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using simulation::Addressing;
+using simulation::Drive;
 
 struct Known {
   std::string_view name;  // "#" stands for the number of the coil or joint
-  InputKind kind;
-  InputAddressing addressing;
+  Drive drive;
+  Addressing addressing;
 };
 
 constexpr std::array known_inputs = {
-    Known{"current_A", InputKind::current, InputAddressing::common},
-    Known{"current#_A", InputKind::current, InputAddressing::each},
-    Known{"voltage_V", InputKind::voltage, InputAddressing::common},
-    Known{"torque#_Nm", InputKind::torque, InputAddressing::each},
+    Known{"current_A", Drive::current, Addressing::common},
+    Known{"current#_A", Drive::current, Addressing::each},
+    Known{"voltage_V", Drive::voltage, Addressing::common},
+    Known{"torque#_Nm", Drive::torque, Addressing::each},
 };
 
 std::vector<std::string> quantities(CsvHeader& header, const Known& input) {
   const std::string_view name = input.name;
-  if (input.addressing == InputAddressing::common) {
+  if (input.addressing == Addressing::common) {
     if (!header.find(name)) return {};
     return {std::string(name.substr(0, name.rfind('_')))};
   }
@@ -44,7 +46,7 @@ InputColumns ask_for_input(CsvHeader& header) {
     if (found.empty()) continue;
     if (chosen)
       throw header.error("must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
-    chosen = InputColumns{.kind = input.kind, .addressing = input.addressing, .quantities = std::move(found)};
+    chosen = InputColumns{.drive = input.drive, .addressing = input.addressing, .quantities = std::move(found)};
   }
   header.finish();  // a misspelt input is named as such before it is missed
   if (!chosen) throw header.error("must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/simulation/commanded_input.hpp"
 #include "coilwright/text/csv/csv_table.hpp"
 
 namespace coilwright::formats {
 
 /// Which columns of a transient run command something.
 struct InputColumns {
-  InputKind kind{};
-  InputAddressing addressing{};
+  simulation::Drive drive{};
+  simulation::Addressing addressing{};
   std::vector<std::string> quantities;  ///< for CsvTable::column(): "current", or "torque1", "torque2", ...
 };
 

@@ -1,6 +1,7 @@
 #include "coilwright/formats/simulation/input_signal.hpp"
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "coilwright/text/csv/csv_table.hpp"
@@ -10,6 +11,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using simulation::CommandedInput;
 
 // What a transient run may have been measured by; not an input.
 constexpr std::array measured_columns = {"bending_angle_deg", "theta#_deg", "omega#_rad_s"};
@@ -20,30 +22,31 @@ InputColumns ask(CsvHeader& header) {
   return ask_for_input(header);
 }
 
-InputSignal signal_of(const CsvTable& table, const InputColumns& input) {
+CommandedInput command_of(const CsvTable& table, const InputColumns& input) {
   table.require_increasing("time");
-  InputSignal signal{.kind = input.kind, .addressing = input.addressing};
+  CommandedInput command{.drive = input.drive, .addressing = input.addressing};
   const auto times = table.column("time");
-  signal.times.assign(times.begin(), times.end());
+  command.times.assign(times.begin(), times.end());
+  command.rows.resize(times.size());
   for (const std::string& quantity : input.quantities) {
     const auto values = table.column(quantity);
-    signal.values.emplace_back(values.begin(), values.end());
+    for (std::size_t row = 0; row < values.size(); ++row) command.rows[row].push_back(values[row]);
   }
-  return signal;
+  return command;
 }
 
 }  // namespace
 
-InputSignal read_input_signal(const std::filesystem::path& path) {
+CommandedInput read_commanded_input(const std::filesystem::path& path) {
   InputColumns input;
   const CsvTable table = read_csv(path, [&](CsvHeader& header) { input = ask(header); });
-  return signal_of(table, input);
+  return command_of(table, input);
 }
 
-InputSignal parse_input_signal(std::string_view text, std::string_view file) {
+CommandedInput parse_commanded_input(std::string_view text, std::string_view file) {
   InputColumns input;
   const CsvTable table = parse_csv(text, std::string(file), [&](CsvHeader& header) { input = ask(header); });
-  return signal_of(table, input);
+  return command_of(table, input);
 }
 
 }  // namespace coilwright::formats

@@ -18,18 +18,6 @@ std::string_view name_of(RunKind kind) {
   return "";
 }
 
-std::string_view name_of(Drive drive) {
-  switch (drive) {
-    case Drive::current:
-      return "current";
-    case Drive::voltage:
-      return "voltage";
-    case Drive::torque:
-      return "torque";
-  }
-  return "";
-}
-
 std::string_view name_of(Start start) {
   switch (start) {
     case Start::at_rest:
@@ -40,6 +28,14 @@ std::string_view name_of(Start start) {
       return "free";
   }
   return "";
+}
+
+simulation::CommandedInput Run::command() const {
+  const bool common = inputs.empty() || inputs.front().size() == 1;
+  return {.drive = drive,
+          .addressing = common ? simulation::Addressing::common : simulation::Addressing::each,
+          .times = times,
+          .rows = inputs};
 }
 
 }  // namespace coilwright::measurement::data

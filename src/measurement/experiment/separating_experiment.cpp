@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "coilwright/simulation/initial_state.hpp"
 #include "measurement/replay/prediction.hpp"
 
 namespace coilwright::measurement::experiment {
@@ -131,16 +132,14 @@ replay::Window window_of(const Proposal& proposal, const Rig& rig, const Model& 
   const double interval = std::max(rig.interval, proposal.duration / 8000.0);
   const auto samples = static_cast<std::size_t>(proposal.duration / interval) + 1;
   window.last = samples;
+  simulation::CommandedInput command{.drive = rig.coils ? data::Drive::current : data::Drive::torque};
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = static_cast<double>(i) * interval;
-    const double command = rig.amplitude * proposal.command(t);
-    window.input.times.push_back(t);
-    window.input.currents.push_back(model.all_coils(rig.coils ? command : 0.0));
-    if (rig.coils) continue;
-    JointVector torques = JointVector::Zero(model.joints());
-    torques[0] = command;
-    window.input.joint_torques.push_back(torques);
+    command.times.push_back(t);
+    std::vector<double>& row = command.rows.emplace_back(rig.coils ? 1 : model.joints(), 0.0);
+    row[0] = rig.amplitude * proposal.command(t);
   }
+  window.input = simulation::model_input(model, command);
   return window;
 }
 
@@ -152,7 +151,7 @@ std::optional<Eigen::VectorXd> predicted(const Proposal& proposal, const Rig& ri
                          .channels = {{.name = "bending_angle_deg", .quantity = data::Quantity::bending_angle}}};
   const replay::Record record{.run = &camera};
   const replay::Window window = window_of(proposal, rig, model);
-  const auto start = replay::rest_start(model, window);
+  const auto start = simulation::equilibrium_at_first_input(model, window.input);
   if (!start) return std::nullopt;
   auto out = replay::predict_window(model, record, window, *start);
   if (!out) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "coilwright/simulation/initial_state.hpp"
 #include "measurement/experiment/apply_instrument.hpp"
 #include "measurement/replay/prediction.hpp"
 #include "measurement/replay/prepared_run.hpp"
@@ -80,7 +81,7 @@ simulation::State start_of(const PlannedRun& planned, const Model& model, const 
     const Eigen::Map<const Eigen::VectorXd> angles(planned.start_angles.data(), model.joints());
     return {.angles = angles, .rates = mechanics::JointVector::Zero(model.joints())};
   }
-  if (const auto rest = replay::rest_start(model, window)) return *rest;
+  if (const auto rest = simulation::equilibrium_at_first_input(model, window.input)) return *rest;
   throw std::runtime_error(
       fmt::format("{}: has no stable pose under the first input to start from", planned.plan.name));
 }

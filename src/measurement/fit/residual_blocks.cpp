@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "coilwright/simulation/initial_state.hpp"
 #include "measurement/replay/prediction.hpp"
 
 namespace coilwright::measurement::fit {
@@ -167,7 +168,7 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_rest_run(const
   RunValues out{.predictions = Eigen::VectorXd(size)};
   Eigen::Index at = 0;
   for (const replay::Window& window : record.windows) {
-    const auto start = replay::rest_start(model, window);
+    const auto start = simulation::equilibrium_at_first_input(model, window.input);
     if (!start) return std::nullopt;
     const auto predicted = replay::predict_window(model, record, window, *start);
     if (!predicted) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "coilwright/simulation/initial_state.hpp"
 #include "measurement/replay/prediction.hpp"
 
 namespace coilwright::measurement::localise {
@@ -29,7 +30,7 @@ void add_angles(const replay::Record& record, data::Quantity quantity, const act
   }
 }
 
-void append(const simulation::InputSignal& more, simulation::InputSignal& all) {
+void append(const simulation::ModelInput& more, simulation::ModelInput& all) {
   all.times.insert(all.times.end(), more.times.begin(), more.times.end());
   all.currents.insert(all.currents.end(), more.currents.begin(), more.currents.end());
   all.joint_torques.insert(all.joint_torques.end(), more.joint_torques.begin(), more.joint_torques.end());
@@ -42,7 +43,8 @@ bool simulate_windows(const replay::Record& record, const fit::RunFit& fitted, c
   Eigen::VectorXd internal;
   for (std::size_t w = 0; w < record.windows.size(); ++w) {
     const replay::Window& window = record.windows[w];
-    std::optional<State> start = record.has_nuisances() ? fitted.starts[w] : replay::rest_start(model, window);
+    std::optional<State> start =
+        record.has_nuisances() ? fitted.starts[w] : simulation::equilibrium_at_first_input(model, window.input);
     if (!start) return false;
     start->internal = internal;
     std::optional<replay::WindowPrediction> predicted = replay::predict_window(model, record, window, *start);

@@ -24,7 +24,7 @@ void check(std::span<const MeasuredMotion> motions, const actuator::Model& model
       if (!met) throw std::invalid_argument(fmt::format("{}: {}; got {}", motion.run, rule, got));
     };
     try {
-      motion.input.check(model);
+      motion.input.require_fits(model);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("{}: {}", motion.run, error.what()));
     }

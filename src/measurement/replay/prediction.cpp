@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "coilwright/simulation/blocked_grasp.hpp"
-#include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/thermal/transient.hpp"
 
@@ -98,33 +97,12 @@ Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::R
 
 }  // namespace
 
-std::optional<State> rest_start(const Model& model, const Window& window) {
-  const int n = model.joints();
-  const CoilCurrents& currents = window.input.currents.front();
-  const JointVector torques =
-      window.input.joint_torques.empty() ? JointVector::Zero(n) : window.input.joint_torques.front();
-  constexpr auto since = actuator::AtRest::run_start;
-  const auto found = simulation::creep_to_equilibrium(
-      {.residual =
-           [&](const JointVector& at) { return JointVector(model.static_residual(at, currents, since) + torques); },
-       .stiffness = [&](const JointVector& at) { return model.tangent_stiffness(at, currents, since); },
-       .torque_scale = simulation::torque_scale(model)},
-      JointVector::Zero(n));
-  if (!found && model.coils() > 0) return std::nullopt;
-  // A rig without springs or gravity stays where it is put: straight.
-  const JointVector angles = found ? *found : JointVector::Zero(n);
-  return State{.angles = angles, .rates = JointVector::Zero(n)};
-}
-
 std::optional<WindowPrediction> predict_window(const Model& model, const Record& record, const Window& window,
                                                const State& start) {
   std::vector<State> states;
   try {
     const double most = steps_of_a_window + steps_of_a_sample * static_cast<double>(window.samples());
-    State first = start;
-    if (first.internal.size() == 0)
-      first.internal = model.settled(start.angles, window.input.currents.front(), actuator::AtRest::run_start);
-    states = simulation::simulate(model, window.input, first, {.relative = relative_accuracy, .most_steps = most});
+    states = simulation::simulate(model, window.input, start, {.relative = relative_accuracy, .most_steps = most});
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

@@ -8,11 +8,8 @@
 
 namespace coilwright::measurement::replay {
 
-/// Where a window of a run that starts at rest starts: in equilibrium under its first input.
-[[nodiscard]] std::optional<simulation::State> rest_start(const actuator::Model& model, const Window& window);
-
 /// What the cameras would have shown over a window from `start`. A start without states of the effects finds them as a
-/// run's start does (AtRest::run_start). Nothing where the motion cannot be followed.
+/// recorded run does. Nothing where the motion cannot be followed.
 struct WindowPrediction {
   Eigen::VectorXd values{};                 ///< channel after channel, SI: (channels * samples)
   std::vector<simulation::State> states{};  ///< the motion itself, a state a sample

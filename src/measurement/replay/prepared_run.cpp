@@ -35,40 +35,12 @@ void check_channels(const data::Run& run, const Model& nominal) {
   }
 }
 
-void check_inputs(const data::Run& run, const DeclaredModel& declared, const Model& nominal) {
-  if (run.inputs.empty()) return;
-  const auto width = static_cast<int>(run.inputs.front().size());
-  const bool torque = run.kind == data::RunKind::transient && run.drive == data::Drive::torque;
-  if (torque && width != nominal.joints())
-    throw misfit(run, fmt::format("needs a torque for each of the {} joints; got {}", nominal.joints(), width));
-  if (torque) return;
-  if (nominal.coils() == 0) throw misfit(run, "drives coils, and the model has none");
-  if (width != 1 && width != nominal.coils())
-    throw misfit(run, fmt::format("needs one value, or one for each of the {} coils; got {}", nominal.coils(), width));
-  if (run.drive == data::Drive::voltage && run.kind == data::RunKind::transient && !declared.coil_resistance)
-    throw misfit(run, "has a voltage, and a lumped model has no coil resistance");
-}
-
-// The rows of a run from `first` to `last` as the model takes them.
-simulation::InputSignal input_of(const data::Run& run, std::size_t first, std::size_t last,
-                                 const DeclaredModel& declared, const Model& nominal) {
-  simulation::InputSignal out;
-  out.times.assign(run.times.begin() + static_cast<std::ptrdiff_t>(first),
-                   run.times.begin() + static_cast<std::ptrdiff_t>(last));
-  out.currents.reserve(last - first);
-  for (std::size_t i = first; i < last; ++i) {
-    const std::vector<double>& row = run.inputs[i];
-    const Eigen::Map<const Eigen::VectorXd> values(row.data(), static_cast<Eigen::Index>(row.size()));
-    if (run.drive == data::Drive::torque) {
-      out.currents.push_back(nominal.all_coils(0.0));
-      out.joint_torques.emplace_back(values);
-      continue;
-    }
-    const double per_ampere = run.drive == data::Drive::voltage ? *declared.coil_resistance : 1.0;
-    out.currents.push_back(row.size() == 1 ? nominal.all_coils(row[0] / per_ampere)
-                                           : actuator::CoilCurrents(values / per_ampere));
+void check_inputs(const data::Run& run, const Model& nominal) {
+  try {
+    simulation::require_can_drive(nominal, run.command());
+  } catch (const std::invalid_argument& rule) {
+    throw misfit(run, rule.what());
   }
-  return out;
 }
 
 struct StartOfChannel {
@@ -165,7 +137,7 @@ std::vector<SampleRange> Record::stretches() const {
 
 void check(const data::Run& run, const DeclaredModel& declared, const Model& nominal) {
   check_channels(run, nominal);
-  check_inputs(run, declared, nominal);
+  check_inputs(run, nominal);
   if (run.kind == data::RunKind::temperature && !declared.heat)
     throw misfit(run, "is a temperature, and a lumped model has no heat paths");
 }
@@ -176,8 +148,9 @@ Record prepare(const data::Run& run, const DeclaredModel& declared, const Model&
   for (const data::Channel& channel : run.channels) record.noise.push_back(noise::noise_of(run, channel));
   if (!record.is_motion()) return record;
   record.windows = windows_of(run);
+  const simulation::ModelInput input = simulation::model_input(nominal, run.command());
   for (Window& window : record.windows) {
-    window.input = input_of(run, window.first, window.last, declared, nominal);
+    window.input = input.part(window.first, window.last);
     if (run.start != data::Start::at_rest) set_start(record, window, nominal);
   }
   return record;

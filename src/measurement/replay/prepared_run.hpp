@@ -6,7 +6,7 @@
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/noise/noise_level.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
-#include "coilwright/simulation/input_signal.hpp"
+#include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
 
 namespace coilwright::measurement::replay {
@@ -15,7 +15,7 @@ namespace coilwright::measurement::replay {
 struct Window {
   std::size_t first{};              ///< sample
   std::size_t last{};               ///< one beyond
-  simulation::InputSignal input{};  ///< of these samples
+  simulation::ModelInput input{};   ///< of these samples
   simulation::State guess{};        ///< from the measurement; not for runs that start at rest
   simulation::State guess_sigma{};  ///< how well the measurement tells it
 

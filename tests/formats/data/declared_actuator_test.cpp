@@ -100,7 +100,7 @@ TEST(DeclaredLumpedModel, IsTheModelOfTheFileAtTheDeclaredNumbers) {
   EXPECT_THAT(declared_values(actuator),
               ElementsAre(0.125, 9.81, 0.17, 0.03, 1.3e-3, 0.0, DoubleEq(-3.0 * degree), 0.0, 9e-3, 0.61e-3));
   expect_same(actuator.model.build(declared_values(actuator)), file_spec(lumped));
-  EXPECT_FALSE(actuator.model.coil_resistance);
+  EXPECT_FALSE(actuator.model.build(declared_values(actuator)).coil_resistance);
   EXPECT_FALSE(actuator.model.heat);
 }
 
@@ -228,7 +228,7 @@ TEST(DeclaredDesign, IsTheModelOfTheFileAtTheDeclaredNumbers) {
   EXPECT_EQ(actuator.model.calibration[0].declared, assembly.model.hinges()[0].stiffness);
   EXPECT_DOUBLE_EQ(actuator.model.calibration[0].declared, 12.5e-3);
   EXPECT_EQ(actuator.model.calibration[5].denominator, 1e3);
-  EXPECT_EQ(*actuator.model.coil_resistance, assembly.coil.resistance);
+  EXPECT_EQ(actuator.model.build(declared_values(actuator)).coil_resistance, assembly.coil.resistance);
   ASSERT_TRUE(actuator.model.heat);
   EXPECT_EQ(actuator.model.heat->nodes().size(), 3u);
 }

@@ -11,36 +11,40 @@
 namespace coilwright::formats {
 namespace {
 
+using simulation::Addressing;
+using simulation::CommandedInput;
+using simulation::Drive;
 using ::testing::ElementsAre;
 
 std::string refusal(std::string_view text) {
-  return text::testing::error_of([&] { (void)parse_input_signal(text, "x.csv"); });
+  return text::testing::error_of([&] { (void)parse_commanded_input(text, "x.csv"); });
 }
 
-TEST(InputSignal, CommandsAllCoilsByOneColumn) {
+TEST(CommandedInput, CommandsAllCoilsByOneColumn) {
   const coilwright::testing::TemporaryFolder folder;
-  const InputSignal signal = read_input_signal(folder.file("x.csv", "time_s,current_A\n0.1,1.4\n0.35,-0.7\n"));
-  EXPECT_EQ(signal.kind, InputKind::current);
-  EXPECT_EQ(signal.addressing, InputAddressing::common);
-  EXPECT_THAT(signal.times, ElementsAre(0.1, 0.35));
-  EXPECT_THAT(signal.values, ElementsAre(ElementsAre(1.4, -0.7)));
+  const CommandedInput command = read_commanded_input(folder.file("x.csv", "time_s,current_A\n0.1,1.4\n0.35,-0.7\n"));
+  EXPECT_EQ(command.drive, Drive::current);
+  EXPECT_EQ(command.addressing, Addressing::common);
+  EXPECT_THAT(command.times, ElementsAre(0.1, 0.35));
+  EXPECT_THAT(command.rows, ElementsAre(ElementsAre(1.4), ElementsAre(-0.7)));
 }
 
-TEST(InputSignal, CommandsEachJointByAColumnOfItsOwn) {
-  const InputSignal signal = parse_input_signal("torque2_Nmm,time_s,torque1_Nm\n9.9,0.1,2.5\n4.35,0.2,3.5\n", "x.csv");
-  EXPECT_EQ(signal.kind, InputKind::torque);
-  EXPECT_EQ(signal.addressing, InputAddressing::each);
-  EXPECT_THAT(signal.values, ElementsAre(ElementsAre(2.5, 3.5), ElementsAre(0.0099, 0.00435)));
+TEST(CommandedInput, CommandsEachJointByAColumnOfItsOwn) {
+  const CommandedInput command =
+      parse_commanded_input("torque2_Nmm,time_s,torque1_Nm\n9.9,0.1,2.5\n4.35,0.2,3.5\n", "x.csv");
+  EXPECT_EQ(command.drive, Drive::torque);
+  EXPECT_EQ(command.addressing, Addressing::each);
+  EXPECT_THAT(command.rows, ElementsAre(ElementsAre(2.5, 0.0099), ElementsAre(3.5, 0.00435)));
 }
 
-TEST(InputSignal, LeavesMeasuredColumnsAside) {
-  const InputSignal signal =
-      parse_input_signal("time_s,voltage_V,theta1_rad,omega1_deg_s,bending_angle_deg\n0.5,2.5,3,4,5\n", "x.csv");
-  EXPECT_EQ(signal.kind, InputKind::voltage);
-  EXPECT_THAT(signal.values, ElementsAre(ElementsAre(2.5)));
+TEST(CommandedInput, LeavesMeasuredColumnsAside) {
+  const CommandedInput command =
+      parse_commanded_input("time_s,voltage_V,theta1_rad,omega1_deg_s,bending_angle_deg\n0.5,2.5,3,4,5\n", "x.csv");
+  EXPECT_EQ(command.drive, Drive::voltage);
+  EXPECT_THAT(command.rows, ElementsAre(ElementsAre(2.5)));
 }
 
-TEST(InputSignal, RefusesAMissingOrMisspeltInput) {
+TEST(CommandedInput, RefusesAMissingOrMisspeltInput) {
   EXPECT_EQ(refusal("time_s,theta1_deg\n1,2\n"),
             "x.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
   EXPECT_EQ(refusal("time_s,curent_A\n1,2\n"),
@@ -52,12 +56,12 @@ TEST(InputSignal, RefusesAMissingOrMisspeltInput) {
             "x.csv: line 1: column torque_Nm: unknown column; did you mean \"torque1_Nm\"?");
 }
 
-TEST(InputSignal, RefusesTwoKindsOfInput) {
+TEST(CommandedInput, RefusesTwoKindsOfInput) {
   EXPECT_EQ(refusal("time_s,current_A,voltage_V\n1,2,3\n"),
             "x.csv: line 1: must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
 }
 
-TEST(InputSignal, RefusesATimeThatGoesBackOrStandsStill) {
+TEST(CommandedInput, RefusesATimeThatGoesBackOrStandsStill) {
   EXPECT_EQ(refusal("time_s,current_A\n0.1,2\n0.3,2\n0.2,2\n"),
             "x.csv: line 4: column time_s: must exceed the value before it (0.3); got 0.2");
   EXPECT_EQ(refusal("time_s,current_A\n0.1,2\n0.1,2\n"),

@@ -38,7 +38,6 @@ replay::DeclaredModel finger_rig() {
   design.layout = actuator::layout_of(actuator::Configuration::B);
   return {.calibration = {},
           .build = [](std::span<const double>) { return finger().model.spec(); },
-          .coil_resistance = finger().coil.resistance,
           .heat = actuator::heat_network(design, finger())};
 }
 

@@ -7,6 +7,7 @@
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/simulation/initial_state.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -51,7 +52,7 @@ Ends ends_of(const Model& model, data::Start how) {
   const data::Run run = held(how);
   const Record record = prepare(run, declared, model);
   const Window& window = record.windows.front();
-  const auto start = rest_start(model, window);
+  const auto start = simulation::equilibrium_at_first_input(model, window.input);
   EXPECT_TRUE(start);
   const auto predicted = predict_window(model, record, window, *start);
   EXPECT_TRUE(predicted);
@@ -77,7 +78,7 @@ TEST(Prediction, AWindowThatGoesOnTakesOverTheHeat) {
   run.window = 0.5;
   const Record record = prepare(run, declared, model);
   ASSERT_EQ(record.windows.size(), 2U);
-  const auto start = rest_start(model, record.windows.front());
+  const auto start = simulation::equilibrium_at_first_input(model, record.windows.front().input);
   ASSERT_TRUE(start);
   const auto first = predict_window(model, record, record.windows[0], *start);
   ASSERT_TRUE(first);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/simulation/commanded_input.hpp"
+
 namespace coilwright::measurement::data {
 
 /// The rigs of the paper.
@@ -18,7 +20,7 @@ enum class RunKind {
 };
 
 /// What the input columns command.
-enum class Drive { current, voltage, torque };
+using simulation::Drive;
 
 /// Where a motion starts.
 enum class Start {
@@ -27,9 +29,8 @@ enum class Start {
   free       ///< anywhere: a nuisance of the fit
 };
 
-/// The word in a data set: "static_torque", "current", "at_rest".
+/// The word in a data set: "static_torque", "at_rest".
 [[nodiscard]] std::string_view name_of(RunKind kind);
-[[nodiscard]] std::string_view name_of(Drive drive);
 [[nodiscard]] std::string_view name_of(Start start);
 
 /// What a column measures.
@@ -57,6 +58,8 @@ struct Run {
   std::vector<Channel> channels{};            ///< at least one
 
   [[nodiscard]] std::size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
+  /// What was commanded: `drive`, `times` and `inputs`. A current of one value a row is common to all coils.
+  [[nodiscard]] simulation::CommandedInput command() const;
 };
 
 }  // namespace coilwright::measurement::data

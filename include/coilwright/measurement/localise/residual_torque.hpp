@@ -8,7 +8,7 @@
 
 #include "coilwright/actuator/model.hpp"
 #include "coilwright/measurement/localise/dependence.hpp"
-#include "coilwright/simulation/input_signal.hpp"
+#include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
 
 namespace coilwright::measurement::localise {
@@ -16,7 +16,7 @@ namespace coilwright::measurement::localise {
 /// A motion as it was measured, beside what the model makes of the same input.
 struct MeasuredMotion {
   std::string run{};                           ///< its file
-  simulation::InputSignal input{};             ///< a row a sample
+  simulation::ModelInput input{};              ///< a row a sample
   std::vector<simulation::State> simulated{};  ///< of the model, a state a sample
   /// Measured, rad, a value a sample: one series per joint, or a single one, their sum (the bending angle). Delay,
   /// offset and scale of the camera are taken off before.

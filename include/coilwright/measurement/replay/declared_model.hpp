@@ -27,7 +27,6 @@ struct DeclaredModel {
   /// The model with those numbers (SI, one per parameter, inside the bounds). Pure. Throws std::invalid_argument where
   /// they make no model. Effects that the file itself declares are in it.
   std::function<actuator::ModelSpec(std::span<const double>)> build;
-  std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm; nothing for a lumped model
   std::vector<std::string> held_effects{};  ///< numbers of declared effects that are not in the calibration: pointers
   std::optional<thermal::Network> heat{};   ///< heat paths; nothing for a lumped model
 };

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace coilwright::simulation {
+
+/// What a command sets: the current in the coils, the voltage across them, or torques at the joints (a rig that is
+/// pushed by hand or by a motor, without magnetics).
+enum class Drive { current, voltage, torque };
+
+/// The word in files: "current", "voltage", "torque".
+[[nodiscard]] std::string_view name_of(Drive drive);
+
+/// Whether one value holds for all coils, or each coil has its own.
+enum class Addressing { common, each };
+
+/// What is commanded over time: one row a sample, held until the next (zero order). Independent of a model; what a
+/// model makes of it is model_input()'s to say.
+struct CommandedInput {
+  Drive drive{};
+  Addressing addressing{};                  ///< of a current or a voltage; torques are always one a joint
+  std::vector<double> times{};              ///< s, strictly increasing
+  std::vector<std::vector<double>> rows{};  ///< A, V or N m; a row a time
+};
+
+/// `current` in every coil from time 0, sampled at `interval` for `duration`.
+struct StepInput {
+  double current{};   ///< A
+  double duration{};  ///< s; > 0
+  double interval{};  ///< s; > 0
+};
+/// Throws std::invalid_argument naming the field, the rule and the value.
+[[nodiscard]] CommandedInput step_command(const StepInput& step);
+
+/// offset + amplitude sin(2 pi f t) in every coil, held between samples: (23) of the paper at 0.7 A and 0.7 A.
+struct SineInput {
+  double amplitude{};  ///< A
+  double offset{};     ///< A
+  double frequency{};  ///< Hz
+  double duration{};   ///< s; > 0
+  double interval{};   ///< s; > 0
+};
+/// Throws as step_command() does.
+[[nodiscard]] CommandedInput sine_command(const SineInput& sine);
+
+}  // namespace coilwright::simulation

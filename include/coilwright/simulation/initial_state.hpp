@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "coilwright/actuator/model.hpp"
+#include "coilwright/simulation/model_input.hpp"
+#include "coilwright/simulation/state.hpp"
+
+namespace coilwright::simulation {
+
+/// The state in which `model` rests under constant `currents` (A) and further joint torques `applied` (N m), as a
+/// recorded run finds it: in stable equilibrium, every internal state as InitialHistory::recorded_run has it. A model
+/// without coils and without a stable pose (no springs, no gravity) stays where it is put: straight. Nothing where a
+/// model with coils has no stable pose within reach of the straight one.
+[[nodiscard]] std::optional<State> state_at_rest(const actuator::Model& model, const actuator::CoilCurrents& currents,
+                                                 const mechanics::JointVector& applied);
+
+/// The state at the first sample of `input` of a run that starts at rest: the one way for whoever simulates, replays or
+/// makes data.
+[[nodiscard]] std::optional<State> equilibrium_at_first_input(const actuator::Model& model, const ModelInput& input);
+
+}  // namespace coilwright::simulation

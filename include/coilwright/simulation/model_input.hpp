@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "coilwright/actuator/model.hpp"
+#include "coilwright/simulation/commanded_input.hpp"
+
+namespace coilwright::simulation {
+
+/// What drives a model over time: one row a sample, held until the next (zero order).
+struct ModelInput {
+  std::vector<double> times{};                          ///< s, strictly increasing, at least one
+  std::vector<actuator::CoilCurrents> currents{};       ///< A, a row a time
+  std::vector<mechanics::JointVector> joint_torques{};  ///< N m, a row a time; empty: none
+
+  /// Throws std::invalid_argument naming the sample and the rule when times do not increase, or when a row does not
+  /// have one value per coil (joint) of `model`.
+  void require_fits(const actuator::Model& model) const;
+
+  /// The samples from `first` to one before `last`.
+  [[nodiscard]] ModelInput part(std::size_t first, std::size_t last) const;
+};
+
+/// Throws std::invalid_argument with the rule where `model` cannot be driven so: no coils, a row without one value a
+/// coil (joint), or a voltage across coils whose resistance is not known. Looks at the width of the first row alone.
+void require_can_drive(const actuator::Model& model, const CommandedInput& command);
+
+/// What `model` is driven by under `command`: the one way from what a person commands to currents and torques, for
+/// whoever simulates, replays or makes data. Throws as require_can_drive() does.
+[[nodiscard]] ModelInput model_input(const actuator::Model& model, const CommandedInput& command);
+
+/// A step and a sine (see StepInput, SineInput) as `model` takes them.
+[[nodiscard]] ModelInput step_input(const actuator::Model& model, const StepInput& step);
+[[nodiscard]] ModelInput sine_input(const actuator::Model& model, const SineInput& sine);
+
+}  // namespace coilwright::simulation

@@ -1,0 +1,57 @@
+#include "coilwright/simulation/commanded_input.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+
+namespace coilwright::simulation {
+namespace {
+
+constexpr double most_samples = 1e8;
+
+std::vector<double> sample_times(double duration, double interval) {
+  if (!std::isfinite(duration) || duration <= 0.0)
+    throw std::invalid_argument(fmt::format("duration must be finite and > 0; got {}", duration));
+  if (!std::isfinite(interval) || interval <= 0.0)
+    throw std::invalid_argument(fmt::format("interval must be finite and > 0; got {}", interval));
+  const double count = std::floor(duration / interval * (1.0 + 1e-12));
+  if (count > most_samples)
+    throw std::invalid_argument(fmt::format("duration / interval must be at most {}; got {}", most_samples, count));
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(count) + 1);
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i) times.push_back(static_cast<double>(i) * interval);
+  return times;
+}
+
+}  // namespace
+
+std::string_view name_of(Drive drive) {
+  switch (drive) {
+    case Drive::current:
+      return "current";
+    case Drive::voltage:
+      return "voltage";
+    case Drive::torque:
+      return "torque";
+  }
+  return "";
+}
+
+CommandedInput step_command(const StepInput& step) {
+  CommandedInput command{.times = sample_times(step.duration, step.interval)};
+  command.rows.assign(command.times.size(), {step.current});
+  return command;
+}
+
+CommandedInput sine_command(const SineInput& sine) {
+  CommandedInput command{.times = sample_times(sine.duration, sine.interval)};
+  command.rows.reserve(command.times.size());
+  for (const double t : command.times)
+    command.rows.push_back({sine.offset + sine.amplitude * std::sin(2.0 * std::numbers::pi * sine.frequency * t)});
+  return command;
+}
+
+}  // namespace coilwright::simulation

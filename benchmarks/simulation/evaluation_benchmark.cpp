@@ -84,7 +84,8 @@ BENCHMARK(straightforward_twentieth)->Unit(benchmark::kMillisecond);
 
 // simulate() over 2 s of a sine, 500 samples a second, with effects of the catalogue by their ids.
 void simulated_sine(benchmark::State& state, const std::vector<std::pair<const char*, std::vector<double>>>& effects) {
-  actuator::ModelSpec spec = actuator::assemble_or_throw(finger(magnetics::Fidelity::line_of_centres)).model.spec();
+  actuator::ModelSpec spec =
+      actuator::assemble_or_throw(finger(magnetics::Fidelity::line_of_centres)).model.nominal_spec();
   for (const auto& effect : effects)
     spec.effects.push_back({actuator::standard_effects().find(effect.first), effect.second});
   const actuator::Model model(spec);

@@ -1,6 +1,5 @@
 #include "coilwright/actuator/assemble.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -15,10 +14,6 @@
 
 namespace coilwright::actuator {
 namespace {
-
-// A stop this lossy rebounds with about 40 % of its speed: silicone on silicone bounces once and rests. Approximate; it
-// decides how a closing joint rings, not where it stops.
-constexpr double contact_damping_ratio = 0.3;
 
 double half_pitch(const Dimensions& size, ComponentKind kind) {
   return kind == ComponentKind::magnet ? size.magnet_half_pitch : size.coil_half_pitch;
@@ -55,9 +50,7 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
   const double wall = mechanics::wall_stiffness(
       {.width = size.width, .height = size.face_height, .thickness = design.body.gap, .young_modulus = modulus});
   const int n = chain.joints();
-  // What resists a joint that closes while the others are free to give way.
-  const mechanics::JointVector mobility =
-      chain.mass_matrix(mechanics::JointVector::Zero(n)).llt().solve(mechanics::JointMatrix::Identity(n, n)).diagonal();
+  const mechanics::JointVector mobility = chain.joint_mobility();
   const double closing_angle = design.choices.faces == FaceContact::walls ? 0.0 : -size.closing_angle;
   std::vector<Hinge> hinges(n);
   for (int j = 0; j < n; ++j) {
@@ -65,7 +58,7 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
                  .damping = design.calibration.joint_damping * strip * design.body.loss_time,
                  .contact = {.closing_angle = closing_angle,
                              .stiffness = wall,
-                             .damping = 2.0 * contact_damping_ratio * std::sqrt(wall / mobility[j])}};
+                             .damping = mechanics::contact_damping(wall, mobility[j])}};
   }
   return hinges;
 }
@@ -164,7 +157,7 @@ struct UnfitEffect : std::runtime_error {
 
 Assembly with_effects(Assembly assembly, const std::vector<Effect>& effects) {
   if (effects.empty()) return assembly;
-  ModelSpec spec = assembly.model.spec();
+  ModelSpec spec = assembly.model.nominal_spec();
   spec.effects = effects;
   try {
     assembly.model = Model(std::move(spec));

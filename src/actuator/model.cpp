@@ -230,11 +230,6 @@ JointVector Model::hinge_torques(const JointVector& angles) const {
   return torque;
 }
 
-JointVector Model::accelerations(const JointVector& angles, const JointVector& rates, const CoilCurrents& currents,
-                                 const JointVector& applied) const {
-  return spec_.chain.accelerations(angles, rates, torques(angles, rates, currents) + applied);
-}
-
 void Model::derivative(const JointVector& angles, const JointVector& rates, std::span<const double> internal,
                        const CoilCurrents& command, const JointVector& applied, JointVector& accelerations,
                        std::span<double> internal_slopes) const {

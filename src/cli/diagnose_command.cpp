@@ -102,7 +102,7 @@ std::vector<Effect> effects_of(const Diagnosis& diagnosis) {
 
 const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
   if (const auto* design = std::get_if<actuator::Design>(&file.content)) return design->effects;
-  return std::get<actuator::Model>(file.content).spec().effects;
+  return std::get<actuator::Model>(file.content).nominal_spec().effects;
 }
 
 // The updated actuator, checked where it will be used: its text is read back and must have every effect.

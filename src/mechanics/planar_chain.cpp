@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <stdexcept>
 
@@ -78,6 +79,14 @@ PlanarChain::PlanarChain(std::span<const Link> links, double gravity, double bas
           fmt::format("link {}: must have a finite moment of inertia > 0 about its joint; got {}", i, about_joint));
     outboard += links_[i].mass;
   }
+}
+
+PlanarChain PlanarChain::under_gravity(double gravity, double base_tilt) const {
+  return PlanarChain(links(), gravity, base_tilt);
+}
+
+PlanarChain PlanarChain::with_links(std::span<const Link> links) const {
+  return PlanarChain(links, gravity_, base_tilt_);
 }
 
 template <int Count>
@@ -206,6 +215,10 @@ JointVector PlanarChain::accelerations(const JointVector& angles, const JointVec
     default:
       return accelerations_of<any_count>(angles, rates, torques);
   }
+}
+
+JointVector PlanarChain::joint_mobility() const {
+  return mass_matrix(JointVector::Zero(joints_)).llt().solve(JointMatrix::Identity(joints_, joints_)).diagonal();
 }
 
 double PlanarChain::kinetic_energy(const JointVector& angles, const JointVector& rates) const {

@@ -29,9 +29,9 @@ TEST(ModelEffects, KeepsWhatItWasMadeOf) {
   const Model bare = finger();
   const Model tilted = sample::with_effects(bare, {{&sample::tilt, {0.2}}});
   EXPECT_EQ(tilted.chain().base_tilt(), 0.2);
-  EXPECT_EQ(tilted.spec().chain.base_tilt(), 0.0);
+  EXPECT_EQ(tilted.nominal_spec().chain.base_tilt(), 0.0);
   EXPECT_FALSE(tilted.has_terms());
-  ASSERT_EQ(tilted.spec().effects.size(), 1U);
+  ASSERT_EQ(tilted.nominal_spec().effects.size(), 1U);
   const Model straightened = sample::with_effects(tilted, {});
   EXPECT_EQ(straightened.chain().base_tilt(), 0.0);
   EXPECT_EQ(straightened.torques(pose(0.3, 0.2), pose(1.0, 2.0), bare.all_coils(1.0)),
@@ -115,7 +115,7 @@ TEST(ModelEffects, HoldsWhatIsSlow) {
   const JointVector held = cold.static_residual(angles, cold.all_coils(1.0));
   EXPECT_NEAR(held[0] - relaxed[0], -branch * 0.3, 1e-15);
   EXPECT_NEAR(held[1] - relaxed[1], -branch * 0.5, 1e-15);
-  EXPECT_EQ(cold.spec().effects.size(), 2U);
+  EXPECT_EQ(cold.nominal_spec().effects.size(), 2U);
 }
 
 // What cannot be in a design is no fault of its shape, and one line.
@@ -130,7 +130,7 @@ TEST(ModelEffects, SayWhyADesignCannotHaveThem) {
   design.layout = layout_of(Configuration::B);
   const Model model = assemble_or_throw(design).model;
   EXPECT_EQ(model.magnetics().distant_pairs().size(), 1U);
-  EXPECT_TRUE(model.spec().magnetics.distant_pairs().empty());
+  EXPECT_TRUE(model.nominal_spec().magnetics.distant_pairs().empty());
 }
 
 }  // namespace

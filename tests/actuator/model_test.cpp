@@ -84,7 +84,8 @@ TEST(Model, AcceleratesByTorquesAndWhatIsApplied) {
   const CoilCurrents currents = uneven_currents(2);
   JointVector applied(2);
   applied << 2e-3, -5e-3;
-  const JointVector acceleration = a.model.accelerations(angles, rates, currents, applied);
+  JointVector acceleration(2);
+  a.model.derivative(angles, rates, {}, currents, applied, acceleration, {});
   const mechanics::PlanarChain& chain = a.model.chain();
   const JointVector balance = chain.mass_matrix(angles) * acceleration + chain.velocity_torques(angles, rates) +
                               chain.gravity_torques(angles) - a.model.torques(angles, rates, currents) - applied;

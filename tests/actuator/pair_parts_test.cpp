@@ -26,7 +26,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 ModelSpec finger(Configuration configuration) {
   Design design = paper_finger();
   design.layout = layout_of(configuration);
-  return assemble_or_throw(design).model.spec();
+  return assemble_or_throw(design).model.nominal_spec();
 }
 
 TEST(HingePairParts, GiveTheExactTorqueOfAPairTakenByItsLineOfCentres) {

@@ -184,9 +184,7 @@ inline const Kind nothing = kind_of<Nothing>("sample_nothing", Stage::hinge, {})
 /// The base turned, rad: nothing that acts while the model runs.
 inline const Kind tilt("sample_tilt", Stage::chain, {number("tilt")},
                        [](std::span<const double> values, ModelSpec& spec) -> std::unique_ptr<const EffectTerm> {
-                         std::vector<mechanics::Link> links;
-                         for (int j = 0; j < spec.chain.joints(); ++j) links.push_back(spec.chain.link(j));
-                         spec.chain = mechanics::PlanarChain(links, spec.chain.gravity(), values[0]);
+                         spec.chain = spec.chain.under_gravity(spec.chain.gravity(), values[0]);
                          return nullptr;
                        });
 
@@ -208,7 +206,7 @@ inline const Kind camera =
 
 /// `model` with other effects.
 inline Model with_effects(const Model& model, std::vector<Effect> effects) {
-  ModelSpec spec = model.spec();
+  ModelSpec spec = model.nominal_spec();
   spec.effects = std::move(effects);
   return Model(std::move(spec));
 }

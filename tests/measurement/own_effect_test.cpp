@@ -79,7 +79,7 @@ const std::string declared_push = R"({"id": "push", "parameters": {"push_Nms2_ra
 
 TEST(OwnEffect, IsReadWhereTheReaderKnowsIt) {
   const auto file = formats::parse_actuator(slide_file(declared_push), "a.json", own_effects());
-  const std::vector<Effect>& effects = std::get<actuator::Model>(file.content).spec().effects;
+  const std::vector<Effect>& effects = std::get<actuator::Model>(file.content).nominal_spec().effects;
   ASSERT_EQ(effects.size(), 1u);
   EXPECT_EQ(effects.front().kind, &push);
   EXPECT_EQ(effects.front().values, std::vector{0.25});
@@ -103,7 +103,7 @@ TEST(OwnEffect, IsFoundInMeasuredMotionAndWrittenIntoTheActuator) {
   const std::vector<Effect> found = {{.kind = &push, .values = {strength.value}}};
   const std::string text = formats::to_json(declared.updated({}, found), "slide").text();
   const auto back = formats::parse_actuator(text, "a.json", own_effects());
-  const std::vector<Effect>& effects = std::get<actuator::Model>(back.content).spec().effects;
+  const std::vector<Effect>& effects = std::get<actuator::Model>(back.content).nominal_spec().effects;
   ASSERT_EQ(effects.size(), 1u);
   EXPECT_EQ(effects.front().kind, &push);
   EXPECT_EQ(effects.front().values, found.front().values);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coilwright::mechanics {
 namespace {
 
@@ -23,6 +25,12 @@ TEST(FaceContact, TorqueIsTheSlopeOfItsEnergy) {
   EXPECT_NEAR(contact.torque(-0.04, 0.0), -slope, 1e-9 * 80.0);
   EXPECT_EQ(contact.tangent_stiffness(-0.04), 80.0);
   EXPECT_EQ(contact.tangent_stiffness(0.2), 0.0);
+}
+
+// I theta'' + b theta' + k theta = 0 with I = 1/mobility: b over its critical value 2 sqrt(k I) is the ratio.
+TEST(FaceContact, DampsByAShareOfWhatIsCritical) {
+  const double stiffness = 37.0, inertia = 3.1e-6;
+  EXPECT_DOUBLE_EQ(contact_damping(stiffness, 1.0 / inertia), 0.3 * 2.0 * std::sqrt(stiffness * inertia));
 }
 
 // The strip picture integrated numerically: sum over strips of E w dy (y theta / t) y.

@@ -200,6 +200,39 @@ TEST(PlanarChain, SolvesTheEquationOfMotion) {
   EXPECT_LT(residual.norm(), 1e-14 * torques.norm() * 10);
 }
 
+TEST(PlanarChain, IsTheSameChainUnderAnotherGravity) {
+  const PlanarChain chain(uneven_links(), 9.81, 0.1);
+  const PlanarChain turned = chain.under_gravity(1.62, -0.4);
+  const PlanarChain direct(uneven_links(), 1.62, -0.4);
+  const JointVector angles = joint_vector({0.31, -0.52, 0.77});
+  EXPECT_EQ(turned.gravity_torques(angles), direct.gravity_torques(angles));
+  EXPECT_EQ(turned.mass_matrix(angles), chain.mass_matrix(angles));
+}
+
+TEST(PlanarChain, TakesOtherLinksUnderTheSameGravity) {
+  const PlanarChain chain(uneven_links(), 1.62, 0.1);
+  std::vector<Link> links(chain.links().begin(), chain.links().end());
+  ASSERT_EQ(links.size(), 3U);
+  links.back().mass += 0.02;
+  const PlanarChain laden = chain.with_links(links);
+  const PlanarChain direct(links, 1.62, 0.1);
+  const JointVector angles = joint_vector({0.31, -0.52, 0.77});
+  EXPECT_EQ(laden.gravity_torques(angles), direct.gravity_torques(angles));
+  EXPECT_NE(laden.gravity_torques(angles), chain.gravity_torques(angles));
+}
+
+// A torque at one joint alone, from rest and without gravity.
+TEST(PlanarChain, GivesWayAtAJointByItsMobility) {
+  const PlanarChain chain(uneven_links(), 0.0);
+  const JointVector still = JointVector::Zero(3);
+  for (int j = 0; j < 3; ++j) {
+    JointVector torque = still;
+    torque[j] = 0.013;
+    const double acceleration = chain.accelerations(still, still, torque)[j];
+    EXPECT_NEAR(chain.joint_mobility()[j] * 0.013, acceleration, 1e-12 * acceleration);
+  }
+}
+
 TEST(PlanarChain, RefusesWhatIsNotAChain) {
   expect_message([] { PlanarChain chain{std::vector<Link>{}}; }, "links: 1 to 16 are supported; got 0");
   auto links = uneven_links();

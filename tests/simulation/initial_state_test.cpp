@@ -20,7 +20,7 @@ using mechanics::JointVector;
 
 // A fifth more resistance in the steady state at 1 A.
 Model warming_finger(double warm_start) {
-  actuator::ModelSpec spec = finger(Configuration::B).model.spec();
+  actuator::ModelSpec spec = finger(Configuration::B).model.nominal_spec();
   spec.effects = {{.kind = actuator::standard_effects().find("coil_heating"), .values = {0.2, 3.0, warm_start}}};
   return Model(std::move(spec));
 }

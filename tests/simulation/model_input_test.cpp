@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 
 // The prototype without what is known of its coils' wire.
 Model without_resistance() {
-  actuator::ModelSpec spec = finger(Configuration::B).model.spec();
+  actuator::ModelSpec spec = finger(Configuration::B).model.nominal_spec();
   spec.coil_resistance.reset();
   return Model(std::move(spec));
 }

@@ -40,11 +40,14 @@ inline JointVector rest_of(const Model& model) {
   return find_equilibrium(model, model.all_coils(0.0), straight(model)).value();
 }
 
-/// One step of the classical Runge-Kutta method of fixed step: nothing of the integrator under test.
+/// One step of the classical Runge-Kutta method of fixed step: nothing of the integrator under test. For a model whose
+/// effects have no states of their own.
 inline State rk4_step(const Model& model, const actuator::CoilCurrents& currents, const State& state, double step) {
   const JointVector none = straight(model);
   const auto slope = [&](const State& s) {
-    return State{.angles = s.rates, .rates = model.accelerations(s.angles, s.rates, currents, none)};
+    State out{.angles = s.rates, .rates = none};
+    model.derivative(s.angles, s.rates, {}, currents, none, out.rates, {});
+    return out;
   };
   const auto moved = [&](const State& s, double by) {
     return State{.angles = state.angles + by * s.angles, .rates = state.rates + by * s.rates};

@@ -217,7 +217,7 @@ TEST(PerformanceEffects, AreThereForEveryEffectOfTheCatalogue) {
                                  .mean_angle = 0.3,
                                  .upper_angle = 0.6,
                                  .lower_angle = 0.1};
-  const actuator::ModelSpec nominal = actuator::assemble_or_throw(design).model.spec();
+  const actuator::ModelSpec nominal = actuator::assemble_or_throw(design).model.nominal_spec();
   int there = 0;
   for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
     if (kind->inapplicable(nominal)) continue;

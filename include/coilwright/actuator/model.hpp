@@ -25,8 +25,9 @@ class Model {
   /// twice, breaks its rules or cannot be in this model.
   explicit Model(Spec spec);
 
-  /// What it was made of: the stages before any effect was built in, and the effects.
-  [[nodiscard]] const Spec& spec() const noexcept { return nominal_ ? *nominal_ : spec_; }
+  /// What it was made of: the nominal stages, before any effect was built in, and the effects. The other queries (chain(),
+  /// hinges(), magnetics()) answer with the effects built in.
+  [[nodiscard]] const Spec& nominal_spec() const noexcept { return nominal_ ? *nominal_ : spec_; }
 
   [[nodiscard]] int joints() const noexcept { return spec_.chain.joints(); }
   [[nodiscard]] int coils() const noexcept { return spec_.coils; }
@@ -76,11 +77,6 @@ class Model {
 
   /// Of the hinges alone, at rest without current, N m: what a gauge that holds the joints reads, with its sign turned.
   [[nodiscard]] mechanics::JointVector hinge_torques(const mechanics::JointVector& angles) const;
-
-  /// Joint accelerations, rad/s^2, under `currents` (A) and further joint torques `applied` (N m).
-  [[nodiscard]] mechanics::JointVector accelerations(const mechanics::JointVector& angles,
-                                                     const mechanics::JointVector& rates, const CoilCurrents& currents,
-                                                     const mechanics::JointVector& applied) const;
 
   /// The whole equation of motion: accelerations, rad/s^2, and slopes of the effects' states `internal` (each in its
   /// unit a second) under the commanded currents (A) and further joint torques `applied` (N m). The spans have

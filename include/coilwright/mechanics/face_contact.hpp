@@ -32,6 +32,14 @@ struct FaceContact {
   }
 };
 
+/// Damping of a contact over its critical damping: it rebounds with about 40 % of its speed, as silicone on silicone
+/// that bounces once and rests. Approximate; it decides how a joint rings at its stop, not where it stops.
+inline constexpr double contact_damping_ratio = 0.3;
+
+/// Damping of a contact of `stiffness` (N m/rad) at a joint of `mobility` (PlanarChain::joint_mobility(), 1/(kg m^2)),
+/// N m s/rad.
+[[nodiscard]] double contact_damping(double stiffness, double mobility);
+
 /// Silicone walls pressed between two stiff faces that turn about a hinge at their lower edge.
 struct FaceWalls {
   double width{};          ///< of the face, m

@@ -58,8 +58,14 @@ class PlanarChain {
 
   [[nodiscard]] int joints() const noexcept { return joints_; }
   [[nodiscard]] const Link& link(int index) const noexcept { return links_[index]; }
+  [[nodiscard]] std::span<const Link> links() const noexcept { return std::span(links_).first(joints_); }
   [[nodiscard]] double gravity() const noexcept { return gravity_; }
   [[nodiscard]] double base_tilt() const noexcept { return base_tilt_; }
+
+  /// The same links under another gravity (m/s^2) and base tilt (rad). Throws as the constructor does.
+  [[nodiscard]] PlanarChain under_gravity(double gravity, double base_tilt) const;
+  /// Other links under the same gravity and base tilt. Throws as the constructor does.
+  [[nodiscard]] PlanarChain with_links(std::span<const Link> links) const;
 
   /// Mass matrix over the relative joint angles, (n, n), kg m^2: (10) of the paper.
   [[nodiscard]] JointMatrix mass_matrix(const JointVector& angles) const;
@@ -76,6 +82,11 @@ class PlanarChain {
   /// theta'' = M^-1 (tau - c - g), rad/s^2, for joint torques tau (magnetics, springs, dampers, contact), N m.
   [[nodiscard]] JointVector accelerations(const JointVector& angles, const JointVector& rates,
                                           const JointVector& torques) const;
+
+  /// Acceleration of each joint by a torque of its own while the others are free to give way: the diagonal of the
+  /// inverse mass matrix of the straight chain, 1/(kg m^2), > 0. How stiff a contact or a regularisation may be on this
+  /// rig follows from it.
+  [[nodiscard]] JointVector joint_mobility() const;
 
   /// Kinetic energy, J.
   [[nodiscard]] double kinetic_energy(const JointVector& angles, const JointVector& rates) const;

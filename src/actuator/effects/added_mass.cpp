@@ -1,7 +1,6 @@
 #include <limits>
 
 #include "coilwright/actuator/model_spec.hpp"
-#include "links.hpp"
 #include "starts.hpp"
 
 namespace coilwright::actuator::effects {
@@ -34,9 +33,9 @@ class AddedMass final : public DescribedEffect {
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    std::vector<mechanics::Link> links = links_of(spec.chain);
+    std::vector<mechanics::Link> links(spec.chain.links().begin(), spec.chain.links().end());
     links.back().mass += values[0];
-    spec.chain = mechanics::PlanarChain(links, spec.chain.gravity(), spec.chain.base_tilt());
+    spec.chain = spec.chain.with_links(links);
     return nullptr;
   }
 };

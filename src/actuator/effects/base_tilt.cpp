@@ -1,5 +1,4 @@
 #include "coilwright/actuator/model_spec.hpp"
-#include "links.hpp"
 #include "starts.hpp"
 
 namespace coilwright::actuator::effects {
@@ -30,8 +29,7 @@ class BaseTilt final : public DescribedEffect {
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    const mechanics::PlanarChain& level = spec.chain;
-    spec.chain = mechanics::PlanarChain(links_of(level), level.gravity(), level.base_tilt() + values[0]);
+    spec.chain = spec.chain.under_gravity(spec.chain.gravity(), spec.chain.base_tilt() + values[0]);
     return nullptr;
   }
 };

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "coilwright/actuator/model_spec.hpp"
-#include "mobility.hpp"
 #include "starts.hpp"
 
 namespace coilwright::actuator::effects {
@@ -77,7 +76,7 @@ class DryFriction final : public DescribedEffect {
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
     if (values[0] == 0.0) return nullptr;
-    JointVector stiffness = presliding_frequency * presliding_frequency * joint_mobility(spec.chain).cwiseInverse();
+    JointVector stiffness = presliding_frequency * presliding_frequency * spec.chain.joint_mobility().cwiseInverse();
     return std::make_unique<FrictionTerm>(std::move(stiffness), values[0]);
   }
 };

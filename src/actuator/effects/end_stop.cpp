@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "coilwright/actuator/model_spec.hpp"
-#include "mobility.hpp"
 #include "starts.hpp"
 
 namespace coilwright::actuator::effects {
@@ -14,9 +12,6 @@ namespace {
 using mechanics::FaceContact;
 
 constexpr std::array sides = {-1.0, 1.0};
-
-// As the faces of a finger (assemble.cpp): rebounds with about 40 % of the speed.
-constexpr double damping_ratio = 0.3;
 
 // A stop on which a joint rings faster than this, rad/s, looks the same to a camera and costs ever shorter steps: it is
 // taken as this stiff.
@@ -91,13 +86,13 @@ class EndStop final : public DescribedEffect {
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
     if (values[1] == 0.0) return nullptr;
     const double side = values[2];
-    const mechanics::JointVector mobility = joint_mobility(spec.chain);
+    const mechanics::JointVector mobility = spec.chain.joint_mobility();
     std::vector<FaceContact> stops;
     for (const double m : mobility) {
       const double stiffness = std::min(values[1], fastest_ring * fastest_ring / m);
       stops.push_back({.closing_angle = -side * values[0],
                        .stiffness = stiffness,
-                       .damping = 2.0 * damping_ratio * std::sqrt(stiffness / m)});
+                       .damping = mechanics::contact_damping(stiffness, m)});
     }
     return std::make_unique<StopTerm>(std::move(stops), side);
   }

@@ -119,24 +119,18 @@ class Finder {
   CalibrateNames& names_;
 };
 
-mechanics::PlanarChain hanging_as(const mechanics::PlanarChain& chain, const actuator::Surroundings& surroundings) {
-  std::vector<mechanics::Link> links;
-  for (int j = 0; j < chain.joints(); ++j) links.push_back(chain.link(j));
-  return mechanics::PlanarChain(links, surroundings.gravity, surroundings.base_tilt);
-}
-
 // What build() and updated() share.
 class DeclaredDesign {
  public:
   DeclaredDesign(Document document, Design design, const actuator::Assembly& assembly, CalibrateNames names,
                  actuator::EffectCatalogue known)
       : document_(std::move(document)), design_(std::move(design)), known_effects_(std::move(known)) {
-    Finder finder(document_, design_, assembly.model.spec(), names);
+    Finder finder(document_, design_, assembly.model.nominal_spec(), names);
     for (std::size_t i = 0; i < names.size(); ++i) movables_.push_back(finder.find(i));
     std::vector<double> dear;
     for (const Movable& movable : movables_)
       if (is_dear(movable)) dear.push_back(movable.parameter.declared);
-    (void)assembled_.get(dear, [&] { return assembly.model.spec(); });
+    (void)assembled_.get(dear, [&] { return assembly.model.nominal_spec(); });
   }
 
   [[nodiscard]] std::vector<CalibrationParameter> parameters() const {
@@ -148,9 +142,7 @@ class DeclaredDesign {
   [[nodiscard]] ModelSpec spec_at(std::span<const double> values) {
     const Design design = design_at(values);
     ModelSpec spec = *assembled_at(design, values);
-    const bool hangs_otherwise =
-        spec.chain.gravity() != design.surroundings.gravity || spec.chain.base_tilt() != design.surroundings.base_tilt;
-    if (hangs_otherwise) spec.chain = hanging_as(spec.chain, design.surroundings);
+    spec.chain = spec.chain.under_gravity(design.surroundings.gravity, design.surroundings.base_tilt);
     spec.effects = design.effects;
     for (std::size_t i = 0; i < movables_.size(); ++i)
       if (movables_[i].touches == Touches::hinges)
@@ -216,7 +208,7 @@ class DeclaredDesign {
     std::vector<double> dear;
     for (std::size_t i = 0; i < movables_.size(); ++i)
       if (is_dear(movables_[i])) dear.push_back(values[i]);
-    return assembled_.get(dear, [&] { return actuator::assemble_or_throw(design).model.spec(); });
+    return assembled_.get(dear, [&] { return actuator::assemble_or_throw(design).model.nominal_spec(); });
   }
 
   Document document_;

@@ -166,10 +166,10 @@ class Search {
 
   void find_kinds(const Model& nominal, Attribution& out) {
     for (const EffectKind* kind : request_.effects.kinds()) {
-      const auto& declared = nominal.spec().effects;
+      const auto& declared = nominal.nominal_spec().effects;
       if (std::ranges::any_of(declared, [&](const Effect& effect) { return effect.kind == kind; })) {
         out.candidates.push_back({.effects = {kind}, .remark = "is in the declared model already"});
-      } else if (const auto reason = kind->inapplicable(nominal.spec())) {
+      } else if (const auto reason = kind->inapplicable(nominal.nominal_spec())) {
         out.candidates.push_back({.effects = {kind}, .remark = "does not fit this rig: " + *reason});
       } else {
         kinds_.push_back(kind);

@@ -106,9 +106,7 @@ std::vector<Proposal> menu(const Rig& rig) {
        .command = [](double t) { return t < 0.5 ? 0.0 : 0.5; },
        .change =
            [](ModelSpec& spec) {
-             std::vector<mechanics::Link> links;
-             for (int i = 0; i < spec.chain.joints(); ++i) links.push_back(spec.chain.link(i));
-             spec.chain = mechanics::PlanarChain(links, spec.chain.gravity(), spec.chain.base_tilt() + 0.5 * pi);
+             spec.chain = spec.chain.under_gravity(spec.chain.gravity(), spec.chain.base_tilt() + 0.5 * pi);
            }},
   };
   if (rig.coils)

@@ -33,7 +33,7 @@ inline const ModelSpec& finger(Configuration configuration = Configuration::B) {
   if (const auto found = known.find(configuration); found != known.end()) return found->second;
   Design design = paper_finger();
   design.layout = layout_of(configuration);
-  return known.emplace(configuration, assemble_or_throw(design).model.spec()).first->second;
+  return known.emplace(configuration, assemble_or_throw(design).model.nominal_spec()).first->second;
 }
 
 /// A spec with an effect built into it, and what acts while it runs.

@@ -335,7 +335,8 @@ TEST(Effect, SaysWhyNothingIsLeftToMakeExact) {
   EXPECT_EQ(inapplicable("coil_coil_force", lumped), "where the coils are is not known");
   Design design = paper_finger();
   design.choices.torque = magnetics::Fidelity::exact;
-  EXPECT_EQ(inapplicable("off_axis_force", assemble_or_throw(design).model.spec()), "the forces are exact already");
+  EXPECT_EQ(inapplicable("off_axis_force", assemble_or_throw(design).model.nominal_spec()),
+            "the forces are exact already");
   EXPECT_EQ(inapplicable("coil_coil_force", with_effect("coil_coil_force", {}, finger()).spec),
             "the forces between coils are in the model already");
   EXPECT_EQ(inapplicable("coil_coil_force", finger(Configuration::A)), "the model has one coil only");

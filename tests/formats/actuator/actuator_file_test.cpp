@@ -187,7 +187,7 @@ TEST(LumpedModel, CarriesEffectsThatItCanHave) {
       parse_actuator(changed(lumped, R"("links": [)",
                              R"("effects": [{"id": "added_mass", "parameters": {"mass_g": 3.5}}], "links": [)"),
                      "a.json");
-  const auto& spec = std::get<actuator::Model>(file.content).spec();
+  const auto& spec = std::get<actuator::Model>(file.content).nominal_spec();
   ASSERT_EQ(spec.effects.size(), 1u);
   EXPECT_EQ(spec.effects[0].kind, actuator::standard_effects().find("added_mass"));
   EXPECT_EQ(spec.effects[0].values, std::vector{3.5e-3});
@@ -243,7 +243,7 @@ TEST(LumpedModel, FollowsAPairsTorqueWhereNothingStopsTheJoint) {
 // Two joints with a pair on each are configuration B: coils on the base and on the last link, magnets between them.
 TEST(LumpedModel, KnowsWhereTheCoilsOfTwoPairsAre) {
   const auto rig = [](const std::string& text) {
-    return std::get<actuator::Model>(parse_actuator(text, "a.json").content).spec();
+    return std::get<actuator::Model>(parse_actuator(text, "a.json").content).nominal_spec();
   };
   EXPECT_EQ(rig(pair).coil_row, nullptr);
   EXPECT_EQ(rig(lumped).coil_row, nullptr);

@@ -43,7 +43,7 @@ std::string refusal(const std::string& text, const Names& names) {
 }
 
 actuator::ModelSpec file_spec(const std::string& text) {
-  return std::get<actuator::Model>(parse_actuator(text, "a.json").content).spec();
+  return std::get<actuator::Model>(parse_actuator(text, "a.json").content).nominal_spec();
 }
 
 std::vector<double> declared_values(const DeclaredActuator& actuator) {
@@ -224,7 +224,7 @@ TEST(DeclaredDesign, IsTheModelOfTheFileAtTheDeclaredNumbers) {
   const DeclaredActuator actuator = declared(design, names);
   const auto read = std::get<actuator::Design>(parse_actuator(design, "a.json").content);
   const actuator::Assembly assembly = actuator::assemble_or_throw(read);
-  expect_same(actuator.model.build(declared_values(actuator)), assembly.model.spec());
+  expect_same(actuator.model.build(declared_values(actuator)), assembly.model.nominal_spec());
   EXPECT_EQ(actuator.model.calibration[0].declared, assembly.model.hinges()[0].stiffness);
   EXPECT_DOUBLE_EQ(actuator.model.calibration[0].declared, 12.5e-3);
   EXPECT_EQ(actuator.model.calibration[5].denominator, 1e3);
@@ -255,7 +255,7 @@ TEST(DeclaredDesign, BuildsWhatItsUpdatedFileAssembles) {
 
   const actuator::Design updated = design_of(actuator, values);
   EXPECT_EQ(updated.body.gap, 1.05e-3);
-  actuator::ModelSpec assembled = actuator::assemble_or_throw(updated).model.spec();
+  actuator::ModelSpec assembled = actuator::assemble_or_throw(updated).model.nominal_spec();
   for (std::size_t j = 0; j < assembled.hinges.size(); ++j) {
     // Through a factor that rounds.
     EXPECT_DOUBLE_EQ(assembled.hinges[j].stiffness, built.hinges[j].stiffness);

@@ -36,7 +36,7 @@ TEST(UpdatedActuator, IsReadBackAsTheLumpedModelThatWasBuilt) {
   EXPECT_NE(text.find("\"gravity_m_s2\": 9.7,"), std::string::npos) << text;
   EXPECT_NE(text.find("\"angle_deg\": [-10, 0, 30, 60, 110]"), std::string::npos) << text;
 
-  const auto back = std::get<actuator::Model>(parse_actuator(text, "x").content).spec();
+  const auto back = std::get<actuator::Model>(parse_actuator(text, "x").content).nominal_spec();
   const auto built = declared.model.build(values);
   EXPECT_EQ(back.hinges[0].stiffness, values[0]);
   EXPECT_EQ(back.chain.link(0).mass, values[1]);

@@ -28,7 +28,7 @@ struct Rig {
   Rig() {
     Design design;
     design.layout = actuator::layout_of(actuator::Configuration::B);
-    const actuator::ModelSpec spec = actuator::assemble_or_throw(design).model.spec();
+    const actuator::ModelSpec spec = actuator::assemble_or_throw(design).model.nominal_spec();
     declared.build = [spec](std::span<const double>) { return spec; };
     run = {.name = "step.csv",
            .kind = data::RunKind::transient,

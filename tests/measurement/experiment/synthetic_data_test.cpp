@@ -37,7 +37,7 @@ replay::DeclaredModel finger_rig() {
   Design design;
   design.layout = actuator::layout_of(actuator::Configuration::B);
   return {.calibration = {},
-          .build = [](std::span<const double>) { return finger().model.spec(); },
+          .build = [](std::span<const double>) { return finger().model.nominal_spec(); },
           .heat = actuator::heat_network(design, finger())};
 }
 

@@ -19,7 +19,7 @@ constexpr double time_constant = 0.2;  // s
 
 // The finger whose magnets warm up, cold or hot (0, 1) when a run starts.
 Model warming_finger(double warm_start) {
-  actuator::ModelSpec spec = actuator::assemble_or_throw(actuator::paper_finger()).model.spec();
+  actuator::ModelSpec spec = actuator::assemble_or_throw(actuator::paper_finger()).model.nominal_spec();
   spec.effects = {
       {.kind = actuator::standard_effects().find("magnet_heating"), .values = {loss, time_constant, warm_start}}};
   return Model(spec);

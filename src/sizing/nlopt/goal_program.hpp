@@ -1,44 +1,48 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
+#include "sizing/nlopt/linearisation.hpp"
 #include "sizing/nlopt/nlopt_run.hpp"
 #include "sizing/sampling/goal.hpp"
-#include "sizing/surrogate/surrogate.hpp"
 
 namespace coilwright::sizing {
 
-/// Part of the unit cube.
+/// A box of unit coordinates, inside the unit cube.
 struct Box {
   Eigen::VectorXd lower, upper;
 };
 
-/// Objectives, then constraints, as functions of unit coordinates: a model of them, or the problem itself.
-struct Field {
+/// All of the unit cube that a space allows: 0 to the largest legal value along each axis.
+[[nodiscard]] Box whole_box(const DesignSpace& space);
+
+/// Objectives and constraints as functions of unit coordinates: those of a model, or the problem's own.
+struct DesignFunctions {
   /// What a call asks for.
-  enum class Wanted { values, slopes };
-  std::function<Surrogate::Linearisation(const Eigen::VectorXd& x, Wanted wanted)> at;  ///< jacobian only for `slopes`
-  Eigen::Index objectives{}, constraints{};                                             ///< number of each
-  double margin{};  ///< constraints are asked to hold with this to spare
+  enum class Wanted { values, gradients };
+  /// The objectives, then the constraints, at `x`; the jacobian only for `gradients`.
+  std::function<Linearisation(const Eigen::VectorXd& x, Wanted wanted)> at;
+  Eigen::Index objectives{}, constraints{};  ///< number of each
+  double margin{};                           ///< constraints must not exceed -margin, >= 0
 };
 
-/// How NLopt is to go about it.
-struct Descent {
-  Algorithm algorithm{};
-  int max_calls{};
-  double relative_tolerance{};
-  double first_step{};  ///< over the box; 0: NLopt's own
-  std::uint64_t seed = 1;
+/// How NLopt is run on a goal.
+struct NloptSettings {
+  Algorithm algorithm{};        ///< any but `automatic`
+  int max_calls{};              ///< of the objective
+  double relative_tolerance{};  ///< on the coordinates; 0: none
+  double first_step{};          ///< of derivative-free algorithms, relative to the box; 0: NLopt's default
+  std::uint64_t seed = 1;       ///< of NLopt's random generator
 };
 
-/// Minimises a goal over the free axes of a box with NLopt, starting at `start`, and returns where NLopt ended. A
-/// min-max goal is posed smoothly to algorithms that take constraints: its value becomes a variable, its terms
-/// constraints.
-[[nodiscard]] Eigen::VectorXd minimise(const Field& field, const Goal& goal, const Box& box,
+/// Minimises a goal over the axes `free` of a box with NLopt, from `start`, and returns the point where NLopt ended. To
+/// algorithms that take constraints a min-max goal is posed smoothly: its value becomes a variable, and each of its
+/// terms a constraint. Other algorithms minimise the goal plus a penalty on the largest constraint.
+[[nodiscard]] Eigen::VectorXd minimise(const DesignFunctions& functions, const Goal& goal, const Box& box,
                                        const Eigen::VectorXd& start, const std::vector<Eigen::Index>& free,
-                                       const Descent& descent);
+                                       const NloptSettings& settings);
 
 }  // namespace coilwright::sizing

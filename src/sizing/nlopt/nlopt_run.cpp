@@ -47,7 +47,7 @@ struct OptDeleter {
 };
 using Opt = std::unique_ptr<std::remove_pointer_t<nlopt_opt>, OptDeleter>;
 
-// What the C callbacks see. Once a run is to end they answer a finite worst value without calling anyone.
+// State of the C callbacks. Once a run is to end they return a finite worst value without a call.
 struct Session {
   const NloptTask* task;
   nlopt_opt opt;

@@ -15,13 +15,14 @@
 namespace coilwright::sizing {
 namespace {
 
-// One design: its own lock lets others be evaluated meanwhile, and makes a second request for the same one wait.
+// One design. Its own lock lets others be evaluated at the same time, and makes a second request for the same design
+// wait.
 struct Slot {
   std::mutex evaluating;
   std::optional<Evaluation> evaluation;
 };
 
-// A caller's point may carry rounding of its own: 1e-6 of a grid step, or of the range, is taken as meant.
+// A caller's point may be rounded: a difference of 1e-6 of a grid step, or of the range, is accepted.
 constexpr double snap_tolerance = 1e-6;
 
 std::vector<double> legal_point(const std::vector<Variable>& variables, std::span<const double> point) {
@@ -52,7 +53,7 @@ struct Archive::Storage {
 };
 
 Archive::Archive(Problem problem) : storage_{std::make_unique<Storage>()} {
-  check(problem);
+  validate_problem(problem);
   storage_->problem = std::move(problem);
 }
 Archive::Archive(Archive&&) noexcept = default;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace coilwright::sizing {
 namespace {
@@ -18,7 +19,7 @@ bool is_whole(double value) {
   return value == std::floor(value);
 }
 
-void check_grid(const Variable& variable, const std::string& field) {
+void validate_grid(const Variable& variable, const std::string& field) {
   const double step = variable.step;
   if (!std::isfinite(step) || step < 0) reject(field + ".step", "must be finite and >= 0", fmt::to_string(step));
   if (step > 0 && variable.upper > variable.lower && step > variable.upper - variable.lower) {
@@ -34,7 +35,7 @@ void check_grid(const Variable& variable, const std::string& field) {
   if (step > 1) reject(field + ".step", "must be 0 or 1 for a categorical", fmt::to_string(step));
 }
 
-void check_variable(const Variable& variable, std::size_t index) {
+void validate_variable(const Variable& variable, std::size_t index) {
   const std::string field = fmt::format("variables[{}]", index);
   if (variable.name.empty()) reject(field + ".name", "must not be empty", "\"\"");
   if (!std::isfinite(variable.lower)) reject(field + ".lower", "must be finite", fmt::to_string(variable.lower));
@@ -42,10 +43,10 @@ void check_variable(const Variable& variable, std::size_t index) {
   if (variable.upper < variable.lower) {
     reject(field + ".upper", fmt::format("must be >= lower ({})", variable.lower), fmt::to_string(variable.upper));
   }
-  check_grid(variable, field);
+  validate_grid(variable, field);
 }
 
-void check_unique(const std::vector<std::string>& names, const char* field) {
+void require_unique(const std::vector<std::string>& names, const char* field) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i].empty()) reject(fmt::format("{}[{}].name", field, i), "must not be empty", "\"\"");
@@ -64,19 +65,19 @@ Evaluation failed(std::string reason, double infeasibility) {
 
 }  // namespace
 
-void check(const Problem& problem) {
+void validate_problem(const Problem& problem) {
   if (problem.variables.empty()) reject("variables", "must name at least one", "none");
   std::vector<std::string> names;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
-    check_variable(problem.variables[i], i);
+    validate_variable(problem.variables[i], i);
     names.push_back(problem.variables[i].name);
   }
-  check_unique(names, "variables");
+  require_unique(names, "variables");
   if (problem.objectives.empty()) reject("objectives", "must name at least one", "none");
   names.clear();
   for (const Objective& objective : problem.objectives) names.push_back(objective.name);
-  check_unique(names, "objectives");
-  check_unique(problem.constraints, "constraints");
+  require_unique(names, "objectives");
+  require_unique(problem.constraints, "constraints");
   if (!problem.evaluate) reject("evaluate", "must be callable", "an empty function");
 }
 
@@ -117,6 +118,18 @@ double violation(const Evaluation& evaluation) {
 bool is_feasible(const Evaluation& evaluation) {
   return evaluation.failure.empty() &&
          std::ranges::none_of(evaluation.constraints, [](double value) { return value > 0; });
+}
+
+std::vector<std::string> violated_by(const Problem& problem, const Evaluation& evaluation) {
+  if (!evaluation.failure.empty()) return {evaluation.failure};
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < evaluation.constraints.size(); ++i) {
+    if (evaluation.constraints[i] > 0) order.emplace_back(-evaluation.constraints[i], i);
+  }
+  std::ranges::sort(order);
+  std::vector<std::string> names;
+  for (const auto& entry : order) names.push_back(problem.constraints[entry.second]);
+  return names;
 }
 
 }  // namespace coilwright::sizing

@@ -1,14 +1,15 @@
 #include "sizing/sampling/explorer.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "sizing/sampling/random.hpp"
 
 namespace coilwright::sizing {
 namespace {
 
-// Known designs in a row after which a way of proposing counts as used up.
-constexpr int patience = 64;
+// Attempts in a row that meet known designs, after which a call gives up.
+constexpr int max_attempts = 64;
 
 }  // namespace
 
@@ -22,26 +23,26 @@ std::uint64_t Explorer::below(std::uint64_t count) {
   return random_() % count;
 }
 
-std::optional<Candidate> Explorer::scatter(const Samples& samples) {
-  for (int attempt = 0; attempt < patience; ++attempt) {
+std::optional<UnitPoint> Explorer::sobol_point(const Samples& samples) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     std::vector<double> unit(space_.dimension());
     for (std::size_t axis = 0; axis < unit.size(); ++axis) {
       const double shifted = static_cast<double>((*sobol_)()) * 0x1p-64 + shift_[axis];
       const double value = shifted - std::floor(shifted);
-      // every grid value gets an equal share of [0, 1), also the first and the last
+      // Every grid value gets an equal share of [0, 1), also the first and the last.
       const double spacing = space_.spacing(axis);
       unit[axis] = spacing > 0 ? std::floor(value * (std::round(space_.ceiling(axis) / spacing) + 1)) * spacing : value;
     }
     unit = space_.snapped(unit);
-    const std::uint64_t combination = turn_++ % space_.combinations();
-    if (!samples.knows(unit, combination)) return Candidate{.unit = std::move(unit), .combination = combination};
+    const std::uint64_t combination = sobol_points_++ % space_.combinations();
+    if (!samples.knows(unit, combination)) return UnitPoint{.unit = std::move(unit), .combination = combination};
   }
   return std::nullopt;
 }
 
-Candidate Explorer::bred(const Samples& samples, const std::vector<std::size_t>& parents) {
+UnitPoint Explorer::recombined(const Samples& samples, const std::vector<std::size_t>& parents) {
   const Sample& base = samples[parents[below(parents.size())]];
-  Candidate child{.unit = base.unit, .combination = base.combination};
+  UnitPoint child{.unit = base.unit, .combination = base.combination};
   if (space_.combinations() > 1 && uniform(random_) < 0.3) {
     child.combination = below(space_.combinations());
     if (child.combination != base.combination) return child;
@@ -62,7 +63,7 @@ Candidate Explorer::bred(const Samples& samples, const std::vector<std::size_t>&
   const std::size_t always = below(n);
   for (std::size_t axis = 0; axis < n; ++axis) {
     if (axis != always && uniform(random_) < 0.5) continue;
-    // a jitter keeps breeding alive where all parents agree in an axis
+    // The jitter moves children also along an axis in which all parents agree.
     const double jitter = 0.02 * (uniform(random_) - 0.5) + (uniform(random_) < 0.05 ? uniform(random_) - 0.5 : 0.0);
     child.unit[axis] += scale * (plus.unit[axis] - minus.unit[axis]) + jitter;
   }
@@ -70,28 +71,28 @@ Candidate Explorer::bred(const Samples& samples, const std::vector<std::size_t>&
   return child;
 }
 
-std::optional<Candidate> Explorer::breed(const Samples& samples, const std::vector<std::size_t>& parents) {
-  for (int attempt = 0; attempt < patience && !parents.empty(); ++attempt) {
-    Candidate child = bred(samples, parents);
+std::optional<UnitPoint> Explorer::evolved_point(const Samples& samples, const std::vector<std::size_t>& parents) {
+  for (int attempt = 0; attempt < max_attempts && !parents.empty(); ++attempt) {
+    UnitPoint child = recombined(samples, parents);
     if (!samples.knows(child.unit, child.combination)) return child;
   }
   return std::nullopt;
 }
 
-std::optional<Candidate> Explorer::enumerate(const Samples& samples) {
-  for (; enumerated_ < space_.design_count(); ++enumerated_) {
-    std::uint64_t rest = enumerated_;
-    Candidate candidate{.unit = std::vector<double>(space_.dimension()), .combination = rest % space_.combinations()};
+std::optional<UnitPoint> Explorer::next_of_grid(const Samples& samples) {
+  for (; grid_points_ < space_.design_count(); ++grid_points_) {
+    std::uint64_t rest = grid_points_;
+    UnitPoint next{.unit = std::vector<double>(space_.dimension()), .combination = rest % space_.combinations()};
     rest /= space_.combinations();
-    for (std::size_t axis = 0; axis < candidate.unit.size(); ++axis) {
+    for (std::size_t axis = 0; axis < next.unit.size(); ++axis) {
       const auto levels = static_cast<std::uint64_t>(std::llround(space_.ceiling(axis) / space_.spacing(axis))) + 1;
-      candidate.unit[axis] = static_cast<double>(rest % levels) * space_.spacing(axis);
+      next.unit[axis] = static_cast<double>(rest % levels) * space_.spacing(axis);
       rest /= levels;
     }
-    candidate.unit = space_.snapped(candidate.unit);
-    if (samples.knows(candidate.unit, candidate.combination)) continue;
-    ++enumerated_;
-    return candidate;
+    next.unit = space_.snapped(next.unit);
+    if (samples.knows(next.unit, next.combination)) continue;
+    ++grid_points_;
+    return next;
   }
   return std::nullopt;
 }

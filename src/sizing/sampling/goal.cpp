@@ -21,7 +21,7 @@ double Goal::scalar(const Sample& sample) const {
                 Map(sample.constraints.data(), static_cast<Eigen::Index>(sample.constraints.size())));
 }
 
-double priced(double scalar, double worst_constraint) {
+double penalised(double scalar, double worst_constraint) {
   return worst_constraint > 0 ? scalar + 1.0 + 10.0 * worst_constraint : scalar;
 }
 

@@ -2,12 +2,12 @@
 
 namespace coilwright::sizing {
 
-std::vector<Candidate> unknown_neighbours(const Samples& samples, std::size_t of) {
+std::vector<UnitPoint> unknown_neighbours(const Samples& samples, std::size_t index) {
   const DesignSpace& space = samples.space();
-  const Sample& centre = samples[of];
-  std::vector<Candidate> candidates;
+  const Sample& centre = samples[index];
+  std::vector<UnitPoint> neighbours;
   const auto consider = [&](std::vector<double> unit, std::uint64_t combination) {
-    if (!samples.knows(unit, combination)) candidates.push_back({.unit = std::move(unit), .combination = combination});
+    if (!samples.knows(unit, combination)) neighbours.push_back({.unit = std::move(unit), .combination = combination});
   };
   for (std::size_t axis = 0; axis < space.dimension(); ++axis) {
     const double spacing = space.spacing(axis);
@@ -26,7 +26,7 @@ std::vector<Candidate> unknown_neighbours(const Samples& samples, std::size_t of
     }
     stride *= levels;
   }
-  return candidates;
+  return neighbours;
 }
 
 }  // namespace coilwright::sizing

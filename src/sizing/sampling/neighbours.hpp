@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "sizing/sampling/samples.hpp"
-#include "sizing/surrogate/infill.hpp"
+#include "sizing/sampling/unit_point.hpp"
 
 namespace coilwright::sizing {
 
-/// Designs one grid step away from a sample in one variable, or with another combination of levels that differs in one
-/// categorical; only those not known yet.
-[[nodiscard]] std::vector<Candidate> unknown_neighbours(const Samples& samples, std::size_t of);
+/// Unknown designs next to the sample at `index`: one grid step away in one variable, or with one categorical variable
+/// at another level.
+[[nodiscard]] std::vector<UnitPoint> unknown_neighbours(const Samples& samples, std::size_t index);
 
 }  // namespace coilwright::sizing

@@ -99,11 +99,12 @@ std::vector<std::size_t> Samples::nearest(const Neighbourhood& where, Wanted wan
     const Sample& sample = samples_[i];
     if (sample.combination != where.combination || sample.evaluated != (wanted == Wanted::evaluated)) continue;
     double distance = squared_distance_to_segment(sample.unit, where.a, where.b);
-    if (where.stretched) distance += 8 * std::pow(sample.unit[*where.stretched] - where.a[*where.stretched], 2);
+    if (where.weighted_axis)
+      distance += 8 * std::pow(sample.unit[*where.weighted_axis] - where.a[*where.weighted_axis], 2);
     found.emplace_back(distance, i);
   }
   std::vector<std::size_t> result;
-  if (where.apart == 0) {
+  if (where.spacing == 0) {
     const std::size_t kept = std::min(where.count, found.size());
     std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(kept));
     for (std::size_t i = 0; i < kept; ++i) result.push_back(found[i].second);
@@ -114,7 +115,7 @@ std::vector<std::size_t> Samples::nearest(const Neighbourhood& where, Wanted wan
     if (result.size() == where.count) break;
     const std::size_t i = entry.second;
     const bool close = std::ranges::any_of(
-        result, [&](std::size_t k) { return largest_difference(samples_[k].unit, samples_[i].unit) < where.apart; });
+        result, [&](std::size_t k) { return largest_difference(samples_[k].unit, samples_[i].unit) < where.spacing; });
     if (!close) result.push_back(i);
   }
   return result;

@@ -14,39 +14,40 @@
 
 namespace coilwright::sizing {
 
-/// One evaluated design as the search sees it.
+/// One evaluated design in the coordinates of the search.
 struct Sample {
-  std::vector<double> point;        ///< as it was evaluated
+  std::vector<double> point;        ///< variables, as they were evaluated
   std::vector<double> unit;         ///< coordinates in the unit cube
   std::uint64_t combination{};      ///< of categorical levels
-  bool evaluated{};                 ///< false: failed
-  Objectives values;                ///< minimised; empty if failed
-  std::vector<double> constraints;  ///< value minus limit; empty if failed
-  double violation{};               ///< sum of positive constraints, or infeasibility
+  bool evaluated{};                 ///< false if the design could not be evaluated
+  Objectives values;                ///< all minimised; empty if not evaluated
+  std::vector<double> constraints;  ///< values minus limits; empty if not evaluated
+  double violation{};               ///< sum of the positive constraints; if not evaluated, the infeasibility
   [[nodiscard]] bool feasible() const { return evaluated && violation == 0; }
 };
 
-/// Largest difference of a coordinate.
+/// Largest absolute difference of two points in a coordinate (Chebyshev distance).
 [[nodiscard]] double largest_difference(std::span<const double> a, std::span<const double> b);
 
-/// Everything a search knows, in the order it learnt it (the same on any number of threads).
+/// All designs that a search knows, in the order in which it learnt them, which does not depend on the number of
+/// threads.
 class Samples {
  public:
-  /// `limits`: what each constraint may reach; 0 unless one is relaxed.
+  /// `limits` is what each constraint may reach: 0, unless it is relaxed.
   Samples(const Problem& problem, std::vector<double> limits);
 
-  /// Learns one design. Returns how much it improved on the front: the largest product of normalised distances below a
-  /// former upper bound (the hypervolume gained, where that is one box); 0 if nothing.
+  /// Learns one design. Returns its gain for the front: the largest product of its normalised distances below a former
+  /// upper bound, which is the gained hypervolume where that is one box; 0 if it is known, infeasible or dominated.
   double add(const Record& record);
 
-  /// A record in the search's terms, learnt or not.
+  /// A record in the coordinates of the search, whether it is known or not.
   [[nodiscard]] Sample as_sample(const Record& record) const;
 
   [[nodiscard]] const DesignSpace& space() const { return space_; }
   [[nodiscard]] const Sample& operator[](std::size_t index) const { return samples_[index]; }
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
   [[nodiscard]] std::size_t feasible_count() const { return feasible_count_; }
-  /// Feasible, non-dominated samples, ascending.
+  /// Indices of the feasible, non-dominated samples, in the order in which they were learnt.
   [[nodiscard]] const std::vector<std::size_t>& front() const { return front_; }
   [[nodiscard]] UpperBounds& bounds() { return bounds_; }
   [[nodiscard]] const UpperBounds& bounds() const { return bounds_; }
@@ -58,17 +59,17 @@ class Samples {
   /// Whether the design at legal unit coordinates is known.
   [[nodiscard]] bool knows(std::span<const double> unit, std::uint64_t combination) const;
 
-  /// Which samples to look for.
+  /// Which samples to select.
   enum class Wanted { evaluated, failed };
-  /// The surroundings of the segment from `a` to `b`.
+  /// Samples around the segment from `a` to `b`.
   struct Neighbourhood {
-    std::uint64_t combination{};
-    std::span<const double> a, b;            ///< unit coordinates
-    std::size_t count{};                     ///< samples at most
-    double apart{};                          ///< none nearer than this to a nearer one, in the largest coordinate
-    std::optional<std::size_t> stretched{};  ///< an axis in which distances count three times: level with `a` first
+    std::uint64_t combination{};                 ///< only samples of this combination of levels
+    std::span<const double> a, b;                ///< unit coordinates
+    std::size_t count{};                         ///< largest number of samples
+    double spacing{};                            ///< smallest `largest_difference` between two samples; 0: any
+    std::optional<std::size_t> weighted_axis{};  ///< distances from `a` along this axis count three times
   };
-  /// The samples of a combination nearest to a segment; nearest first, ties by index.
+  /// The samples nearest to a segment, nearest first; of equal distances the one of lower index.
   [[nodiscard]] std::vector<std::size_t> nearest(const Neighbourhood& where, Wanted wanted) const;
 
  private:

@@ -3,20 +3,20 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
-#include "sizing/search/run.hpp"
-#include "sizing/search/surrogate_search.hpp"
+#include "sizing/search/run_search.hpp"
 
 namespace coilwright::sizing {
 
 ParetoResult pareto(const Problem& problem, const ParetoOptions& options) {
-  check(problem);
+  validate_problem(problem);
   if (problem.objectives.size() < 2 || problem.objectives.size() > 3) {
     throw std::invalid_argument(
         fmt::format("objectives: must be two or three for a front; got {}", problem.objectives.size()));
   }
-  ParetoResult result{.archive = Archive{problem}};
-  result.stop_reason = run_search(result.archive, options);
+  SearchRun run = run_search(problem, options);
+  ParetoResult result{.stop_reason = run.stop_reason, .archive = std::move(run.archive)};
   result.front = result.archive.front();
   result.evaluations = result.archive.size();
   if (result.front.empty()) {

@@ -4,22 +4,23 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
-#include "sizing/search/run.hpp"
+#include "sizing/search/run_search.hpp"
 
 namespace coilwright::sizing {
 namespace {
 
-// The surroundings may hold a better design than the search found: then that one is the answer, with its own
-// surroundings. Each turn improves the answer; three are enough to stop improving in all cases seen.
-constexpr int moves_allowed = 3;
+// The surroundings of the answer may hold a better design than the search found. Then that one is the answer, with its
+// own surroundings. Each repetition improves the answer; in all cases seen, three were enough to improve it no more.
+constexpr int max_repetitions = 3;
 
 void add_sensitivity(SearchResult& result, const SearchOptions& options) {
   const std::size_t before = result.archive.size();
   const SensitivityOptions sensitivity{
       .relaxed_evaluations = std::clamp<std::size_t>(options.max_evaluations / 10, 40, 200), .search = options};
-  for (int move = 0; move < moves_allowed && !options.stop.stop_requested(); ++move) {
-    result.sensitivity = sensitivity_of(result.archive, *result.best, sensitivity);
+  for (int repetition = 0; repetition < max_repetitions && !options.stop.stop_requested(); ++repetition) {
+    result.sensitivity = analyse_sensitivity(result.archive, *result.best, sensitivity);
     const std::optional<Record> better = result.archive.best_feasible();
     if (better->point == result.best->point) break;
     result.best = better;
@@ -30,13 +31,13 @@ void add_sensitivity(SearchResult& result, const SearchOptions& options) {
 }  // namespace
 
 SearchResult search(const Problem& problem, const SearchOptions& options) {
-  check(problem);
+  validate_problem(problem);
   if (problem.objectives.size() != 1) {
     throw std::invalid_argument(fmt::format("objectives: must be one for a search (pareto takes two or three); got {}",
                                             problem.objectives.size()));
   }
-  SearchResult result{.archive = Archive{problem}};
-  result.stop_reason = run_search(result.archive, options);
+  SearchRun run = run_search(problem, options);
+  SearchResult result{.stop_reason = run.stop_reason, .archive = std::move(run.archive)};
   result.search_evaluations = result.archive.size();
   result.best = result.archive.best_feasible();
   result.feasible = result.best.has_value();

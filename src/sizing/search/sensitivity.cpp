@@ -6,15 +6,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sizing/nlopt/problem_optimisation.hpp"
 #include "sizing/problem/design_space.hpp"
-#include "sizing/search/nlopt_search.hpp"
-#include "sizing/search/run.hpp"
 #include "sizing/search/surrogate_search.hpp"
 
 namespace coilwright::sizing {
 namespace {
 
-void check_options(const Archive& archive, const Record& best, const SensitivityOptions& options) {
+void validate_options(const Archive& archive, const Record& best, const SensitivityOptions& options) {
   if (!(options.relative_step > 0 && options.relative_step <= 1)) {
     throw std::invalid_argument(fmt::format("relative_step: must be > 0 and <= 1; got {}", options.relative_step));
   }
@@ -93,27 +92,27 @@ std::vector<BindingConstraint> binding_constraints(const Problem& problem, const
   return binding;
 }
 
-// From the best design along its variables without a grid: the first thing a moved limit allows.
+// Learns the designs of an SLSQP run from the best design along its variables without a grid: the nearest improvement
+// that a relaxed limit allows.
 void descend(Archive& archive, Samples& samples, const Record& best, std::size_t budget,
              const SensitivityOptions& options) {
   const DesignSpace& space = samples.space();
-  DirectTask task{.algorithm = Algorithm::slsqp,
-                  .goal = {.kind = Goal::Kind::objective,
-                           .origin = minimised(archive.problem(), best.evaluation),
-                           .span = {std::max(1e-9, std::abs(best.evaluation.objectives[0]))}},
-                  .start = {.unit = space.unit(best.point), .combination = space.combination(best.point)},
-                  .box = {.lower = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(space.dimension())),
-                          .upper = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(space.dimension()))},
-                  .budget = budget,
-                  .seed = options.search.seed};
+  ProblemOptimisation descent{.algorithm = Algorithm::slsqp,
+                              .goal = {.kind = Goal::Kind::objective,
+                                       .origin = minimised(archive.problem(), best.evaluation),
+                                       .span = {std::max(1e-9, std::abs(best.evaluation.objectives[0]))}},
+                              .start = {.unit = space.unit(best.point), .combination = space.combination(best.point)},
+                              .box = whole_box(space),
+                              .budget = budget,
+                              .seed = options.search.seed};
   for (std::size_t axis = 0; axis < space.dimension(); ++axis) {
-    if (space.spacing(axis) == 0) task.axes.push_back(static_cast<Eigen::Index>(axis));
+    if (space.spacing(axis) == 0) descent.axes.push_back(static_cast<Eigen::Index>(axis));
   }
-  if (task.axes.empty()) return;
-  for (const Record& record : run_direct(archive, samples, task, options.search.stop)) samples.add(record);
+  if (descent.axes.empty()) return;
+  for (const Record& record : optimise_on_problem(archive, samples, descent, options.search.stop)) samples.add(record);
 }
 
-// Searches on from everything in the archive, with one limit moved; the best design within the moved limits.
+// Continues the search from all designs of the archive with other limits; the best design within them.
 std::optional<Record> relaxed_search(Archive& archive, const Record& best, std::vector<double> limits, Workers& workers,
                                      const SensitivityOptions& options) {
   Samples samples{archive.problem(), limits};
@@ -123,11 +122,11 @@ std::optional<Record> relaxed_search(Archive& archive, const Record& best, std::
   quiet.progress = {};
   const std::size_t descent = options.relaxed_evaluations / 4;
   descend(archive, samples, best, descent, options);
-  (void)run_engine({.archive = archive,
-                    .samples = samples,
-                    .workers = workers,
-                    .options = quiet,
-                    .budget = options.relaxed_evaluations - descent});
+  (void)surrogate_search({.archive = archive,
+                          .samples = samples,
+                          .workers = workers,
+                          .options = quiet,
+                          .budget = options.relaxed_evaluations - descent});
   if (samples.front().empty()) return std::nullopt;
   const Sample& found = samples[samples.front().front()];
   return Record{.point = found.point, .evaluation = *archive.find(found.point)};
@@ -135,8 +134,8 @@ std::optional<Record> relaxed_search(Archive& archive, const Record& best, std::
 
 }  // namespace
 
-Sensitivity sensitivity_of(Archive& archive, const Record& best, const SensitivityOptions& options) {
-  check_options(archive, best, options);
+Sensitivity analyse_sensitivity(Archive& archive, const Record& best, const SensitivityOptions& options) {
+  validate_options(archive, best, options);
   const Problem& problem = archive.problem();
   if (problem.objectives.size() != 1) {
     throw std::invalid_argument(fmt::format("objectives: must be one; got {}", problem.objectives.size()));

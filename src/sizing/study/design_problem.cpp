@@ -52,8 +52,8 @@ DesignResult evaluate_buildable(actuator::Design design, const Current& current,
                          .performance = std::get<simulation::Performance>(std::move(performance))};
 }
 
-// A design far outside all hardware may break a rule of the physics rooms that no Misfit names, or defeat an
-// interpolant: then it is that design that cannot be evaluated, and the search goes on.
+// A design far outside all hardware may break a rule of the physics rooms that assemble() does not name, or an
+// interpolation may fail. Then that design cannot be evaluated, and the search goes on.
 template <class Current>
 DesignResult evaluate_design(actuator::Design design, const Current& current, double duty) {
   try {
@@ -65,7 +65,7 @@ DesignResult evaluate_design(actuator::Design design, const Current& current, do
   }
 }
 
-// A quantity that a study asks for and this design does not have.
+// The failure of a design that does not have a value of a quantity that the study asks for.
 NotEvaluated without(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
   const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
   std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
@@ -115,7 +115,6 @@ DesignResult DesignProblem::evaluate(std::span<const double> point) const {
 
 DesignResult DesignProblem::evaluate_base() const {
   const auto current = [this](const actuator::Design& design) {
-    // Where the study varies the current, its actuator is seen at what its own wire carries.
     return current_of(study(), design).value_or(winding::gauge(design.coil.wire_gauge).chassis_ampacity);
   };
   return evaluate_design(study().base, current, study().duty);
@@ -155,8 +154,8 @@ std::size_t DesignProblem::point_count() const {
   for (const StudyVariable& variable : study().variables) {
     const std::optional<std::size_t> values = value_count(variable);
     if (!values) throw std::invalid_argument(fmt::format("{} must have a step or a list of values", name_of(variable)));
-    if (*values > most_points / count)
-      throw std::invalid_argument(fmt::format("a grid must have at most {} designs", most_points));
+    if (*values > max_grid_points / count)
+      throw std::invalid_argument(fmt::format("a grid must have at most {} designs", max_grid_points));
     count *= *values;
   }
   return count;

@@ -9,8 +9,8 @@
 namespace coilwright::sizing {
 namespace {
 
-// Evaluated together, then handed over together: enough to keep every core busy (the last few of a chunk wait for each
-// other), and some 300 kB.
+// Designs evaluated together and then passed on together: enough to keep every core busy, since all wait for the last
+// few, and some 300 kB.
 constexpr std::size_t chunk = 512;
 
 SweptDesign evaluate(const DesignProblem& problem, std::size_t index) {

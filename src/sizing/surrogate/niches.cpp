@@ -7,8 +7,8 @@
 namespace coilwright::sizing {
 namespace {
 
-// Attempts in vain that a niche gets before the next best one of its axis gets its turn.
-constexpr double patience_per_rank = 0.5;
+// Failures that weigh as much as one rank by the best design.
+constexpr double failures_per_rank = 0.5;
 
 }  // namespace
 
@@ -26,11 +26,11 @@ Niches::Niches(const Samples& samples) : samples_{samples}, turns_(2 * samples.o
     const double spacing = space.spacing(axis);
     if (spacing == 0) continue;
     const auto levels = static_cast<std::uint64_t>(std::llround(space.ceiling(axis) / spacing)) + 1;
-    if (levels > most_levels) continue;
+    if (levels > max_levels) continue;
     for (std::uint64_t k = 0; k < levels; ++k) add(Level{.axis = axis, .value = static_cast<double>(k) * spacing}, 0);
     ++groups_;
   }
-  if (space.combinations() > 1 && space.combinations() <= most_levels) {
+  if (space.combinations() > 1 && space.combinations() <= max_levels) {
     for (std::uint64_t c = 0; c < space.combinations(); ++c) add(std::nullopt, c);
     ++groups_;
   }
@@ -62,7 +62,7 @@ void Niches::learn() {
   }
 }
 
-std::optional<std::size_t> Niches::beyond(const Niche& niche, std::size_t objective) const {
+std::optional<std::size_t> Niches::least_violating(const Niche& niche, std::size_t objective) const {
   if (!niche.best[objective] || !samples_[*niche.best[objective]].feasible()) return std::nullopt;
   const double value = samples_[*niche.best[objective]].values[objective];
   std::optional<std::size_t> least;
@@ -80,10 +80,10 @@ bool Niches::holds_best(const Niche& niche, std::size_t objective) const {
   return best.feasible() && best.values[objective] <= samples_.frame().ideal[objective];
 }
 
-Niches::Niche* Niches::most_promising(std::size_t group, Which which, std::size_t objective) {
+Niches::Niche* Niches::most_promising(std::size_t group, Selection selection, std::size_t objective) {
   std::vector<Niche*> order;
   for (Niche& niche : niches_) {
-    if (niche.group != group || holds_best(niche, objective) != (which == Which::of_the_best)) continue;
+    if (niche.group != group || holds_best(niche, objective) != (selection == Selection::with_best)) continue;
     if (!niche.level && !niche.best[objective]) continue;  // nowhere to start from
     order.push_back(&niche);
   }
@@ -94,7 +94,7 @@ Niches::Niche* Niches::most_promising(std::size_t group, Which which, std::size_
   Niche* chosen = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const double score = order[rank]->failures[objective] + patience_per_rank * static_cast<double>(rank);
+    const double score = order[rank]->failures[objective] + failures_per_rank * static_cast<double>(rank);
     if (score < least) {
       least = score;
       chosen = order[rank];
@@ -103,14 +103,14 @@ Niches::Niche* Niches::most_promising(std::size_t group, Which which, std::size_
   return chosen;
 }
 
-std::optional<Niches::Place> Niches::next(Which which, std::size_t objective) {
-  std::size_t& turn = turns_[2 * objective + (which == Which::of_the_best ? 0 : 1)];
+std::optional<Niches::Place> Niches::take_next(Selection selection, std::size_t objective) {
+  std::size_t& turn = turns_[2 * objective + (selection == Selection::with_best ? 0 : 1)];
   for (std::size_t tried = 0; tried < groups_; ++tried) {
-    Niche* chosen = most_promising(turn++ % groups_, which, objective);
+    Niche* chosen = most_promising(turn++ % groups_, selection, objective);
     if (chosen == nullptr) continue;
     return Place{.level = chosen->level,
                  .best = chosen->best[objective],
-                 .beyond = beyond(*chosen, objective),
+                 .least_violating = least_violating(*chosen, objective),
                  .failures = chosen->failures[objective]++};
   }
   return std::nullopt;

@@ -1,56 +1,64 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>
 
+#include "sizing/sampling/goal.hpp"
 #include "sizing/sampling/samples.hpp"
-#include "sizing/surrogate/infill.hpp"
 #include "sizing/surrogate/niches.hpp"
+#include "sizing/surrogate/region.hpp"
 
 namespace coilwright::sizing {
 
 /// How a design came to be proposed.
-enum class Way : std::size_t { gap, anchor, niche, breed, scatter };
-inline constexpr std::size_t ways = 5;
+enum class ProposalSource : std::size_t {
+  gap,        ///< the model, to fill a gap of the front
+  anchor,     ///< the model, to improve one objective or feasibility
+  niche,      ///< the model, to improve one objective with a variable held at one level
+  evolution,  ///< differential evolution or a grid step from good designs
+  sobol       ///< a quasi-random point, or the next of a grid
+};
+inline constexpr std::size_t proposal_sources = 5;
 
-/// A goal and where to pursue it.
-struct Attempt {
+/// A subproblem of the search: a goal, and the region in which to pursue it.
+struct SubproblemTask {
   Goal goal;
   Region region{};
-  Way way{};            ///< `gap`, `anchor` or `niche`
-  std::size_t which{};  ///< upper bound of a gap; objective of an anchor, or their number for feasibility
+  ProposalSource source{};  ///< `gap`, `anchor` or `niche`
+  std::size_t index{};      ///< of a gap's upper bound; of the objective; for feasibility the number of objectives
 };
 
-/// Chooses what the next round pursues: anchors and the largest gaps of the front, feasibility while nothing is
-/// feasible.
+/// Chooses the subproblems of the next round: while nothing is feasible, feasibility; for a front, each objective alone
+/// (anchors), niches and the largest gaps; for one objective, anchors and niches.
 class Planner {
  public:
-  /// Both outlive the planner; `random` is drawn from in a fixed order.
+  /// `samples` and `random` must outlive it; numbers are drawn in a fixed order.
   Planner(const Samples& samples, std::mt19937_64& random);
 
-  /// At most `wanted` attempts for round number `round`.
-  [[nodiscard]] std::vector<Attempt> plan(std::size_t wanted, std::size_t round);
+  /// At most `wanted` subproblems for the round of number `round`.
+  [[nodiscard]] std::vector<SubproblemTask> plan(std::size_t wanted, std::size_t round);
 
-  /// Learns what an attempt at an anchor gained (as `Samples::add`); after failures it starts elsewhere, and less
-  /// often.
+  /// Takes in the gain of a design (`Samples::add`) that the anchor of an objective proposed. After failures that
+  /// anchor starts elsewhere, and less often.
   void count_anchor(std::size_t objective, double gain);
 
  private:
-  void add_gaps(std::vector<Attempt>& list, std::size_t wanted);
-  void add_anchors(std::vector<Attempt>& list, std::size_t wanted);
-  void add_niches(std::vector<Attempt>& list, std::size_t wanted);
-  void add_feasibility(std::vector<Attempt>& list, std::size_t wanted) const;
+  [[nodiscard]] std::vector<SubproblemTask> gaps(std::size_t wanted);
+  [[nodiscard]] std::vector<SubproblemTask> anchors(std::size_t wanted);
+  [[nodiscard]] std::vector<SubproblemTask> niches(std::size_t wanted);
+  [[nodiscard]] std::vector<SubproblemTask> feasibility(std::size_t wanted) const;
   [[nodiscard]] Goal anchor_goal(std::size_t objective) const;
   [[nodiscard]] std::size_t best_of(std::size_t objective) const;
-  [[nodiscard]] Attempt anchor(std::size_t objective, std::size_t turn, std::size_t rank);
+  [[nodiscard]] SubproblemTask anchor(std::size_t objective, std::size_t turn, std::size_t rank);
   [[nodiscard]] Region gap_region(const Goal& goal, const UpperBound& bound);
   [[nodiscard]] double single_span() const;
-  /// Best evaluated samples under a goal, violation priced in, in one combination of levels or all; none within 0.1 of
-  /// a better one of its combination in every axis.
-  [[nodiscard]] std::vector<std::size_t> best_apart(const Goal& goal, std::size_t count,
-                                                    std::optional<std::uint64_t> combination) const;
+  /// The best evaluated samples under a goal, with a penalty on violation, of one combination of levels or of all. None
+  /// lies within 0.1 of a better one of its combination in every axis.
+  [[nodiscard]] std::vector<std::size_t> distinct_best(const Goal& goal, std::size_t count,
+                                                       std::optional<std::uint64_t> combination) const;
 
   const Samples& samples_;
   std::mt19937_64& random_;

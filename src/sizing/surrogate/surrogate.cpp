@@ -6,12 +6,13 @@
 namespace coilwright::sizing {
 namespace {
 
-// Prior variance of the quadratic over that of the Matern term. Large: the quadratic explains what it can first.
+// Prior variance of the quadratic relative to that of the Matern term. Large, so that the quadratic explains what it
+// can.
 constexpr double quadratic_weight = 1000.0;
 // Matern length in units of the box's half diagonal.
 constexpr double relative_length = 1.0;
-// Relative to the largest diagonal entry: keeps Cholesky alive for nodes that nearly coincide (rounding is 1e-16, the
-// factor grows with the number of nodes), and bounds the interpolation error to about 1e-6 of the values' range.
+// Relative to the largest diagonal entry: keeps the matrix positive definite for nodes that nearly coincide (rounding
+// is 1e-16 and grows with the number of nodes), and bounds the interpolation error to about 1e-6 of the values' range.
 constexpr double nugget = 1e-11;
 
 struct Matern {
@@ -32,7 +33,7 @@ Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values
   const Eigen::VectorXd low = nodes.colwise().minCoeff().transpose(), high = nodes.colwise().maxCoeff().transpose();
   centre_ = 0.5 * (low + high);
   half_width_ = 0.5 * (high - low);
-  // An axis the nodes do not vary in tells nothing about its scale: take the widest one's.
+  // An axis the nodes do not vary in has no scale of its own: it takes that of the widest one.
   const double widest = half_width_.size() > 0 ? half_width_.maxCoeff() : 1.0;
   half_width_ = half_width_.cwiseMax(widest > 0 ? 0.05 * widest : 1.0);
   nodes_ = ((nodes.rowwise() - centre_.transpose()).array().rowwise() / half_width_.transpose().array())
@@ -73,7 +74,7 @@ Eigen::VectorXd Surrogate::values(const Eigen::VectorXd& x) const {
   return mean_ + range_.cwiseProduct(weights_.transpose() * kernel);
 }
 
-Surrogate::Linearisation Surrogate::linearised(const Eigen::VectorXd& x) const {
+Linearisation Surrogate::linearised(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd at = local(x);
   const Eigen::Index count = nodes_.cols();
   Eigen::VectorXd kernel(count), along_node(count), along_x(count);

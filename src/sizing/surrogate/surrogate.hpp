@@ -2,12 +2,15 @@
 
 #include <Eigen/Core>
 
+#include "sizing/nlopt/linearisation.hpp"
+
 namespace coilwright::sizing {
 
-/// A smooth model of several quantities through a set of nodes: a Gaussian process mean whose kernel is a full
-/// quadratic plus a Matern-5/2 term. Exact (to the nugget) on quadratics once the nodes determine one, the quadratic of
-/// least norm before, with the Matern term for what a quadratic cannot follow. Fixed hyperparameters in local
-/// coordinates: the box of the nodes becomes [-1, 1] in every axis, values become mean 0 and range 1.
+/// A smooth model of several quantities through a set of nodes: the mean of a Gaussian process whose kernel is a full
+/// quadratic plus a Matern-5/2 term. Where the nodes determine a quadratic, the model reproduces quadratics up to the
+/// nugget; with fewer nodes it takes the quadratic of least norm, and the Matern term follows the rest. Hyperparameters
+/// are fixed in local coordinates, in which the box of the nodes is [-1, 1] along every axis and values have mean 0 and
+/// range 1.
 class Surrogate {
  public:
   /// `nodes`: (k, n), k >= 1; `values`: (k, outputs).
@@ -16,11 +19,7 @@ class Surrogate {
   /// Values at `x` (n): (outputs).
   [[nodiscard]] Eigen::VectorXd values(const Eigen::VectorXd& x) const;
 
-  /// Values and their gradients.
-  struct Linearisation {
-    Eigen::VectorXd values;    ///< (outputs)
-    Eigen::MatrixXd jacobian;  ///< (outputs, n)
-  };
+  /// Values and gradients at `x` (n).
   [[nodiscard]] Linearisation linearised(const Eigen::VectorXd& x) const;
 
  private:

@@ -26,11 +26,11 @@ template <typename Change>
 void expect_rejected(Change&& change, const std::string& text) {
   Problem problem = legal();
   change(problem);
-  expect_error<std::invalid_argument>([&] { check(problem); }, text);
+  expect_error<std::invalid_argument>([&] { validate_problem(problem); }, text);
 }
 
 TEST(Problem, IsAcceptedWhenEveryRuleHolds) {
-  EXPECT_NO_THROW(check(legal()));
+  EXPECT_NO_THROW(validate_problem(legal()));
 }
 
 TEST(Problem, SaysWhichFieldBreaksWhichRule) {

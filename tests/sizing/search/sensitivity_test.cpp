@@ -73,15 +73,15 @@ TEST(Sensitivity, RejectsOptionsAndDesignsItCannotUse) {
   const std::vector<double> inside{5, 1.5, 0}, outside{9, 5, 0};
   const Record good{.point = inside, .evaluation = archive.evaluate(inside)};
   const Record bad{.point = outside, .evaluation = archive.evaluate(outside)};
-  expect_error<std::invalid_argument>([&] { (void)sensitivity_of(archive, good, {.relative_step = 1.5}); },
+  expect_error<std::invalid_argument>([&] { (void)analyse_sensitivity(archive, good, {.relative_step = 1.5}); },
                                       "relative_step: must be > 0 and <= 1; got 1.5");
-  expect_error<std::invalid_argument>([&] { (void)sensitivity_of(archive, good, {.relaxation = 0}); },
+  expect_error<std::invalid_argument>([&] { (void)analyse_sensitivity(archive, good, {.relaxation = 0}); },
                                       "relaxation: must be finite and > 0; got 0");
-  expect_error<std::invalid_argument>([&] { (void)sensitivity_of(archive, bad, {}); },
+  expect_error<std::invalid_argument>([&] { (void)analyse_sensitivity(archive, bad, {}); },
                                       "best: must be feasible; got a violation of 0.97");
   expect_error<std::invalid_argument>(
       [&] {
-        (void)sensitivity_of(archive, {.point = {4, 1.5, 0}, .evaluation = good.evaluation}, {});
+        (void)analyse_sensitivity(archive, {.point = {4, 1.5, 0}, .evaluation = good.evaluation}, {});
       },
       "best: must be in the archive; got a design that was never evaluated");
 }

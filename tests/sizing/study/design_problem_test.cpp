@@ -45,7 +45,7 @@ TEST(DesignProblem, TellsTheSearchObjectivesAndScaledMargins) {
   EXPECT_EQ(seen.objectives[1], design.performance.mass * 1e3);
   // A difference of numbers near 1, each rounded: 4 eps of 1.
   EXPECT_NEAR(seen.constraints[0], design.performance.mass * 1e3 / 66.0 - 1.0, 9e-16);
-  EXPECT_NO_THROW(check(problem.problem()));
+  EXPECT_NO_THROW(validate_problem(problem.problem()));
 }
 
 // Neither an objective nor a limit need stand in any table.

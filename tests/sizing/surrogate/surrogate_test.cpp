@@ -60,7 +60,7 @@ TEST(Surrogate, GoesThroughItsNodes) {
 TEST(Surrogate, HasTheSlopesOfItsValues) {
   const Surrogate model = fitted(40);
   const Eigen::Vector3d x{0.33, 0.72, 0.55};
-  const Surrogate::Linearisation linearisation = model.linearised(x);
+  const Linearisation linearisation = model.linearised(x);
   EXPECT_NEAR((linearisation.values - model.values(x)).norm(), 0, 1e-12);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     Eigen::Vector3d step = Eigen::Vector3d::Zero();
@@ -77,7 +77,7 @@ TEST(Surrogate, StandsNodesThatCoincideOrShareACoordinate) {
   Eigen::MatrixXd values(12, 1);
   for (Eigen::Index i = 0; i < 12; ++i) values(i, 0) = quadratic(at.row(i).transpose());
   const Surrogate model{at, values};
-  const Surrogate::Linearisation result = model.linearised(Eigen::Vector3d{0.5, 0.45, 0.6});
+  const Linearisation result = model.linearised(Eigen::Vector3d{0.5, 0.45, 0.6});
   EXPECT_TRUE(result.values.allFinite());
   EXPECT_TRUE(result.jacobian.allFinite());
 }

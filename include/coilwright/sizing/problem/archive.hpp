@@ -19,11 +19,11 @@ struct Record {
   friend bool operator==(const Record&, const Record&) = default;
 };
 
-/// Every design a search evaluated, each once, failed ones included. Safe to use from several threads; what it returns
-/// does not depend on the order in which designs arrived.
+/// Every design that a search evaluated, each once, including failed ones. Safe to use from several threads; what it
+/// returns does not depend on the order of evaluation.
 class Archive {
  public:
-  /// Keeps a copy of `problem`. Throws as `check(problem)`.
+  /// Keeps a copy of `problem`. Throws as `validate_problem`.
   explicit Archive(Problem problem);
   Archive(Archive&&) noexcept;
   Archive& operator=(Archive&&) noexcept;
@@ -32,9 +32,9 @@ class Archive {
   /// The problem whose designs these are.
   [[nodiscard]] const Problem& problem() const noexcept;
 
-  /// The evaluation at `point`: made now if the point is new, otherwise remembered. Two threads asking for the same new
-  /// point make one evaluation. Throws what the problem throws (nothing is recorded then), and std::invalid_argument if
-  /// the point has the wrong length, leaves the bounds or is off the grid.
+  /// The evaluation at `point`, made now if the point is new. Two threads that ask for the same new point make one
+  /// evaluation. Throws what the problem throws, and then records nothing; throws std::invalid_argument if the point
+  /// has another number of values, lies outside the bounds or off the grid.
   Evaluation evaluate(std::span<const double> point);
 
   /// The evaluation at `point`, if it was made.
@@ -43,17 +43,17 @@ class Archive {
   /// Number of designs evaluated.
   [[nodiscard]] std::size_t size() const;
 
-  /// All designs, by their variables in ascending lexicographic order.
+  /// All designs, in ascending lexicographic order of their variables.
   [[nodiscard]] std::vector<Record> records() const;
 
-  /// The feasible design with the best objective (ties: the lexicographically first point). For one objective.
+  /// The feasible design with the best objective, of equal ones the lexicographically first. For one objective.
   [[nodiscard]] std::optional<Record> best_feasible() const;
 
-  /// The design nearest to feasible: evaluated ones by `violation`, then failed ones by `infeasibility`.
+  /// The design of least `violation` or, if no design was evaluated, of least `infeasibility`.
   [[nodiscard]] std::optional<Record> least_infeasible() const;
 
-  /// Feasible designs no other feasible design dominates, sorted by objectives (best of the first one first), then by
-  /// variables; of designs with equal objectives the lexicographically first point.
+  /// Feasible designs that no other feasible design dominates, sorted by their objectives (best of the first one
+  /// first), then by their variables; of designs with equal objectives only the lexicographically first.
   [[nodiscard]] std::vector<Record> front() const;
 
  private:

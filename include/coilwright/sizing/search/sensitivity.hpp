@@ -10,48 +10,49 @@
 
 namespace coilwright::sizing {
 
-/// One step of one variable away from the best design.
+/// What one step of one variable away from the best design does.
 struct VariableStep {
-  std::string variable;                    ///< its name
+  std::string variable;                    ///< name of the variable
   double from{};                           ///< value at the best design
   double to{};                             ///< value after the step
-  std::optional<double> objective_change;  ///< objective after minus before, its own sense; none if it failed
+  std::optional<double> objective_change;  ///< objective after the step minus before; none if the design failed
   bool improves{};                         ///< the objective is better after the step
-  std::vector<std::string> violates;       ///< constraints above 0 after the step, or the failure's reason
+  std::vector<std::string> violates;       ///< constraints above 0 after the step, or the reason of the failure
 };
 
-/// A constraint that stands in the way at the best design, and what it costs.
+/// A constraint that keeps the best design from improving, and what it costs.
 struct BindingConstraint {
-  std::string name;                        ///< of the constraint
+  std::string name;                        ///< name of the constraint
   double margin{};                         ///< -value at the best design, >= 0
   bool at_limit{};                         ///< margin below `binding_margin`
   bool blocks_step{};                      ///< an improving step of one variable violates it
-  double relaxed_by{};                     ///< the constraint was allowed up to this value in the search again
-  std::optional<double> objective_change;  ///< gain of that search: objective after minus before, its own sense
-  std::optional<Record> relaxed_best;      ///< the design that search found; none if it found nothing better
+  double relaxed_by{};                     ///< largest value of the constraint in the search that relaxes it
+  std::optional<double> objective_change;  ///< of that search: objective after minus before
+  std::optional<Record> relaxed_best;      ///< the design of that search; none if it found nothing better
 };
 
-/// How the best design sits in its surroundings.
+/// What the surroundings of the best design are like.
 struct Sensitivity {
-  std::vector<VariableStep> steps{};         ///< one down, one up for each variable where the bounds allow; all levels
-  std::vector<BindingConstraint> binding{};  ///< at the limit, or blocking an improving step
+  std::vector<VariableStep> steps{};  ///< one step down and one up of each variable, if its bounds allow; all levels
+  std::vector<BindingConstraint> binding{};  ///< constraints at their limit, or that an improving step violates
 };
 
-/// Margin below which a constraint counts as at its limit: one part in a thousand of its scale.
+/// A constraint with a smaller margin than this, relative to its scale, is at its limit.
 inline constexpr double binding_margin = 1e-3;
 
-/// Options of `sensitivity_of`.
+/// Options of `analyse_sensitivity`.
 struct SensitivityOptions {
-  double relative_step = 0.01;            ///< step of an ungridded variable over its range; > 0, <= 1
-  double relaxation = 0.05;               ///< a constraint's new limit, in its scale; > 0
-  std::size_t relaxed_evaluations = 200;  ///< new designs at most for each relaxed constraint
-  SearchOptions search{};                 ///< seed, threads, stop of the searches with a relaxed constraint
+  double relative_step = 0.01;            ///< step of a variable without a grid, relative to its range; > 0, <= 1
+  double relaxation = 0.05;               ///< new limit of a relaxed constraint, in its scale; > 0
+  std::size_t relaxed_evaluations = 200;  ///< largest number of new designs for each relaxed constraint
+  SearchOptions search{};                 ///< seed, threads and stop of the searches with a relaxed constraint
 };
 
-/// Steps each variable once down and once up from `best` (every other level of a categorical), then searches again from
-/// there with each binding constraint relaxed: once with the models of `Algorithm::automatic`, warm with everything in
-/// `archive`, to which all designs are added. A lower bound of the true gain: the search may miss some of it.
+/// Evaluates one step down and one up of each variable from `best` (every other level of a categorical variable), then
+/// searches on with each binding constraint relaxed in turn, with the models of `Algorithm::automatic` and from all
+/// designs in `archive`. The gains found are lower bounds, because a search may miss a better design. Every design that
+/// it evaluates is recorded in `archive`, which a later search can build on.
 /// Throws std::invalid_argument for an option out of range or a `best` that is not in the archive or not feasible.
-[[nodiscard]] Sensitivity sensitivity_of(Archive& archive, const Record& best, const SensitivityOptions& options);
+[[nodiscard]] Sensitivity analyse_sensitivity(Archive& archive, const Record& best, const SensitivityOptions& options);
 
 }  // namespace coilwright::sizing

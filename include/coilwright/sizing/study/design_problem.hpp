@@ -11,7 +11,7 @@
 
 namespace coilwright::sizing {
 
-/// A study's design at one point of its search space, with what it does; or why it cannot be evaluated.
+/// A study's design at one point of its search space, with its performance.
 struct EvaluatedDesign {
   actuator::Design design;
   actuator::Assembly assembly;
@@ -22,15 +22,17 @@ struct EvaluatedDesign {
     return {.design = design, .assembly = assembly, .point = point, .performance = performance};
   }
 };
+
+/// Why a study's design cannot be evaluated.
 struct NotEvaluated {
-  std::string reason;
-  double infeasibility{};  ///< grows away from what can be evaluated, > 0
+  std::string reason;      ///< one line
+  double infeasibility{};  ///< `Evaluation::infeasibility`, > 0
 };
 
 using DesignResult = std::variant<EvaluatedDesign, NotEvaluated>;
 
-/// A study as the search sees it. Immutable; copies are cheap and share the study. Points of the search hold a value
-/// per study variable in the unit of its name, but for lists and configurations, whose coordinate is the index of the
+/// A study as an optimisation problem. Immutable; copies are cheap and share the study. A point has one coordinate for
+/// each variable of the study, in the unit of the variable's name; for lists and configurations it is the index of the
 /// value.
 class DesignProblem {
  public:
@@ -44,30 +46,30 @@ class DesignProblem {
 
   [[nodiscard]] const Study& study() const noexcept { return state_->study; }
 
-  /// The problem to hand to search() or pareto(). It holds a copy of this object, and hence all that it needs.
+  /// The problem to pass to search() or pareto(). It holds a copy of this object and so all that it needs.
   [[nodiscard]] Problem problem() const;
 
-  /// The design at a point: the study's base with the variables set.
+  /// The design at a point: the study's base with the variables set to it.
   [[nodiscard]] actuator::Design design_at(std::span<const double> point) const;
 
-  /// Everything about a point. Pure.
+  /// The design at a point and its performance. Pure.
   [[nodiscard]] DesignResult evaluate(std::span<const double> point) const;
 
-  /// The actuator that the study starts from, at the study's operating point. Where a variable sets the current there
-  /// is no such point.
+  /// The actuator that the study starts from, at the study's operating point; where a variable sets the current, at the
+  /// chassis ampacity of the actuator's own wire.
   [[nodiscard]] DesignResult evaluate_base() const;
 
-  /// What the search is told of a design: its objectives and its constraints, each -margin / scale_of(limit), so <= 0
-  /// is kept; or, also where a quantity it asks for has no value, why not.
+  /// The objectives of a design and its constraints, each -margin / scale_of(limit), so that <= 0 keeps the limit; or
+  /// why there are none, also where a quantity that the study asks for has no value.
   [[nodiscard]] Evaluation assess(const DesignResult& result) const;
 
-  /// All points of a study whose variables are all lists, grids or whole numbers, one by one: point `index` of
-  /// point_count(), the last variable fastest. Throws std::invalid_argument naming a variable that is continuous, or
-  /// when there are more than most_points.
+  /// Number of points of a study whose variables are all lists, grids or whole numbers. Throws std::invalid_argument
+  /// naming a variable that is continuous, or if there are more than max_grid_points.
   [[nodiscard]] std::size_t point_count() const;
+  /// Point `index` < point_count() of these, where the last variable changes fastest.
   [[nodiscard]] std::vector<double> point(std::size_t index) const;
 
-  static constexpr std::size_t most_points = 1'000'000'000'000;
+  static constexpr std::size_t max_grid_points = 1'000'000'000'000;
 
  private:
   struct State {

@@ -10,26 +10,26 @@
 
 namespace coilwright::sizing {
 
-/// The design that leads a configuration in one objective: its best feasible one or, if none is, its least infeasible.
+/// The best feasible design of a configuration in one objective or, if none is feasible, the least infeasible one.
 struct Leader {
-  std::string_view configuration;  ///< its letter; empty in a study that does not vary the configuration
+  std::string_view configuration;  ///< letter; empty in a study that does not vary the configuration
   std::size_t objective{};         ///< index in the study
   SweptDesign design;
 };
 
-/// Keeps the leaders of a sweep while its designs pass by.
+/// Keeps the leaders of a sweep, design by design.
 class Leaders {
  public:
   explicit Leaders(DesignProblem problem);
 
-  /// Of equals the one that came first stays.
+  /// Takes in one design. Of equal designs the first one stays.
   void consider(const SweptDesign& design);
 
-  /// By configuration in the order of the study, then by objective. For a configuration with nothing feasible one
-  /// entry, of the first objective.
+  /// The leaders by configuration in the order of the study, then by objective. A configuration without a feasible
+  /// design has one entry, for the first objective.
   [[nodiscard]] std::vector<Leader> all() const;
 
-  /// Whether any design kept every limit.
+  /// Whether any design keeps every limit.
   [[nodiscard]] bool any_feasible() const;
 
  private:

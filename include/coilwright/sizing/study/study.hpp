@@ -14,26 +14,30 @@
 
 namespace coilwright::sizing {
 
-/// A number of the design between two bounds, in the unit of the parameter's name; with a step: on that grid only.
+/// Values between two bounds, in the unit of the variable's name; with a step, only those of its grid.
 struct Interval {
   double lower{};
   double upper{};
-  double step{};  ///< 0: continuous, or every whole number
+  double step{};  ///< 0: every value, or every whole number
 };
 
-/// A number of the design out of a list, ascending, in the unit of the parameter's name.
+/// Values of a list, ascending, in the unit of the variable's name.
 struct Choice {
   std::vector<double> values;
 };
 
-/// What varies.
+/// A number of the design that varies.
 struct ParameterVariable {
   const actuator::Parameter* parameter{};  ///< never nullptr
   std::variant<Interval, Choice> range;
 };
+
+/// The current in every coil, if it varies.
 struct CurrentVariable {
   std::variant<Interval, Choice> range;  ///< A
 };
+
+/// The configuration (the order of coils and magnets), if it varies.
 struct ConfigurationVariable {
   std::vector<actuator::Configuration> values;
 };
@@ -42,19 +46,19 @@ using StudyVariable = std::variant<ParameterVariable, CurrentVariable, Configura
 /// The name of a variable as files write it: "gap_mm", "current_A", "configuration".
 [[nodiscard]] std::string name_of(const StudyVariable& variable);
 
-/// The variable as a search moves it: in the unit of its name, or, for lists and configurations, the index of the
-/// value.
+/// The variable of the search: in the unit of its name or, for lists and configurations, the index of the value.
 [[nodiscard]] Variable search_variable(const StudyVariable& variable);
 
-/// Number of values a variable has; nothing for a continuous one.
+/// Number of values of a variable; empty for a continuous one.
 [[nodiscard]] std::optional<std::size_t> value_count(const StudyVariable& variable);
 
 /// A value of a variable as files write it: a number, or the letter of a configuration.
 using VariableValue = std::variant<double, std::string_view>;
 
-/// The value behind a search's coordinate.
+/// The value at a coordinate of the search.
 [[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
 
+/// A quantity to make small or large.
 struct StudyObjective {
   simulation::ResultQuantity quantity;  ///< of the study's table or the program's own
   Sense sense = Sense::maximise;
@@ -71,33 +75,37 @@ struct Limit {
 /// "mass_g <= 70".
 [[nodiscard]] std::string name_of(const Limit& limit);
 
-/// How far inside its limit a value lies, in the unit of the quantity: negative outside.
+/// Distance of a value from its limit, in the unit of the quantity; negative if it breaks the limit.
 [[nodiscard]] double margin(const Limit& limit, double value);
 
-/// What a margin is divided by where limits are compared with each other: the magnitude of the limit or, for a limit of
-/// 0, the scale of its quantity. In the unit of the quantity, > 0.
+/// The scale of a limit, by which margins of different limits are divided to compare them: the magnitude of the limit
+/// or, for a limit of 0, the scale of its quantity. In the unit of the quantity, > 0.
 [[nodiscard]] double scale_of(const Limit& limit);
 
-/// How the current of a design is set.
-struct VariedCurrent {};  ///< a variable sets it
+/// The current is a variable of the study.
+struct VariedCurrent {};
+
+/// The current is the same in every design.
 struct FixedCurrent {
   double current{};  ///< A
 };
+
+/// The current is a share of the chassis ampacity of the design's wire.
 struct ShareOfLimit {
-  double share{};  ///< of the gauge's chassis ampacity; > 0
+  double share{};  ///< > 0
 };
 
-/// A question about designs: what may vary, what is wanted, what is not allowed.
+/// What to search for: which numbers of a design vary, its objectives, its limits.
 struct Study {
   std::string name;
-  actuator::Design base;  ///< with its calibration; variables are set on a copy of it
+  actuator::Design base;  ///< actuator with its calibration; variables are set on a copy of it
   std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
-  double duty = 1.0;
+  double duty = 1.0;  ///< fraction of the time that the current is on, 0 to 1
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
   SearchOptions search;
-  /// What results list of a design, beside objectives and limits.
+  /// All quantities that results list.
   simulation::QuantityTable quantities = simulation::standard_quantities();
 };
 

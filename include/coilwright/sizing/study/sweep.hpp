@@ -12,23 +12,23 @@ namespace coilwright::sizing {
 
 /// One design of a sweep.
 struct SweptDesign {
-  std::size_t index{};        ///< of DesignProblem::point
+  std::size_t index{};        ///< as in DesignProblem::point
   std::vector<double> point;  ///< coordinates
-  Evaluation evaluation;      ///< objectives and constraints, or why there are none
-  /// In the order of the study's table, nothing where one has no value. Empty for a design that has no performance.
+  Evaluation evaluation;      ///< objectives and constraints, or the reason why there are none
+  /// Values in the order of the study's table, empty where one does not exist. No element for a failed design.
   std::vector<std::optional<double>> quantities;
 };
 
-/// How a sweep runs; what it gives does not depend on it.
+/// How a sweep runs. The result does not depend on it.
 struct SweepOptions {
-  unsigned threads = 0;    ///< evaluations at once; 0: one per core
-  std::stop_token stop{};  ///< asks for an early end
+  unsigned threads = 0;    ///< designs evaluated at the same time; 0: one per core
+  std::stop_token stop{};  ///< ends the sweep early
 };
 
-/// Evaluates every point of a problem's grid, several at once, and hands each to `take` in the order of the points, on
-/// the caller's thread. Memory is that of some hundred designs, however large the grid. Returns how many were taken:
-/// fewer than point_count() only after a request to stop, and then the first ones without a gap.
-/// Throws as DesignProblem::point_count, and what `take` throws.
+/// Evaluates every point of a problem's grid, several at the same time, and passes each to `take` in the order of the
+/// points, on the caller's thread. The memory needed is that of some hundred designs, for any size of the grid. Returns
+/// the number of designs passed, which is below point_count() only after a request to stop; they are then the first
+/// ones of the grid, without a gap. Throws as DesignProblem::point_count, and what `take` throws.
 std::size_t sweep(const DesignProblem& problem, const SweepOptions& options,
                   const std::function<void(const SweptDesign&)>& take);
 

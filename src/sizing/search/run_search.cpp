@@ -1,0 +1,31 @@
+#include "sizing/search/run_search.hpp"
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "sizing/search/nlopt_search.hpp"
+#include "sizing/search/surrogate_search.hpp"
+
+namespace coilwright::sizing {
+
+SearchRun run_search(const Problem& problem, const SearchOptions& options) {
+  if (options.max_evaluations == 0) throw std::invalid_argument("max_evaluations: must be >= 1; got 0");
+  Archive archive{problem};
+  Workers workers{options.threads};
+  Samples samples{problem, std::vector<double>(problem.constraints.size(), 0.0)};
+  const SearchContext context{.archive = archive,
+                              .samples = samples,
+                              .workers = workers,
+                              .options = options,
+                              .budget = options.max_evaluations};
+  const DesignSpace& space = samples.space();
+  const std::uint64_t designs = space.design_count();
+  const bool enumerable = space.dimension() == 0 || (designs > 0 && designs <= options.max_evaluations);
+  const bool with_models = samples.objective_count() > 1 || options.algorithm == Algorithm::automatic || enumerable;
+  const StopReason reason = with_models ? surrogate_search(context) : nlopt_search(context);
+  return {.archive = std::move(archive), .stop_reason = reason};
+}
+
+}  // namespace coilwright::sizing

@@ -32,6 +32,7 @@ ROOMS = {
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself
 # stands on top of all of them. A folder's public headers and its sources are one.
 FOLDERS = {
+    "sizing": "problem sampling nlopt surrogate search study",
     "measurement": "data noise whiteness replay fit compare localise experiment",
 }
 

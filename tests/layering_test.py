@@ -8,7 +8,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # What each room may include directly; what that may include comes along. The same as the CMake link lists, written out
-# so that neither can drift. `formats` is several libraries, each a layer of its own.
+# so that neither can drift. `formats` and `report` are several libraries, each a layer of its own.
 ROOMS = {
     "units": "",
     "text": "units",
@@ -25,7 +25,8 @@ ROOMS = {
     "formats/simulation": "text simulation",
     "formats/data": "formats/actuator formats/simulation measurement",
     "formats/study": "formats/actuator formats/simulation sizing",
-    "report": "formats/data formats/study",
+    "report/simulation": "simulation",
+    "report": "report/simulation formats/data formats/study",
     "cli": "systems report",
 }
 

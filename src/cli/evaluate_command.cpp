@@ -9,7 +9,7 @@
 
 #include "actuator_input.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
-#include "coilwright/report/performance_text.hpp"
+#include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coilwright/formats/study/design_columns.hpp"
-#include "coilwright/report/performance_text.hpp"
+#include "coilwright/report/simulation/performance_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
 #include "report/text_table.hpp"

@@ -1,4 +1,4 @@
-#include "coilwright/report/performance_text.hpp"
+#include "coilwright/report/simulation/performance_text.hpp"
 
 #include <fmt/format.h>
 

@@ -78,7 +78,7 @@ std::vector<Run> act_out(const Options& options, const Experiment& experiment,
     return text::InputError({.file = options.experiment, .rule = reason.what()});
   };
   try {
-    return measurement::experiment::act_out(experiment, rig, hidden, options.seed);
+    return measurement::experiment::simulate_experiment(experiment, rig, hidden, options.seed);
   } catch (const std::invalid_argument& misfit) {
     throw refuse(misfit);
   } catch (const std::runtime_error& lost) {

@@ -9,119 +9,131 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace coilwright::measurement {
 namespace {
 
-// Values of one model on one run, channel after channel over the samples that were simulated.
-using Channels = std::vector<std::vector<double>>;
+using compare::FittedHypothesis;
+using replay::PreparedRun;
+
+using Channels = std::vector<std::vector<double>>;  // one series per channel
+
+// Values of one model on one run, over the samples that were simulated.
 struct RunPrediction {
   Channels values;
-  Channels deviations;  // what the uncertainty of the fitted numbers leaves open, over the noise; empty if not asked
+  Channels deviations;  // standard deviations due to parameter uncertainty, over the noise; empty if not asked for
 };
+using CountedPrediction = fit::Counted<std::optional<RunPrediction>>;
 
-// One vector a channel over the run.
-Channels by_channel(const replay::Record& record, const Eigen::VectorXd& predictions) {
-  const std::size_t channels = record.run->channels.size();
+Channels by_channel(const PreparedRun& prepared, const Eigen::VectorXd& values) {
+  const std::size_t channels = prepared.run->channels.size();
   Channels out(channels);
   Eigen::Index at = 0;
-  for (const replay::SampleRange& stretch : record.stretches())
+  for (const replay::SampleRange& range : prepared.sample_ranges())
     for (std::size_t c = 0; c < channels; ++c)
-      for (std::size_t i = 0; i < stretch.samples(); ++i) out[c].push_back(predictions[at++]);
+      for (std::size_t i = 0; i < range.samples(); ++i) out[c].push_back(values[at++]);
   return out;
 }
 
-// Covariance of the fitted numbers. What the data leave open is open as far as a usual change goes.
-Eigen::MatrixXd covariance(const compare::Scored& model, double unit) {
+// Covariance of the fitted parameters. A typical change of each is its prior standard deviation, so that the covariance
+// is finite in directions that the data do not determine.
+Eigen::MatrixXd parameter_covariance(const FittedHypothesis& model, double overdispersion) {
   const Eigen::VectorXd scales = model.hypothesis.scales();
-  Eigen::MatrixXd scaled = scales.asDiagonal() * model.fit.normal * scales.asDiagonal();
-  scaled /= unit;
+  Eigen::MatrixXd scaled = scales.asDiagonal() * model.fit.normal_matrix * scales.asDiagonal();
+  scaled /= overdispersion;
   scaled.diagonal().array() += 1.0;
   const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
   return scales.asDiagonal() * inverse * scales.asDiagonal();
 }
 
-// Standard deviations of the predictions of one record over its noise, to first order.
-Eigen::VectorXd deviations(const replay::Record& record, const fit::Fit& fitted, const Eigen::MatrixXd& spread) {
-  const Eigen::VectorXd all = (fitted.slopes * spread).cwiseProduct(fitted.slopes).rowwise().sum().cwiseSqrt();
-  const Eigen::Index size = fitted.runs.front().residuals.size();
-  const std::vector<replay::SampleRange> stretches = record.stretches();
-  // The pull of a window's start stands behind its residuals.
-  const Eigen::Index pulls = (all.size() - size) / static_cast<Eigen::Index>(stretches.size());
-  Eigen::VectorXd out(size);
+// Standard deviations of the predictions of one run over its noise, to first order.
+Eigen::VectorXd deviations(const PreparedRun& prepared, const fit::Fit& fitted, const Eigen::MatrixXd& covariance) {
+  const Eigen::VectorXd all = (fitted.jacobian * covariance).cwiseProduct(fitted.jacobian).rowwise().sum().cwiseSqrt();
+  const std::vector<replay::SampleRange> ranges = prepared.sample_ranges();
+  // The rows of the prior of an initial state follow the residuals of its window.
+  const Eigen::Index prior_rows = (all.size() - prepared.values()) / static_cast<Eigen::Index>(ranges.size());
+  Eigen::VectorXd out(prepared.values());
   Eigen::Index at = 0;
   Eigen::Index row = 0;
-  for (const replay::SampleRange& stretch : stretches) {
-    const auto n = static_cast<Eigen::Index>(stretch.samples() * record.run->channels.size());
+  for (const replay::SampleRange& range : ranges) {
+    const Eigen::Index n = prepared.values_in(range);
     out.segment(at, n) = all.segment(row, n);
     at += n;
-    row += n + pulls;
+    row += n + prior_rows;
   }
   return out;
 }
 
-std::optional<RunPrediction> predict(const replay::Record& record, const compare::Scored& model) {
-  const auto fitted =
-      fit::evaluate_at({.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
-  if (!fitted) return std::nullopt;
-  return RunPrediction{.values = by_channel(record, fitted->runs.front().predictions), .deviations = {}};
+fit::FitRequest request_for(const PreparedRun& prepared, const FittedHypothesis& model) {
+  return {.hypothesis = &model.hypothesis, .runs = std::span(&prepared, 1), .start = model.fit.values};
 }
 
-std::optional<RunPrediction> predict_with_spread(const replay::Record& record, const compare::Scored& model,
-                                                 const Eigen::MatrixXd& spread) {
-  const auto fitted = fit::evaluate_with_slopes(
-      {.hypothesis = &model.hypothesis, .records = std::span(&record, 1), .start = model.fit.values});
-  if (!fitted) return std::nullopt;
-  return RunPrediction{.values = by_channel(record, fitted->runs.front().predictions),
-                       .deviations = by_channel(record, deviations(record, *fitted, spread))};
+CountedPrediction predict(const PreparedRun& prepared, const FittedHypothesis& model) {
+  const auto found = fit::evaluate_at(request_for(prepared, model));
+  if (!found.value) return {.value = std::nullopt, .simulated_runs = found.simulated_runs};
+  return {
+      .value = RunPrediction{.values = by_channel(prepared, found.value->runs.front().predictions), .deviations = {}},
+      .simulated_runs = found.simulated_runs};
 }
 
-// Sums of one quantity over all its channels.
-struct Tally {
-  std::array<double, 3> absolute{}, square{}, largest{};
-  double noise_square{};
-  double open_square{};
-  std::size_t samples{};
+CountedPrediction predict_with_deviations(const PreparedRun& prepared, const FittedHypothesis& model,
+                                          const Eigen::MatrixXd& covariance) {
+  const auto found = fit::evaluate_with_jacobian(request_for(prepared, model));
+  if (!found.value) return {.value = std::nullopt, .simulated_runs = found.simulated_runs};
+  return {.value = RunPrediction{.values = by_channel(prepared, found.value->runs.front().predictions),
+                                 .deviations = by_channel(prepared, deviations(prepared, *found.value, covariance))},
+          .simulated_runs = found.simulated_runs};
+}
+
+// Sums over all channels of one kind.
+class ErrorSums {
+ public:
+  void add(const Replay& replay, const std::vector<double>& deviations, double sigma) {
+    const std::array models{&replay.declared, &replay.before, &replay.after};
+    for (std::size_t m = 0; m < models.size(); ++m) {
+      for (std::size_t i = 0; i < replay.measured.size(); ++i) {
+        const double error = std::abs(replay.measured[i] - (*models[m])[i]);
+        absolute_[m] += error;
+        square_[m] += error * error;
+        largest_[m] = std::max(largest_[m], error);
+      }
+    }
+    noise_square_ += sigma * sigma * static_cast<double>(replay.measured.size());
+    for (const double deviation : deviations) uncertainty_square_ += sigma * sigma * deviation * deviation;
+    samples_ += replay.measured.size();
+  }
+
+  [[nodiscard]] ErrorComparison comparison(data::ChannelKind kind) const {
+    const auto n = static_cast<double>(samples_);
+    const auto errors = [&](std::size_t m) {
+      return Errors{.mae = absolute_[m] / n, .rmse = std::sqrt(square_[m] / n), .max = largest_[m]};
+    };
+    return {.kind = kind,
+            .samples = samples_,
+            .declared = errors(0),
+            .before = errors(1),
+            .after = errors(2),
+            .noise_floor_rmse = std::sqrt(noise_square_ / n),
+            .uncertainty_rmse = std::sqrt(uncertainty_square_ / n)};
+  }
+
+ private:
+  std::array<double, 3> absolute_{}, square_{}, largest_{};
+  double noise_square_{};
+  double uncertainty_square_{};
+  std::size_t samples_{};
 };
 
-void add(Tally& tally, const Replay& replay, const std::vector<double>& deviations, double sigma) {
-  const std::array models{&replay.declared, &replay.before, &replay.after};
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    for (std::size_t i = 0; i < replay.measured.size(); ++i) {
-      const double error = std::abs(replay.measured[i] - (*models[m])[i]);
-      tally.absolute[m] += error;
-      tally.square[m] += error * error;
-      tally.largest[m] = std::max(tally.largest[m], error);
-    }
-  }
-  tally.noise_square += sigma * sigma * static_cast<double>(replay.measured.size());
-  for (const double deviation : deviations) tally.open_square += sigma * sigma * deviation * deviation;
-  tally.samples += replay.measured.size();
+// Errors of a bending angle and of a joint angle are one kind of error.
+data::ChannelKind error_kind(data::ChannelKind kind) {
+  return kind == data::ChannelKind::bending_angle ? data::ChannelKind::joint_angle : kind;
 }
 
-ErrorComparison comparison(data::Quantity quantity, const Tally& tally) {
-  const auto n = static_cast<double>(tally.samples);
-  const auto errors = [&](std::size_t m) {
-    return Errors{.mae = tally.absolute[m] / n, .rmse = std::sqrt(tally.square[m] / n), .max = tally.largest[m]};
-  };
-  return {.quantity = quantity,
-          .samples = tally.samples,
-          .declared = errors(0),
-          .before = errors(1),
-          .after = errors(2),
-          .noise_floor_rmse = std::sqrt(tally.noise_square / n),
-          .uncertainty_rmse = std::sqrt(tally.open_square / n)};
-}
-
-// A bending angle and a joint's angle are one kind of error: degrees.
-data::Quantity error_kind(data::Quantity quantity) {
-  return quantity == data::Quantity::bending_angle ? data::Quantity::joint_angle : quantity;
-}
-
-std::vector<double> abscissa(const replay::Record& record) {
-  const data::Run& run = *record.run;
+std::vector<double> abscissa(const PreparedRun& prepared) {
+  const data::Run& run = *prepared.run;
   if (!run.times.empty()) {
-    const std::size_t last = record.windows.empty() ? run.samples() : record.windows.back().last;
+    const std::size_t last = prepared.windows.empty() ? run.samples() : prepared.windows.back().range.last;
     return {run.times.begin(), run.times.begin() + static_cast<std::ptrdiff_t>(last)};
   }
   if (!run.angles.empty()) return run.angles;
@@ -132,9 +144,9 @@ std::vector<double> abscissa(const replay::Record& record) {
 
 }  // namespace
 
-void FinalErrors::check(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
-                        const actuator::Model& nominal) {
-  for (const data::Run& run : runs.runs_) (void)replay::prepare(run, declared, nominal);
+void FinalErrors::require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
+                                     const actuator::Model& nominal) {
+  for (const data::Run& run : runs.runs_) (void)replay::prepare_run(run, declared, nominal);
 }
 
 FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
@@ -150,50 +162,53 @@ FinalErrors::FinalErrors(const std::vector<data::Run>& runs, const replay::Decla
 void FinalErrors::take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
                        const ThreeModels& models, bool validate) {
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
-  std::vector<replay::Record> records;
-  for (const data::Run& run : runs) records.push_back(replay::prepare(run, declared, nominal));
-  const Eigen::MatrixXd spread = covariance(models.after, models.unit);
+  std::vector<PreparedRun> prepared_runs;
+  for (const data::Run& run : runs) prepared_runs.push_back(replay::prepare_run(run, declared, nominal));
+  const Eigen::MatrixXd covariance = parameter_covariance(models.after, models.overdispersion);
   const std::array three{&models.declared, &models.before, &models.after};
-  std::vector<std::array<std::optional<RunPrediction>, 3>> predictions(records.size());
-  tbb::parallel_for(std::size_t{0}, 3 * records.size(), [&](std::size_t task) {
-    const replay::Record& record = records[task / 3];
+  std::vector<std::array<CountedPrediction, 3>> predictions(prepared_runs.size());
+  tbb::parallel_for(std::size_t{0}, 3 * prepared_runs.size(), [&](std::size_t task) {
+    const PreparedRun& prepared = prepared_runs[task / 3];
     const std::size_t m = task % 3;
-    predictions[task / 3][m] = m == 2 ? predict_with_spread(record, models.after, spread) : predict(record, *three[m]);
+    predictions[task / 3][m] =
+        m == 2 ? predict_with_deviations(prepared, models.after, covariance) : predict(prepared, *three[m]);
   });
-  std::vector<data::Quantity> order;
-  std::vector<Tally> tallies;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const replay::Record& record = records[r];
-    if (!predictions[r][0] || !predictions[r][1] || !predictions[r][2]) {
-      warnings_.push_back({.run = record.run->name, .text = "one of the models cannot be simulated here; left out"});
+  std::vector<data::ChannelKind> order;
+  std::vector<ErrorSums> sums;
+  for (std::size_t r = 0; r < prepared_runs.size(); ++r) {
+    const PreparedRun& prepared = prepared_runs[r];
+    for (const CountedPrediction& each : predictions[r]) simulated_runs_ += each.simulated_runs;
+    const auto& [as_declared, before, after] = predictions[r];
+    if (!as_declared.value || !before.value || !after.value) {
+      warnings_.push_back({.run = prepared.run->name, .text = "one of the models cannot be simulated here; left out"});
       continue;
     }
-    const std::vector<double> at = abscissa(record);
-    for (std::size_t c = 0; c < record.run->channels.size(); ++c) {
-      const data::Channel& channel = record.run->channels[c];
+    const std::vector<double> at = abscissa(prepared);
+    for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
+      const data::Channel& channel = prepared.run->channels[c];
       Replay replay{
-          .run = record.run->name,
+          .run = prepared.run->name,
           .validate = validate,
-          .quantity = channel.quantity,
+          .kind = channel.kind,
           .channel = channel.name,
           .at = at,
           .measured = {channel.values.begin(), channel.values.begin() + static_cast<std::ptrdiff_t>(at.size())},
-          .declared = predictions[r][0]->values[c],
-          .before = predictions[r][1]->values[c],
-          .after = predictions[r][2]->values[c]};
-      const data::Quantity kind = error_kind(channel.quantity);
+          .declared = as_declared.value->values[c],
+          .before = before.value->values[c],
+          .after = after.value->values[c]};
+      const data::ChannelKind kind = error_kind(channel.kind);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {
         order.push_back(kind);
-        tallies.emplace_back();
+        sums.emplace_back();
         found = order.end() - 1;
       }
-      add(tallies[static_cast<std::size_t>(found - order.begin())], replay, predictions[r][2]->deviations[c],
-          record.noise[c].sigma);
+      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after.value->deviations[c],
+                                                                prepared.noise[c].sigma);
       replays_.push_back(std::move(replay));
     }
   }
-  for (std::size_t i = 0; i < order.size(); ++i) errors_.push_back(comparison(order[i], tallies[i]));
+  for (std::size_t i = 0; i < order.size(); ++i) errors_.push_back(sums[i].comparison(order[i]));
 }
 
 }  // namespace coilwright::measurement

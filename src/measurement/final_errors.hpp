@@ -8,30 +8,31 @@
 
 namespace coilwright::measurement {
 
-/// Three finished models on the same runs.
+/// Three finished models of the same actuator.
 struct ThreeModels {
-  compare::Scored declared;  ///< as written
-  compare::Scored before;    ///< recalibrated
-  compare::Scored after;     ///< with the effects
-  double unit{};             ///< chi^2 of `after` that counts as one
+  compare::FittedHypothesis declared;  ///< as the file declares it
+  compare::FittedHypothesis before;    ///< recalibrated
+  compare::FittedHypothesis after;     ///< with the effects
+  double overdispersion{};             ///< of the residual of `after`
 };
 
-/// Takes the errors of finished models: the only place in which sealed runs are opened.
+/// The errors of finished models. This class alone can read sealed runs.
 class FinalErrors {
  public:
-  /// Throws std::invalid_argument naming the run where one does not fit the model: before a diagnosis starts, so that
-  /// nobody waits for a refusal. Tells nothing of what the runs hold.
-  static void check(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
-                    const actuator::Model& nominal);
-  /// Of the validate runs. Throws std::invalid_argument naming the run where one does not fit the model. A run that one
-  /// of the models cannot be simulated on is left out with a warning.
+  /// Throws std::invalid_argument naming the run if one does not fit the model: before a diagnosis starts, so that a
+  /// set is refused at once. Reveals nothing else about the runs.
+  static void require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
+                                 const actuator::Model& nominal);
+  /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
+  /// which one of the models cannot be simulated is left out with a warning.
   FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models);
-  /// Of runs that were fitted.
+  /// Errors on the fit runs, likewise.
   FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models);
 
   [[nodiscard]] const std::vector<ErrorComparison>& errors() const noexcept { return errors_; }
   [[nodiscard]] const std::vector<Replay>& replays() const noexcept { return replays_; }
   [[nodiscard]] const std::vector<data::Warning>& warnings() const noexcept { return warnings_; }
+  [[nodiscard]] long simulated_runs() const noexcept { return simulated_runs_; }
 
  private:
   void take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
@@ -40,6 +41,7 @@ class FinalErrors {
   std::vector<ErrorComparison> errors_;
   std::vector<Replay> replays_;
   std::vector<data::Warning> warnings_;
+  long simulated_runs_ = 0;
 };
 
 }  // namespace coilwright::measurement

@@ -120,7 +120,7 @@ std::string calibration_text(const Diagnosis& diagnosis) {
 }
 
 std::string comparison_text(const ErrorComparison& comparison) {
-  const units::Unit unit = error_unit(comparison.quantity);
+  const units::Unit unit = error_unit(comparison.kind);
   const auto shown = [&](double value) { return number(units::from_si(value, unit)); };
   const auto line = [&](const char* name, double Errors::*member) -> std::vector<std::string> {
     return {name, shown(comparison.declared.*member), shown(comparison.before.*member),
@@ -129,7 +129,7 @@ std::string comparison_text(const ErrorComparison& comparison) {
   std::vector<std::string> rmse = line("  rmse", &Errors::rmse);
   rmse.push_back(fmt::format("noise alone: {}", shown(comparison.noise_floor_rmse)));
   TextTable rows;
-  rows.row({fmt::format("{}, {}", formats::name_of(comparison.quantity), readable_unit(unit.suffix)), "as declared",
+  rows.row({fmt::format("{}, {}", formats::name_of(comparison.kind), readable_unit(unit.suffix)), "as declared",
             "fitted anew", "with effects"});
   rows.row(line("  mean", &Errors::mae));
   rows.row(std::move(rmse));
@@ -148,16 +148,16 @@ std::string errors_text(const Diagnosis& diagnosis) {
 }
 
 // What an effect's rivals are called in a sentence: "a + b".
-std::string hypothesis(const compare::Candidate& candidate) {
+std::string hypothesis(const compare::ComparedHypothesis& candidate) {
   return candidate.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(ids(candidate.effects), " + "));
 }
 
 std::string compared_text(const Diagnosis& diagnosis) {
-  if (diagnosis.candidates.empty()) return {};
+  if (diagnosis.compared_hypotheses.empty()) return {};
   TextTable table;
   table.row({"", "chi^2"});
-  for (const compare::Candidate& each :
-       std::span(diagnosis.candidates).first(std::min(diagnosis.candidates.size(), most_candidates)))
+  for (const compare::ComparedHypothesis& each :
+       std::span(diagnosis.compared_hypotheses).first(std::min(diagnosis.compared_hypotheses.size(), most_candidates)))
     table.row({hypothesis(each), each.evidence ? number(each.evidence->chi_square_after) : "none", each.remark});
   return "\nCompared, best first\n" + table.text(2, {left, right, left});
 }
@@ -184,9 +184,9 @@ std::string residual_text(const Diagnosis& diagnosis) {
   const bool structure = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
   if (!structure || !diagnosis.residual) return {};
   const localise::ResidualTorque& residual = *diagnosis.residual;
-  const units::Unit torque = error_unit(data::Quantity::torque);
+  const units::Unit torque = error_unit(data::ChannelKind::torque);
   std::string text = fmt::format("\nWhat is left over, as a joint torque\n  rms {}, where noise alone gives {}\n",
-                                 in_unit_text(residual.rms, torque), in_unit_text(residual.smallest_visible, torque));
+                                 in_unit_text(residual.rms, torque), in_unit_text(residual.noise_floor, torque));
   TextTable table;
   for (const localise::Dependence& each : residual.dependences) {
     if (table.rows() == most_dependences) break;
@@ -196,7 +196,7 @@ std::string residual_text(const Diagnosis& diagnosis) {
   if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number(*residual.frequency));
   if (!diagnosis.after.where.empty())
     text += fmt::format("  worst in {} ({} times what noise may show)\n", diagnosis.after.where,
-                        number(diagnosis.after.structure));
+                        number(diagnosis.after.whiteness_ratio));
   return text;
 }
 

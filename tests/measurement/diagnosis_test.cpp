@@ -9,7 +9,7 @@
 
 #include "coilwright/formats/data/diagnosis_json.hpp"
 #include "measurement/random_numbers.hpp"
-#include "measurement/slide.hpp"
+#include "measurement/slider_model.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -113,7 +113,7 @@ TEST(Diagnose, NeverReportsANegativeDrag) {
   data::Dataset data;
   data.fit.push_back(pushed_run());
   const Diagnosis diagnosis = diagnose(data, slide(true_mass, true_damping), {.threads = 2});
-  EXPECT_FALSE(diagnosis.before.noise_only());
+  EXPECT_FALSE(diagnosis.before.is_white());
   for (const AddedEffect& effect : diagnosis.effects) EXPECT_NE(effect.kind->id(), "quadratic_drag");
 }
 

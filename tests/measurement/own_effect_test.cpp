@@ -14,7 +14,7 @@
 #include "coilwright/formats/actuator/effect_argument.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "measurement/slide.hpp"
+#include "measurement/slider_model.hpp"
 
 // An effect that a user's program brings along is read, diagnosed and written like one of ours.
 namespace coilwright::measurement {
@@ -67,7 +67,7 @@ const EffectCatalogue& own_effects() {
   return all;
 }
 
-// The slide of slide.hpp as a file.
+// The slide of slider_model.hpp as a file.
 std::string slide_file(const std::string& effects) {
   return R"({"format": "lumped-model/1", "gravity_m_s2": 0,
              "links": [{"length_m": 1, "com_along_m": 1, "com_offset_m": 0, "mass_kg": 2, "inertia_kgm2": 0}],

@@ -68,12 +68,12 @@ TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
 TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   Diagnosis diagnosis = example();
   diagnosis.residual = localise::ResidualTorque{.rms = 0.2e-3,
-                                                .smallest_visible = 0.05e-3,
+                                                .noise_floor = 0.05e-3,
                                                 .dependences = {{.variable = "sign of rate", .explained = 0.5}},
                                                 .frequency = 5.0};
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("What is left over, as a joint torque")));
   diagnosis.verdict = Verdict::partly_explained;
-  diagnosis.after.structure = 3.0;
+  diagnosis.after.whiteness_ratio = 3.0;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What is left over, as a joint torque\n"
                                             "  rms 0.2 Nmm, where noise alone gives 0.05 Nmm\n"
                                             "  depends\n"
@@ -118,7 +118,7 @@ TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
   const auto with_chi_square = [](double value) {
     return compare::Evidence{.chi_square_after = value, .correlation_time = 4.0};
   };
-  diagnosis.candidates = {
+  diagnosis.compared_hypotheses = {
       {.effects = {&coil_heating, &magnet_heating}, .evidence = with_chi_square(444.25), .remark = ""},
       {.effects = {&dry_friction}, .evidence = with_chi_square(12000.0), .remark = "interval includes absent"},
       {.effects = {}, .evidence = with_chi_square(52000.0), .remark = ""},

@@ -20,41 +20,41 @@
 
 namespace coilwright::measurement {
 
-/// What a diagnosis says of a model; see docs/theory/measurement.md for the rules behind each.
+/// The conclusion of a diagnosis; docs/theory/measurement.md states the rule for each.
 enum class Verdict {
-  no_missing_effect,  ///< the recalibrated declared model already reaches the noise
-  explained,          ///< with the effects the residual is noise
-  partly_explained,   ///< an effect helps significantly, structure remains
-  unexplained         ///< structure remains and no candidate is supported
+  no_missing_effect,  ///< the recalibrated declared model already leaves white noise
+  explained,          ///< with the effects the residual is white noise
+  partly_explained,   ///< an effect improves the model significantly, structure remains
+  unexplained         ///< structure remains, and the data support no effect
 };
 
 /// "partly_explained".
 [[nodiscard]] std::string_view name_of(Verdict verdict);
 
-/// An effect that was added.
+/// An effect that the diagnosis adds to the declared model.
 struct AddedEffect {
   const actuator::EffectKind* kind{};
   std::vector<compare::Estimate> parameters{};
   compare::Evidence evidence{};
 };
 
-/// Where the time of a diagnosis went.
+/// The time that one phase of a diagnosis took.
 struct Phase {
   std::string name{};
   double seconds{};
   long simulated_runs{};
 };
 
-/// Everything `diagnose` found.
+/// Everything that `diagnose` found.
 struct Diagnosis {
   Verdict verdict{};
   std::vector<AddedEffect> effects{};  ///< in the order in which they were added
-  std::vector<std::vector<const actuator::EffectKind*>>
-      indistinguishable{};  ///< sets that these data cannot tell apart
+  /// Sets of effects that these data cannot distinguish.
+  std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
   std::vector<compare::Estimate> calibration{};
-  std::vector<compare::Candidate> candidates{};
-  whiteness::Adequacy before{}, after{};
-  std::optional<localise::ResidualTorque> residual{};  ///< of `after`; nothing where no run has a motion
+  std::vector<compare::ComparedHypothesis> compared_hypotheses{};  ///< best first
+  whiteness::WhitenessResult before{}, after{};
+  std::optional<localise::ResidualTorque> residual{};  ///< of the model with the effects; nothing if no run is a motion
   std::optional<experiment::NextExperiment> next_experiment{};
   std::vector<ErrorComparison> fit_errors{}, validate_errors{};
   std::vector<Replay> replays{};
@@ -63,18 +63,19 @@ struct Diagnosis {
   std::vector<Phase> phases{};
 };
 
-/// How to go about it.
+/// Options of a diagnosis.
 struct DiagnosisOptions {
-  int threads = 0;         ///< 0: as many as the machine has; the answer is the same for any number
-  std::uint64_t seed = 1;  ///< of the starts that are drawn beside those that effects propose
-  std::function<void(const std::string&)> progress{};  ///< called with one line, from one thread at a time
+  int threads = 0;         ///< number of threads; 0: as many as the machine has. The result does not depend on it.
+  std::uint64_t seed = 1;  ///< random seed for the additional fit starts
+  std::function<void(const std::string&)>
+      progress{};  ///< called with one line at a time, never from two threads at once
   /// Effects that the declared model may lack; the diagnosis refers to their kinds.
   actuator::EffectCatalogue effects = actuator::standard_effects();
 };
 
-/// Finds what `declared` lacks to explain the fit runs of `data`, and reads the validate runs once, at the end, for the
-/// errors. Throws std::invalid_argument naming the run where the data do not fit the model (number of coils or joints,
-/// a voltage without a resistance), std::runtime_error where the declared model cannot be simulated.
+/// Finds the effects that `declared` lacks to explain the fit runs of `data`. The validate runs are read once, at the
+/// end, for the errors. Throws std::invalid_argument naming the run if the data do not fit the model (number of coils
+/// or joints, a voltage without a resistance), std::runtime_error if the declared model cannot be simulated.
 [[nodiscard]] Diagnosis diagnose(const data::Dataset& data, const replay::DeclaredModel& declared,
                                  const DiagnosisOptions& options = {});
 

@@ -8,29 +8,28 @@
 
 namespace coilwright::measurement {
 
-/// Of one quantity, SI.
+/// Errors of one model in one kind of channel, SI.
 struct Errors {
-  double mae{};
-  double rmse{};
-  double max{};
+  double mae{};   ///< mean absolute error
+  double rmse{};  ///< root mean square error
+  double max{};   ///< largest absolute error
 };
 
 /// Errors of the three models on the same runs.
 struct ErrorComparison {
-  data::Quantity quantity{};
+  data::ChannelKind kind{};  ///< joint_angle for both kinds of angles, whose errors are taken together
   std::size_t samples{};
   Errors declared{}, before{}, after{};
   double noise_floor_rmse{};
-  /// Of `after`: what the uncertainty of its fitted numbers leaves open on these runs (one standard deviation, to first
-  /// order, rms over the samples).
+  /// Standard deviation of the predictions of `after` due to parameter uncertainty (first order), rms over these runs.
   double uncertainty_rmse{};
 };
 
-/// One channel of one run with the three predictions, SI: for residuals.csv and pictures.
+/// One channel of one run with the predictions of the three models, SI, as residuals.csv lists it.
 struct Replay {
   std::string run{};
   bool validate{};
-  data::Quantity quantity{};
+  data::ChannelKind kind{};
   std::string channel{};
   std::vector<double> at{};  ///< s, or rad or A on a bench without time
   std::vector<double> measured{}, declared{}, before{}, after{};

@@ -36,10 +36,11 @@ void check_drive(const Run& run, const Node& node) {
 }
 
 void check_start(const Run& run, const Node& node) {
-  const auto has = [&](measurement::data::Quantity quantity) {
-    return std::ranges::count(run.channels, quantity, &measurement::data::Channel::quantity) > 0;
+  const auto has = [&](measurement::data::ChannelKind quantity) {
+    return std::ranges::count(run.channels, quantity, &measurement::data::Channel::kind) > 0;
   };
-  const bool angle = has(measurement::data::Quantity::bending_angle) || has(measurement::data::Quantity::joint_angle);
+  const bool angle =
+      has(measurement::data::ChannelKind::bending_angle) || has(measurement::data::ChannelKind::joint_angle);
   if (run.kind == RunKind::transient && run.start == Start::measured && !angle)
     throw node.error("must not be \"measured\" where no angle is measured");
 }
@@ -107,10 +108,10 @@ Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
   files.assign(met.begin(), met.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
   data.validate = measurement::data::SealedRuns(std::move(validate));
-  measurement::data::hold_out(data);
+  data = measurement::data::with_runs_held_out(std::move(data));
   for (const Run& run : data.fit) {
     if (const auto found = objections.find(run.name); found != objections.end()) throw found->second;
-    std::ranges::move(measurement::data::look_over(run), std::back_inserter(data.warnings));
+    std::ranges::move(measurement::data::data_quality_warnings(run), std::back_inserter(data.warnings));
   }
   return data;
 }

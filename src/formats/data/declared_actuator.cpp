@@ -39,7 +39,7 @@ DeclaredActuator declared_by(Document document, const Calibrate& calibrate, cons
       [&](auto& content) { return declare(std::move(document), std::move(content), std::move(names), effects); },
       read.content);
   out.name = std::move(read.name);
-  out.model.held_effects = std::move(held);
+  out.model.uncalibrated_effect_numbers = std::move(held);
   return out;
 }
 

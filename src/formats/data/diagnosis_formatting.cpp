@@ -8,11 +8,11 @@ namespace coilwright::formats {
 namespace {
 
 using measurement::ErrorComparison;
-using measurement::data::Quantity;
+using measurement::data::ChannelKind;
 
 int rank(const ErrorComparison* comparison) {
-  if (comparison->quantity == Quantity::bending_angle) return 0;
-  if (comparison->quantity == Quantity::joint_angle) return 1;
+  if (comparison->kind == ChannelKind::bending_angle) return 0;
+  if (comparison->kind == ChannelKind::joint_angle) return 1;
   return 2;
 }
 

@@ -55,7 +55,7 @@ Json estimates_json(std::span<const compare::Estimate> estimates) {
 Json evidence_json(const compare::Evidence& evidence) {
   return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
                        {"chi_square_after", number_or_null(evidence.chi_square_after)},
-                       {"criterion_gain", number_or_null(evidence.criterion_gain)},
+                       {"criterion_gain", number_or_null(evidence.quasi_bic_gain)},
                        {"cross_validated_gain", number_or_null(evidence.cross_validated_gain)},
                        {"correlation_time_samples", number_or_null(evidence.correlation_time)}});
 }
@@ -82,7 +82,7 @@ Json errors_json(const Errors& errors, const units::Unit& unit) {
 }
 
 void add_comparison(Json& out, const ErrorComparison& comparison) {
-  const units::Unit unit = error_unit(comparison.quantity);
+  const units::Unit unit = error_unit(comparison.kind);
   out.set("declared", errors_json(comparison.declared, unit));
   out.set("before", errors_json(comparison.before, unit));
   out.set("after", errors_json(comparison.after, unit));
@@ -98,11 +98,11 @@ Json comparisons_json(std::span<const ErrorComparison> comparisons) {
   const auto ordered = main_first(comparisons);
   if (ordered.empty()) return out;
   add_comparison(out, *ordered.front());
-  out.set("quantity", name_of(ordered.front()->quantity));
+  out.set("quantity", name_of(ordered.front()->kind));
   for (const ErrorComparison* each : std::span(ordered).subspan(1)) {
     Json other = Json::object();
     add_comparison(other, *each);
-    out.set(std::string(name_of(each->quantity)), std::move(other));
+    out.set(std::string(name_of(each->kind)), std::move(other));
   }
   return out;
 }
@@ -116,18 +116,18 @@ Json next_experiment_json(const Diagnosis& diagnosis) {
 
 Json candidates_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
-  for (const compare::Candidate& candidate : diagnosis.candidates)
+  for (const compare::ComparedHypothesis& candidate : diagnosis.compared_hypotheses)
     out.add(Json::object({{"effects", ids_json(candidate.effects)},
                           {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json(nullptr)},
                           {"remark", text_or_null(candidate.remark)}}));
   return out;
 }
 
-Json adequacy_json(const whiteness::Adequacy& adequacy) {
+Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
   return Json::object({{"level", number_or_null(adequacy.level)},
-                       {"structure", number_or_null(adequacy.structure)},
+                       {"structure", number_or_null(adequacy.whiteness_ratio)},
                        {"where", text_or_null(adequacy.where)},
-                       {"noise_only", adequacy.noise_only()}});
+                       {"noise_only", adequacy.is_white()}});
 }
 
 Json in_unit_json(std::span<const double> values, const units::Unit& unit) {
@@ -139,7 +139,7 @@ Json in_unit_json(std::span<const double> values, const units::Unit& unit) {
 Json residual_json(const Diagnosis& diagnosis) {
   if (!diagnosis.residual) return nullptr;
   const localise::ResidualTorque& residual = *diagnosis.residual;
-  const units::Unit torque = error_unit(data::Quantity::torque);
+  const units::Unit torque = error_unit(data::ChannelKind::torque);
   Json dependences = Json::array();
   for (const localise::Dependence& each : residual.dependences) {
     const units::Unit unit = variable_unit(each.variable);
@@ -149,7 +149,7 @@ Json residual_json(const Diagnosis& diagnosis) {
                                   {with_unit("residual", torque), in_unit_json(each.residual, torque)}}));
   }
   Json out = Json::object({{with_unit("rms", torque), in_unit_or_null(residual.rms, torque)},
-                           {with_unit("smallest_visible", torque), in_unit_or_null(residual.smallest_visible, torque)},
+                           {with_unit("smallest_visible", torque), in_unit_or_null(residual.noise_floor, torque)},
                            {"dependences", std::move(dependences)}});
   out.set("frequency_Hz", residual.frequency ? number_or_null(*residual.frequency) : Json(nullptr));
   return out;

@@ -152,24 +152,24 @@ Channel channel_named(const std::string& name, const Node& node) {
   const auto split = units::split_unit(name);
   const std::string_view unit = split ? split->unit.suffix : "";
   if (split && (unit == "deg" || unit == "rad")) {
-    if (split->quantity == "bending_angle") return {.name = name, .quantity = Quantity::bending_angle};
+    if (split->quantity == "bending_angle") return {.name = name, .kind = ChannelKind::bending_angle};
     if (const auto joint = numbered(split->quantity, "theta"))
-      return {.name = name, .quantity = Quantity::joint_angle, .joint = *joint - 1};
+      return {.name = name, .kind = ChannelKind::joint_angle, .joint = *joint - 1};
   }
   if (split && (unit == "deg_s" || unit == "rad_s"))
     if (const auto joint = numbered(split->quantity, "omega"))
-      return {.name = name, .quantity = Quantity::joint_rate, .joint = *joint - 1};
+      return {.name = name, .kind = ChannelKind::joint_rate, .joint = *joint - 1};
   throw node.error("must be measured columns: bending_angle_deg, theta1_deg, .. or omega1_rad_s, ..");
 }
 
 // A data set numbers the columns of a quantity from 1, without a gap.
 std::vector<std::string> read_measure(const Node& node) {
   std::vector<std::string> names;
-  std::map<Quantity, int> next;
+  std::map<ChannelKind, int> next;
   for (const Node& element : node.elements(Length::at_least(1))) {
     const Channel channel = channel_named(element.text(), element);
-    const int place = next[channel.quantity]++;
-    if (channel.quantity == Quantity::bending_angle && place > 0) throw element.error("must not be there twice");
+    const int place = next[channel.kind]++;
+    if (channel.kind == ChannelKind::bending_angle && place > 0) throw element.error("must not be there twice");
     if (channel.joint != place) throw element.error("must be numbered 1, 2, .. in turn");
     names.push_back(channel.name);
   }
@@ -236,7 +236,7 @@ void read_temperature(ObjectReader& in, const Defaults& defaults, PlannedRun& pl
   const auto* table = std::get_if<TableShape>(&planned.input);
   if (table != nullptr && table->rows.front().size() != 1)
     throw in.at("input").error_without_value("must have one current for all coils");
-  planned.plan.channels = {{.name = "temperature_degC", .quantity = Quantity::temperature}};
+  planned.plan.channels = {{.name = "temperature_degC", .kind = ChannelKind::temperature}};
 }
 
 std::vector<double> read_points(ObjectReader& in, std::string_view key, const Rule& rule) {
@@ -254,7 +254,7 @@ void read_static_torque(ObjectReader& in, Run& run) {
       run.angles.push_back(angle);
       run.inputs.push_back({current});
     }
-  run.channels = {{.name = "torque_Nmm", .quantity = Quantity::torque}};
+  run.channels = {{.name = "torque_Nmm", .kind = ChannelKind::torque}};
 }
 
 void read_bench(ObjectReader& in, Run& run) {
@@ -262,10 +262,10 @@ void read_bench(ObjectReader& in, Run& run) {
     read_static_torque(in, run);
   } else if (run.kind == RunKind::joint_stiffness) {
     run.angles = read_points(in, "angles_deg", angle_rule);
-    run.channels = {{.name = "torque_Nmm", .quantity = Quantity::torque}};
+    run.channels = {{.name = "torque_Nmm", .kind = ChannelKind::torque}};
   } else {
     for (const double current : read_points(in, "currents_A", level_rule)) run.inputs.push_back({current});
-    run.channels = {{.name = "force_N", .quantity = Quantity::force}};
+    run.channels = {{.name = "force_N", .kind = ChannelKind::force}};
   }
 }
 

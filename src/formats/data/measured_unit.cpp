@@ -8,7 +8,7 @@
 namespace coilwright::formats {
 namespace {
 
-using measurement::data::Quantity;
+using measurement::data::ChannelKind;
 
 constexpr units::Unit as_it_is{.suffix = "", .dimension = ""};
 
@@ -20,35 +20,35 @@ units::Unit unit_named(std::string_view suffix) {
 
 }  // namespace
 
-std::string_view name_of(Quantity quantity) {
+std::string_view name_of(ChannelKind quantity) {
   switch (quantity) {
-    case Quantity::bending_angle:
-    case Quantity::joint_angle:
+    case ChannelKind::bending_angle:
+    case ChannelKind::joint_angle:
       return "angle";
-    case Quantity::joint_rate:
+    case ChannelKind::joint_rate:
       return "joint_rate";
-    case Quantity::torque:
+    case ChannelKind::torque:
       return "torque";
-    case Quantity::force:
+    case ChannelKind::force:
       return "force";
-    case Quantity::temperature:
+    case ChannelKind::temperature:
       return "temperature";
   }
   return "";
 }
 
-units::Unit error_unit(Quantity quantity) {
+units::Unit error_unit(ChannelKind quantity) {
   switch (quantity) {
-    case Quantity::bending_angle:
-    case Quantity::joint_angle:
+    case ChannelKind::bending_angle:
+    case ChannelKind::joint_angle:
       return unit_named("deg");
-    case Quantity::joint_rate:
+    case ChannelKind::joint_rate:
       return unit_named("deg_s");
-    case Quantity::torque:
+    case ChannelKind::torque:
       return unit_named("Nmm");
-    case Quantity::force:
+    case ChannelKind::force:
       return unit_named("N");
-    case Quantity::temperature:
+    case ChannelKind::temperature:
       return unit_named("K");
   }
   return as_it_is;

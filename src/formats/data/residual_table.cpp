@@ -14,14 +14,14 @@ namespace {
 
 using namespace text;
 using measurement::Replay;
-using measurement::data::Quantity;
+using measurement::data::ChannelKind;
 
 // Which of the three columns holds the place of a sample.
 enum class Axis { time, angle, current };
 
 Axis axis_of(const Replay& replay) {
-  if (replay.quantity == Quantity::torque) return Axis::angle;
-  if (replay.quantity == Quantity::force) return Axis::current;
+  if (replay.kind == ChannelKind::torque) return Axis::angle;
+  if (replay.kind == ChannelKind::force) return Axis::current;
   return Axis::time;
 }
 

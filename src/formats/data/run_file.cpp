@@ -14,8 +14,8 @@ namespace {
 
 using namespace text;
 using measurement::data::Channel;
+using measurement::data::ChannelKind;
 using measurement::data::Drive;
-using measurement::data::Quantity;
 using measurement::data::Run;
 using measurement::data::RunKind;
 
@@ -27,7 +27,7 @@ constexpr double largest_finger_angle = 4.0 * std::numbers::pi;
 
 struct Measured {
   std::string quantity;  // for CsvTable::column()
-  Quantity kind{};
+  ChannelKind kind{};
   int joint{};
 };
 
@@ -40,7 +40,7 @@ struct Columns {
 };
 
 void ask_numbered(CsvHeader& header, Columns& columns, const std::string& quantity, const std::string& unit,
-                  Quantity kind) {
+                  ChannelKind kind) {
   const std::size_t count = header.numbered(quantity + "#" + unit);
   for (std::size_t number = 1; number <= count; ++number)
     columns.measured.push_back(
@@ -51,9 +51,9 @@ Columns ask_transient(CsvHeader& header) {
   Columns columns{.times = true};
   header.require("time_s");
   if (header.find("bending_angle_deg"))
-    columns.measured.push_back({.quantity = "bending_angle", .kind = Quantity::bending_angle});
-  ask_numbered(header, columns, "theta", "_deg", Quantity::joint_angle);
-  ask_numbered(header, columns, "omega", "_rad_s", Quantity::joint_rate);
+    columns.measured.push_back({.quantity = "bending_angle", .kind = ChannelKind::bending_angle});
+  ask_numbered(header, columns, "theta", "_deg", ChannelKind::joint_angle);
+  ask_numbered(header, columns, "omega", "_rad_s", ChannelKind::joint_rate);
   columns.input = ask_for_input(header);
   if (columns.measured.empty())
     throw header.error("must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
@@ -72,13 +72,13 @@ Columns ask_bench(CsvHeader& header, RunKind kind) {
   }
   if (columns.angles) {
     header.require("torque_Nmm");
-    columns.measured.push_back({.quantity = "torque", .kind = Quantity::torque});
+    columns.measured.push_back({.quantity = "torque", .kind = ChannelKind::torque});
   } else if (columns.times) {
     header.require("temperature_degC");
-    columns.measured.push_back({.quantity = "temperature", .kind = Quantity::temperature});
+    columns.measured.push_back({.quantity = "temperature", .kind = ChannelKind::temperature});
   } else {
     header.require("force_N");
-    columns.measured.push_back({.quantity = "force", .kind = Quantity::force});
+    columns.measured.push_back({.quantity = "force", .kind = ChannelKind::force});
   }
   return columns;
 }
@@ -97,10 +97,10 @@ std::vector<double> values_of(const CsvTable& table, const std::string& quantity
 
 Channel channel_of(const CsvTable& table, const Measured& measured) {
   Channel channel{.name = table.name(measured.quantity),
-                  .quantity = measured.kind,
+                  .kind = measured.kind,
                   .joint = measured.joint,
                   .values = values_of(table, measured.quantity)};
-  if (channel.quantity == Quantity::temperature)  // degrees Celsius everywhere but in the table
+  if (channel.kind == ChannelKind::temperature)  // degrees Celsius everywhere but in the table
     for (double& value : channel.values) value = units::from_si(value, channel.name);
   return channel;
 }
@@ -116,7 +116,7 @@ std::optional<InputError> objection(const CsvTable& table, const Columns& column
   if (columns.angles) angles.emplace_back("angle");
   if (columns.input.drive != Drive::torque)
     for (const Measured& measured : columns.measured)
-      if (measured.kind == Quantity::bending_angle || measured.kind == Quantity::joint_angle)
+      if (measured.kind == ChannelKind::bending_angle || measured.kind == ChannelKind::joint_angle)
         angles.push_back(measured.quantity);
   for (const std::string& quantity : angles) {
     const auto values = table.column(quantity);

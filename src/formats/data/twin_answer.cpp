@@ -14,9 +14,9 @@ using namespace measurement;
 
 Json instruments_json(const experiment::Instruments& instruments, double experiment::Instrument::*what) {
   constexpr std::array quantities = {
-      std::pair("angle", data::Quantity::bending_angle), std::pair("rate", data::Quantity::joint_rate),
-      std::pair("torque", data::Quantity::torque), std::pair("force", data::Quantity::force),
-      std::pair("temperature", data::Quantity::temperature)};
+      std::pair("angle", data::ChannelKind::bending_angle), std::pair("rate", data::ChannelKind::joint_rate),
+      std::pair("torque", data::ChannelKind::torque), std::pair("force", data::ChannelKind::force),
+      std::pair("temperature", data::ChannelKind::temperature)};
   Json out = Json::object();
   for (const auto& [name, quantity] : quantities) {
     const units::Unit unit = error_unit(quantity);

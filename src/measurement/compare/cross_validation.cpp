@@ -11,45 +11,50 @@
 namespace coilwright::measurement::compare {
 namespace {
 
-// From the fit to all runs to the fit without one of them.
-Eigen::VectorXd step_without(const Scored& s, std::size_t run) {
-  const Eigen::MatrixXd others = s.fit.normal - s.fit.runs[run].normal;
-  const Eigen::VectorXd scales = s.hypothesis.scales();
+// The step from the fit to all runs to the fit without one of them.
+Eigen::VectorXd step_without(const FittedHypothesis& fitted, std::size_t run) {
+  const Eigen::MatrixXd others = fitted.fit.normal_matrix - fitted.fit.runs[run].normal_matrix;
+  const Eigen::VectorXd scales = fitted.hypothesis.scales();
   const Eigen::MatrixXd scaled = scales.asDiagonal() * others * scales.asDiagonal();
-  // Residuals r with slope dr/dx: the others' optimum lies at +N^-1 g of the run left out, for at the common optimum
-  // all slopes add up to nothing.
+  // With the gradient g of the run left out and the normal matrix N of the others, the optimum of the others is at
+  // +N^-1 g, because at the common optimum all gradients add up to zero.
   const Eigen::VectorXd step =
-      scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * s.fit.runs[run].slope);
+      scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * fitted.fit.runs[run].gradient);
   return scales.asDiagonal() * step.cwiseMax(-1.0).cwiseMin(1.0);
 }
 
-// Chi^2 of a run at values that it had no part in.
-double held_out_chi_square(std::span<const replay::Record> records, const Scored& s, std::size_t run) {
-  Eigen::VectorXd values = s.fit.values;
-  if (values.size() > 0) values = s.hypothesis.clamped(values + step_without(s, run));
+// Chi-square of a run at parameters on which it had no influence.
+fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
+                                         std::size_t run) {
+  Eigen::VectorXd values = fitted.fit.values;
+  if (values.size() > 0) values = fitted.hypothesis.clamped(values + step_without(fitted, run));
   const auto there =
-      fit::evaluate_at({.hypothesis = &s.hypothesis, .records = records.subspan(run, 1), .start = std::move(values)});
-  return there ? there->chi_square : std::numeric_limits<double>::infinity();
+      fit::evaluate_at({.hypothesis = &fitted.hypothesis, .runs = runs.subspan(run, 1), .start = std::move(values)});
+  return {.value = there.value ? there.value->chi_square : std::numeric_limits<double>::infinity(),
+          .simulated_runs = there.simulated_runs};
 }
 
 }  // namespace
 
-double cross_validated_gain(std::span<const replay::Record> records, const Scored& a, const Scored& b) {
-  if (records.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> with(records.size());
-  std::vector<double> without(records.size());
-  tbb::parallel_for(std::size_t{0}, records.size(), [&](std::size_t r) {
-    without[r] = held_out_chi_square(records, a, r);
-    with[r] = held_out_chi_square(records, b, r);
+fit::Counted<double> cross_validated_gain(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
+                                          const FittedHypothesis& with) {
+  if (runs.size() < 2) return {.value = std::numeric_limits<double>::quiet_NaN()};
+  std::vector<fit::Counted<double>> chi_square_with(runs.size());
+  std::vector<fit::Counted<double>> chi_square_without(runs.size());
+  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+    chi_square_without[r] = held_out_chi_square(runs, without, r);
+    chi_square_with[r] = held_out_chi_square(runs, with, r);
   });
-  double excess_with = 0.0;
-  double excess_without = 0.0;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const auto noise = static_cast<double>(a.fit.runs[r].residuals.size());
-    excess_with += with[r] - noise;
-    excess_without += without[r] - noise;
+  double above_noise_with = 0.0;
+  double above_noise_without = 0.0;
+  long simulated_runs = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto noise = static_cast<double>(without.fit.runs[r].residuals.size());
+    above_noise_with += chi_square_with[r].value - noise;
+    above_noise_without += chi_square_without[r].value - noise;
+    simulated_runs += chi_square_with[r].simulated_runs + chi_square_without[r].simulated_runs;
   }
-  return 1.0 - excess_with / excess_without;
+  return {.value = 1.0 - above_noise_with / above_noise_without, .simulated_runs = simulated_runs};
 }
 
 }  // namespace coilwright::measurement::compare

@@ -6,9 +6,10 @@
 
 namespace coilwright::measurement::compare {
 
-/// By how much hypothesis `b` predicts runs that it was not fitted to better than `a`: each fit run is left out in turn
-/// (one Gauss-Newton step from the fit to all), and the share of the squared residual above the noise that b removes is
-/// taken. NaN for a single run.
-[[nodiscard]] double cross_validated_gain(std::span<const replay::Record> records, const Scored& a, const Scored& b);
+/// How much better `with` predicts runs to which it was not fitted than `without`: each fit run is left out in turn (by
+/// one Gauss-Newton step from the fit to all runs), and the value is the fraction of the squared residual above the
+/// noise that `with` removes. NaN for a single run.
+[[nodiscard]] fit::Counted<double> cross_validated_gain(std::span<const replay::PreparedRun> runs,
+                                                        const FittedHypothesis& without, const FittedHypothesis& with);
 
 }  // namespace coilwright::measurement::compare

@@ -15,13 +15,14 @@ bool may_be_negative(const actuator::EffectKind& kind) {
   });
 }
 
-void weaken(Effect& effect, double share) {
+Effect scaled_from_absent(Effect effect, double share) {
   const auto numbers = effect.kind->parameters();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!numbers[i].choices.empty() || !numbers[i].absent || std::isinf(*numbers[i].absent)) continue;
     const double absent = *numbers[i].absent;
     effect.values[i] = std::clamp(absent + share * (effect.values[i] - absent), numbers[i].lower, numbers[i].upper);
   }
+  return effect;
 }
 
 bool is_absent(const Effect& effect) {

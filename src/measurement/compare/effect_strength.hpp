@@ -6,15 +6,15 @@
 
 namespace coilwright::measurement::compare {
 
-/// How strong an effect is: how far its numbers are from the values that mean it is not there.
+/// The strength of an effect is the distance of its numbers from the values that mean that it is absent.
 
-/// Whether an effect of this kind may act either way.
+/// Whether an effect of this kind may act in either direction.
 [[nodiscard]] bool may_be_negative(const actuator::EffectKind& kind);
-/// Takes an effect to `share` of its distance from absent, inside its bounds. What is one of a few choices, and what is
-/// absent at infinity, stays.
-void weaken(actuator::Effect& effect, double share);
-/// Whether one of its numbers has the value that means that the effect is not there. A limit that is absent at infinity
-/// never is: one beyond the motion gains nothing.
+/// The effect at `share` of its distance from absent, inside its bounds. Numbers that are one of a few choices, and
+/// those that are absent at infinity, do not change.
+[[nodiscard]] actuator::Effect scaled_from_absent(actuator::Effect effect, double share);
+/// Whether one of its numbers has the value that means that the effect is absent. A number that is absent at infinity
+/// never has: a limit beyond the motion gains nothing.
 [[nodiscard]] bool is_absent(const actuator::Effect& effect);
 /// Its numbers that are one of a few choices.
 [[nodiscard]] std::vector<double> choices_of(const actuator::Effect& effect);

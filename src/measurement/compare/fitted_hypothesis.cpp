@@ -9,40 +9,41 @@
 
 namespace coilwright::measurement::compare {
 
-double Scored::excess() const {
+double FittedHypothesis::chi_square_above_noise() const {
   return fit.chi_square - static_cast<double>(fit.samples());
 }
 
-std::vector<const actuator::EffectKind*> Scored::kinds() const {
+std::vector<const actuator::EffectKind*> FittedHypothesis::kinds() const {
   std::vector<const actuator::EffectKind*> out;
   for (const actuator::Effect& effect : hypothesis.effects()) out.push_back(effect.kind);
   return out;
 }
 
-Scored scored(std::span<const replay::Record> records, fit::Hypothesis hypothesis, fit::Fit fitted) {
-  const whiteness::Adequacy adequacy =
-      whiteness::adequacy_of(fit::scaled_residuals(records, fitted), static_cast<int>(hypothesis.size()));
-  return {.hypothesis = std::move(hypothesis), .fit = std::move(fitted), .adequacy = adequacy};
+FittedHypothesis score(std::span<const replay::PreparedRun> runs, fit::Hypothesis hypothesis, fit::Fit fitted) {
+  const whiteness::WhitenessResult result =
+      whiteness::whiteness_test(fit::scaled_residuals(runs, fitted), static_cast<int>(hypothesis.size()));
+  return {.hypothesis = std::move(hypothesis), .fit = std::move(fitted), .whiteness = result};
 }
 
-double unit_of_evidence(std::span<const replay::Record> records, const Scored& reference) {
-  if (reference.adequacy.noise_only()) return 1.0;
+double overdispersion_of(std::span<const replay::PreparedRun> runs, const FittedHypothesis& reference) {
+  if (reference.whiteness.is_white()) return 1.0;
   const double mean_square = reference.fit.chi_square / static_cast<double>(reference.fit.samples());
-  return std::max(1.0, mean_square * whiteness::correlation_time(fit::scaled_residuals(records, reference.fit)));
+  return std::max(1.0, mean_square * whiteness::correlation_time(fit::scaled_residuals(runs, reference.fit)));
 }
 
-double criterion(const Scored& s, double unit) {
-  const auto samples = static_cast<double>(s.fit.samples());
-  const double charge = std::log(std::max(std::exp(1.0), samples / unit));
-  return s.fit.chi_square / unit + static_cast<double>(s.hypothesis.size()) * charge;
+double quasi_bic(const FittedHypothesis& fitted, double overdispersion) {
+  const auto samples = static_cast<double>(fitted.fit.samples());
+  const double penalty = std::log(std::max(std::exp(1.0), samples / overdispersion));
+  return fitted.fit.chi_square / overdispersion + static_cast<double>(fitted.hypothesis.size()) * penalty;
 }
 
-Evidence evidence(std::span<const replay::Record> records, const Scored& without, const Scored& with, double unit) {
+Evidence evidence_between(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
+                          const FittedHypothesis& with, double overdispersion) {
   return {.chi_square_before = without.fit.chi_square,
           .chi_square_after = with.fit.chi_square,
-          .criterion_gain = criterion(without, unit) - criterion(with, unit),
+          .quasi_bic_gain = quasi_bic(without, overdispersion) - quasi_bic(with, overdispersion),
           .cross_validated_gain = std::numeric_limits<double>::quiet_NaN(),
-          .correlation_time = whiteness::correlation_time(fit::scaled_residuals(records, with.fit))};
+          .correlation_time = whiteness::correlation_time(fit::scaled_residuals(runs, with.fit))};
 }
 
 }  // namespace coilwright::measurement::compare

@@ -9,28 +9,29 @@
 
 namespace coilwright::measurement::compare {
 
-/// A hypothesis and how well it does on the fit runs.
-struct Scored {
+/// A hypothesis, its fit to the fit runs, and whether its residual is white.
+struct FittedHypothesis {
   fit::Hypothesis hypothesis;
   fit::Fit fit{};
-  whiteness::Adequacy adequacy{};
+  whiteness::WhitenessResult whiteness{};
 
-  /// Chi^2 above what noise alone gives.
-  [[nodiscard]] double excess() const;
+  /// Chi-square minus its expectation for noise alone.
+  [[nodiscard]] double chi_square_above_noise() const;
   [[nodiscard]] std::vector<const actuator::EffectKind*> kinds() const;
 };
-[[nodiscard]] Scored scored(std::span<const replay::Record> records, fit::Hypothesis hypothesis, fit::Fit fitted);
+[[nodiscard]] FittedHypothesis score(std::span<const replay::PreparedRun> runs, fit::Hypothesis hypothesis,
+                                     fit::Fit fitted);
 
-/// Chi^2 that counts as one independent piece of evidence: 1 where the residual is white noise of the known level, more
-/// where it is larger or correlated.
-[[nodiscard]] double unit_of_evidence(std::span<const replay::Record> records, const Scored& reference);
+/// Overdispersion: chi-square per independent sample of the residual; 1 for white residuals at the known noise level.
+/// (The c-hat of quasi-likelihood: Burnham and Anderson, Model Selection and Multimodel Inference, 2002, section 2.5.)
+[[nodiscard]] double overdispersion_of(std::span<const replay::PreparedRun> runs, const FittedHypothesis& reference);
 
-/// What speaks against a hypothesis, in pieces of evidence: misfit, and a charge for every number (Schwarz 1978, with
-/// the number of independent samples).
-[[nodiscard]] double criterion(const Scored& s, double unit);
+/// Quasi-BIC of a hypothesis, the smaller the better: chi-square over the overdispersion, plus a penalty for every
+/// parameter (Schwarz 1978, with the number of independent samples).
+[[nodiscard]] double quasi_bic(const FittedHypothesis& fitted, double overdispersion);
 
-/// What `with` explains beyond `without`. Its cross-validated gain is left NaN: see cross_validation.hpp.
-[[nodiscard]] Evidence evidence(std::span<const replay::Record> records, const Scored& without, const Scored& with,
-                                double unit);
+/// What `with` explains beyond `without`. Its cross-validated gain is NaN: see cross_validation.hpp.
+[[nodiscard]] Evidence evidence_between(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
+                                        const FittedHypothesis& with, double overdispersion);
 
 }  // namespace coilwright::measurement::compare

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "measurement/compare/hypothesis_extension.hpp"
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/rig_scale.hpp"
+#include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
 
 namespace coilwright::measurement::compare {
@@ -20,240 +23,229 @@ namespace {
 using actuator::Effect;
 using actuator::EffectKind;
 using actuator::Model;
+using fit::Counted;
 
-// So many effects are followed to the end of their fit; the others are too far behind after a glance to matter.
-constexpr std::size_t followed = 9;
-// So many of the hypotheses of one level are starting points for the next.
-constexpr std::size_t beam = 5;
-// So many additions to each of them are fitted, of those that promise most.
-constexpr std::size_t fitted_additions = 4;
-// So many of a level are tried with their choices made otherwise.
-constexpr std::size_t reconsidered = 4;
-constexpr std::size_t most_effects = 3;
-constexpr double worth_another = 0.5;
+using Screened = std::vector<ScreenedEffect>;
+using Level = std::vector<FittedHypothesis>;  // hypotheses with the same number of effects
 
-std::vector<Scored> collected(std::vector<std::optional<Scored>> found) {
-  std::vector<Scored> out;
-  for (std::optional<Scored>& one : found)
-    if (one) out.push_back(std::move(*one));
+// The fits that succeeded, in their order.
+Counted<Level> succeeded(std::vector<CountedFit> fits) {
+  Counted<Level> out;
+  for (CountedFit& fitted : fits) {
+    out.simulated_runs += fitted.simulated_runs;
+    if (fitted.value) out.value.push_back(std::move(*fitted.value));
+  }
   return out;
 }
 
-const Scored& best_of(const std::vector<Scored>& level, const Scored& otherwise) {
-  const auto best = std::ranges::min_element(level, {}, [](const Scored& s) { return s.fit.chi_square; });
-  return best == level.end() ? otherwise : *best;
+const FittedHypothesis& least_chi_square(const Level& level, const FittedHypothesis& fallback) {
+  const auto best =
+      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.chi_square; });
+  return best == level.end() ? fallback : *best;
 }
 
-std::string names(const Scored& s) {
+std::string names(const FittedHypothesis& fitted) {
   std::string out;
-  for (const EffectKind* kind : s.kinds()) {
+  for (const EffectKind* kind : fitted.kinds()) {
     if (!out.empty()) out += " + ";
     out += kind->id();
   }
   return out;
 }
 
-// The inputs of the first run by itself that the model cannot follow.
-std::string inputs_that_fail(std::span<const replay::Record> records, const Trial& trial) {
-  for (std::size_t r = 0; r < records.size(); ++r)
-    if (!fit::evaluate_at(asking(records.subspan(r, 1), trial))) return "the inputs of " + records[r].run->name;
+// The inputs of the first run that the model cannot follow by itself.
+std::string inputs_that_fail(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (!fit::evaluate_at(fit_request_of(runs.subspan(r, 1), plan)).value) return "the inputs of " + runs[r].run->name;
   return "these inputs";
 }
 
-Scored recalibrated(std::span<const replay::Record> records, const replay::DeclaredModel& declared) {
-  Trial trial{.hypothesis = fit::Hypothesis(declared, {})};
-  trial.start = trial.hypothesis.start();
-  auto fitted = fitted_to_end(records, trial);
-  if (!fitted)
-    throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(records, trial));
-  return std::move(*fitted);
+Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
+                                       const replay::DeclaredModel& declared) {
+  PlannedFit plan{.hypothesis = fit::Hypothesis(declared, {})};
+  plan.start = plan.hypothesis.start();
+  auto fitted = fit_to_convergence(runs, plan);
+  if (!fitted.value)
+    throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(runs, plan));
+  return {.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
 }
 
-// The same effects with one of their choices (a side, a warm start) made otherwise: what the first look took for better
-// may not be so in company.
-std::vector<Trial> with_other_choices(const Scored& s) {
-  std::vector<Trial> out;
-  const std::vector<Effect> effects = s.hypothesis.effects_at(s.fit.values);
-  for (std::size_t e = 0; e < effects.size(); ++e) {
-    const auto numbers = effects[e].kind->parameters();
-    for (std::size_t n = 0; n < numbers.size(); ++n) {
-      for (const double choice : numbers[n].choices) {
-        if (choice == effects[e].values[n]) continue;
-        std::vector<Effect> changed = effects;
-        changed[e].values[n] = choice;
-        out.push_back({.hypothesis = fit::Hypothesis(s.hypothesis.declared(), std::move(changed)),
-                       .start = s.fit.values,
-                       .starts_from = &s.fit});
-      }
+struct ApplicableKinds {
+  std::vector<const EffectKind*> kinds{};
+  std::vector<ComparedHypothesis> inapplicable{};
+};
+
+ApplicableKinds applicable_kinds(const actuator::EffectCatalogue& catalogue, const Model& nominal) {
+  ApplicableKinds out;
+  for (const EffectKind* kind : catalogue.kinds()) {
+    const auto& declared = nominal.nominal_spec().effects;
+    if (std::ranges::any_of(declared, [&](const Effect& effect) { return effect.kind == kind; })) {
+      out.inapplicable.push_back({.effects = {kind}, .remark = "is in the declared model already"});
+    } else if (const auto reason = kind->inapplicable(nominal.nominal_spec())) {
+      out.inapplicable.push_back({.effects = {kind}, .remark = "does not fit this rig: " + *reason});
+    } else {
+      out.kinds.push_back(kind);
     }
   }
   return out;
 }
 
-// What is to be fitted on top of a hypothesis: one effect from the best of several starts, or all of them together.
-struct Wish {
-  const Scored* base{};
-  std::vector<Effect> effects{};
-  bool together{};
-
-  [[nodiscard]] std::vector<const EffectKind*> kinds() const {
-    std::vector<const EffectKind*> out = base->kinds();
-    for (std::size_t i = 0; i < (together ? effects.size() : 1); ++i) out.push_back(effects[i].kind);
-    std::ranges::sort(out);
-    return out;
-  }
-};
-
-// The same set of effects reached on two ways is fitted once, from where it was met first.
-void drop_repeated(std::vector<Wish>& wanted) {
-  std::vector<std::vector<const EffectKind*>> met;
-  std::erase_if(wanted, [&](const Wish& one) {
-    std::vector<const EffectKind*> kinds = one.kinds();
-    if (std::ranges::find(met, kinds) != met.end()) return true;
-    met.push_back(std::move(kinds));
-    return false;
-  });
-}
-
-class Search {
+class HypothesisSearch {
  public:
-  explicit Search(const AttributionRequest& request) : request_(request), records_(request.records) {}
+  explicit HypothesisSearch(const AttributionRequest& request) : request_(request), runs_(request.runs) {}
 
   Attribution run() {
-    Attribution out;
-    out.steps.push_back(recalibrated(records_, *request_.declared));
-    const Model nominal = out.before().hypothesis.model_at(out.before().fit.values);
-    scale_ = rig_scale(records_, nominal);
-    find_kinds(nominal, out);
-    say(fmt::format("recalibrated: rms residual {:.3g} times the noise", out.before().adequacy.level));
+    const FittedHypothesis before = counted(recalibrated(runs_, *request_.declared));
+    const Model nominal = before.hypothesis.model_at(before.fit.values);
+    scale_ = rig_scale(runs_, nominal);
+    ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
+    kinds_ = std::move(applicable.kinds);
+    report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
 
-    const std::vector<Addition> offered = offered_to(out.before());
-    std::vector<Scored> level = singles(out.before(), offered);
-    std::vector<Scored> all;
-    unit_ = unit_of_evidence(records_, best_of(level, out.before()));
-    double excess = out.before().excess();
-    const auto against = [&](const Scored& s) { return criterion(s, unit_); };
-    for (std::size_t size = 1;; ++size) {
-      std::ranges::stable_sort(level, {}, against);
-      reconsider_choices(level);
-      std::ranges::stable_sort(level, {}, against);
-      if (!level.empty()) {
-        const Scored& best = level.front();
-        unit_ = std::min(unit_, unit_of_evidence(records_, best));
-        say(fmt::format("best with {} effect{}: {}: rms residual {:.3g} times the noise, structure {:.2g}", size,
-                        size == 1 ? "" : "s", names(best), best.adequacy.level, best.adequacy.structure));
-      }
-      const bool adequate = std::ranges::any_of(level, [](const Scored& s) { return s.adequacy.noise_only(); });
-      all.insert(all.end(), level.begin(), level.end());
-      if (adequate || out.before().adequacy.noise_only() || size == most_effects) break;
-      // A third effect is worth its runs only where the second halved what was left.
-      const double left = level.empty() ? excess : level.front().excess();
-      if (size > 1 && left > worth_another * excess) break;
-      excess = left;
-      std::vector<Scored> next = larger(level, size == 1 ? &out.before() : nullptr, offered);
-      if (next.empty()) break;
-      level = std::move(next);
-    }
-    out.unit = unit_;
-    choose(records_, std::move(all), out);
+    const Screened screened = counted(screen(before));
+    std::vector<FittedHypothesis> all = compare_levels(before, screened);
+    Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
+    Attribution out{.steps = {before}, .overdispersion = overdispersion_};
+    std::ranges::move(selection.steps, std::back_inserter(out.steps));
+    out.rivals = std::move(selection.rivals);
+    out.indistinguishable = std::move(selection.indistinguishable);
+    for (auto* part : {&selection.ranked, &applicable.inapplicable, &selection.ruled_out})
+      std::ranges::move(*part, std::back_inserter(out.compared));
+    out.simulated_runs = simulated_runs_ + selection.simulated_runs;
     return out;
   }
 
  private:
-  void say(const std::string& line) const {
+  // Takes the value of a result and adds its simulated runs to those of the search.
+  template <typename Value>
+  Value counted(Counted<Value> result) {
+    simulated_runs_ += result.simulated_runs;
+    return std::move(result.value);
+  }
+
+  void report(const std::string& line) const {
     if (request_.progress) request_.progress(line);
   }
 
-  void find_kinds(const Model& nominal, Attribution& out) {
-    for (const EffectKind* kind : request_.effects.kinds()) {
-      const auto& declared = nominal.nominal_spec().effects;
-      if (std::ranges::any_of(declared, [&](const Effect& effect) { return effect.kind == kind; })) {
-        out.candidates.push_back({.effects = {kind}, .remark = "is in the declared model already"});
-      } else if (const auto reason = kind->inapplicable(nominal.nominal_spec())) {
-        out.candidates.push_back({.effects = {kind}, .remark = "does not fit this rig: " + *reason});
-      } else {
-        kinds_.push_back(kind);
+  // All hypotheses of one effect, two, ..., until one leaves white noise or another effect is not worth its runs.
+  std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before, const Screened& screened) {
+    Level level = counted(single_effects(before, screened));
+    std::vector<FittedHypothesis> all;
+    overdispersion_ = overdispersion_of(runs_, least_chi_square(level, before));
+    double above_noise = before.chi_square_above_noise();
+    const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
+    for (std::size_t size = 1;; ++size) {
+      std::ranges::stable_sort(level, {}, bic);
+      level = counted(with_better_choices(std::move(level)));
+      std::ranges::stable_sort(level, {}, bic);
+      if (!level.empty()) {
+        const FittedHypothesis& best = level.front();
+        overdispersion_ = std::min(overdispersion_, overdispersion_of(runs_, best));
+        report(fmt::format("best with {} effect{}: {}: rms residual {:.3g} times the noise, whiteness ratio {:.2g}",
+                           size, size == 1 ? "" : "s", names(best), best.whiteness.level,
+                           best.whiteness.whiteness_ratio));
       }
+      const bool adequate =
+          std::ranges::any_of(level, [](const FittedHypothesis& each) { return each.whiteness.is_white(); });
+      all.insert(all.end(), level.begin(), level.end());
+      if (adequate || before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
+      const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
+      if (size > 1 && left > search_effort.worth_another_effect * above_noise) break;
+      above_noise = left;
+      Level next = counted(larger_hypotheses(level, size == 1 ? &before : nullptr, screened));
+      if (next.empty()) break;
+      level = std::move(next);
     }
+    return all;
   }
 
-  [[nodiscard]] std::vector<Addition> offered_to(const Scored& base) const {
-    return additions(records_, base, kinds_, scale_, request_.seed);
+  [[nodiscard]] Counted<Screened> screen(const FittedHypothesis& base) const {
+    return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_, .seed = request_.seed});
   }
 
-  // Every effect alone: a glance at each, the best of them to their end.
-  [[nodiscard]] std::vector<Scored> singles(const Scored& base, const std::vector<Addition>& offered) const {
-    std::vector<std::optional<Glance>> glances(kinds_.size());
-    std::mutex said;
+  // Every effect alone: a short fit of each, of which the best are continued to convergence.
+  [[nodiscard]] Counted<Level> single_effects(const FittedHypothesis& base, const Screened& screened) const {
+    std::vector<Counted<std::optional<ShortFit>>> short_fits(kinds_.size());
+    std::mutex reporting;
     std::size_t done = 0;
     tbb::parallel_for(std::size_t{0}, kinds_.size(), [&](std::size_t i) {
-      glances[i] = glance_at(records_, base, worth_a_glance(kinds_[i], offered));
-      const std::scoped_lock lock(said);
-      if (++done % 8 == 0) say(fmt::format("{} of {} effects compared", done, kinds_.size()));
+      short_fits[i] = short_fit(runs_, base, starts_for_short_fit(kinds_[i], screened));
+      const std::scoped_lock lock(reporting);
+      if (++done % 8 == 0) report(fmt::format("{} of {} effects compared", done, kinds_.size()));
     });
-    std::erase_if(glances, [](const std::optional<Glance>& one) { return !one; });
-    std::ranges::stable_sort(glances, {}, [](const std::optional<Glance>& one) { return one->fitted.chi_square; });
-    std::vector<std::optional<Scored>> found(glances.size());
-    tbb::parallel_for(std::size_t{0}, glances.size(), [&](std::size_t i) {
-      Glance& one = *glances[i];
-      if (i < followed)
-        found[i] = followed_to_end(records_, one);
+    std::vector<ShortFit> found;
+    long simulated_runs = 0;
+    for (Counted<std::optional<ShortFit>>& each : short_fits) {
+      simulated_runs += each.simulated_runs;
+      if (each.value) found.push_back(std::move(*each.value));
+    }
+    std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.chi_square; });
+    std::vector<CountedFit> fits(found.size());
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+      if (i < search_effort.refined_singles)
+        fits[i] = refine(runs_, found[i]);
       else
-        found[i] = scored(records_, std::move(one.trial.hypothesis), std::move(one.fitted));
+        fits[i].value = score(runs_, std::move(found[i].plan.hypothesis), std::move(found[i].fitted));
     });
-    return collected(std::move(found));
+    Counted<Level> out = succeeded(std::move(fits));
+    out.simulated_runs += simulated_runs;
+    return out;
   }
 
-  // Replaces each of the best of a level (sorted) by itself with another choice where that is better.
-  void reconsider_choices(std::vector<Scored>& level) const {
-    const std::size_t count = std::min(reconsidered, level.size());
+  // A level (sorted, best first) whose best hypotheses have other discrete choices where those are better.
+  [[nodiscard]] Counted<Level> with_better_choices(Level level) const {
+    const std::size_t count = std::min(search_effort.reconsidered, level.size());
+    std::vector<long> simulated_runs(count, 0);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      if (level[i].adequacy.noise_only()) return;
-      const Scored as_found = level[i];
-      for (const Trial& trial : with_other_choices(as_found)) {
-        auto other = fitted_to_end(records_, trial);
-        if (other && other->fit.chi_square < level[i].fit.chi_square) level[i] = std::move(*other);
+      if (level[i].whiteness.is_white()) return;
+      const FittedHypothesis as_found = level[i];
+      for (const PlannedFit& plan : with_other_choices(as_found)) {
+        auto other = fit_to_convergence(runs_, plan);
+        simulated_runs[i] += other.simulated_runs;
+        if (other.value && other.value->fit.chi_square < level[i].fit.chi_square) level[i] = std::move(*other.value);
       }
     });
+    Counted<Level> out{.value = std::move(level)};
+    for (const long each : simulated_runs) out.simulated_runs += each;
+    return out;
   }
 
-  // Hypotheses with one effect more than `level` (sorted, best first); with `base`, also pairs on top of it.
-  [[nodiscard]] std::vector<Scored> larger(const std::vector<Scored>& level, const Scored* base,
-                                           const std::vector<Addition>& offered) const {
-    std::vector<Wish> wanted;
-    for (std::size_t i = 0; i < std::min(beam, level.size()); ++i) {
-      const std::vector<Addition> more = offered_to(level[i]);
-      for (const EffectKind* kind : most_promising(more, fitted_additions))
-        wanted.push_back({.base = &level[i], .effects = worth_a_glance(kind, more)});
+  // Hypotheses with one effect more than those of `level` (sorted, best first); with `base`, also pairs added to it.
+  [[nodiscard]] Counted<Level> larger_hypotheses(const Level& level, const FittedHypothesis* base,
+                                                 const Screened& screened) const {
+    std::vector<PlannedExtension> planned;
+    long simulated_runs = 0;
+    for (std::size_t i = 0; i < std::min(search_effort.beam, level.size()); ++i) {
+      const Counted<Screened> more = screen(level[i]);
+      simulated_runs += more.simulated_runs;
+      for (const EffectKind* kind : kinds_by_predicted_fall(more.value, search_effort.extensions))
+        planned.push_back({.base = &level[i], .effects = starts_for_short_fit(kind, more.value)});
     }
     if (base != nullptr) {
-      for (auto& [first, second] : most_promising_pairs(*base, offered, fitted_additions))
-        wanted.push_back({.base = base, .effects = {std::move(first), std::move(second)}, .together = true});
+      for (auto& [first, second] : pairs_by_predicted_fall(*base, screened, search_effort.extensions))
+        planned.push_back({.base = base, .effects = {std::move(first), std::move(second)}, .joint = true});
     }
-    drop_repeated(wanted);
-    std::vector<std::optional<Scored>> found(wanted.size());
-    tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
-      const Wish& wish = wanted[i];
-      if (wish.together) {
-        found[i] = fitted_to_end(records_, with(*wish.base, wish.effects));
-      } else if (const auto one = glance_at(records_, *wish.base, wish.effects)) {
-        found[i] = followed_to_end(records_, *one);
-      }
-    });
-    return collected(std::move(found));
+    planned = without_repetitions(std::move(planned));
+    std::vector<CountedFit> fits(planned.size());
+    tbb::parallel_for(std::size_t{0}, planned.size(),
+                      [&](std::size_t i) { fits[i] = fit_extension(runs_, planned[i]); });
+    Counted<Level> out = succeeded(std::move(fits));
+    out.simulated_runs += simulated_runs;
+    return out;
   }
 
   const AttributionRequest& request_;
-  std::span<const replay::Record> records_;
+  std::span<const replay::PreparedRun> runs_;
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
-  double unit_ = 1.0;
+  double overdispersion_ = 1.0;
+  long simulated_runs_ = 0;
 };
 
 }  // namespace
 
 Attribution attribute(const AttributionRequest& request) {
-  return Search(request).run();
+  return HypothesisSearch(request).run();
 }
 
 }  // namespace coilwright::measurement::compare

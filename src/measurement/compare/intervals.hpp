@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -8,17 +9,25 @@
 
 namespace coilwright::measurement::compare {
 
-/// Estimates of all parameters of `s`, in its order: calibration with intervals from the slopes, the numbers of effects
-/// with profile likelihood (all else fitted anew at each held value), 95 %; magnitudes, which no bound lets fall to
-/// zero or below, in their logarithm. `unit`: chi^2 that counts as one. Where a profile passes a better optimum than
-/// the fit had found, `s` is moved there first.
-[[nodiscard]] std::vector<Estimate> estimates(std::span<const replay::Record> records, Scored& s, double unit);
+/// A hypothesis and the estimates of all its parameters, in its order.
+struct EstimatedHypothesis {
+  FittedHypothesis fitted;
+  std::vector<Estimate> estimates{};
+  long simulated_runs{};
+};
 
-/// The estimates of effect `i` of `s`, choices included, in the order of its kind's parameters.
-[[nodiscard]] std::vector<Estimate> estimates_of_effect(const Scored& s, const std::vector<Estimate>& all,
-                                                        std::size_t i);
+/// 95 % intervals of all parameters: of the calibration from the curvature at the optimum, of the numbers of effects
+/// from the profile likelihood. If a profile reaches a better optimum than the fit had found, the hypothesis is
+/// refitted from there first, and its intervals are those at the better optimum.
+[[nodiscard]] EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
+                                                     double overdispersion);
 
-/// Whether effect `i` can be told from nothing: no number's interval reaches the value at which the effect is absent.
-[[nodiscard]] bool excludes_absent(const Scored& s, const std::vector<Estimate>& of_effect, std::size_t i);
+/// The estimates of one effect, discrete choices included, in the order of its kind's parameters.
+[[nodiscard]] std::vector<Estimate> estimates_of_effect(const FittedHypothesis& fitted,
+                                                        const std::vector<Estimate>& estimates, std::size_t effect);
+
+/// Whether no interval of the effect's numbers contains the value at which the effect is absent.
+[[nodiscard]] bool excludes_absent(const FittedHypothesis& fitted, const std::vector<Estimate>& of_effect,
+                                   std::size_t effect);
 
 }  // namespace coilwright::measurement::compare

@@ -5,11 +5,11 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <optional>
 #include <random>
-#include <utility>
 
 #include "measurement/compare/effect_strength.hpp"
+#include "measurement/compare/search_effort.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 
 namespace coilwright::measurement::compare {
@@ -18,153 +18,168 @@ namespace {
 using actuator::Effect;
 using actuator::EffectKind;
 
-// Below this share of the product of their squares two directions are one.
-constexpr double least_determinant = 1e-6;
-
-// A start with each of its numbers (but choices) made up to twice as large or small, inside the bounds. By mt19937_64,
-// whose numbers are the same everywhere.
-std::vector<double> scattered(const EffectKind& kind, std::vector<double> start, std::mt19937_64& random) {
+// An initial guess with each number, discrete choices excepted, multiplied by a random factor, inside the bounds. Drawn
+// by mt19937_64, whose numbers are the same on every platform.
+std::vector<double> scattered(const EffectKind& kind, std::vector<double> guess, std::mt19937_64& random) {
+  const double octaves = std::log2(search_effort.scatter);
   const auto numbers = kind.parameters();
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    if (!numbers[i].choices.empty() || !std::isfinite(start[i])) continue;
+  for (std::size_t i = 0; i < guess.size(); ++i) {
+    if (!numbers[i].choices.empty() || !std::isfinite(guess[i])) continue;
     const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-    start[i] = std::clamp(start[i] * std::exp2(2.0 * share - 1.0), numbers[i].lower, numbers[i].upper);
+    guess[i] = std::clamp(guess[i] * std::exp2(octaves * (2.0 * share - 1.0)), numbers[i].lower, numbers[i].upper);
   }
-  return start;
+  return guess;
 }
 
-// Where the residuals of `base` would go if `request` (the same records, a larger hypothesis at its start) held: their
-// difference, with all that the parameters and starts of `base` can absorb taken out. Rows as `base.stacked`.
-std::optional<Eigen::VectorXd> direction(const fit::FitRequest& request, const fit::Fit& base) {
+// The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start), with
+// all that the parameters and initial states of `base` can absorb projected out. Rows as base.stacked_residuals.
+fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
   const fit::ResidualBlocks blocks(request);
-  const auto there = blocks.evaluate(request.start, fit::Slopes::none);
-  if (!there) return std::nullopt;
-  Eigen::VectorXd out(base.stacked.size());
+  const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
+  if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
+  Eigen::VectorXd out(base.stacked_residuals.size());
   Eigen::Index row = 0;
   for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
     const Eigen::Index rows = blocks.blocks()[b].rows;
-    Eigen::VectorXd moved = there->blocks[b].residuals - base.stacked.segment(row, rows);
-    const Eigen::MatrixXd& basis = base.start_bases[b];
-    moved -= basis * (basis.transpose() * moved);
-    out.segment(row, rows) = moved;
+    Eigen::VectorXd change = there.value->blocks[b].residuals - base.stacked_residuals.segment(row, rows);
+    const Eigen::MatrixXd& basis = base.initial_state_bases[b];
+    change -= basis * (basis.transpose() * change);
+    out.segment(row, rows) = change;
     row += rows;
   }
-  if (base.slopes.cols() == 0) return out;
-  const Eigen::VectorXd absorbed = base.normal.completeOrthogonalDecomposition().solve(base.slopes.transpose() * out);
-  return Eigen::VectorXd(out - base.slopes * absorbed);
+  if (base.jacobian.cols() == 0) return {.value = std::move(out), .simulated_runs = there.simulated_runs};
+  const Eigen::VectorXd absorbed =
+      base.normal_matrix.completeOrthogonalDecomposition().solve(base.jacobian.transpose() * out);
+  return {.value = Eigen::VectorXd(out - base.jacobian * absorbed), .simulated_runs = there.simulated_runs};
 }
 
-// Makes a start as strong as the line says: `share` of what it was, its sign included.
-void scale_start(Effect& effect, double share) {
-  constexpr double weakest = 0.3;  // weaker ones leave a shape without a slope
-  constexpr double strongest = 3.0;
-  weaken(effect, std::copysign(std::clamp(std::abs(share), weakest, strongest), share));
+// The effect at the strength that the linearisation predicts: `share` of the guess, its sign included.
+Effect at_predicted_strength(Effect effect, double share) {
+  const double size = std::clamp(std::abs(share), search_effort.weakest_start, search_effort.strongest_start);
+  return scaled_from_absent(std::move(effect), std::copysign(size, share));
 }
 
-struct Pair {
-  const Addition* first{};
-  const Addition* second{};
-  double gain{};
+struct ScreenedPair {
+  const ScreenedEffect* first{};
+  const ScreenedEffect* second{};
+  double predicted_chi_square_fall{};
 };
 
-// Two additions at the strengths at which their directions together explain most. No gain where they are one direction,
-// or where one of them would have to act against its sign.
-Pair together(const Scored& base, const Addition& a, const Addition& b) {
-  Pair out{.first = &a, .second = &b};
-  const double aa = a.direction.squaredNorm();
-  const double bb = b.direction.squaredNorm();
-  const double ab = a.direction.dot(b.direction);
+// Two effects at the strengths at which their directions together explain most. The fall is 0 if the directions are
+// one, or if one of the effects would have to act against its sign.
+ScreenedPair joint_prediction(const FittedHypothesis& base, const ScreenedEffect& a, const ScreenedEffect& b) {
+  ScreenedPair out{.first = &a, .second = &b};
+  const double aa = a.residual_direction.squaredNorm();
+  const double bb = b.residual_direction.squaredNorm();
+  const double ab = a.residual_direction.dot(b.residual_direction);
   const double determinant = aa * bb - ab * ab;
-  if (determinant <= least_determinant * aa * bb) return out;
-  const double ra = -a.direction.dot(base.fit.stacked);
-  const double rb = -b.direction.dot(base.fit.stacked);
+  if (determinant <= search_effort.smallest_determinant * aa * bb) return out;
+  const double ra = -a.residual_direction.dot(base.fit.stacked_residuals);
+  const double rb = -b.residual_direction.dot(base.fit.stacked_residuals);
   const double share_a = (bb * ra - ab * rb) / determinant;
   const double share_b = (aa * rb - ab * ra) / determinant;
   if (share_a < 0.0 && !may_be_negative(*a.effect.kind)) return out;
   if (share_b < 0.0 && !may_be_negative(*b.effect.kind)) return out;
-  out.gain = share_a * ra + share_b * rb;
+  out.predicted_chi_square_fall = share_a * ra + share_b * rb;
   return out;
 }
 
-std::vector<const Addition*> best_first(std::span<const Addition> offered) {
-  std::vector<const Addition*> out;
-  for (const Addition& addition : offered) out.push_back(&addition);
-  std::ranges::stable_sort(out, [](const Addition* a, const Addition* b) { return a->gain > b->gain; });
+std::vector<const ScreenedEffect*> best_first(std::span<const ScreenedEffect> screened) {
+  std::vector<const ScreenedEffect*> out;
+  for (const ScreenedEffect& each : screened) out.push_back(&each);
+  std::ranges::stable_sort(out, [](const ScreenedEffect* a, const ScreenedEffect* b) {
+    return a->predicted_chi_square_fall > b->predicted_chi_square_fall;
+  });
+  return out;
+}
+
+std::vector<ScreenedEffect> guesses_of(const FittedHypothesis& base, const ScreeningRequest& request) {
+  std::vector<ScreenedEffect> out;
+  std::mt19937_64 random(request.seed);
+  const std::vector<const EffectKind*> present = base.kinds();
+  for (const EffectKind* kind : request.kinds) {
+    if (std::ranges::find(present, kind) != present.end()) continue;
+    for (std::vector<double>& guess : kind->starts(request.scale)) {
+      // Cost functions that are not convex occur for effects with several numbers (a shape besides a size).
+      if (guess.size() > 1) out.push_back({.effect = {.kind = kind, .values = scattered(*kind, guess, random)}});
+      out.push_back({.effect = {.kind = kind, .values = std::move(guess)}});
+    }
+  }
   return out;
 }
 
 }  // namespace
 
-std::vector<Addition> additions(std::span<const replay::Record> records, const Scored& base,
-                                std::span<const EffectKind* const> kinds, const actuator::RigScale& scale,
-                                std::uint64_t seed) {
-  std::vector<Addition> out;
-  std::mt19937_64 random(seed);
-  const std::vector<const EffectKind*> there = base.kinds();
-  for (const EffectKind* kind : kinds) {
-    if (std::ranges::find(there, kind) != there.end()) continue;
-    for (std::vector<double>& start : kind->starts(scale)) {
-      // Where a fit is not convex the effect has more than one number (a shape besides a size).
-      if (start.size() > 1) out.push_back({.effect = {.kind = kind, .values = scattered(*kind, start, random)}});
-      out.push_back({.effect = {.kind = kind, .values = std::move(start)}});
-    }
-  }
+fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay::PreparedRun> runs,
+                                                         const FittedHypothesis& base,
+                                                         const ScreeningRequest& request) {
+  std::vector<ScreenedEffect> out = guesses_of(base, request);
+  std::vector<long> simulated_runs(out.size(), 0);
   tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
-    const Trial trial = with(base, std::span(&out[i].effect, 1));
-    auto moved = direction(asking(records, trial), base.fit);
-    if (!moved) return;
-    const double along = -moved->dot(base.fit.stacked);
-    const double square = moved->squaredNorm();
+    const PlannedFit plan = with_added_effects(base, std::span(&out[i].effect, 1));
+    auto direction = residual_direction(fit_request_of(runs, plan), base.fit);
+    simulated_runs[i] = direction.simulated_runs;
+    if (!direction.value) return;
+    const double along = -direction.value->dot(base.fit.stacked_residuals);
+    const double square = direction.value->squaredNorm();
     if (square <= 0.0 || (along < 0.0 && !may_be_negative(*out[i].effect.kind))) return;
-    out[i].gain = along * along / square;
-    scale_start(out[i].effect, along / square);
-    out[i].direction = std::move(*moved);
+    out[i].predicted_chi_square_fall = along * along / square;
+    out[i].effect = at_predicted_strength(std::move(out[i].effect), along / square);
+    out[i].residual_direction = std::move(*direction.value);
   });
-  return out;
+  long total = 0;
+  for (const long each : simulated_runs) total += each;
+  return {.value = std::move(out), .simulated_runs = total};
 }
 
-std::vector<Effect> worth_a_glance(const EffectKind* kind, std::span<const Addition> offered) {
-  std::vector<const Addition*> of_kind = best_first(offered);
-  std::erase_if(of_kind, [&](const Addition* addition) { return addition->effect.kind != kind; });
+std::vector<Effect> starts_for_short_fit(const EffectKind* kind, std::span<const ScreenedEffect> screened) {
+  std::vector<const ScreenedEffect*> of_kind = best_first(screened);
+  std::erase_if(of_kind, [&](const ScreenedEffect* each) { return each->effect.kind != kind; });
   std::vector<Effect> out;
-  std::vector<std::vector<double>> met;
+  std::vector<std::vector<double>> taken_choices;
   for (std::size_t i = 0; i < of_kind.size(); ++i) {
-    const Addition& addition = *of_kind[i];
-    std::vector<double> choices = choices_of(addition.effect);
-    const bool fresh = std::ranges::find(met, choices) == met.end();
-    if (i > 0 && addition.gain <= (fresh ? 0.1 : 0.7) * of_kind[0]->gain) continue;
-    if (i > 1 && !fresh) continue;
-    out.push_back(addition.effect);
-    met.push_back(std::move(choices));
+    const ScreenedEffect& each = *of_kind[i];
+    std::vector<double> choices = choices_of(each.effect);
+    const bool is_new = std::ranges::find(taken_choices, choices) == taken_choices.end();
+    const double least = is_new ? search_effort.other_choice : search_effort.runner_up;
+    if (i > 0 && each.predicted_chi_square_fall <= least * of_kind[0]->predicted_chi_square_fall) continue;
+    if (i > 1 && !is_new) continue;
+    out.push_back(each.effect);
+    taken_choices.push_back(std::move(choices));
   }
   return out;
 }
 
-std::vector<const EffectKind*> most_promising(std::span<const Addition> offered, std::size_t most) {
+std::vector<const EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened, std::size_t count) {
   std::vector<const EffectKind*> out;
-  for (const Addition* addition : best_first(offered)) {
-    if (out.size() == most || addition->gain <= 0.0) break;
-    if (std::ranges::find(out, addition->effect.kind) == out.end()) out.push_back(addition->effect.kind);
+  for (const ScreenedEffect* each : best_first(screened)) {
+    if (out.size() == count || each->predicted_chi_square_fall <= 0.0) break;
+    if (std::ranges::find(out, each->effect.kind) == out.end()) out.push_back(each->effect.kind);
   }
   return out;
 }
 
-std::vector<std::pair<Effect, Effect>> most_promising_pairs(const Scored& base, std::span<const Addition> offered,
-                                                            std::size_t most) {
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < offered.size(); ++i) {
-    for (std::size_t j = i + 1; j < offered.size(); ++j) {
-      const Addition& a = offered[i];
-      const Addition& b = offered[j];
-      if (a.effect.kind == b.effect.kind || a.direction.size() == 0 || b.direction.size() == 0) continue;
-      if (const Pair pair = together(base, a, b); pair.gain > 0.0) pairs.push_back(pair);
+std::vector<std::pair<Effect, Effect>> pairs_by_predicted_fall(const FittedHypothesis& base,
+                                                               std::span<const ScreenedEffect> screened,
+                                                               std::size_t count) {
+  std::vector<ScreenedPair> pairs;
+  for (std::size_t i = 0; i < screened.size(); ++i) {
+    for (std::size_t j = i + 1; j < screened.size(); ++j) {
+      const ScreenedEffect& a = screened[i];
+      const ScreenedEffect& b = screened[j];
+      if (a.effect.kind == b.effect.kind || a.residual_direction.size() == 0 || b.residual_direction.size() == 0)
+        continue;
+      if (const ScreenedPair pair = joint_prediction(base, a, b); pair.predicted_chi_square_fall > 0.0)
+        pairs.push_back(pair);
     }
   }
-  std::ranges::stable_sort(pairs, [](const Pair& a, const Pair& b) { return a.gain > b.gain; });
+  std::ranges::stable_sort(pairs, [](const ScreenedPair& a, const ScreenedPair& b) {
+    return a.predicted_chi_square_fall > b.predicted_chi_square_fall;
+  });
   std::vector<std::pair<Effect, Effect>> out;
   std::vector<std::pair<const EffectKind*, const EffectKind*>> taken;
-  for (const Pair& pair : pairs) {
-    if (out.size() == most) break;
+  for (const ScreenedPair& pair : pairs) {
+    if (out.size() == count) break;
     const std::pair kinds{pair.first->effect.kind, pair.second->effect.kind};
     if (std::ranges::find(taken, kinds) != taken.end()) continue;
     taken.push_back(kinds);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -10,31 +11,40 @@
 
 namespace coilwright::measurement::compare {
 
-/// An effect that could be added to a hypothesis, from one of its starts, and what a straight line from there promises.
-struct Addition {
-  actuator::Effect effect{};    ///< as strong as the line says
-  Eigen::VectorXd direction{};  ///< where it takes the residuals (fit.hpp); empty where it cannot be simulated
-  double gain{};                ///< fall of chi^2
+/// A candidate effect at one initial guess, with the fall of chi-square predicted by linearising the residual in its
+/// strength (a score test).
+struct ScreenedEffect {
+  actuator::Effect effect{};             ///< at the strength that the linearisation predicts
+  Eigen::VectorXd residual_direction{};  ///< change of the stacked residuals, projected on what parameters and initial
+                                         ///< states cannot absorb; empty if the guess cannot be simulated
+  double predicted_chi_square_fall{};
 };
 
-/// Every start of every one of `kinds` that `base` does not have yet. Starts of effects with several numbers come a
-/// second time scattered, drawn with `seed`. One run of all records each, in parallel.
-[[nodiscard]] std::vector<Addition> additions(std::span<const replay::Record> records, const Scored& base,
-                                              std::span<const actuator::EffectKind* const> kinds,
-                                              const actuator::RigScale& scale, std::uint64_t seed);
+/// Which guesses are screened.
+struct ScreeningRequest {
+  std::span<const actuator::EffectKind* const> kinds{};
+  actuator::RigScale scale{};  ///< from which effects derive their initial guesses
+  std::uint64_t seed = 1;      ///< random seed for the scattered guesses
+};
 
-/// The starts of one kind that are worth a glance: the one that promises most, the best of every other choice that
-/// promises a tenth of it, and the next if it promises about as much.
-[[nodiscard]] std::vector<actuator::Effect> worth_a_glance(const actuator::EffectKind* kind,
-                                                           std::span<const Addition> offered);
+/// Screens every initial guess of every kind that `base` does not have yet. Guesses of effects with several numbers are
+/// screened a second time, scattered at random. Simulates all runs once per guess, in parallel.
+[[nodiscard]] fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay::PreparedRun> runs,
+                                                                       const FittedHypothesis& base,
+                                                                       const ScreeningRequest& request);
 
-/// The kinds that promise most, best first, at most so many.
-[[nodiscard]] std::vector<const actuator::EffectKind*> most_promising(std::span<const Addition> offered,
-                                                                      std::size_t most);
+/// Initial guesses of one kind to try in a short fit: the best; the best of each other discrete choice if it predicts
+/// at least 10 % as much; the runner-up if at least 70 % (SearchEffort).
+[[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,
+                                                                 std::span<const ScreenedEffect> screened);
 
-/// Pairs of which neither half need show by itself: those whose directions explain most together, of different kinds,
-/// best first, at most so many.
-[[nodiscard]] std::vector<std::pair<actuator::Effect, actuator::Effect>> most_promising_pairs(
-    const Scored& base, std::span<const Addition> offered, std::size_t most);
+/// The kinds with the largest predicted fall of chi-square, best first, at most `count`.
+[[nodiscard]] std::vector<const actuator::EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened,
+                                                                               std::size_t count);
+
+/// The pairs of different kinds with the largest fall of chi-square predicted for both together, best first, at most
+/// `count`. Neither effect of a pair need explain anything by itself.
+[[nodiscard]] std::vector<std::pair<actuator::Effect, actuator::Effect>> pairs_by_predicted_fall(
+    const FittedHypothesis& base, std::span<const ScreenedEffect> screened, std::size_t count);
 
 }  // namespace coilwright::measurement::compare

@@ -10,10 +10,10 @@ namespace {
 using actuator::RigScale;
 using mechanics::JointVector;
 
-// Slopes over so many samples: long enough to drown the noise, short beside a swing.
+// Rates are differences over so many samples: enough to average the noise, few compared with one oscillation.
 constexpr std::size_t slope_samples = 20;
 
-// Sums over all motions, turned into root mean squares at the end.
+// Sums over all motions, from which root mean squares follow.
 struct Sums {
   double torque{}, angle{}, angle_square{}, rate{}, current{};
   double samples{}, angles{}, rates{};
@@ -33,8 +33,8 @@ void add_inputs(const replay::Window& window, const actuator::Model& nominal, Su
 }
 
 void add_angles(const data::Run& run, const data::Channel& channel, int joints, Sums& sums) {
-  if (channel.quantity != data::Quantity::bending_angle && channel.quantity != data::Quantity::joint_angle) return;
-  const double share = channel.quantity == data::Quantity::bending_angle ? 1.0 / joints : 1.0;
+  if (channel.kind != data::ChannelKind::bending_angle && channel.kind != data::ChannelKind::joint_angle) return;
+  const double share = channel.kind == data::ChannelKind::bending_angle ? 1.0 / joints : 1.0;
   for (std::size_t i = 0; i < channel.values.size(); ++i) {
     const double angle = share * channel.values[i];
     sums.angle += angle;
@@ -58,20 +58,20 @@ double median_interval(const std::vector<double>& times) {
   return *middle;
 }
 
-double root_mean(double sum, double count, double otherwise) {
+double root_mean(double sum, double count, double fallback) {
   const double mean = count > 0.0 ? sum / count : 0.0;
-  return mean > 0.0 ? std::sqrt(mean) : otherwise;
+  return mean > 0.0 ? std::sqrt(mean) : fallback;
 }
 
 }  // namespace
 
-RigScale rig_scale(std::span<const replay::Record> records, const actuator::Model& nominal) {
+RigScale rig_scale(std::span<const replay::PreparedRun> runs, const actuator::Model& nominal) {
   Sums sums;
   RigScale scale{.interval = std::numeric_limits<double>::infinity()};
-  for (const replay::Record& record : records) {
-    if (!record.is_motion()) continue;
-    const data::Run& run = *record.run;
-    for (const replay::Window& window : record.windows) add_inputs(window, nominal, sums);
+  for (const replay::PreparedRun& prepared : runs) {
+    if (!prepared.is_motion()) continue;
+    const data::Run& run = *prepared.run;
+    for (const replay::Window& window : prepared.windows) add_inputs(window, nominal, sums);
     for (const data::Channel& channel : run.channels) add_angles(run, channel, nominal.joints(), sums);
     scale.interval = std::min(scale.interval, median_interval(run.times));
     scale.duration = std::max(scale.duration, run.times.back() - run.times.front());
@@ -83,8 +83,8 @@ RigScale rig_scale(std::span<const replay::Record> records, const actuator::Mode
   scale.current = nominal.coils() > 0 ? root_mean(sums.current, sums.samples, 1.0) : 0.0;
   double stiffness = 0.0;
   for (const actuator::Hinge& hinge : nominal.hinges()) stiffness = std::max(stiffness, hinge.stiffness);
-  const double still = stiffness > 0.0 ? stiffness * scale.angle : 1.0;
-  scale.torque = root_mean(sums.torque, sums.samples, still);
+  const double static_torque = stiffness > 0.0 ? stiffness * scale.angle : 1.0;
+  scale.torque = root_mean(sums.torque, sums.samples, static_torque);
   scale.upper_angle = sums.angles > 0.0 ? sums.upper : scale.angle;
   scale.lower_angle = sums.angles > 0.0 ? sums.lower : -scale.angle;
   if (!std::isfinite(scale.interval)) scale.interval = 1e-3;

@@ -8,7 +8,7 @@
 
 namespace coilwright::measurement::compare {
 
-/// How large things are on this rig, from the records and the declared model.
-[[nodiscard]] actuator::RigScale rig_scale(std::span<const replay::Record> records, const actuator::Model& nominal);
+/// Characteristic magnitudes of the measured motion, from the runs and the declared model.
+[[nodiscard]] actuator::RigScale rig_scale(std::span<const replay::PreparedRun> runs, const actuator::Model& nominal);
 
 }  // namespace coilwright::measurement::compare

@@ -4,63 +4,59 @@
 #include <vector>
 
 #include "measurement/compare/effect_strength.hpp"
+#include "measurement/compare/search_effort.hpp"
 
 namespace coilwright::measurement::compare {
-namespace {
 
 using actuator::Effect;
 
-// What the first look spends on a fit before the best are followed to their end.
-constexpr fit::FitEffort few_iterations{.iterations = 4, .tolerance = 1e-2};
-// Share of a start's strength at which a fit begins anew that went wrong from the start itself.
-constexpr double beside_absent = 0.05;
-
-}  // namespace
-
-fit::FitRequest asking(std::span<const replay::Record> records, const Trial& trial) {
-  return {.hypothesis = &trial.hypothesis, .records = records, .start = trial.start, .starts_from = trial.starts_from};
+fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  return {.hypothesis = &plan.hypothesis,
+          .runs = runs,
+          .start = plan.start,
+          .initial_states_from = plan.initial_states_from};
 }
 
-std::optional<Scored> fitted_to_end(std::span<const replay::Record> records, const Trial& trial) {
-  auto fitted = fit::fit(asking(records, trial));
-  if (!fitted) return std::nullopt;
-  return scored(records, trial.hypothesis, std::move(*fitted));
+fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const replay::PreparedRun> runs,
+                                                                 const PlannedFit& plan) {
+  auto fitted = fit::fit(fit_request_of(runs, plan));
+  if (!fitted.value) return {.value = std::nullopt, .simulated_runs = fitted.simulated_runs};
+  return {.value = score(runs, plan.hypothesis, std::move(*fitted.value)), .simulated_runs = fitted.simulated_runs};
 }
 
-Trial with(const Scored& base, std::span<const Effect> added) {
+PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effect> added) {
   std::vector<Effect> effects = base.hypothesis.effects_at(base.fit.values);
   effects.insert(effects.end(), added.begin(), added.end());
-  Trial trial{.hypothesis = fit::Hypothesis(base.hypothesis.declared(), std::move(effects)), .starts_from = &base.fit};
-  trial.start = trial.hypothesis.start();
-  trial.start.head(base.fit.values.size()) = base.fit.values;
-  return trial;
+  PlannedFit plan{.hypothesis = fit::Hypothesis(base.hypothesis.declared(), std::move(effects)),
+                  .initial_states_from = &base.fit};
+  plan.start = plan.hypothesis.start();
+  plan.start.head(base.fit.values.size()) = base.fit.values;
+  return plan;
 }
 
-std::optional<Glance> glance_at(std::span<const replay::Record> records, const Scored& base,
-                                std::span<const Effect> starts) {
-  std::optional<Glance> best;
-  const auto look = [&](const Effect& start) {
-    Trial trial = with(base, std::span(&start, 1));
-    fit::FitRequest request = asking(records, trial);
-    request.effort = few_iterations;
+fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                                std::span<const Effect> guesses) {
+  std::optional<ShortFit> best;
+  long simulated_runs = 0;
+  const auto try_from = [&](const Effect& guess) {
+    PlannedFit plan = with_added_effects(base, std::span(&guess, 1));
+    fit::FitRequest request = fit_request_of(runs, plan);
+    request.effort = search_effort.short_fit;
     auto fitted = fit::fit(request);
-    if (!fitted || (best && fitted->chi_square >= best->fitted.chi_square)) return;
-    best.emplace(Glance{.trial = std::move(trial), .fitted = std::move(*fitted)});
+    simulated_runs += fitted.simulated_runs;
+    if (!fitted.value || (best && fitted.value->chi_square >= best->fitted.chi_square)) return;
+    best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted.value)});
   };
-  for (const Effect& start : starts) look(start);
-  // A start so strong that the fit lost its way: again from beside the model without the effect.
-  if (!best || best->fitted.chi_square >= base.fit.chi_square) {
-    for (Effect start : starts) {
-      weaken(start, beside_absent);
-      look(start);
-    }
-  }
-  return best;
+  for (const Effect& guess : guesses) try_from(guess);
+  // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
+  if (!best || best->fitted.chi_square >= base.fit.chi_square)
+    for (const Effect& guess : guesses) try_from(scaled_from_absent(guess, search_effort.retry_strength));
+  return {.value = std::move(best), .simulated_runs = simulated_runs};
 }
 
-std::optional<Scored> followed_to_end(std::span<const replay::Record> records, const Glance& glance) {
-  return fitted_to_end(
-      records, {.hypothesis = glance.trial.hypothesis, .start = glance.fitted.values, .starts_from = &glance.fitted});
+fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
+  return fit_to_convergence(
+      runs, {.hypothesis = from.plan.hypothesis, .start = from.fitted.values, .initial_states_from = &from.fitted});
 }
 
 }  // namespace coilwright::measurement::compare

@@ -7,28 +7,34 @@
 
 namespace coilwright::measurement::compare {
 
-/// A hypothesis to be fitted, and from where.
-struct Trial {
+/// A hypothesis to be fitted and the point at which its fit starts. Refers to the fit whose initial states it takes
+/// over.
+struct PlannedFit {
   fit::Hypothesis hypothesis;
   Eigen::VectorXd start{};
-  const fit::Fit* starts_from{};  ///< of the windows; null: from the measurement
+  const fit::Fit* initial_states_from{};  ///< null: from the measurement
 };
-[[nodiscard]] fit::FitRequest asking(std::span<const replay::Record> records, const Trial& trial);
-/// Nothing where the model cannot be simulated.
-[[nodiscard]] std::optional<Scored> fitted_to_end(std::span<const replay::Record> records, const Trial& trial);
+/// Refers to `plan`.
+[[nodiscard]] fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
+/// Nothing if the model cannot be simulated.
+[[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(
+    std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
 
-/// `base` at its fit with some effects more, each as strong as given. Refers to `base`.
-[[nodiscard]] Trial with(const Scored& base, std::span<const actuator::Effect> added);
+/// `base` at its fit with additional effects, each with the given numbers. Refers to `base`.
+[[nodiscard]] PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const actuator::Effect> added);
 
-/// The best of a few iterations from each of several starts of one more effect.
-struct Glance {
-  Trial trial;  ///< where it began
+/// The result of a fit that ended after a few iterations.
+struct ShortFit {
+  PlannedFit plan;  ///< where it started
   fit::Fit fitted{};
 };
-/// Nothing where none of them can be simulated. Refers to `base`.
-[[nodiscard]] std::optional<Glance> glance_at(std::span<const replay::Record> records, const Scored& base,
-                                              std::span<const actuator::Effect> starts);
-/// A glance followed to the end of its fit.
-[[nodiscard]] std::optional<Scored> followed_to_end(std::span<const replay::Record> records, const Glance& glance);
+/// Best result of a short fit from each initial guess of one added effect. Nothing if none of them can be simulated.
+/// Refers to `base`.
+[[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs,
+                                                              const FittedHypothesis& base,
+                                                              std::span<const actuator::Effect> guesses);
+/// Continues a short fit to convergence.
+[[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs,
+                                                                   const ShortFit& from);
 
 }  // namespace coilwright::measurement::compare

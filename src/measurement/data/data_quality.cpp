@@ -14,15 +14,16 @@
 namespace coilwright::measurement::data {
 namespace {
 
-constexpr double jump = 20.0;  // median intervals
-// How much longer than at any other value a reading must rest at its extreme: a quantised sensor without noise rests at
-// every turning point. And it must get there in full motion: what comes to rest by itself slows down before.
+constexpr double largest_gap = 20.0;  // median intervals
+// Factor by which the longest rest at an extreme must exceed that at any other value: a quantised sensor without noise
+// rests at every turning point. The extreme must also be reached in full motion: what comes to rest by itself slows
+// down before.
 constexpr std::size_t unusual_rest = 4;
 constexpr std::size_t shortest_rest = 10;  // samples
 constexpr std::size_t approach = 5;        // samples
-constexpr double full_motion = 0.25;       // of the usual change between samples
+constexpr double full_motion = 0.25;       // fraction of the rms change between samples
 
-// What no rig of this kind reaches; a unit that is off by 57 or 1000 does.
+// Values that no rig of this kind reaches, and that a unit wrong by a factor of 57 or 1000 exceeds.
 constexpr double largest_angle = 4.0 * std::numbers::pi;  // rad
 constexpr double largest_current = 100.0;                 // A
 constexpr double coldest = -60.0;                         // degC
@@ -34,7 +35,7 @@ bool constant(std::span<const double> values) {
   return std::ranges::adjacent_find(values, std::ranges::not_equal_to()) == values.end();
 }
 
-std::optional<std::string> still_input(const Run& run) {
+std::optional<std::string> constant_input(const Run& run) {
   if (run.inputs.size() < 3 || run.start != Start::at_rest) return std::nullopt;
   if (run.kind != RunKind::transient && run.kind != RunKind::blocked_force) return std::nullopt;
   if (std::ranges::adjacent_find(run.inputs, std::ranges::not_equal_to()) != run.inputs.end()) return std::nullopt;
@@ -44,7 +45,7 @@ std::optional<std::string> still_input(const Run& run) {
 }
 
 // Root mean square of the change from one sample to the next.
-double usual_change(std::span<const double> values) {
+double rms_change(std::span<const double> values) {
   double sum = 0.0;
   for (std::size_t i = 1; i < values.size(); ++i) sum += (values[i] - values[i - 1]) * (values[i] - values[i - 1]);
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
@@ -58,21 +59,21 @@ double change_before(std::span<const double> values, std::size_t start) {
   return start > first ? sum / static_cast<double>(start - first) : 0.0;
 }
 
-struct Rest {
+struct LongestRests {
   std::size_t extreme{};  // samples in a row at the largest or smallest value, reached in full motion
-  std::size_t other{};    // at any other value
-  double value{};         // that extreme
+  std::size_t other{};    // samples in a row at any other value
+  double value{};         // the extreme of the first
 };
 
-Rest longest_rests(std::span<const double> values) {
+LongestRests longest_rests(std::span<const double> values) {
   const auto [lowest, highest] = std::ranges::minmax(values);
-  const double least_change = full_motion * usual_change(values);
-  Rest rest;
+  const double least_change = full_motion * rms_change(values);
+  LongestRests rest;
   for (std::size_t i = 0; i < values.size();) {
     std::size_t end = i + 1;
     while (end < values.size() && values[end] == values[i]) ++end;
     if (values[i] != lowest && values[i] != highest) {
-      if (i > 0) rest.other = std::max(rest.other, end - i);  // before a motion begins any reading may rest
+      if (i > 0) rest.other = std::max(rest.other, end - i);  // before a motion begins, any reading may rest
     } else if (end - i > rest.extreme && change_before(values, i) >= least_change) {
       rest.extreme = end - i;
       rest.value = values[i];
@@ -83,27 +84,27 @@ Rest longest_rests(std::span<const double> values) {
 }
 
 std::string in_unit(double value, const Channel& channel) {
-  switch (channel.quantity) {
-    case Quantity::bending_angle:
-    case Quantity::joint_angle:
+  switch (channel.kind) {
+    case ChannelKind::bending_angle:
+    case ChannelKind::joint_angle:
       return fmt::format("{:.6g} deg", value * degrees);
-    case Quantity::joint_rate:
+    case ChannelKind::joint_rate:
       return fmt::format("{:.6g} rad/s", value);
-    case Quantity::torque:
+    case ChannelKind::torque:
       return fmt::format("{:.6g} N mm", value * 1e3);
-    case Quantity::force:
+    case ChannelKind::force:
       return fmt::format("{:.6g} N", value);
-    case Quantity::temperature:
+    case ChannelKind::temperature:
       break;
   }
   return fmt::format("{:.6g} degC", value);
 }
 
-std::optional<std::string> stuck(const Channel& channel) {
+std::optional<std::string> stuck_sensor(const Channel& channel) {
   if (channel.values.size() < 3) return std::nullopt;
   if (constant(channel.values))
     return fmt::format("{} is {} in every sample", channel.name, in_unit(channel.values.front(), channel));
-  const Rest rest = longest_rests(channel.values);
+  const LongestRests rest = longest_rests(channel.values);
   if (rest.extreme < shortest_rest || rest.extreme <= unusual_rest * rest.other) return std::nullopt;
   return fmt::format(
       "{} stays at exactly {}, its extreme, for {} samples, and nowhere else for more than {}: the sensor is "
@@ -112,7 +113,7 @@ std::optional<std::string> stuck(const Channel& channel) {
       channel.name, in_unit(rest.value, channel), rest.extreme, rest.other);
 }
 
-std::optional<std::string> jumping_clock(const Run& run) {
+std::optional<std::string> gap_in_clock(const Run& run) {
   if (run.times.size() < 3) return std::nullopt;
   std::vector<double> intervals(run.times.size() - 1);
   std::ranges::transform(run.times.begin() + 1, run.times.end(), run.times.begin(), run.times.end() - 1,
@@ -122,27 +123,27 @@ std::optional<std::string> jumping_clock(const Run& run) {
   const double gap = *longest;
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
   std::ranges::nth_element(intervals, middle);
-  if (gap <= jump * *middle) return std::nullopt;
+  if (gap <= largest_gap * *middle) return std::nullopt;
   return fmt::format(
       "the clock jumps by {:.6g} s after {:.6g} s, {:.3g} times the usual interval; the input is held "
       "meanwhile",
       gap, run.times[at], gap / *middle);
 }
 
-std::optional<std::string> odd_angle(const std::string& name, std::span<const double> values) {
+std::optional<std::string> implausible_angle(const std::string& name, std::span<const double> values) {
   const auto [lowest, highest] = std::ranges::minmax(values);
   const double angle = highest > -lowest ? highest : lowest;
   if (std::abs(angle) <= largest_angle) return std::nullopt;
   return fmt::format("{} reaches {:.6g} deg, more than two turns: is the unit right?", name, angle * degrees);
 }
 
-std::optional<std::string> odd_temperature(const Channel& channel) {
+std::optional<std::string> implausible_temperature(const Channel& channel) {
   const auto [lowest, highest] = std::ranges::minmax(channel.values);
   if (lowest >= coldest && highest <= hottest) return std::nullopt;
   return fmt::format("{} goes from {:.6g} to {:.6g} degC: is the unit right?", channel.name, lowest, highest);
 }
 
-std::optional<std::string> odd_current(const Run& run) {
+std::optional<std::string> implausible_current(const Run& run) {
   if (run.drive != Drive::current) return std::nullopt;
   double largest = 0.0;
   for (const std::vector<double>& sample : run.inputs)
@@ -153,21 +154,21 @@ std::optional<std::string> odd_current(const Run& run) {
 
 }  // namespace
 
-std::vector<Warning> look_over(const Run& run) {
+std::vector<Warning> data_quality_warnings(const Run& run) {
   std::vector<Warning> warnings;
   const auto add = [&](const std::optional<std::string>& text) {
     if (text) warnings.push_back({.run = run.name, .text = *text});
   };
   if (run.samples() == 0) return warnings;
-  add(jumping_clock(run));
-  add(still_input(run));
-  add(odd_current(run));
-  if (!run.angles.empty()) add(odd_angle("the angle", run.angles));
+  add(gap_in_clock(run));
+  add(constant_input(run));
+  add(implausible_current(run));
+  if (!run.angles.empty()) add(implausible_angle("the angle", run.angles));
   for (const Channel& channel : run.channels) {
-    if (channel.quantity == Quantity::bending_angle || channel.quantity == Quantity::joint_angle)
-      add(odd_angle(channel.name, channel.values));
-    if (channel.quantity == Quantity::temperature) add(odd_temperature(channel));
-    add(stuck(channel));
+    if (channel.kind == ChannelKind::bending_angle || channel.kind == ChannelKind::joint_angle)
+      add(implausible_angle(channel.name, channel.values));
+    if (channel.kind == ChannelKind::temperature) add(implausible_temperature(channel));
+    add(stuck_sensor(channel));
   }
   return warnings;
 }

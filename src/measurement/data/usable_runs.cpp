@@ -10,29 +10,30 @@ namespace {
 
 constexpr std::size_t fewest_samples = 20;
 
-bool moves(const std::vector<std::vector<double>>& inputs) {
+bool changes(const std::vector<std::vector<double>>& inputs) {
   return std::ranges::adjacent_find(inputs, std::not_equal_to<>()) != inputs.end();
 }
 
 bool is_stuck(const Run& run, const Channel& channel) {
-  return channel.values.size() >= fewest_samples && moves(run.inputs) &&
+  return channel.values.size() >= fewest_samples && changes(run.inputs) &&
          std::ranges::adjacent_find(channel.values, std::not_equal_to<>()) == channel.values.end();
 }
 
 }  // namespace
 
-std::vector<Run> usable_runs(const std::vector<Run>& runs, std::vector<Warning>& warnings) {
-  std::vector<Run> out;
+UsableRuns usable_runs(const std::vector<Run>& runs) {
+  UsableRuns out;
   for (const Run& run : runs) {
     Run kept = run;
     std::erase_if(kept.channels, [&](const Channel& channel) {
       if (!is_stuck(run, channel)) return false;
-      warnings.push_back({.run = run.name, .text = channel.name + " never changes while the input moves; left out"});
+      out.warnings.push_back(
+          {.run = run.name, .text = channel.name + " never changes while the input moves; left out"});
       return true;
     });
-    if (!kept.channels.empty()) out.push_back(std::move(kept));
+    if (!kept.channels.empty()) out.runs.push_back(std::move(kept));
   }
-  if (out.empty()) throw std::invalid_argument("fit runs: every measured column is stuck at one value");
+  if (out.runs.empty()) throw std::invalid_argument("fit runs: every measured column is stuck at one value");
   return out;
 }
 

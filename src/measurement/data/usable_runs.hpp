@@ -6,9 +6,15 @@
 
 namespace coilwright::measurement::data {
 
-/// The fit runs without channels that are stuck: at least 20 samples, all of one value, while the input moves. Such a
-/// record has no noise to weigh it by and would outweigh all others. A warning for each; a run without any channel left
-/// is left out. Throws std::invalid_argument where no run is left.
-[[nodiscard]] std::vector<Run> usable_runs(const std::vector<Run>& runs, std::vector<Warning>& warnings);
+/// Runs that a fit can use, and a warning for each channel that was left out.
+struct UsableRuns {
+  std::vector<Run> runs{};
+  std::vector<Warning> warnings{};
+};
+
+/// The fit runs without channels that are stuck: at least 20 samples, all of one value, while the input changes. Such a
+/// channel has no noise by which to weight it and would outweigh all others. A run that has no other channel is left
+/// out. Throws std::invalid_argument if no run is left.
+[[nodiscard]] UsableRuns usable_runs(const std::vector<Run>& runs);
 
 }  // namespace coilwright::measurement::data

@@ -2,21 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "coilwright/measurement/experiment/instrument.hpp"
 
 namespace coilwright::measurement::experiment {
 
-/// Whose noise it is.
-struct NoisePlace {
+/// What the noise of a channel depends on: each triple has a random stream of its own.
+struct NoiseStream {
   std::uint64_t seed{};
   std::size_t run{};
   std::size_t channel{};
 };
 
-/// Turns true values into readings: adds white Gaussian noise and rounds to the resolution. Each place has a stream of
-/// its own.
-void read_by(const Instrument& instrument, const NoisePlace& place, std::span<double> values);
+/// The readings of an instrument for true values: white Gaussian noise is added, and the sum is rounded to the
+/// resolution.
+[[nodiscard]] std::vector<double> apply_instrument(const Instrument& instrument, const NoiseStream& stream,
+                                                   std::vector<double> values);
 
 }  // namespace coilwright::measurement::experiment

@@ -8,7 +8,7 @@
 namespace coilwright::measurement::experiment {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double two_pi = 2.0 * std::numbers::pi;
 
 struct Level {
   double time{};
@@ -16,16 +16,16 @@ struct Level {
 
   double operator()(const StepShape& step) const { return time < step.at ? step.before : step.after; }
   double operator()(const SineShape& sine) const {
-    return sine.offset + sine.amplitude * std::sin(turn * sine.frequency * time);
+    return sine.offset + sine.amplitude * std::sin(two_pi * sine.frequency * time);
   }
   // The phase is the integral of the frequency.
   double operator()(const ChirpShape& chirp) const {
     const double mean_frequency = chirp.from + 0.5 * (chirp.to - chirp.from) * time / duration;
-    return chirp.offset + chirp.amplitude * std::sin(turn * mean_frequency * time);
+    return chirp.offset + chirp.amplitude * std::sin(two_pi * mean_frequency * time);
   }
   double operator()(const HoldShape& hold) const { return time < hold.from || time >= hold.until ? 0.0 : hold.level; }
   double operator()(const PulseShape& pulse) const {
-    // Sample times are products: 3 * 0.1 must not count as the end of the third period.
+    // Sample times are rounded: 3 * 0.1 must not count as the end of the third period.
     constexpr double rounding = 1e-9;
     const double periods = time / pulse.period + rounding;
     return periods - std::floor(periods) < pulse.duty ? pulse.high : pulse.low;

@@ -4,14 +4,14 @@
 #include <span>
 
 #include "coilwright/measurement/experiment/next_experiment.hpp"
-#include "measurement/compare/hypothesis_search.hpp"
+#include "measurement/compare/attribution.hpp"
 
 namespace coilwright::measurement::experiment {
 
-/// Of a menu of runs the one on which the fitted rivals differ most: the largest smallest rms difference between any
-/// two of their predictions over the noise of the first angle channel. Nothing without rivals, or where no run shows a
-/// difference of half the noise.
-[[nodiscard]] std::optional<NextExperiment> next_experiment(std::span<const replay::Record> records,
-                                                            const compare::Attribution& attribution);
+/// Of the candidate experiments the one on which the selected hypothesis and its rivals differ most: the largest value
+/// of the smallest rms difference between any two of their predictions, over the noise of the first angle channel.
+/// Nothing if there are no rivals, or no candidate separates them by half the noise.
+[[nodiscard]] std::optional<NextExperiment> separating_experiment(std::span<const replay::PreparedRun> runs,
+                                                                  const compare::Attribution& attribution);
 
 }  // namespace coilwright::measurement::experiment

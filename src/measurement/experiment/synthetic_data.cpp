@@ -22,7 +22,7 @@ std::size_t samples_of(const PlannedRun& planned) {
   return static_cast<std::size_t>(std::floor(planned.duration * planned.rate * (1.0 + 1e-12))) + 1;
 }
 
-// A row of inputs out of one level: one value for all, or one each.
+// One row of inputs from a level: one value for all coils, or one value for each.
 std::vector<double> row_of(const PlannedRun& planned, double level, const Model& model) {
   const bool torque = planned.plan.drive == data::Drive::torque;
   if (!torque && !planned.only) return {level};
@@ -44,36 +44,33 @@ std::vector<double> held_row(const TableShape& table, double time) {
   return table.rows[static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - table.times.begin(), 1) - 1)];
 }
 
-void fill_inputs(const PlannedRun& planned, const Model& model, data::Run& run) {
-  const std::size_t samples = samples_of(planned);
-  const auto* table = std::get_if<TableShape>(&planned.input);
-  for (std::size_t i = 0; i < samples; ++i) {
-    // A quotient, not a product: 0.3 s is then the 0.3 of a step's time.
-    const double time = static_cast<double>(i) / planned.rate;
-    run.times.push_back(time);
-    if (table == nullptr)
-      run.inputs.push_back(row_of(planned, level_at(planned.input, time, planned.duration), model));
-    else
-      run.inputs.push_back(held_row(*table, time));
-  }
-}
-
-// The run with its inputs, its values still zero.
-data::Run prepared(const PlannedRun& planned, const Model& model) {
+// The planned run with its inputs and with values that are still zero.
+data::Run with_inputs(const PlannedRun& planned, const Model& model) {
   data::Run run = planned.plan;
   const bool timed = run.kind == data::RunKind::transient || run.kind == data::RunKind::temperature;
-  if (timed) fill_inputs(planned, model, run);
+  const auto* table = std::get_if<TableShape>(&planned.input);
+  for (std::size_t i = 0; timed && i < samples_of(planned); ++i) {
+    // A quotient, not a product, so that 0.3 s is the same number as the 0.3 in the time of a step.
+    const double time = static_cast<double>(i) / planned.rate;
+    run.times.push_back(time);
+    run.inputs.push_back(table == nullptr ? row_of(planned, level_at(planned.input, time, planned.duration), model)
+                                          : held_row(*table, time));
+  }
   const std::size_t samples = timed ? run.times.size() : std::max(run.angles.size(), run.inputs.size());
   for (data::Channel& channel : run.channels) channel.values.assign(samples, 0.0);
-  // What concerns a later fit alone: the rig moves in one go, from where it stands, and does not know its noise (which
-  // would be looked for in the zeros).
+  return run;
+}
+
+// The run as it is simulated: in one piece, from its start, with a given noise level, because none can be estimated
+// from zeros. The planned window, start and noise level concern a later fit only.
+data::Run as_simulated(data::Run run) {
   run.window.reset();
   run.start = data::Start::at_rest;
   run.sigma = 1.0;
   return run;
 }
 
-simulation::State start_of(const PlannedRun& planned, const Model& model, const replay::Window& window) {
+simulation::State initial_state_of(const PlannedRun& planned, const Model& model, const replay::Window& window) {
   if (!planned.start_angles.empty()) {
     if (static_cast<int>(planned.start_angles.size()) != model.joints())
       throw std::invalid_argument(fmt::format("{}: needs a start angle for each of the {} joints; got {}",
@@ -88,14 +85,14 @@ simulation::State start_of(const PlannedRun& planned, const Model& model, const 
 
 Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& run, const replay::DeclaredModel& rig,
                             const Model& model) {
-  const replay::Record record = replay::prepare(run, rig, model);
-  if (!record.is_motion()) {
-    if (const auto values = replay::predict_bench(model, record, rig)) return *values;
+  const replay::PreparedRun prepared = replay::prepare_run(run, rig, model);
+  if (!prepared.is_motion()) {
+    if (const auto values = replay::predict_bench(model, prepared, rig)) return *values;
     throw std::runtime_error(fmt::format("{}: the finger has no equilibrium on this bench", run.name));
   }
-  const replay::Window& window = record.windows.front();
-  if (const auto seen = replay::predict_window(model, record, window, start_of(planned, model, window)))
-    return seen->values;
+  const replay::Window& window = prepared.windows.front();
+  if (const auto predicted = replay::predict_window(model, prepared, window, initial_state_of(planned, model, window)))
+    return predicted->values;
   throw std::runtime_error(fmt::format("{}: the motion leaves the model", run.name));
 }
 
@@ -109,41 +106,20 @@ Model with_effects(const replay::DeclaredModel& rig, std::span<const actuator::E
 
 }  // namespace
 
-const Instrument& Instruments::of(data::Quantity quantity) const {
-  switch (quantity) {
-    case data::Quantity::bending_angle:
-    case data::Quantity::joint_angle:
-      return angle;
-    case data::Quantity::joint_rate:
-      return rate;
-    case data::Quantity::torque:
-      return torque;
-    case data::Quantity::force:
-      return force;
-    case data::Quantity::temperature:
-      break;
-  }
-  return temperature;
-}
-
-std::vector<data::Run> act_out(const Experiment& experiment, const replay::DeclaredModel& rig,
-                               std::span<const actuator::Effect> hidden, std::uint64_t seed) {
+std::vector<data::Run> simulate_experiment(const Experiment& experiment, const replay::DeclaredModel& rig,
+                                           std::span<const actuator::Effect> hidden, std::uint64_t seed) {
   const Model model = with_effects(rig, hidden);
   std::vector<data::Run> out;
   for (const PlannedRun& planned : experiment.runs) {
-    data::Run run = prepared(planned, model);
-    const Eigen::VectorXd values = true_values(planned, run, rig, model);
+    data::Run run = with_inputs(planned, model);
+    const Eigen::VectorXd values = true_values(planned, as_simulated(run), rig, model);
     const auto samples = static_cast<Eigen::Index>(run.samples());
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
-      std::vector<double>& readings = run.channels[c].values;
       const auto of_channel = values.segment(static_cast<Eigen::Index>(c) * samples, samples);
-      std::copy(of_channel.begin(), of_channel.end(), readings.begin());
-      read_by(experiment.instruments.of(run.channels[c].quantity), {.seed = seed, .run = out.size(), .channel = c},
-              readings);
+      run.channels[c].values =
+          apply_instrument(experiment.instruments.of(run.channels[c].kind),
+                           {.seed = seed, .run = out.size(), .channel = c}, {of_channel.begin(), of_channel.end()});
     }
-    run.window = planned.plan.window;
-    run.start = planned.plan.start;
-    run.sigma = planned.plan.sigma;
     out.push_back(std::move(run));
   }
   return out;

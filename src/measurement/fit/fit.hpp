@@ -5,65 +5,54 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/measurement/whiteness/whiteness_test.hpp"
+#include "coilwright/measurement/whiteness/scaled_residual.hpp"
+#include "measurement/fit/counted.hpp"
+#include "measurement/fit/fit_request.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement::fit {
 
-/// How a fit reads: residual of every run over its noise, and what their slopes say of the parameters.
+/// The residuals of one run over its noise, and what their derivatives say of the parameters.
 struct RunFit {
   Eigen::VectorXd residuals{};    ///< (measured - predicted) / sigma: window after window, channel after channel
   Eigen::VectorXd predictions{};  ///< SI, in the same order
-  /// Normal equations of this run with the start of each window eliminated: (p, p) and (p).
-  Eigen::MatrixXd normal{};
-  Eigen::VectorXd slope{};
-  std::vector<simulation::State> starts{};  ///< of each window
+  /// Normal equations of this run, the initial state of each window eliminated: matrix (p, p) and gradient (p).
+  Eigen::MatrixXd normal_matrix{};
+  Eigen::VectorXd gradient{};
+  std::vector<simulation::State> initial_states{};  ///< of each window
 };
 
-/// A hypothesis fitted to all records.
+/// A hypothesis fitted to all runs.
 struct Fit {
-  Eigen::VectorXd values{};  ///< as Hypothesis::parameters
-  double chi_square{};       ///< of all residuals
+  Eigen::VectorXd values{};  ///< of Hypothesis::parameters
+  double chi_square{};       ///< sum of all squared residuals
   std::vector<RunFit> runs{};
-  Eigen::MatrixXd normal{};      ///< sum over the runs
-  std::vector<char> at_bound{};  ///< per parameter: it ended at a physical bound
-  /// All residuals one under the other, with the pull of free starts towards the measurement, and their slopes by the
-  /// parameters with what the starts of their windows can absorb taken out; `start_bases` spans that, window by window.
-  Eigen::VectorXd stacked{};
-  Eigen::MatrixXd slopes{};
-  std::vector<Eigen::MatrixXd> start_bases{};
+  Eigen::MatrixXd normal_matrix{};  ///< sum over the runs
+  std::vector<char> at_bound{};     ///< for each parameter whether it is at a physical bound
+  /// All residuals, those of the priors of initial states included, and their derivatives with respect to the
+  /// parameters, projected on what the initial states cannot absorb.
+  Eigen::VectorXd stacked_residuals{};
+  Eigen::MatrixXd jacobian{};
+  /// For each block of residuals an orthonormal basis of what its initial state can absorb.
+  std::vector<Eigen::MatrixXd> initial_state_bases{};
   [[nodiscard]] std::size_t samples() const;
 };
 
-/// How long a fit may go on.
-struct FitEffort {
-  int iterations = 25;
-  double tolerance = 1e-5;  ///< of the relative fall of chi^2 in a step
-};
+/// Bounded least squares of a hypothesis over all runs by Ceres; free initial states of windows are fitted along.
+/// Derivatives by forward differences, in parallel; the result does not depend on the number of threads. Nothing if the
+/// model at the start cannot be simulated.
+[[nodiscard]] Counted<std::optional<Fit>> fit(const FitRequest& request);
 
-/// Bounded least squares of `hypothesis` over `records` by Ceres, from `start` (clamped to the bounds), free starts of
-/// windows fitted along. Slopes by forward differences, in parallel; the answer does not depend on the threads.
-/// `held`: a parameter kept at its value in `start`. Nothing where the model at `start` cannot be simulated.
-struct FitRequest {
-  const Hypothesis* hypothesis{};
-  std::span<const replay::Record> records{};
-  Eigen::VectorXd start{};
-  const Fit* starts_from{};  ///< a fit whose window starts are taken over; null: from the measurement
-  std::optional<Eigen::Index> held{};
-  FitEffort effort{};
-};
-[[nodiscard]] std::optional<Fit> fit(const FitRequest& request);
+/// Residuals at the given parameters, only the initial states being fitted; derivatives with respect to the parameters
+/// are zero. Nothing if the model cannot be simulated.
+[[nodiscard]] Counted<std::optional<Fit>> evaluate_at(const FitRequest& request);
 
-/// Residuals at given values, only the starts of the windows being fitted; no slopes by the parameters (zero in the
-/// answer). Nothing where the model cannot be simulated.
-[[nodiscard]] std::optional<Fit> evaluate_at(const FitRequest& request);
+/// As evaluate_at(), with the derivatives with respect to the parameters.
+[[nodiscard]] Counted<std::optional<Fit>> evaluate_with_jacobian(const FitRequest& request);
 
-/// As evaluate_at, with the slopes by the parameters.
-[[nodiscard]] std::optional<Fit> evaluate_with_slopes(const FitRequest& request);
-
-/// The residuals of a fit as tests of noise take them: a series a channel of a run.
-[[nodiscard]] std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::Record> records,
+/// The residuals of a fit as whiteness tests take them: one series per channel of each run.
+[[nodiscard]] std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs,
                                                                       const Fit& fit);
 
 }  // namespace coilwright::measurement::fit

@@ -7,7 +7,8 @@
 namespace coilwright::measurement::fit {
 namespace {
 
-// A usual change of an effect's number: as large as where its fit starts.
+// A typical change of an effect's number: its distance from the value that means that the effect is absent, at the
+// start of the fit.
 double scale_of(const actuator::EffectParameter& parameter, double start) {
   const double from_absent = std::abs(start - parameter.absent.value_or(0.0));
   if (from_absent > 0.0 && std::isfinite(from_absent)) return from_absent;
@@ -25,18 +26,18 @@ Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuat
                            .upper = number.upper,
                            .scale = number.scale});
   for (const actuator::Effect& effect : effects_) {
-    Share share{.first = size()};
+    EffectParameters placed{.first = size()};
     const auto numbers = effect.kind->parameters();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (!numbers[i].choices.empty()) continue;
-      share.numbers.push_back(i);
+      placed.numbers.push_back(i);
       parameters_.push_back({.key = std::string(numbers[i].key),
                              .denominator = numbers[i].denominator,
                              .lower = numbers[i].lower,
                              .upper = numbers[i].upper,
                              .scale = scale_of(numbers[i], effect.values[i])});
     }
-    shares_.push_back(std::move(share));
+    effect_parameters_.push_back(std::move(placed));
   }
 }
 
@@ -59,15 +60,16 @@ Eigen::VectorXd Hypothesis::start() const {
   Eigen::Index at = 0;
   for (const replay::CalibrationParameter& number : declared_->calibration) out[at++] = number.declared;
   for (std::size_t e = 0; e < effects_.size(); ++e)
-    for (const std::size_t number : shares_[e].numbers) out[at++] = effects_[e].values[number];
+    for (const std::size_t number : effect_parameters_[e].numbers) out[at++] = effects_[e].values[number];
   return clamped(std::move(out));
 }
 
 std::vector<actuator::Effect> Hypothesis::effects_at(const Eigen::VectorXd& values) const {
   std::vector<actuator::Effect> out = effects_;
   for (std::size_t e = 0; e < out.size(); ++e)
-    for (std::size_t i = 0; i < shares_[e].numbers.size(); ++i)
-      out[e].values[shares_[e].numbers[i]] = values[shares_[e].first + static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < effect_parameters_[e].numbers.size(); ++i)
+      out[e].values[effect_parameters_[e].numbers[i]] =
+          values[effect_parameters_[e].first + static_cast<Eigen::Index>(i)];
   return out;
 }
 

@@ -6,39 +6,40 @@
 #include <span>
 #include <vector>
 
-#include "measurement/fit/fit.hpp"
+#include "measurement/fit/counted.hpp"
+#include "measurement/fit/fit_request.hpp"
 
 namespace coilwright::measurement::fit {
 
-/// One run, or one window of it where starts are fitted, as a least-squares program sees it.
+/// The residuals of one run, or of one of its windows if initial states are fitted.
 struct ResidualBlock {
-  std::size_t record{};
-  std::size_t window{};                   ///< of the record
-  bool whole_run{};                       ///< all windows in one: nothing of their own to fit
-  Eigen::Index rows{};                    ///< residuals, and the pull of the start towards the measurement
-  Eigen::Index first{};                   ///< of its residuals in those of the run
-  std::span<double> start{};              ///< angles, rates: what is fitted along
-  std::vector<double> guess{}, sigmas{};  ///< of the start, from the measurement
+  std::size_t run{};
+  std::size_t window{};  ///< index of the window in the run
+  bool whole_run{};      ///< whether the block has all windows of a run, whose initial states are not fitted
+  Eigen::Index rows{};   ///< number of residuals, those of the prior of the initial state included
+  Eigen::Index first{};  ///< index of its first residual among those of the run
+  std::span<double> initial_state{};                ///< angles and rates that are fitted along with the parameters
+  std::vector<double> prior_mean{}, prior_sigma{};  ///< of the initial state
 };
-[[nodiscard]] simulation::State start_of(const ResidualBlock& block);
+[[nodiscard]] simulation::State initial_state_of(const ResidualBlock& block);
 
-/// Residuals over their noise at one point, and which of their slopes are asked for.
+/// Residuals over their noise at one point, and the derivatives that were asked for.
 struct ResidualValues {
   struct Block {
-    Eigen::VectorXd residuals{};     ///< (rows)
-    Eigen::MatrixXd slopes{};        ///< by the parameters: (rows, p)
-    Eigen::MatrixXd start_slopes{};  ///< by the start: (rows, 2n), or (rows, 0)
+    Eigen::VectorXd residuals{};               ///< (rows)
+    Eigen::MatrixXd jacobian{};                ///< with respect to the parameters: (rows, p)
+    Eigen::MatrixXd initial_state_jacobian{};  ///< with respect to the initial state: (rows, 2n), or (rows, 0)
   };
   std::vector<Block> blocks{};
-  std::vector<Eigen::VectorXd> predictions{};  ///< of each record, SI
+  std::vector<Eigen::VectorXd> predictions{};  ///< of each run, SI
 };
-enum class Slopes {
+enum class Derivatives {
   none,
-  of_starts,  ///< those by the parameters are zero
-  all         ///< but for a parameter that is held
+  by_initial_states,  ///< those with respect to the parameters are zero
+  all                 ///< except those with respect to a held parameter, which are zero
 };
 
-/// The residuals of all records as a function of parameters and window starts. Refers to what the request refers to.
+/// The residuals of all runs as a function of parameters and initial states. Refers to what the request refers to.
 class ResidualBlocks {
  public:
   explicit ResidualBlocks(const FitRequest& request);
@@ -46,34 +47,34 @@ class ResidualBlocks {
   ResidualBlocks& operator=(const ResidualBlocks&) = delete;
 
   [[nodiscard]] std::span<const ResidualBlock> blocks() const noexcept { return blocks_; }
-  /// The starts of all blocks, one after the other; what is written here is what `evaluate` takes.
-  [[nodiscard]] std::span<double> starts() noexcept { return starts_; }
-  /// All blocks, in parallel; slopes by forward differences. Nothing where a model cannot be simulated.
-  [[nodiscard]] std::optional<ResidualValues> evaluate(const Eigen::VectorXd& parameters, Slopes slopes) const;
+  /// The initial states of all blocks, one after the other; `evaluate` uses the values that are written here.
+  [[nodiscard]] std::span<double> initial_states() noexcept { return initial_states_; }
+  /// Evaluates all blocks in parallel, with derivatives by forward differences. Nothing if a model cannot be simulated.
+  [[nodiscard]] Counted<std::optional<ResidualValues>> evaluate(const Eigen::VectorXd& parameters,
+                                                                Derivatives derivatives) const;
 
  private:
   struct RunValues;
-  void add_blocks(std::size_t record);
-  [[nodiscard]] std::optional<RunValues> evaluate_run(const actuator::Model& model, std::size_t record) const;
+  struct Displaced;
+  void add_blocks(std::size_t run);
+  [[nodiscard]] std::optional<RunValues> evaluate_run(const actuator::Model& model, std::size_t run) const;
   [[nodiscard]] std::optional<RunValues> evaluate_bench(const actuator::Model& model,
-                                                        const replay::Record& record) const;
-  [[nodiscard]] std::optional<RunValues> evaluate_rest_run(const actuator::Model& model,
-                                                           const replay::Record& record) const;
-  [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t record) const;
-  [[nodiscard]] bool add_slopes(const Eigen::VectorXd& parameters, ResidualValues& values) const;
-  [[nodiscard]] bool add_start_slopes(const actuator::Model& model,
-                                      const std::vector<actuator::InternalStates>& internal,
-                                      ResidualValues& values) const;
+                                                        const replay::PreparedRun& prepared) const;
+  [[nodiscard]] std::optional<RunValues> evaluate_run_from_rest(const actuator::Model& model,
+                                                                const replay::PreparedRun& prepared) const;
+  [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run) const;
+  [[nodiscard]] std::optional<std::vector<Displaced>> displaced_models(const Eigen::VectorXd& parameters) const;
+  [[nodiscard]] bool add_jacobian(const std::vector<Displaced>& displaced, ResidualValues& values) const;
+  [[nodiscard]] bool add_initial_state_jacobian(const actuator::Model& model,
+                                                const std::vector<actuator::InternalStates>& internal,
+                                                ResidualValues& values) const;
   [[nodiscard]] std::optional<actuator::Model> model_at(const Eigen::VectorXd& parameters) const;
-  [[nodiscard]] double slope_step(const Eigen::VectorXd& parameters, Eigen::Index parameter) const;
+  [[nodiscard]] double difference_step(const Eigen::VectorXd& parameters, Eigen::Index parameter) const;
 
   const FitRequest& request_;
   std::vector<ResidualBlock> blocks_;
-  std::vector<double> starts_;                         // of all blocks; never moves
-  std::vector<std::size_t> first_block_, last_block_;  // of each record
+  std::vector<double> initial_states_;                 // of all blocks; never moves
+  std::vector<std::size_t> first_block_, last_block_;  // of each run
 };
-
-/// Runs simulated since the program started: for the profile of where time goes.
-[[nodiscard]] long simulated_runs();
 
 }  // namespace coilwright::measurement::fit

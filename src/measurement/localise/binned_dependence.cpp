@@ -44,8 +44,8 @@ struct Mean {
   [[nodiscard]] double value() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-// Mean of each bin; where a half has no samples in it, on the straight line between the nearest bins that have, and
-// beyond the last of those its own.
+// Mean of each bin. A bin without samples takes the linear interpolation between the nearest bins that have samples, or
+// the value of the nearest one at either end.
 std::vector<double> curve_of(const std::vector<Mean>& bins) {
   std::vector<double> curve(bins.size(), 0.0);
   std::size_t last = bins.size();  // the last bin with samples; none yet
@@ -66,7 +66,7 @@ std::vector<double> curve_of(const std::vector<Mean>& bins) {
 }  // namespace
 
 Dependence binned_dependence(std::string name, std::span<const double> variable, std::span<const double> torque,
-                             const Blocks& blocks) {
+                             const SampleBlocks& blocks) {
   Dependence result{.variable = std::move(name)};
   const std::vector<double> edges = bin_edges(variable);
   if (edges.empty()) return result;
@@ -78,7 +78,7 @@ Dependence binned_dependence(std::string name, std::span<const double> variable,
   std::vector<std::size_t> bin(variable.size());
   for (std::size_t i = 0; i < variable.size(); ++i) {
     bin[i] = bin_of(edges, variable[i]);
-    const std::size_t parity = blocks.of[i] % 2;
+    const std::size_t parity = blocks.number[i] % 2;
     half[parity][bin[i]].add(torque[i]);
     whole[parity].add(torque[i]);
     place[bin[i]].add(variable[i]);
@@ -87,7 +87,7 @@ Dependence binned_dependence(std::string name, std::span<const double> variable,
   double left = 0.0;
   double all = 0.0;
   for (std::size_t i = 0; i < variable.size(); ++i) {
-    const std::size_t other = 1 - blocks.of[i] % 2;
+    const std::size_t other = 1 - blocks.number[i] % 2;
     const double mean = whole[other].value();
     const double missed = torque[i] - curve[other][bin[i]];
     left += missed * missed;

@@ -14,14 +14,18 @@ namespace {
 using mechanics::JointMatrix;
 using mechanics::JointVector;
 
-constexpr std::size_t shortest = 16;
+constexpr std::size_t shortest_window = 16;  // samples
 
-// Deviation of the measured from the simulated angles, with its derivatives, per measured series.
-struct Deviation {
-  std::vector<std::vector<double>> angle, rate, acceleration;
+// Angles smoothed window by window, with their derivatives; one value per sample.
+struct SmoothedSeries {
+  std::vector<double> angle, rate, acceleration;
 };
 
-// Box and Muller on the Mersenne twister: the same in every standard library, unlike std::normal_distribution.
+// Measured minus simulated angles, for each measured series.
+using Deviation = std::vector<SmoothedSeries>;
+
+// By the method of Box and Muller with the Mersenne twister: the same in every standard library, unlike
+// std::normal_distribution.
 std::vector<double> white_noise(std::size_t count, double sigma, unsigned long seed) {
   std::mt19937_64 engine(seed);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
@@ -33,9 +37,10 @@ std::vector<double> white_noise(std::size_t count, double sigma, unsigned long s
   return values;
 }
 
-// How a small torque, the same in all joints, shares its bending among them at rest; equal shares where the pose has
-// no stiffness.
-JointVector shares(const actuator::Model& model, const JointVector& angles, const actuator::CoilCurrents& currents) {
+// The share of each joint in the bending that a small torque, equal in all joints, causes at rest; equal shares if the
+// pose has no stiffness.
+JointVector bending_shares(const actuator::Model& model, const JointVector& angles,
+                           const actuator::CoilCurrents& currents) {
   const JointVector ones = JointVector::Ones(model.joints());
   const Eigen::LLT<JointMatrix> stiffness(model.tangent_stiffness(angles, currents));
   if (stiffness.info() == Eigen::Success) {
@@ -45,29 +50,29 @@ JointVector shares(const actuator::Model& model, const JointVector& angles, cons
   return ones / static_cast<double>(model.joints());
 }
 
-class Equation {
+class InverseDynamics {
  public:
-  Equation(const MeasuredMotion& motion, const actuator::Model& model)
+  InverseDynamics(const MeasuredMotion& motion, const actuator::Model& model)
       : motion_(motion), model_(model), bending_(motion.angles.size() == 1), slopes_(model.internal_states()) {
     if (!bending_ || motion.simulated.empty()) return;
     JointVector mean = JointVector::Zero(model.joints());
     for (const simulation::State& state : motion.simulated) mean += state.angles;
     mean /= static_cast<double>(motion.simulated.size());
-    shares_ = shares(model, mean, model.all_coils(0.0));
+    shares_ = bending_shares(model, mean, model.all_coils(0.0));
   }
 
-  // Per measured series: torque, N m, and measured acceleration, rad/s^2.
-  struct Answer {
+  // Torque, N m, and measured acceleration, rad/s^2, of each measured series.
+  struct Result {
     std::vector<double> torque, acceleration;
   };
-  [[nodiscard]] Answer at(std::size_t sample, const Deviation& deviation) {
+  [[nodiscard]] Result at(std::size_t sample, const Deviation& deviation) {
     const simulation::State& state = motion_.simulated[sample];
     const JointVector applied = motion_.input.joint_torques.empty() ? JointVector::Zero(model_.joints()).eval()
                                                                     : motion_.input.joint_torques[sample];
-    const JointVector angles = state.angles + split(deviation.angle, sample);
-    const JointVector rates = state.rates + split(deviation.rate, sample);
-    const JointVector measured =
-        acceleration(state.angles, state.rates, state, sample, applied) + split(deviation.acceleration, sample);
+    const JointVector angles = state.angles + split(deviation, &SmoothedSeries::angle, sample);
+    const JointVector rates = state.rates + split(deviation, &SmoothedSeries::rate, sample);
+    const JointVector measured = acceleration(state.angles, state.rates, state, sample, applied) +
+                                 split(deviation, &SmoothedSeries::acceleration, sample);
     const JointVector lacking = measured - acceleration(angles, rates, state, sample, applied);
     const JointMatrix mass = model_.chain().mass_matrix(angles);
     if (!bending_) {
@@ -75,18 +80,20 @@ class Equation {
       return {{torques.data(), torques.data() + torques.size()}, {measured.data(), measured.data() + measured.size()}};
     }
     // The one torque t in all joints with 1^T M^-1 1 t = 1^T lacking.
-    const JointVector answer = mass.llt().solve(JointVector::Ones(model_.joints()));
-    return {{lacking.sum() / answer.sum()}, {measured.sum()}};
+    const JointVector mobility = mass.llt().solve(JointVector::Ones(model_.joints()));
+    return {{lacking.sum() / mobility.sum()}, {measured.sum()}};
   }
 
  private:
-  [[nodiscard]] JointVector split(const std::vector<std::vector<double>>& series, std::size_t sample) const {
-    if (bending_) return series.front()[sample] * shares_;
+  // What a deviation means for each joint.
+  [[nodiscard]] JointVector split(const Deviation& deviation, std::vector<double> SmoothedSeries::*part,
+                                  std::size_t sample) const {
+    if (bending_) return (deviation.front().*part)[sample] * shares_;
     JointVector values(model_.joints());
-    for (int j = 0; j < model_.joints(); ++j) values[j] = series[j][sample];
+    for (int j = 0; j < model_.joints(); ++j) values[j] = (deviation[static_cast<std::size_t>(j)].*part)[sample];
     return values;
   }
-  // The effects' own states are those of the simulated motion.
+  // The internal states of effects are those of the simulated motion.
   [[nodiscard]] JointVector acceleration(const JointVector& angles, const JointVector& rates,
                                          const simulation::State& state, std::size_t sample,
                                          const JointVector& applied) {
@@ -103,39 +110,38 @@ class Equation {
   std::vector<double> slopes_;
 };
 
-double simulated(const MeasuredMotion& motion, std::size_t series, std::size_t sample, bool rate) {
-  const JointVector& values = rate ? motion.simulated[sample].rates : motion.simulated[sample].angles;
+// The value of a measured series in joint angles or rates.
+double in_series(const MeasuredMotion& motion, std::size_t series, const JointVector& values) {
   return motion.angles.size() == 1 ? values.sum() : values[static_cast<Eigen::Index>(series)];
 }
 
-std::vector<std::size_t> edges(const MeasuredMotion& motion) {
+// First samples of all windows, and one past the last sample.
+std::vector<std::size_t> window_bounds(const MeasuredMotion& motion) {
   std::vector<std::size_t> result = motion.starts;
   result.push_back(motion.input.times.size());
   return result;
 }
 
-void smooth_into(Deviation& deviation, std::span<const double> times, const std::vector<double>& values,
-                 const std::vector<std::size_t>& bounds, double penalty) {
-  std::vector<double> angle, rate, acceleration;
+SmoothedSeries smoothed_windows(std::span<const double> times, const std::vector<double>& values,
+                                const std::vector<std::size_t>& bounds, double penalty) {
+  SmoothedSeries out;
   for (std::size_t w = 0; w + 1 < bounds.size(); ++w) {
     const std::size_t size = bounds[w + 1] - bounds[w];
-    const auto stretch = times.subspan(bounds[w], size);
-    const std::vector<double> smooth = smoothed(stretch, std::span(values).subspan(bounds[w], size), penalty);
-    const Derivatives slopes = derivatives(stretch, smooth);
-    angle.insert(angle.end(), smooth.begin(), smooth.end());
-    rate.insert(rate.end(), slopes.first.begin(), slopes.first.end());
-    acceleration.insert(acceleration.end(), slopes.second.begin(), slopes.second.end());
+    const auto segment = times.subspan(bounds[w], size);
+    const std::vector<double> smooth = smoothed(segment, std::span(values).subspan(bounds[w], size), penalty);
+    const Derivatives slopes = derivatives(segment, smooth);
+    out.angle.insert(out.angle.end(), smooth.begin(), smooth.end());
+    out.rate.insert(out.rate.end(), slopes.first.begin(), slopes.first.end());
+    out.acceleration.insert(out.acceleration.end(), slopes.second.begin(), slopes.second.end());
   }
-  deviation.angle.push_back(std::move(angle));
-  deviation.rate.push_back(std::move(rate));
-  deviation.acceleration.push_back(std::move(acceleration));
+  return out;
 }
 
 }  // namespace
 
-TorqueSeries torque_series(const MeasuredMotion& motion, const actuator::Model& model, unsigned long seed) {
+TorqueSeries residual_torque_series(const MeasuredMotion& motion, const actuator::Model& model, unsigned long seed) {
   const std::vector<double>& times = motion.input.times;
-  const std::vector<std::size_t> bounds = edges(motion);
+  const std::vector<std::size_t> bounds = window_bounds(motion);
   const std::size_t count = motion.angles.size();
   TorqueSeries result;
   result.torque.resize(count);
@@ -149,42 +155,43 @@ TorqueSeries torque_series(const MeasuredMotion& motion, const actuator::Model& 
   Deviation noise;
   for (std::size_t s = 0; s < count; ++s) {
     std::vector<double> values(times.size());
-    for (std::size_t i = 0; i < times.size(); ++i) values[i] = motion.angles[s][i] - simulated(motion, s, i, false);
-    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i < times.size(); ++i)
+      values[i] = motion.angles[s][i] - in_series(motion, s, motion.simulated[i].angles);
+    std::vector<SampledSegment> segments;
     for (std::size_t w = 0; w + 1 < bounds.size(); ++w)
-      if (const std::size_t size = bounds[w + 1] - bounds[w]; size >= shortest)
-        stretches.push_back({std::span(times).subspan(bounds[w], size), std::span(values).subspan(bounds[w], size)});
-    if (stretches.empty()) return result;
-    const double penalty = best_penalty(stretches, motion.sigma[s]);
-    result.reach = std::max(result.reach, smoothing_length(penalty));
-    smooth_into(measured, times, values, bounds, penalty);
-    smooth_into(noise, times, white_noise(times.size(), motion.sigma[s], seed + s), bounds, penalty);
+      if (const std::size_t size = bounds[w + 1] - bounds[w]; size >= shortest_window)
+        segments.push_back({std::span(times).subspan(bounds[w], size), std::span(values).subspan(bounds[w], size)});
+    if (segments.empty()) return result;
+    const double penalty = best_penalty(segments, motion.sigma[s]);
+    result.smoothing_length = std::max(result.smoothing_length, smoothing_length(penalty));
+    measured.push_back(smoothed_windows(times, values, bounds, penalty));
+    noise.push_back(smoothed_windows(times, white_noise(times.size(), motion.sigma[s], seed + s), bounds, penalty));
   }
   Deviation both = measured;
   for (std::size_t s = 0; s < count; ++s)
     for (std::size_t i = 0; i < times.size(); ++i) {
-      both.angle[s][i] += noise.angle[s][i];
-      both.rate[s][i] += noise.rate[s][i];
-      both.acceleration[s][i] += noise.acceleration[s][i];
+      both[s].angle[i] += noise[s].angle[i];
+      both[s].rate[i] += noise[s].rate[i];
+      both[s].acceleration[i] += noise[s].acceleration[i];
     }
 
-  Equation equation(motion, model);
+  InverseDynamics dynamics(motion, model);
   for (std::size_t w = 0; w + 1 < bounds.size(); ++w) {
     const std::size_t size = bounds[w + 1] - bounds[w];
-    if (size < shortest) continue;
-    // Near an end the smoother has data on one side only; a quarter of a short window is the most that is given up.
-    const std::size_t margin = std::min(static_cast<std::size_t>(std::ceil(2.0 * result.reach)), size / 4);
+    if (size < shortest_window) continue;
+    // Near an end the smoother has data on one side only. At most a quarter of a short window is left out there.
+    const std::size_t margin = std::min(static_cast<std::size_t>(std::ceil(2.0 * result.smoothing_length)), size / 4);
     for (std::size_t i = bounds[w] + margin; i < bounds[w + 1] - margin; ++i) {
-      const Equation::Answer answer = equation.at(i, measured);
-      const Equation::Answer disturbed = equation.at(i, both);
+      const InverseDynamics::Result found = dynamics.at(i, measured);
+      const InverseDynamics::Result disturbed = dynamics.at(i, both);
       result.samples.push_back(i);
       for (std::size_t s = 0; s < count; ++s) {
-        result.torque[s].push_back(answer.torque[s]);
-        result.noise[s].push_back(disturbed.torque[s] - answer.torque[s]);
-        result.acceleration[s].push_back(answer.acceleration[s]);
-        result.angle[s].push_back(simulated(motion, s, i, false) + measured.angle[s][i]);
-        result.rate[s].push_back(simulated(motion, s, i, true) + measured.rate[s][i]);
-        result.rate_noise[s].push_back(noise.rate[s][i]);
+        result.torque[s].push_back(found.torque[s]);
+        result.noise[s].push_back(disturbed.torque[s] - found.torque[s]);
+        result.acceleration[s].push_back(found.acceleration[s]);
+        result.angle[s].push_back(in_series(motion, s, motion.simulated[i].angles) + measured[s].angle[i]);
+        result.rate[s].push_back(in_series(motion, s, motion.simulated[i].rates) + measured[s].rate[i]);
+        result.rate_noise[s].push_back(noise[s].rate[i]);
       }
     }
   }

@@ -7,20 +7,21 @@
 
 namespace coilwright::measurement::localise {
 
-/// The residual torque of one motion at the samples that are far enough from edges, and the motion there.
+/// The residual torque of one motion at the samples that are far enough from the ends of windows, and the motion there.
 struct TorqueSeries {
-  std::vector<std::size_t> samples;               ///< indices into the motion, rising
-  std::vector<std::vector<double>> torque;        ///< N m, per measured series, a value for each of `samples`
-  std::vector<std::vector<double>> noise;         ///< the same for a draw of the noise alone
+  std::vector<std::size_t> samples;               ///< indices into the motion, increasing
+  std::vector<std::vector<double>> torque;        ///< N m, for each measured series one value per sample
+  std::vector<std::vector<double>> noise;         ///< the same for a random draw of the noise alone
   std::vector<std::vector<double>> angle;         ///< of each measured series, smoothed, rad
   std::vector<std::vector<double>> rate;          ///< rad/s
   std::vector<std::vector<double>> acceleration;  ///< rad/s^2
-  std::vector<std::vector<double>> rate_noise;    ///< of the noise alone, rad/s
-  double reach{};                                 ///< smoothing length, samples
+  std::vector<std::vector<double>> rate_noise;    ///< of that draw alone, rad/s
+  double smoothing_length{};                      ///< samples
 };
 
-/// `seed`: of the draw. A motion without a stretch of 16 samples has no samples.
-[[nodiscard]] TorqueSeries torque_series(const MeasuredMotion& motion, const actuator::Model& model,
-                                         unsigned long seed);
+/// The torque that the model lacks, by inverse dynamics of the measured motion. `seed`: random seed of the draw of the
+/// noise. The result has no samples if no window of the motion has 16.
+[[nodiscard]] TorqueSeries residual_torque_series(const MeasuredMotion& motion, const actuator::Model& model,
+                                                  unsigned long seed);
 
 }  // namespace coilwright::measurement::localise

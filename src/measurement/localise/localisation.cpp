@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "coilwright/simulation/initial_state.hpp"
 #include "measurement/replay/prediction.hpp"
@@ -12,22 +13,36 @@ namespace {
 
 using simulation::State;
 
-// Measured angles of `quantity` over the windows of a record, as the model's joints have them: what the camera adds is
-// taken off. A delay is left in: it is no torque, and shows as one that goes with the rate.
-void add_angles(const replay::Record& record, data::Quantity quantity, const actuator::Model& model,
-                MeasuredMotion& motion) {
-  // Offset and scale are a straight line.
+struct MeasuredAngles {
+  std::vector<std::vector<double>> series{};
+  std::vector<double> sigma{};
+};
+
+// Measured angles of one kind over the windows of a run, with the offset and the scale of the camera removed. A delay
+// of the camera is not removed: it causes no torque, and appears as one that depends on the rate.
+MeasuredAngles angles_of(const replay::PreparedRun& prepared, data::ChannelKind kind, const actuator::Model& model) {
+  // The camera's offset and scale form a linear function.
   const double offset = model.observed(0.0);
   const double scale = model.observed(1.0) - offset;
-  for (std::size_t c = 0; c < record.run->channels.size(); ++c) {
-    const data::Channel& channel = record.run->channels[c];
-    if (channel.quantity != quantity) continue;
+  MeasuredAngles out;
+  for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
+    const data::Channel& channel = prepared.run->channels[c];
+    if (channel.kind != kind) continue;
     std::vector<double> values;
-    for (const replay::Window& window : record.windows)
-      for (std::size_t i = window.first; i < window.last; ++i) values.push_back((channel.values[i] - offset) / scale);
-    motion.angles.push_back(std::move(values));
-    motion.sigma.push_back(record.noise[c].sigma / scale);
+    for (const replay::Window& window : prepared.windows)
+      for (std::size_t i = window.range.first; i < window.range.last; ++i)
+        values.push_back((channel.values[i] - offset) / scale);
+    out.series.push_back(std::move(values));
+    out.sigma.push_back(prepared.noise[c].sigma / scale);
   }
+  return out;
+}
+
+// The angles of all joints if each was measured, or the bending angle.
+MeasuredAngles angles_of(const replay::PreparedRun& prepared, const actuator::Model& model) {
+  MeasuredAngles joints = angles_of(prepared, data::ChannelKind::joint_angle, model);
+  if (joints.series.size() == static_cast<std::size_t>(model.joints())) return joints;
+  return angles_of(prepared, data::ChannelKind::bending_angle, model);
 }
 
 void append(const simulation::ModelInput& more, simulation::ModelInput& all) {
@@ -36,54 +51,56 @@ void append(const simulation::ModelInput& more, simulation::ModelInput& all) {
   all.joint_torques.insert(all.joint_torques.end(), more.joint_torques.begin(), more.joint_torques.end());
 }
 
-// The model's own motion, window by window, from the starts that the fit found.
-bool simulate_windows(const replay::Record& record, const fit::RunFit& fitted, const actuator::Model& model,
-                      MeasuredMotion& motion) {
-  motion.starts.clear();
+// The measured motion beside that of the model, window by window from the initial states that the fit found. Nothing if
+// no angle was measured or the model cannot be simulated.
+std::optional<MeasuredMotion> motion_of(const replay::PreparedRun& prepared, const fit::RunFit& fitted,
+                                        const actuator::Model& model) {
+  MeasuredAngles measured = angles_of(prepared, model);
+  if (measured.series.empty()) return std::nullopt;
+  MeasuredMotion motion{.run = prepared.run->name,
+                        .angles = std::move(measured.series),
+                        .sigma = std::move(measured.sigma),
+                        .starts = {}};
   Eigen::VectorXd internal;
-  for (std::size_t w = 0; w < record.windows.size(); ++w) {
-    const replay::Window& window = record.windows[w];
-    std::optional<State> start =
-        record.has_nuisances() ? fitted.starts[w] : simulation::equilibrium_at_first_input(model, window.input);
-    if (!start) return false;
+  for (std::size_t w = 0; w < prepared.windows.size(); ++w) {
+    const replay::Window& window = prepared.windows[w];
+    std::optional<State> start = prepared.fits_initial_states()
+                                     ? fitted.initial_states[w]
+                                     : simulation::equilibrium_at_first_input(model, window.input);
+    if (!start) return std::nullopt;
     start->internal = internal;
-    std::optional<replay::WindowPrediction> predicted = replay::predict_window(model, record, window, *start);
-    if (!predicted) return false;
-    if (record.has_nuisances()) internal = predicted->states.back().internal;
+    const auto predicted = replay::predict_window(model, prepared, window, *start);
+    if (!predicted) return std::nullopt;
+    if (prepared.fits_initial_states()) internal = predicted->states.back().internal;
     motion.starts.push_back(motion.simulated.size());
     motion.simulated.insert(motion.simulated.end(), predicted->states.begin(), predicted->states.end());
     append(window.input, motion.input);
   }
-  return true;
+  return motion;
 }
 
-// A residual torque is taken either of every joint or of their sum: of what most samples were measured by.
-void keep_alike(std::vector<MeasuredMotion>& motions) {
-  std::map<std::size_t, std::size_t> samples;
+// Those motions that are measured in the same way as most samples, either by the angles of all joints or by their sum:
+// residual_torque() needs one way.
+std::vector<MeasuredMotion> measured_alike(std::vector<MeasuredMotion> motions) {
+  std::map<std::size_t, std::size_t> samples;  // by the number of measured series
   for (const MeasuredMotion& motion : motions) samples[motion.angles.size()] += motion.simulated.size();
-  const auto most = std::ranges::max_element(samples, {}, [](const auto& one) { return one.second; });
-  if (most == samples.end()) return;
+  const auto most = std::ranges::max_element(samples, {}, [](const auto& each) { return each.second; });
+  if (most == samples.end()) return motions;
   std::erase_if(motions, [&](const MeasuredMotion& motion) { return motion.angles.size() != most->first; });
+  return motions;
 }
 
 }  // namespace
 
-std::optional<ResidualTorque> localise(std::span<const replay::Record> records, const compare::Scored& fitted) {
+std::optional<ResidualTorque> localise(std::span<const replay::PreparedRun> runs,
+                                       const compare::FittedHypothesis& fitted) {
   const actuator::Model model = fitted.hypothesis.model_at(fitted.fit.values);
   std::vector<MeasuredMotion> motions;
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    if (!records[r].is_motion()) continue;
-    MeasuredMotion& motion = motions.emplace_back();
-    motion.run = records[r].run->name;
-    add_angles(records[r], data::Quantity::joint_angle, model, motion);
-    if (motion.angles.size() != static_cast<std::size_t>(model.joints())) {
-      motion.angles.clear();
-      motion.sigma.clear();
-      add_angles(records[r], data::Quantity::bending_angle, model, motion);
-    }
-    if (motion.angles.empty() || !simulate_windows(records[r], fitted.fit.runs[r], model, motion)) motions.pop_back();
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (!runs[r].is_motion()) continue;
+    if (auto motion = motion_of(runs[r], fitted.fit.runs[r], model)) motions.push_back(std::move(*motion));
   }
-  keep_alike(motions);
+  motions = measured_alike(std::move(motions));
   if (motions.empty()) return std::nullopt;
   return residual_torque(motions, model);
 }

@@ -8,8 +8,8 @@
 
 namespace coilwright::measurement::localise {
 
-/// The rest that a fitted hypothesis leaves, as a torque over the measured motion. Nothing where no run is a motion.
-[[nodiscard]] std::optional<ResidualTorque> localise(std::span<const replay::Record> records,
-                                                     const compare::Scored& fitted);
+/// The residual of a fitted hypothesis as a torque along the measured motion. Nothing if no run is a motion.
+[[nodiscard]] std::optional<ResidualTorque> localise(std::span<const replay::PreparedRun> runs,
+                                                     const compare::FittedHypothesis& fitted);
 
 }  // namespace coilwright::measurement::localise

@@ -11,9 +11,9 @@ namespace coilwright::measurement::localise {
 namespace {
 
 struct Spectrum {
-  std::vector<double> frequency;  // Hz, every line that the series resolves
+  std::vector<double> frequency;  // Hz
   std::vector<double> power;
-  std::vector<double> ratio;  // to the mean that its neighbourhood has by its median
+  std::vector<double> ratio;  // of the power to the mean of its surroundings, which follows from their median
 };
 
 double median(std::vector<double> values) {
@@ -25,9 +25,9 @@ double median(std::vector<double> values) {
 Spectrum spectrum_of(const EvenSeries& series) {
   const noise::Periodogram lines = noise::periodogram(series.values);
   const double step = 1.0 / (series.interval * static_cast<double>(lines.size));
-  const auto resolved = lines.size / series.values.size();  // bins of the padded transform to one true line
+  const auto resolved = lines.size / series.values.size();  // bins of the padded transform per resolved frequency
   Spectrum result;
-  // Two turns at least.
+  // At least two cycles per series.
   const std::size_t first = 2 * resolved + 1;
   for (std::size_t k = 0; k < lines.power.size(); ++k) {
     result.frequency.push_back(step * static_cast<double>(k));
@@ -35,7 +35,7 @@ Spectrum spectrum_of(const EvenSeries& series) {
     result.ratio.push_back(0.0);
   }
   for (std::size_t k = first; k < lines.power.size(); ++k) {
-    const std::size_t gap = 2 * resolved;  // the line's own width
+    const std::size_t gap = 2 * resolved;  // width of a line
     const std::size_t reach = std::max<std::size_t>(k / 3, 6 * resolved);
     const std::size_t low = k > reach + gap ? k - reach - gap : 1;
     const std::size_t high = std::min(k + reach + gap, lines.power.size() - 1);
@@ -43,15 +43,15 @@ Spectrum spectrum_of(const EvenSeries& series) {
     for (std::size_t i = low; i <= high; ++i)
       if (i + gap < k || i > k + gap) around.push_back(lines.power[i]);
     if (around.empty()) continue;
-    const double measure = median(std::move(around)) / std::numbers::ln2;  // of an exponential law, its mean
-    if (measure > 0.0) result.ratio[k] = lines.power[k] / measure;
+    const double mean = median(std::move(around)) / std::numbers::ln2;  // of an exponential distribution
+    if (mean > 0.0) result.ratio[k] = lines.power[k] / mean;
   }
   return result;
 }
 
 }  // namespace
 
-std::optional<double> strongest_line(std::span<const EvenSeries> series) {
+std::optional<double> strongest_spectral_line(std::span<const EvenSeries> series) {
   std::vector<Spectrum> spectra;
   double longest = 0.0;
   double fastest = 0.0;
@@ -65,15 +65,15 @@ std::optional<double> strongest_line(std::span<const EvenSeries> series) {
 
   const double step = 0.25 / longest;
   const auto count = static_cast<std::size_t>(fastest / step);
-  constexpr double most_of_one = 50.0;
+  constexpr double largest_ratio = 50.0;
   constexpr double chance = 0.01;
   std::optional<double> best;
   double best_excess = 1.0;
   double best_power = 0.0;
   std::vector<double> limits(spectra.size() + 1, 0.0);
   for (std::size_t members = 1; members <= spectra.size(); ++members) {
-    const boost::math::gamma_distribution<double> law(static_cast<double>(members), 1.0);
-    limits[members] = boost::math::quantile(boost::math::complement(law, chance / static_cast<double>(count)));
+    const boost::math::gamma_distribution<double> distribution(static_cast<double>(members), 1.0);
+    limits[members] = boost::math::quantile(boost::math::complement(distribution, chance / static_cast<double>(count)));
   }
   for (std::size_t k = 1; k <= count; ++k) {
     const double frequency = step * static_cast<double>(k);
@@ -83,13 +83,13 @@ std::optional<double> strongest_line(std::span<const EvenSeries> series) {
     for (const Spectrum& spectrum : spectra) {
       const auto nearest = static_cast<std::size_t>(frequency / spectrum.frequency[1] + 0.5);
       if (nearest >= spectrum.ratio.size() || spectrum.ratio[nearest] == 0.0) continue;
-      sum += std::min(spectrum.ratio[nearest], most_of_one);
+      sum += std::min(spectrum.ratio[nearest], largest_ratio);
       power += spectrum.power[nearest];
       ++members;
     }
     if (members == 0) continue;
     const double excess = sum / limits[members];
-    // Among lines at the bound the more powerful one.
+    // Of lines with equal excess the more powerful one.
     if (excess > best_excess || (best && excess == best_excess && power > best_power)) {
       best = frequency;
       best_excess = excess;

@@ -14,7 +14,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 constexpr Eigen::Index order = 3;
 
-// D^T D of third differences: divided differences times h^3 3!, which on even samples are 1, -3, 3, -1.
+// D^T D of third differences: divided differences times h^3 3!, which are 1, -3, 3, -1 for even sampling.
 SparseMatrix roughness(std::span<const double> times) {
   const auto n = static_cast<Eigen::Index>(times.size());
   const double interval = (times.back() - times.front()) / static_cast<double>(n - 1);
@@ -36,18 +36,18 @@ std::vector<double> solved(const SparseMatrix& rough, std::span<const double> va
   SparseMatrix system(n, n);
   system.setIdentity();
   system += penalty * rough;
-  // The band stays a band in its natural order.
+  // The natural order keeps the matrix banded.
   const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factors(system);
   const Eigen::VectorXd result = factors.solve(Eigen::Map<const Eigen::VectorXd>(values.data(), n));
   return {result.data(), result.data() + n};
 }
 
-// Trace of the smoother: its gains on even samples, of which three are 1 (parabolas pass).
+// Trace of the smoother: the sum of its gains for even sampling, of which three are 1 (parabolas pass unchanged).
 double freedom(std::size_t n, double penalty) {
   double sum = static_cast<double>(std::min<std::size_t>(n, order));
   for (std::size_t k = order; k < n; ++k) {
-    const double turn = std::numbers::pi * (static_cast<double>(k) - 1.0) / static_cast<double>(n);
-    sum += 1.0 / (1.0 + penalty * std::pow(2.0 * std::sin(0.5 * turn), 6));
+    const double phase = std::numbers::pi * (static_cast<double>(k) - 1.0) / static_cast<double>(n);
+    sum += 1.0 / (1.0 + penalty * std::pow(2.0 * std::sin(0.5 * phase), 6));
   }
   return sum;
 }
@@ -63,18 +63,18 @@ double smoothing_length(double penalty) {
   return std::pow(penalty, 1.0 / 6.0);
 }
 
-double best_penalty(std::span<const Stretch> stretches, double sigma) {
+double best_penalty(std::span<const SampledSegment> segments, double sigma) {
   std::vector<SparseMatrix> rough;
-  for (const Stretch& stretch : stretches) rough.push_back(roughness(stretch.times));
+  for (const SampledSegment& segment : segments) rough.push_back(roughness(segment.times));
   double best = 1.0;
   double least = std::numeric_limits<double>::infinity();
   for (int half_decade = 0; half_decade <= 24; ++half_decade) {
     const double penalty = std::pow(10.0, 0.5 * half_decade);
     double error = 0.0;
-    for (std::size_t s = 0; s < stretches.size(); ++s) {
-      const std::vector<double> smooth = solved(rough[s], stretches[s].values, penalty);
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      const std::vector<double> smooth = solved(rough[s], segments[s].values, penalty);
       for (std::size_t i = 0; i < smooth.size(); ++i) {
-        const double left = (stretches[s].values[i] - smooth[i]) / sigma;
+        const double left = (segments[s].values[i] - smooth[i]) / sigma;
         error += left * left - 1.0;
       }
       error += 2.0 * freedom(smooth.size(), penalty);

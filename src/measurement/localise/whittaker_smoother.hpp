@@ -11,20 +11,21 @@ namespace coilwright::measurement::localise {
 [[nodiscard]] std::vector<double> smoothed(std::span<const double> times, std::span<const double> values,
                                            double penalty);
 
-/// Samples over which it reaches: penalty^(1/6).
+/// Number of samples over which the smoother averages: penalty^(1/6).
 [[nodiscard]] double smoothing_length(double penalty);
 
-/// One stretch without a jump.
-struct Stretch {
+/// Consecutive samples without a jump.
+struct SampledSegment {
   std::span<const double> times;
   std::span<const double> values;
 };
 
-/// The penalty of least expected error under white noise of `sigma`, one for all stretches: Mallows' C_p over a grid of
-/// half decades from 1 to 1e12, beyond which the equations lose their digits.
-[[nodiscard]] double best_penalty(std::span<const Stretch> stretches, double sigma);
+/// The penalty of least expected error under white noise of `sigma`, one for all segments: the minimum of Mallows' C_p
+/// over a grid of half decades from 1 to 1e12. Above that the equations are ill-conditioned.
+[[nodiscard]] double best_penalty(std::span<const SampledSegment> segments, double sigma);
 
-/// First and second derivative of smoothed values by divided differences of three; the ends repeat their neighbours.
+/// First and second derivative of smoothed values by divided differences of three samples; the first and the last
+/// sample take over the values of their neighbours.
 struct Derivatives {
   std::vector<double> first;
   std::vector<double> second;

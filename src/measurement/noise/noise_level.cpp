@@ -14,19 +14,20 @@
 namespace coilwright::measurement::noise {
 namespace {
 
-// From the shape that the motion enters last to those that use the noise best.
+// From the shape whose contrasts contain motion last to those whose contrasts are most efficient.
 constexpr ContrastShape shapes_over_time[] = {{7, 5}, {9, 5}, {13, 5}, {19, 5}, {27, 5}, {39, 5}, {55, 5}};
-// A bench has few samples: differences of neighbours, of the fourth, third and second order.
+// A bench has few samples: differences of the fourth, third and second order between neighbours.
 constexpr ContrastShape shapes_on_a_bench[] = {{5, 3}, {4, 2}, {3, 1}};
 
-struct Scale {
+// Standard deviation of the noise from the contrasts of one shape.
+struct ScaleEstimate {
   ContrastShape shape{};
   double sigma{};
   double relative_error{};  // one standard error
   std::size_t count{};
 };
 
-double median_size(std::vector<double> values) {
+double median_magnitude(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -38,14 +39,14 @@ double rms(const std::vector<double>& values) {
                    static_cast<double>(values.size()));
 }
 
-// Root mean square of what lies within 3.5 standard deviations, where a normal law has 1 - 2 z phi(z) / (2 Phi(z) - 1)
-// of its variance a sample. Starts from the median; onsets and impacts stay out, and 96 % of the efficiency is kept (at
-// three standard deviations 86 %).
+// Root mean square of the values within z = 3.5 standard deviations, corrected by the share 1 - 2 z phi(z) /
+// (2 Phi(z) - 1) that a normal distribution cut there keeps of its variance. The iteration starts from the median.
+// Onsets and impacts are excluded, and 96 % of the efficiency is kept (at three standard deviations 86 %).
 double trimmed_scale(const std::vector<double>& values) {
   constexpr double reach = 3.5;
   constexpr double variance_inside = 0.993888;
   constexpr double normal_median = 0.67449;
-  double scale = median_size(values) / normal_median;
+  double scale = median_magnitude(values) / normal_median;
   for (int pass = 0; pass < 30 && scale > 0.0; ++pass) {
     double sum = 0.0;
     double count = 0.0;
@@ -62,11 +63,11 @@ double trimmed_scale(const std::vector<double>& values) {
   return scale;
 }
 
-// Fewer than this leave nothing to trim: one value in thirty would be the whole tail.
+// With fewer values there is nothing to trim: one value in thirty would be the whole tail.
 constexpr std::size_t enough_to_trim = 30;
 
-std::vector<Scale> scales(const std::vector<Curve>& curves, std::span<const ContrastShape> shapes) {
-  std::vector<Scale> found;
+std::vector<ScaleEstimate> scale_estimates(const std::vector<Curve>& curves, std::span<const ContrastShape> shapes) {
+  std::vector<ScaleEstimate> found;
   for (const ContrastShape shape : shapes) {
     std::vector<double> all;
     for (const Curve& curve : curves) {
@@ -80,9 +81,10 @@ std::vector<Scale> scales(const std::vector<Curve>& curves, std::span<const Cont
   return found;
 }
 
-// The last shape that still agrees with all before it. Where the motion enters, the scale rises and goes on rising;
-// what two estimates of the same noise differ by has the variance by which theirs differ (Lepski's rule).
-Scale choose(const std::vector<Scale>& all) {
+// The estimate of the widest shape that is consistent with all narrower ones. Once motion enters the contrasts, the
+// scale rises and continues to rise. The difference of two estimates of the same noise has a variance equal to the
+// difference of their variances (Lepski's rule).
+ScaleEstimate widest_consistent_scale(const std::vector<ScaleEstimate>& all) {
   constexpr double standard_errors = 2.0;
   std::size_t chosen = 0;
   for (std::size_t next = 1; next < all.size(); ++next) {
@@ -97,9 +99,9 @@ Scale choose(const std::vector<Scale>& all) {
   return all[chosen];
 }
 
-// Smallest step between two distinct values; what conversion from degrees leaves in the last digits is no step. A few
-// values have a smallest step without being quantised: there it counts only if all others are whole multiples of it,
-// of at least three sizes (evenly spaced values have one).
+// Smallest step between two distinct values; differences in the last digits, which a conversion from degrees leaves,
+// are not steps. A small number of values has a smallest step without being quantised: there it counts only if all
+// other steps are whole multiples of it, of at least three different sizes (evenly spaced values have one).
 double resolution(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const double rounding = 1e-9 * std::max(std::abs(values.front()), std::abs(values.back()));
@@ -161,7 +163,7 @@ std::vector<Curve> bench_curves(const data::Run& run, const std::vector<double>&
   return triples(over_angle) >= triples(over_current) ? over_angle : over_current;
 }
 
-std::string described(const Scale& scale, bool over_time) {
+std::string described(const ScaleEstimate& scale, bool over_time) {
   if (!over_time)
     return fmt::format("estimated from differences of order {} between neighbours, {} of them, +-{:.0f} %",
                        scale.shape.degree + 1, scale.count, 100.0 * scale.relative_error);
@@ -170,11 +172,11 @@ std::string described(const Scale& scale, bool over_time) {
 }
 
 bool is_angle(const data::Channel& channel) {
-  return channel.quantity == data::Quantity::bending_angle || channel.quantity == data::Quantity::joint_angle;
+  return channel.kind == data::ChannelKind::bending_angle || channel.kind == data::ChannelKind::joint_angle;
 }
 
-// A set gives one sigma a run. It is that of the angles where there are any: rates beside them have another unit.
-bool is_meant(const data::Run& run, const data::Channel& channel) {
+// A set gives one sigma per run. It applies to the angles if there are any: rates beside them have another unit.
+bool sigma_applies(const data::Run& run, const data::Channel& channel) {
   return is_angle(channel) || std::ranges::none_of(run.channels, is_angle);
 }
 
@@ -187,7 +189,7 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
     throw std::invalid_argument(fmt::format("{}: column {} must have one value for each sample of the run; got {}",
                                             run.name, channel.name, values.size()));
   NoiseLevel level{.run = run.name, .channel = channel.name};
-  if (run.sigma && is_meant(run, channel)) {
+  if (run.sigma && sigma_applies(run, channel)) {
     level.sigma = *run.sigma;
     level.given = true;
     level.source = "given";
@@ -196,9 +198,9 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
 
   const bool over_time = !run.times.empty();
   const std::vector<Curve> curves = over_time ? std::vector<Curve>{{run.times, values}} : bench_curves(run, values);
-  std::vector<Scale> found;
-  if (over_time) found = scales(curves, shapes_over_time);
-  if (found.empty()) found = scales(curves, shapes_on_a_bench);
+  std::vector<ScaleEstimate> found;
+  if (over_time) found = scale_estimates(curves, shapes_over_time);
+  if (found.empty()) found = scale_estimates(curves, shapes_on_a_bench);
   const bool long_record = over_time && !found.empty() && found.front().shape.points > shapes_on_a_bench[0].points;
 
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -208,7 +210,7 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
     level.source =
         fmt::format("assumed: 2 % of the largest value, {} samples are too few to estimate it", values.size());
   } else {
-    const Scale chosen = choose(found);
+    const ScaleEstimate chosen = widest_consistent_scale(found);
     level.sigma = chosen.sigma;
     level.source = described(chosen, long_record);
   }
@@ -217,7 +219,7 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
     level.sigma = quantisation;
     level.source = "the smallest step between two values over sqrt(12); the noise is below";
   }
-  // A record without any noise (a sensor that never moved, a simulation) still needs a unit to be judged in.
+  // A record without any noise (a sensor that never moved, a simulation) still needs a scale for its residual.
   const double rounding = std::max(1e-9 * std::max(std::abs(*most), std::abs(*least)), 1e-12);
   if (level.sigma < rounding) {
     level.sigma = rounding;

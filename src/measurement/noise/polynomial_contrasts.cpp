@@ -9,8 +9,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Weights of the middle sample's residual, of unit length; empty where the polynomial goes through that sample.
-// Gram-Schmidt, applied twice, on powers of the place: columns that repeated places make dependent are dropped.
+// Weights of the residual at the middle sample, of unit length; empty if the polynomial always passes through that
+// sample. Gram-Schmidt orthogonalisation, applied twice, of the powers of the abscissa: columns that repeated abscissae
+// make dependent are dropped.
 VectorXd residual_weights(std::span<const double> at, int degree) {
   const auto points = static_cast<Eigen::Index>(at.size());
   const Eigen::Index middle = points / 2;
@@ -37,12 +38,12 @@ VectorXd residual_weights(std::span<const double> at, int degree) {
   }
   VectorXd weights = -basis.leftCols(rank) * basis.row(middle).head(rank).transpose();
   weights[middle] += 1.0;
-  constexpr double met = 1e-5;
-  if (weights.norm() < met) return {};
+  constexpr double interpolated = 1e-5;
+  if (weights.norm() < interpolated) return {};
   return weights.normalized();
 }
 
-bool even(std::span<const double> at) {
+bool is_evenly_spaced(std::span<const double> at) {
   const double step = (at.back() - at.front()) / static_cast<double>(at.size() - 1);
   constexpr double jitter = 1e-3;
   for (std::size_t i = 0; i < at.size(); ++i)
@@ -58,12 +59,13 @@ std::vector<double> contrasts(const Curve& curve, ContrastShape shape) {
   if (curve.values.size() < points) return found;
   const std::size_t windows = curve.values.size() - points + 1;
   found.reserve(windows);
-  const bool alike = even(curve.at);
+  const bool same_weights = is_evenly_spaced(curve.at);
   VectorXd weights;
   for (std::size_t first = 0; first < windows; ++first) {
-    if (first == 0 || !alike) weights = residual_weights(std::span(curve.at).subspan(first, points), shape.degree);
+    if (first == 0 || !same_weights)
+      weights = residual_weights(std::span(curve.at).subspan(first, points), shape.degree);
     if (weights.size() == 0) continue;
-    // Relative to the window's middle: values far from zero would cost digits.
+    // Relative to the value in the middle of the window: values far from zero would cost digits.
     const double middle = curve.values[first + points / 2];
     double sum = 0.0;
     for (std::size_t i = 0; i < points; ++i)

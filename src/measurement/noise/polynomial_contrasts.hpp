@@ -5,25 +5,26 @@
 
 namespace coilwright::measurement::noise {
 
-/// A stretch of a record over which polynomials are fitted.
+/// A section of a record to which polynomials are fitted.
 struct Curve {
-  std::vector<double> at;      ///< not falling; equal places are repeated measurements
-  std::vector<double> values;  ///< as many
+  std::vector<double> at;      ///< abscissae, not decreasing; equal ones are repeated measurements
+  std::vector<double> values;  ///< as many as abscissae
 };
 
-/// How a curve is looked at.
+/// Window and degree of the local polynomials.
 struct ContrastShape {
   int points{};  ///< samples in a window, > degree + 1
-  int degree{};  ///< of the polynomial that it must not see, >= 0
+  int degree{};  ///< degree of the polynomials to which the contrast is blind; >= 0
 };
 
-/// Of every window of `shape.points` neighbours: what the least-squares polynomial leaves over at the middle sample,
+/// For every window of `shape.points` neighbours the residual of the least-squares polynomial at the middle sample,
 /// scaled so that white noise of standard deviation s gives values of standard deviation s. With one point more than
-/// coefficients this is the divided difference. Windows whose middle the polynomial meets exactly are left out.
+/// coefficients this is the divided difference. Windows in which the polynomial always passes through the middle sample
+/// are left out.
 [[nodiscard]] std::vector<double> contrasts(const Curve& curve, ContrastShape shape);
 
-/// Sum over all lags of the squared autocorrelation of those contrasts in evenly sampled white noise: n of them tell as
-/// much about its variance as n / (this) independent ones.
+/// Sum over all lags of the squared autocorrelation of those contrasts in evenly sampled white noise: n of them carry
+/// as much information about its variance as n / (this sum) independent values.
 [[nodiscard]] double contrast_redundancy(ContrastShape shape);
 
 }  // namespace coilwright::measurement::noise

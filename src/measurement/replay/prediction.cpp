@@ -19,35 +19,34 @@ using actuator::Model;
 using mechanics::JointVector;
 using simulation::State;
 
-// A thousand times below what noise lets anybody see, and smooth enough for slopes by differences.
+// A thousand times below the noise, and smooth enough for derivatives by finite differences.
 constexpr double relative_accuracy = 1e-6;
-// A model that needs more steps than so many a sample (a finger needs one to three, a pressed stop seven) is so stiff
-// that it is no explanation of what a camera saw.
-constexpr double steps_of_a_sample = 30.0;
-constexpr double steps_of_a_window = 20'000.0;
+// A model that needs more integration steps per sample (a finger needs one to three, a pressed stop seven) is too stiff
+// to explain the record of a camera.
+constexpr double most_steps_per_sample = 30.0;
+constexpr double most_steps_per_window = 20'000.0;
 
 // Angle and rate of a channel at one sample of a simulated motion.
-struct Moment {
+struct AngleAndRate {
   double value{};
   double rate{};
 };
 
-Moment moment_of(const State& state, const data::Channel& channel) {
-  if (channel.quantity == data::Quantity::bending_angle)
-    return {.value = state.angles.sum(), .rate = state.rates.sum()};
+AngleAndRate angle_and_rate(const State& state, const data::Channel& channel) {
+  if (channel.kind == data::ChannelKind::bending_angle) return {.value = state.angles.sum(), .rate = state.rates.sum()};
   return {.value = state.angles[channel.joint], .rate = state.rates[channel.joint]};
 }
 
-// The cubic through angles and rates at both ends of an interval: 4e-7 of the amplitude off at 10 Hz and 500 samples a
-// second. Before the first sample the motion stands where it starts.
-double at_time(const std::vector<State>& states, const std::vector<double>& times, const data::Channel& channel,
-               double time) {
-  if (time <= times.front()) return moment_of(states.front(), channel).value;
+// The cubic through angles and rates at both ends of an interval; its error is 4e-7 of the amplitude at 10 Hz and 500
+// samples per second. Before the first sample the angle is the first one.
+double angle_at(const std::vector<State>& states, const std::vector<double>& times, const data::Channel& channel,
+                double time) {
+  if (time <= times.front()) return angle_and_rate(states.front(), channel).value;
   const auto after = std::lower_bound(times.begin(), times.end(), time);
   const auto i = static_cast<std::size_t>(after - times.begin());
-  if (*after == time) return moment_of(states[i], channel).value;
-  const Moment a = moment_of(states[i - 1], channel);
-  const Moment b = moment_of(states[i], channel);
+  if (*after == time) return angle_and_rate(states[i], channel).value;
+  const AngleAndRate a = angle_and_rate(states[i - 1], channel);
+  const AngleAndRate b = angle_and_rate(states[i], channel);
   const double h = times[i] - times[i - 1];
   const double s = (time - times[i - 1]) / h;
   const double s2 = s * s;
@@ -76,7 +75,7 @@ JointVector first_joint_at(const Model& model, double angle) {
   return angles;
 }
 
-// Temperature of the first coil, degC: exact between samples, for the current is held.
+// Temperature of the first coil, degC; exact between samples, because the current is held there.
 Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::Run& run) {
   const auto n = static_cast<Eigen::Index>(run.samples());
   Eigen::VectorXd out(n);
@@ -97,34 +96,36 @@ Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::R
 
 }  // namespace
 
-std::optional<WindowPrediction> predict_window(const Model& model, const Record& record, const Window& window,
-                                               const State& start) {
+std::optional<WindowPrediction> predict_window(const Model& model, const PreparedRun& prepared, const Window& window,
+                                               const State& initial) {
   std::vector<State> states;
   try {
-    const double most = steps_of_a_window + steps_of_a_sample * static_cast<double>(window.samples());
-    states = simulation::simulate(model, window.input, start, {.relative = relative_accuracy, .most_steps = most});
+    const double most_steps = most_steps_per_window + most_steps_per_sample * static_cast<double>(window.samples());
+    states =
+        simulation::simulate(model, window.input, initial, {.relative = relative_accuracy, .most_steps = most_steps});
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
   const auto samples = static_cast<Eigen::Index>(window.samples());
-  const std::vector<data::Channel>& channels = record.run->channels;
-  WindowPrediction out{.values = Eigen::VectorXd(samples * static_cast<Eigen::Index>(channels.size()))};
+  const std::vector<data::Channel>& channels = prepared.run->channels;
+  WindowPrediction out{.values = Eigen::VectorXd(prepared.values_in(window.range))};
   const double delay = model.delay();
   Eigen::Index at = 0;
   for (const data::Channel& channel : channels) {
     for (Eigen::Index i = 0; i < samples; ++i) {
       const double time = window.input.times[static_cast<std::size_t>(i)] - delay;
-      out.values[at++] = channel.quantity == data::Quantity::joint_rate
+      out.values[at++] = channel.kind == data::ChannelKind::joint_rate
                              ? rate_at(states, window.input.times, channel, time)
-                             : model.observed(at_time(states, window.input.times, channel, time));
+                             : model.observed(angle_at(states, window.input.times, channel, time));
     }
   }
   out.states = std::move(states);
   return out;
 }
 
-std::optional<Eigen::VectorXd> predict_bench(const Model& model, const Record& record, const DeclaredModel& declared) {
-  const data::Run& run = *record.run;
+std::optional<Eigen::VectorXd> predict_bench(const Model& model, const PreparedRun& prepared,
+                                             const DeclaredModel& declared) {
+  const data::Run& run = *prepared.run;
   const auto samples = static_cast<Eigen::Index>(run.samples());
   Eigen::VectorXd one(samples);
   if (run.kind == data::RunKind::temperature) one = coil_temperatures(*declared.heat, run);
@@ -151,20 +152,19 @@ std::optional<Eigen::VectorXd> predict_bench(const Model& model, const Record& r
   return one.replicate(static_cast<Eigen::Index>(run.channels.size()), 1);
 }
 
-Eigen::VectorXd measured_values(const data::Run& run, std::size_t first, std::size_t last) {
-  const auto samples = static_cast<Eigen::Index>(last - first);
-  Eigen::VectorXd out(samples * static_cast<Eigen::Index>(run.channels.size()));
+Eigen::VectorXd measured_values(const data::Run& run, SampleRange range) {
+  Eigen::VectorXd out(static_cast<Eigen::Index>(range.samples() * run.channels.size()));
   Eigen::Index at = 0;
   for (const data::Channel& channel : run.channels)
-    for (std::size_t i = first; i < last; ++i) out[at++] = channel.values[i];
+    for (std::size_t i = range.first; i < range.last; ++i) out[at++] = channel.values[i];
   return out;
 }
 
-Eigen::VectorXd sigmas(const Record& record, std::size_t samples) {
+Eigen::VectorXd noise_sigmas(const PreparedRun& prepared, std::size_t samples) {
   const auto n = static_cast<Eigen::Index>(samples);
-  Eigen::VectorXd out(n * static_cast<Eigen::Index>(record.noise.size()));
-  for (std::size_t c = 0; c < record.noise.size(); ++c)
-    out.segment(static_cast<Eigen::Index>(c) * n, n).setConstant(record.noise[c].sigma);
+  Eigen::VectorXd out(n * static_cast<Eigen::Index>(prepared.noise.size()));
+  for (std::size_t c = 0; c < prepared.noise.size(); ++c)
+    out.segment(static_cast<Eigen::Index>(c) * n, n).setConstant(prepared.noise[c].sigma);
   return out;
 }
 

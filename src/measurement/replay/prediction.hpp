@@ -8,22 +8,23 @@
 
 namespace coilwright::measurement::replay {
 
-/// What the cameras would have shown over a window from `start`. A start without states of the effects finds them as a
-/// recorded run does. Nothing where the motion cannot be followed.
+/// A simulated window as the cameras would show it.
 struct WindowPrediction {
   Eigen::VectorXd values{};                 ///< channel after channel, SI: (channels * samples)
-  std::vector<simulation::State> states{};  ///< the motion itself, a state a sample
+  std::vector<simulation::State> states{};  ///< the simulated motion, one state per sample
 };
-[[nodiscard]] std::optional<WindowPrediction> predict_window(const actuator::Model& model, const Record& record,
-                                                             const Window& window, const simulation::State& start);
+/// Simulates a window from `initial`. If `initial` has no internal states of the effects, they take the values with
+/// which a recorded run begins. Nothing if the motion cannot be simulated.
+[[nodiscard]] std::optional<WindowPrediction> predict_window(const actuator::Model& model, const PreparedRun& prepared,
+                                                             const Window& window, const simulation::State& initial);
 
-/// What a bench would have shown, channel after channel, SI. Nothing where the model has no answer (no equilibrium).
-[[nodiscard]] std::optional<Eigen::VectorXd> predict_bench(const actuator::Model& model, const Record& record,
+/// Predicts what a bench would show, channel after channel, SI. Nothing if the model has no answer (no equilibrium).
+[[nodiscard]] std::optional<Eigen::VectorXd> predict_bench(const actuator::Model& model, const PreparedRun& prepared,
                                                            const DeclaredModel& declared);
 
-/// The measured values in the same order, of the samples from `first` to `last`.
-[[nodiscard]] Eigen::VectorXd measured_values(const data::Run& run, std::size_t first, std::size_t last);
-/// The standard deviation of each of them.
-[[nodiscard]] Eigen::VectorXd sigmas(const Record& record, std::size_t samples);
+/// The measured values of a range of samples, channel after channel, SI.
+[[nodiscard]] Eigen::VectorXd measured_values(const data::Run& run, SampleRange range);
+/// The standard deviation of each of so many samples of every channel, in the same order.
+[[nodiscard]] Eigen::VectorXd noise_sigmas(const PreparedRun& prepared, std::size_t samples);
 
 }  // namespace coilwright::measurement::replay

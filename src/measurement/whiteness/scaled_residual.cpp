@@ -7,7 +7,7 @@
 
 namespace coilwright::measurement::whiteness {
 
-void check(std::span<const ScaledResidual> residuals) {
+void validate_residuals(std::span<const ScaledResidual> residuals) {
   for (const ScaledResidual& residual : residuals) {
     const auto require = [&](bool met, const char* rule, double value) {
       if (!met) throw std::invalid_argument(fmt::format("{}: {}; got {}", residual.run, rule, value));

@@ -25,8 +25,8 @@ data::Run motion() {
     run.times.push_back(i / 500.0);
     run.inputs.push_back({i < 2 ? 0.0 : 1.4, 0.0});
   }
-  run.channels = {{.name = "bending_angle_deg", .quantity = data::Quantity::bending_angle},
-                  {.name = "omega1_rad_s", .quantity = data::Quantity::joint_rate}};
+  run.channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle},
+                  {.name = "omega1_rad_s", .kind = data::ChannelKind::joint_rate}};
   for (int i = 0; i < 8; ++i) {
     run.channels[0].values.push_back((30.0 + 0.02 * i) * degree);
     run.channels[1].values.push_back(-0.5 * i);
@@ -39,7 +39,7 @@ data::Run bench() {
           .kind = data::RunKind::static_torque,
           .angles = {0.0, 20 * degree},
           .inputs = {{1.4}, {1.4}},
-          .channels = {{.name = "torque_Nmm", .quantity = data::Quantity::torque, .values = {0.0251, 0.0123}}}};
+          .channels = {{.name = "torque_Nmm", .kind = data::ChannelKind::torque, .values = {0.0251, 0.0123}}}};
 }
 
 data::Run heat() {
@@ -47,7 +47,7 @@ data::Run heat() {
           .kind = data::RunKind::temperature,
           .times = {0.0, 1.0},
           .inputs = {{1.0}, {1.0}},
-          .channels = {{.name = "temperature_degC", .quantity = data::Quantity::temperature, .values = {25.0, 25.5}}}};
+          .channels = {{.name = "temperature_degC", .kind = data::ChannelKind::temperature, .values = {25.0, 25.5}}}};
 }
 
 std::string table_of(const data::Run& run) {

@@ -26,7 +26,7 @@ inline measurement::Errors degrees(double mae, double rmse, double max) {
   return {.mae = mae * degree, .rmse = rmse * degree, .max = max * degree};
 }
 
-inline measurement::ErrorComparison comparison(measurement::data::Quantity quantity, std::size_t samples,
+inline measurement::ErrorComparison comparison(measurement::data::ChannelKind quantity, std::size_t samples,
                                                double noise_floor) {
   return {.quantity = quantity,
           .samples = samples,
@@ -57,11 +57,11 @@ inline measurement::Diagnosis example() {
        .parameters = {{.key = "torque_Nmm", .denominator = 1e3, .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
        .evidence = {.chi_square_before = 52000.0,
                     .chi_square_after = 12000.0,
-                    .criterion_gain = 800.0,
+                    .quasi_bic_gain = 800.0,
                     .cross_validated_gain = 0.97,
                     .correlation_time = 4.0}}};
   diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
-  diagnosis.validate_errors = {{.quantity = measurement::data::Quantity::bending_angle,
+  diagnosis.validate_errors = {{.quantity = measurement::data::ChannelKind::bending_angle,
                                 .samples = 900,
                                 .declared = degrees(2.9, 3.5, 9.1),
                                 .before = degrees(1.1, 1.4, 5.0),
@@ -69,7 +69,7 @@ inline measurement::Diagnosis example() {
                                 .noise_floor_rmse = 0.30 * degree}};
   diagnosis.calibration = {
       {.key = "joint_stiffness_Nmm_rad", .denominator = 1e3, .value = 12.4e-3, .lower = 12.3e-3, .upper = 12.5e-3}};
-  diagnosis.after = {.level = 1.01, .structure = 0.8, .where = "step_1.4A.csv, 20 ms"};
+  diagnosis.after = {.level = 1.01, .whiteness_ratio = 0.8, .where = "step_1.4A.csv, 20 ms"};
   return diagnosis;
 }
 

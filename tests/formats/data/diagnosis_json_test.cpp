@@ -118,11 +118,11 @@ TEST(DiagnosisJson, SaysOfAChoiceThatItIsOne) {
 
 TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
   Diagnosis diagnosis = example();
-  ErrorComparison torque = comparison(data::Quantity::torque, 12, 1e-3);
+  ErrorComparison torque = comparison(data::ChannelKind::torque, 12, 1e-3);
   torque.after = {.mae = 0.5e-3, .rmse = 0.75e-3, .max = 2e-3};
-  ErrorComparison rate = comparison(data::Quantity::joint_rate, 3, 0.5 * degree);
-  ErrorComparison heat = comparison(data::Quantity::temperature, 4, 0.25);
-  ErrorComparison force = comparison(data::Quantity::force, 5, 0.125);
+  ErrorComparison rate = comparison(data::ChannelKind::joint_rate, 3, 0.5 * degree);
+  ErrorComparison heat = comparison(data::ChannelKind::temperature, 4, 0.25);
+  ErrorComparison force = comparison(data::ChannelKind::force, 5, 0.125);
   // An angle comes first wherever it stands.
   diagnosis.validate_errors.insert(diagnosis.validate_errors.begin(), torque);
   for (const auto& each : {rate, heat, force}) diagnosis.validate_errors.push_back(each);
@@ -140,7 +140,7 @@ TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
 
 TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
   Diagnosis diagnosis;
-  diagnosis.fit_errors = {comparison(data::Quantity::force, 5, 0.125)};
+  diagnosis.fit_errors = {comparison(data::ChannelKind::force, 5, 0.125)};
   const auto block = json_of(diagnosis)["error"];
   EXPECT_EQ(block["fit"]["noise_floor_rmse_N"], 0.125);
   EXPECT_EQ(block["fit"]["after"], ordered_json::parse(R"({"mae_N": 0.0, "rmse_N": 0.0, "max_N": 0.0})"));
@@ -151,11 +151,11 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
   Diagnosis diagnosis = example();
   diagnosis.next_experiment = {
       .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
-  diagnosis.candidates = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
-                          {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
+  diagnosis.compared_hypotheses = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
+                                   {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
   diagnosis.residual = localise::ResidualTorque{
       .rms = 0.2e-3,
-      .smallest_visible = 0.05e-3,
+      .noise_floor = 0.05e-3,
       .dependences =
           {{.variable = "rate", .explained = 0.5, .at = {-90.0 * degree, 90.0 * degree}, .residual = {0.1e-3, -0.1e-3}},
            {.variable = "current history", .explained = 0.25, .at = {1.0}, .residual = {nan}}},
@@ -189,9 +189,10 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
 TEST(DiagnosisJson, HasNoEvidenceOfAHypothesisThatWasRuledOutWithoutAFit) {
   Diagnosis diagnosis = example();
   const compare::Evidence fitted{.chi_square_before = 52000.0, .chi_square_after = 12000.0, .correlation_time = 1.0};
-  diagnosis.candidates = {{.effects = {&dry_friction}, .evidence = fitted, .remark = ""},
-                          {.effects = {&magnet_heating}, .evidence = fitted, .remark = "interval includes absent"},
-                          {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
+  diagnosis.compared_hypotheses = {
+      {.effects = {&dry_friction}, .evidence = fitted, .remark = ""},
+      {.effects = {&magnet_heating}, .evidence = fitted, .remark = "interval includes absent"},
+      {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
   const auto candidates = json_of(diagnosis)["candidates"];
   EXPECT_EQ(candidates[0]["evidence"]["chi_square_after"], 12000.0);
   EXPECT_EQ(candidates[1]["evidence"]["chi_square_after"], 12000.0);

@@ -13,7 +13,7 @@ namespace coilwright::formats {
 namespace {
 
 using measurement::Replay;
-using measurement::data::Quantity;
+using measurement::data::ChannelKind;
 
 // As the reader turns a file's degrees into radians: with one rounding for the factor, so that they come back.
 constexpr double deg(double value) {
@@ -29,7 +29,7 @@ std::string table_of(const std::vector<Replay>& replays) {
 TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
   const std::vector<Replay> replays = {{.run = "step.csv",
                                         .validate = false,
-                                        .quantity = Quantity::bending_angle,
+                                        .kind = ChannelKind::bending_angle,
                                         .channel = "bending_angle_deg",
                                         .at = {0.0, 0.002},
                                         .measured = {deg(30.0), deg(30.02)},
@@ -38,7 +38,7 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
                                         .after = {deg(30.1), std::numeric_limits<double>::quiet_NaN()}},
                                        {.run = "bench.csv",
                                         .validate = true,
-                                        .quantity = Quantity::torque,
+                                        .kind = ChannelKind::torque,
                                         .channel = "torque_Nmm",
                                         .at = {deg(20.0)},
                                         .measured = {12.3 / 1e3},
@@ -47,7 +47,7 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
                                         .after = {12.4 / 1e3}},
                                        {.run = "wall, firm.csv",
                                         .validate = false,
-                                        .quantity = Quantity::force,
+                                        .kind = ChannelKind::force,
                                         .channel = "force_N",
                                         .at = {1.4},
                                         .measured = {1.19},
@@ -56,7 +56,7 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
                                         .after = {1.2}},
                                        {.run = "hot.csv",
                                         .validate = false,
-                                        .quantity = Quantity::temperature,
+                                        .kind = ChannelKind::temperature,
                                         .channel = "temperature_degC",
                                         .at = {60.0},
                                         .measured = {80.5},
@@ -74,7 +74,7 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
 
 TEST(ResidualTable, HasNoNegativeZero) {
   const std::vector<Replay> replays = {{.run = "a.csv",
-                                        .quantity = Quantity::bending_angle,
+                                        .kind = ChannelKind::bending_angle,
                                         .channel = "bending_angle_deg",
                                         .at = {-0.0},
                                         .measured = {-0.0},

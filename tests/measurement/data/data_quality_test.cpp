@@ -24,7 +24,7 @@ data::Run sine(Noise noise) {
   std::mt19937 random(20240311);  // any fixed seed
   std::normal_distribution<double> error(0.0, noise == Noise::some ? 0.3 : 0.0);
   data::Run run{.name = "sine.csv", .kind = RunKind::transient};
-  Channel channel{.name = "bending_angle_deg", .quantity = Quantity::bending_angle};
+  Channel channel{.name = "bending_angle_deg", .kind = ChannelKind::bending_angle};
   for (int i = 0; i < 1500; ++i) {
     const double time = i / 500.0;
     const double phase = time < 0.5 ? 0.0 : std::sin(4.0 * std::numbers::pi * (time - 0.5));
@@ -42,8 +42,8 @@ auto only(const std::string& text) {
 }
 
 TEST(Quality, FindsNothingInAGoodRun) {
-  EXPECT_THAT(look_over(sine(Noise::some)), IsEmpty());
-  EXPECT_THAT(look_over(sine(Noise::none)), IsEmpty());
+  EXPECT_THAT(data_quality_warnings(sine(Noise::some)), IsEmpty());
+  EXPECT_THAT(data_quality_warnings(sine(Noise::none)), IsEmpty());
 }
 
 TEST(Quality, AcceptsAStepThatIsSeenWithoutNoiseComingToRest) {
@@ -55,35 +55,36 @@ TEST(Quality, AcceptsAStepThatIsSeenWithoutNoiseComingToRest) {
     const double shown = time < 0.1 ? 0.0 : 50.0 * (1.0 - std::exp(-(time - 0.1) / 0.05));
     run.channels[0].values[i] = std::round(shown / 0.02) * 0.02 * degree;
   }
-  EXPECT_THAT(look_over(run), IsEmpty());
+  EXPECT_THAT(data_quality_warnings(run), IsEmpty());
 }
 
 TEST(Quality, NamesAnInputThatNeverMoves) {
   data::Run run = sine(Noise::some);
   run.inputs.assign(run.samples(), {0.7});
-  EXPECT_THAT(look_over(run), only("the input never moves"));
+  EXPECT_THAT(data_quality_warnings(run), only("the input never moves"));
   run.start = Start::free;  // a release is driven by where it starts
-  EXPECT_THAT(look_over(run), IsEmpty());
+  EXPECT_THAT(data_quality_warnings(run), IsEmpty());
 }
 
 TEST(Quality, NamesAChannelThatNeverChanges) {
   data::Run run = sine(Noise::some);
   run.channels[0].values.assign(run.samples(), 12.0 * degree);
-  EXPECT_THAT(look_over(run), only("bending_angle_deg is 12 deg in every sample"));
+  EXPECT_THAT(data_quality_warnings(run), only("bending_angle_deg is 12 deg in every sample"));
 }
 
 TEST(Quality, NamesASaturatedSensor) {
   for (const Noise noise : {Noise::none, Noise::some}) {
     data::Run run = sine(noise);
     for (double& angle : run.channels[0].values) angle = std::min(angle, 31.0 * degree);
-    EXPECT_THAT(look_over(run), only("stays at exactly 31 deg, its extreme"));
+    EXPECT_THAT(data_quality_warnings(run), only("stays at exactly 31 deg, its extreme"));
   }
 }
 
 TEST(Quality, NamesAClockThatJumps) {
   data::Run run = sine(Noise::some);
   for (std::size_t i = 700; i < run.samples(); ++i) run.times[i] += 0.5;
-  EXPECT_THAT(look_over(run), only("the clock jumps by 0.502 s after 1.398 s, 251 times the usual interval"));
+  EXPECT_THAT(data_quality_warnings(run),
+              only("the clock jumps by 0.502 s after 1.398 s, 251 times the usual interval"));
 }
 
 TEST(Quality, AcceptsUnevenSampling) {
@@ -91,25 +92,24 @@ TEST(Quality, AcceptsUnevenSampling) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> interval(0.0005, 0.006);
   for (std::size_t i = 1; i < run.samples(); ++i) run.times[i] = run.times[i - 1] + interval(random);
-  EXPECT_THAT(look_over(run), IsEmpty());
+  EXPECT_THAT(data_quality_warnings(run), IsEmpty());
 }
 
 TEST(Quality, NamesUnitsThatCannotBeRight) {
   data::Run run = sine(Noise::some);
   for (double& angle : run.channels[0].values) angle /= degree;
-  EXPECT_THAT(look_over(run), only("deg, more than two turns: is the unit right?"));
+  EXPECT_THAT(data_quality_warnings(run), only("deg, more than two turns: is the unit right?"));
   run = sine(Noise::some);
   for (auto& sample : run.inputs) sample[0] *= 1e3;
-  EXPECT_THAT(look_over(run), only("a current of 1099.91 A is commanded"));
+  EXPECT_THAT(data_quality_warnings(run), only("a current of 1099.91 A is commanded"));
   run.drive = Drive::torque;
-  EXPECT_THAT(look_over(run), IsEmpty());
-  run = {
-      .name = "sine.csv",
-      .kind = RunKind::temperature,
-      .times = {0.0, 1.0, 2.5},
-      .inputs = {{0.7}, {0.7}, {0.7}},
-      .channels = {{.name = "temperature_degC", .quantity = Quantity::temperature, .values = {298.1, 305.2, 511.0}}}};
-  EXPECT_THAT(look_over(run), only("temperature_degC goes from 298.1 to 511 degC"));
+  EXPECT_THAT(data_quality_warnings(run), IsEmpty());
+  run = {.name = "sine.csv",
+         .kind = RunKind::temperature,
+         .times = {0.0, 1.0, 2.5},
+         .inputs = {{0.7}, {0.7}, {0.7}},
+         .channels = {{.name = "temperature_degC", .kind = ChannelKind::temperature, .values = {298.1, 305.2, 511.0}}}};
+  EXPECT_THAT(data_quality_warnings(run), only("temperature_degC goes from 298.1 to 511 degC"));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#include <gmock/gmock.h>
-
 #include "coilwright/measurement/data/hold_out.hpp"
+
+#include <gmock/gmock.h>
 
 namespace coilwright::measurement::data {
 namespace {
@@ -17,8 +17,7 @@ Dataset set_of(int transients, int benches) {
 }
 
 TEST(HoldOut, SealsEveryFourthRunOfEachKind) {
-  Dataset data = set_of(6, 2);
-  hold_out(data);
+  const Dataset data = with_runs_held_out(set_of(6, 2));
   EXPECT_THAT(data.held_out, ElementsAre("motion1", "motion5", "bench1"));
   EXPECT_EQ(data.validate.count(), 3u);
   ASSERT_EQ(data.fit.size(), 5u);
@@ -26,8 +25,7 @@ TEST(HoldOut, SealsEveryFourthRunOfEachKind) {
 }
 
 TEST(HoldOut, KeepsASingleRunForTheFit) {
-  Dataset data = set_of(1, 1);
-  hold_out(data);
+  const Dataset data = with_runs_held_out(set_of(1, 1));
   EXPECT_TRUE(data.validate.empty());
   EXPECT_EQ(data.fit.size(), 2u);
 }
@@ -35,7 +33,7 @@ TEST(HoldOut, KeepsASingleRunForTheFit) {
 TEST(HoldOut, LeavesASetWithValidateRunsAlone) {
   Dataset data = set_of(4, 0);
   data.validate = SealedRuns({data::Run{.name = "other"}});
-  hold_out(data);
+  data = with_runs_held_out(std::move(data));
   EXPECT_EQ(data.fit.size(), 4u);
   EXPECT_THAT(data.held_out, ElementsAre());
 }

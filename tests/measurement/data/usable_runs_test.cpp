@@ -11,8 +11,8 @@ namespace {
 
 data::Run run_of(const char* name, bool stuck, bool driven) {
   data::Run run{.name = name, .kind = RunKind::transient};
-  Channel moving{.name = "theta1_deg", .quantity = Quantity::joint_angle};
-  Channel still{.name = "theta2_deg", .quantity = Quantity::joint_angle, .joint = 1};
+  Channel moving{.name = "theta1_deg", .kind = ChannelKind::joint_angle};
+  Channel still{.name = "theta2_deg", .kind = ChannelKind::joint_angle, .joint = 1};
   for (int i = 0; i < 40; ++i) {
     run.times.push_back(0.01 * i);
     run.inputs.push_back({driven ? std::sin(0.3 * i) : 0.0});
@@ -24,8 +24,7 @@ data::Run run_of(const char* name, bool stuck, bool driven) {
 }
 
 TEST(UsableRuns, LeaveStuckChannelsOutAndSaySo) {
-  std::vector<Warning> warnings;
-  const auto kept = usable_runs({run_of("a.csv", true, true), run_of("b.csv", false, true)}, warnings);
+  const auto [kept, warnings] = usable_runs({run_of("a.csv", true, true), run_of("b.csv", false, true)});
   ASSERT_EQ(kept.size(), 2u);
   ASSERT_EQ(kept[0].channels.size(), 1u);
   EXPECT_EQ(kept[0].channels[0].name, "theta1_deg");
@@ -36,17 +35,15 @@ TEST(UsableRuns, LeaveStuckChannelsOutAndSaySo) {
 }
 
 TEST(UsableRuns, KeepARigThatIsNotDriven) {
-  std::vector<Warning> warnings;
-  EXPECT_EQ(usable_runs({run_of("a.csv", true, false)}, warnings)[0].channels.size(), 2u);
-  EXPECT_TRUE(warnings.empty());
+  const UsableRuns usable = usable_runs({run_of("a.csv", true, false)});
+  EXPECT_EQ(usable.runs[0].channels.size(), 2u);
+  EXPECT_TRUE(usable.warnings.empty());
 }
 
 TEST(UsableRuns, RefuseASetThatIsStuckAltogether) {
   data::Run run = run_of("a.csv", true, true);
   run.channels.erase(run.channels.begin());
-  std::vector<Warning> warnings;
-  EXPECT_EQ(error_text([&] { (void)usable_runs({run}, warnings); }),
-            "fit runs: every measured column is stuck at one value");
+  EXPECT_EQ(error_text([&] { (void)usable_runs({run}); }), "fit runs: every measured column is stuck at one value");
 }
 
 }  // namespace

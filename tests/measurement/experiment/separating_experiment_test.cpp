@@ -34,17 +34,17 @@ struct Rig {
            .kind = data::RunKind::transient,
            .drive = data::Drive::current,
            .sigma = 0.3 * degree,
-           .channels = {{.name = "bending_angle_deg", .quantity = data::Quantity::bending_angle}}};
+           .channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}}};
     for (int i = 0; i < 350; ++i) {
       run.times.push_back(0.002 * i);
       run.inputs.push_back({i < 25 ? 0.0 : 1.4});
       run.channels.front().values.push_back(0.0);
     }
     const fit::Hypothesis plain(declared, {});
-    records.push_back(replay::prepare(run, declared, plain.model_at(plain.start())));
+    runs.push_back(replay::prepare_run(run, declared, plain.model_at(plain.start())));
   }
 
-  [[nodiscard]] compare::Scored fitted(std::vector<Effect> effects) const {
+  [[nodiscard]] compare::FittedHypothesis fitted(std::vector<Effect> effects) const {
     fit::Hypothesis hypothesis(declared, std::move(effects));
     fit::Fit fit{.values = hypothesis.start()};
     return {.hypothesis = std::move(hypothesis), .fit = std::move(fit)};
@@ -54,23 +54,23 @@ struct Rig {
     compare::Attribution found;
     found.steps = {fitted({}), fitted({chosen})};
     for (const Effect& rival : rivals) found.rivals.push_back(fitted({rival}));
-    return next_experiment(records, found);
+    return separating_experiment(runs, found);
   }
 
   replay::DeclaredModel declared;
   data::Run run;
-  std::vector<replay::Record> records;
+  std::vector<replay::PreparedRun> runs;
 };
 
-TEST(NextExperiment, IsNoneWithoutRivals) {
+TEST(SeparatingExperiment, IsNoneWithoutRivals) {
   EXPECT_FALSE(Rig().between(effect("coil_heating", {0.1, 10.0, 0.0}), {}).has_value());
 }
 
-TEST(NextExperiment, IsNoneWhereRivalsPredictTheSame) {
+TEST(SeparatingExperiment, IsNoneIfRivalsPredictTheSame) {
   EXPECT_FALSE(Rig().between(effect("force_gain", {1.0 + 1e-6}), {effect("force_gain", {1.0})}).has_value());
 }
 
-TEST(NextExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
+TEST(SeparatingExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
   const auto next =
       Rig().between(effect("coil_heating", {0.05, 5.0, 0.0}), {effect("magnet_heating", {0.05, 30.0, 0.0})});
   ASSERT_TRUE(next.has_value());
@@ -78,7 +78,7 @@ TEST(NextExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
   EXPECT_GT(next->separation, 0.5);
 }
 
-TEST(NextExperiment, ChangesTheBalanceOfTorquesWhereGravityIsInDoubt) {
+TEST(SeparatingExperiment, ChangesTheBalanceOfTorquesIfGravityIsInDoubt) {
   const auto next = Rig().between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
   ASSERT_TRUE(next.has_value());
   EXPECT_THAT(next->kind, AnyOf("turned_base", "reversed_current"));
@@ -87,13 +87,13 @@ TEST(NextExperiment, ChangesTheBalanceOfTorquesWhereGravityIsInDoubt) {
   EXPECT_FALSE(next->input.empty());
 }
 
-TEST(NextExperiment, IsQuickWhereLagAndDelayAreInDoubt) {
+TEST(SeparatingExperiment, IsFastIfLagAndDelayAreInDoubt) {
   const auto next = Rig().between(effect("coil_lag", {0.01}), {effect("measurement_delay", {0.01})});
   ASSERT_TRUE(next.has_value());
   EXPECT_THAT(next->kind, AnyOf("step", "sine", "chirp", "release", "coil_open", "reversed_current"));
 }
 
-TEST(NextExperiment, SeparatesEveryPairAndNotOnlyTheFirstTwo) {
+TEST(SeparatingExperiment, SeparatesEveryPairAndNotOnlyTheFirstTwo) {
   const Rig rig;
   const Effect lag = effect("coil_lag", {0.01});
   const auto two = rig.between(lag, {effect("force_gain", {1.1})});

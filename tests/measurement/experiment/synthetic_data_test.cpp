@@ -58,7 +58,7 @@ PlannedRun motion(const std::string& name, InputShape input, double duration = 0
                  .input = std::move(input),
                  .duration = duration,
                  .rate = 500.0};
-  run.plan.channels = {{.name = "bending_angle_deg", .quantity = data::Quantity::bending_angle}};
+  run.plan.channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}};
   return run;
 }
 
@@ -69,7 +69,7 @@ Experiment one(PlannedRun run) {
 }
 
 std::vector<double> values_of(const Experiment& experiment, std::uint64_t seed = 1, std::size_t run = 0) {
-  return act_out(experiment, finger_rig(), {}, seed).at(run).channels.at(0).values;
+  return simulate_experiment(experiment, finger_rig(), {}, seed).at(run).channels.at(0).values;
 }
 
 actuator::Effect effect(std::string_view id, std::vector<double> values) {
@@ -151,7 +151,7 @@ TEST(Twin, HidesAnEffectOfTheCamera) {
   const Experiment experiment = one(motion("a.csv", sine));
   const std::vector<double> plain = values_of(experiment);
   const std::vector hidden = {effect("angle_offset", {1.5 * degree})};
-  const auto shown = act_out(experiment, finger_rig(), hidden, 1)[0].channels[0].values;
+  const auto shown = simulate_experiment(experiment, finger_rig(), hidden, 1)[0].channels[0].values;
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(shown[i] - plain[i], 1.5 * degree, 1e-12) << i;
 }
 
@@ -160,7 +160,7 @@ TEST(Twin, LetsAPendulumGoWhereItIsHeld) {
   run.plan.drive = data::Drive::torque;
   run.plan.start = data::Start::free;
   run.start_angles = {0.5 * degree};
-  const auto out = act_out(one(run), pendulum(), {}, 1)[0];
+  const auto out = simulate_experiment(one(run), pendulum(), {}, 1)[0];
   EXPECT_EQ(out.start, data::Start::free);
   EXPECT_EQ(out.inputs.front(), std::vector<double>{0.0});
   // At half a degree the pendulum is linear to angle^2 / 16, 5e-6 of its period.
@@ -172,11 +172,11 @@ TEST(Twin, LetsAPendulumGoWhereItIsHeld) {
 TEST(Twin, DrivesOneCoilAlone) {
   PlannedRun run = motion("a.csv", StepShape{.before = 0.0, .after = 1.0, .at = 0.1});
   run.only = 1;
-  const auto out = act_out(one(run), finger_rig(), {}, 1)[0];
+  const auto out = simulate_experiment(one(run), finger_rig(), {}, 1)[0];
   EXPECT_EQ(out.inputs.front(), (std::vector<double>{0.0, 0.0}));
   EXPECT_EQ(out.inputs.back(), (std::vector<double>{0.0, 1.0}));
   run.only.reset();
-  const auto both = act_out(one(run), finger_rig(), {}, 1)[0];
+  const auto both = simulate_experiment(one(run), finger_rig(), {}, 1)[0];
   EXPECT_EQ(both.inputs.back(), std::vector<double>{1.0});
   EXPECT_GT(both.channels[0].values.back(), out.channels[0].values.back() + degree);
 }
@@ -184,7 +184,7 @@ TEST(Twin, DrivesOneCoilAlone) {
 TEST(Twin, HoldsTheRowsOfATableBetweenItsSamples) {
   PlannedRun run = motion("a.csv", TableShape{.times = {2.0, 2.1, 2.3}, .rows = {{0.1}, {0.2}, {0.3}}}, 0.4);
   run.rate = 20.0;
-  const auto out = act_out(one(run), finger_rig(), {}, 1)[0];
+  const auto out = simulate_experiment(one(run), finger_rig(), {}, 1)[0];
   EXPECT_EQ(out.inputs,
             (std::vector<std::vector<double>>{{0.1}, {0.1}, {0.2}, {0.2}, {0.2}, {0.2}, {0.3}, {0.3}, {0.3}}));
 }
@@ -194,14 +194,15 @@ TEST(Twin, StandsOnTheBenches) {
   PlannedRun torque{.plan = {.name = "torque.csv", .kind = data::RunKind::static_torque}};
   torque.plan.angles = {10 * degree, 40 * degree};
   torque.plan.inputs = {{1.4}, {0.7}};
-  torque.plan.channels = {{.name = "torque_Nmm", .quantity = data::Quantity::torque}};
+  torque.plan.channels = {{.name = "torque_Nmm", .kind = data::ChannelKind::torque}};
   PlannedRun stiffness{.plan = {.name = "stiffness.csv", .kind = data::RunKind::joint_stiffness}};
   stiffness.plan.angles = {10 * degree, 40 * degree};
   stiffness.plan.channels = torque.plan.channels;
   PlannedRun force{.plan = {.name = "force.csv", .kind = data::RunKind::blocked_force}};
   force.plan.inputs = {{1.4}};
-  force.plan.channels = {{.name = "force_N", .quantity = data::Quantity::force}};
-  const auto runs = act_out({.name = "x", .instruments = {}, .runs = {torque, stiffness, force}}, finger_rig(), {}, 1);
+  force.plan.channels = {{.name = "force_N", .kind = data::ChannelKind::force}};
+  const auto runs =
+      simulate_experiment({.name = "x", .instruments = {}, .runs = {torque, stiffness, force}}, finger_rig(), {}, 1);
   const auto& pair = model.magnetics().hinge_pairs().front();
   EXPECT_EQ(runs[0].channels[0].values.size(), 2u);
   EXPECT_NEAR(runs[0].channels[0].values[0], 1.4 * pair.sense * pair.torque_per_ampere->value(10 * degree), 1e-6);
@@ -213,8 +214,8 @@ TEST(Twin, WarmsACoilFromAmbient) {
   PlannedRun heat = motion("heat.csv", HoldShape{.level = 1.0, .from = 0.0, .until = 1e5}, 7200.0);
   heat.plan.kind = data::RunKind::temperature;
   heat.rate = 1.0 / 60.0;
-  heat.plan.channels = {{.name = "temperature_degC", .quantity = data::Quantity::temperature}};
-  const auto out = act_out(one(heat), finger_rig(), {}, 1)[0];
+  heat.plan.channels = {{.name = "temperature_degC", .kind = data::ChannelKind::temperature}};
+  const auto out = simulate_experiment(one(heat), finger_rig(), {}, 1)[0];
   EXPECT_NEAR(out.channels[0].values.front(), 25.0, 1e-9);
   EXPECT_TRUE(std::ranges::is_sorted(out.channels[0].values));
   EXPECT_GT(out.channels[0].values.back(), 60.0);
@@ -222,7 +223,7 @@ TEST(Twin, WarmsACoilFromAmbient) {
 
 TEST(Twin, RefusesWhatDoesNotFitTheRigNamingTheRun) {
   const auto refusal = [](const PlannedRun& run, const replay::DeclaredModel& rig) {
-    return error_text([&] { (void)act_out(one(run), rig, {}, 1); });
+    return error_text([&] { (void)simulate_experiment(one(run), rig, {}, 1); });
   };
   PlannedRun run = motion("a.csv", sine);
   EXPECT_EQ(refusal(run, pendulum()), "a.csv: drives coils, and the model has none");
@@ -232,7 +233,7 @@ TEST(Twin, RefusesWhatDoesNotFitTheRigNamingTheRun) {
   run.start_angles = {0.1};
   EXPECT_EQ(refusal(run, finger_rig()), "a.csv: needs a start angle for each of the 2 joints; got 1");
   run.start_angles.clear();
-  run.plan.channels = {{.name = "theta3_deg", .quantity = data::Quantity::joint_angle, .joint = 2}};
+  run.plan.channels = {{.name = "theta3_deg", .kind = data::ChannelKind::joint_angle, .joint = 2}};
   EXPECT_EQ(refusal(run, finger_rig()), "a.csv: theta3_deg is of joint 3, and the model has 2");
 }
 

@@ -9,9 +9,9 @@
 namespace coilwright::measurement::localise {
 namespace {
 
-Blocks blocks_of(std::size_t count, std::size_t size) {
-  Blocks blocks;
-  for (std::size_t i = 0; i < count; ++i) blocks.of.push_back(i / size);
+SampleBlocks blocks_of(std::size_t count, std::size_t size) {
+  SampleBlocks blocks;
+  for (std::size_t i = 0; i < count; ++i) blocks.number.push_back(i / size);
   return blocks;
 }
 

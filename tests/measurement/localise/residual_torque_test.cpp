@@ -169,8 +169,8 @@ Hidden equally(const std::function<double(const Moment&)>& torque) {
 TEST(ResidualTorque, OfAModelThatLacksNothingIsNoise) {
   for (const bool bending : {true, false}) {
     const ResidualTorque found = found_in(2, bending, nothing);
-    EXPECT_GT(found.smallest_visible, 0.0);
-    EXPECT_LT(found.rms, 1.5 * found.smallest_visible);
+    EXPECT_GT(found.noise_floor, 0.0);
+    EXPECT_LT(found.rms, 1.5 * found.noise_floor);
     EXPECT_FALSE(found.frequency);
     for (const Dependence& dependence : found.dependences) EXPECT_LT(dependence.explained, 0.1) << dependence.variable;
   }
@@ -276,7 +276,7 @@ TEST(ResidualTorque, LeavesOutTheEdgesOfWindows) {
   }
   const ResidualTorque found = residual_torque(whole, model);
   // Jumps of 6 mrad, as large as the noise, move the static torque by 0.0125 * 3 mrad = 38 uN m and no more.
-  EXPECT_LT(found.rms, 1.5 * found.smallest_visible + 8e-5);
+  EXPECT_LT(found.rms, 1.5 * found.noise_floor + 8e-5);
 }
 
 TEST(ResidualTorque, OfNoMotionIsNothing) {

@@ -70,7 +70,7 @@ TEST(Smoother, ChoosesNearlyTheLeastError) {
   double least = 1.0;
   for (int half_decade = 0; half_decade <= 24; ++half_decade)
     least = std::min(least, error(std::pow(10.0, 0.5 * half_decade)));
-  const std::vector<Stretch> whole{{times, values}};
+  const std::vector<SampledSegment> whole{{times, values}};
   EXPECT_LT(error(best_penalty(whole, sigma)), 1.3 * least);
   EXPECT_LT(least, 0.2 * sigma);
 }

@@ -141,7 +141,7 @@ TEST(Noise, TakesWhatIsGiven) {
 data::Run bench(std::uint64_t seed) {
   Normal normal(seed);
   data::Run run{.name = "bench.csv", .kind = data::RunKind::static_torque};
-  data::Channel channel{.name = "torque_Nmm", .quantity = data::Quantity::torque};
+  data::Channel channel{.name = "torque_Nmm", .kind = data::ChannelKind::torque};
   for (int a = 0; a < 9; ++a)
     for (const double current : {0.35, 0.7, 1.05, 1.4, -0.7}) {
       const double angle = 7.5 * degree * a;

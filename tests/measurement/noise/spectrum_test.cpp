@@ -6,7 +6,6 @@
 #include <complex>
 #include <numbers>
 
-#include "measurement/localise/spectral_line.hpp"
 #include "measurement/random_numbers.hpp"
 
 namespace coilwright::measurement::noise {
@@ -51,35 +50,6 @@ TEST(Spectrum, PeriodogramIsTheDirectSum) {
       sum += values[i] * std::polar(1.0, -2.0 * pi * static_cast<double>(k * i) / 128.0);
     EXPECT_NEAR(lines.power[k], std::norm(sum) / 50.0, 1e-10);
   }
-}
-
-TEST(StrongestLine, IsNotSeenInNoise) {
-  int seen = 0;
-  for (int seed = 1; seed <= 100; ++seed) {
-    std::vector<localise::EvenSeries> series;
-    for (int r = 0; r < 3; ++r) series.push_back({0.01, draw(600, 10 * seed + r)});
-    seen += localise::strongest_line(series) ? 1 : 0;
-  }
-  // 1 in 100 in theory; the medians that it is measured by are estimates themselves.
-  EXPECT_LE(seen, 6);
-}
-
-TEST(StrongestLine, PrefersWhatAllRunsShare) {
-  std::vector<localise::EvenSeries> series;
-  for (int r = 0; r < 4; ++r) {
-    series.push_back({0.01, draw(1000, 50 + r)});
-    for (int i = 0; i < 1000; ++i) {
-      series.back().values[i] += 0.6 * std::sin(2.0 * pi * 7.0 * 0.01 * i + r);
-      if (r == 2) series.back().values[i] += 2.0 * std::sin(2.0 * pi * 2.3 * 0.01 * i);
-    }
-  }
-  ASSERT_TRUE(localise::strongest_line(series));
-  EXPECT_NEAR(*localise::strongest_line(series), 7.0, 0.05);  // half of what ten seconds resolve
-}
-
-TEST(StrongestLine, NeedsEnoughSamples) {
-  EXPECT_FALSE(localise::strongest_line({}));
-  EXPECT_FALSE(localise::strongest_line(std::vector<localise::EvenSeries>{{0.01, draw(63, 1)}}));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ data::Run held(data::Start start) {
     run.inputs.push_back({1.0});
   }
   run.channels = {{.name = "bending_angle_deg",
-                   .quantity = data::Quantity::bending_angle,
+                   .kind = data::ChannelKind::bending_angle,
                    .values = std::vector(run.times.size(), 0.0)}};
   return run;
 }
@@ -50,7 +50,7 @@ struct Ends {
 Ends ends_of(const Model& model, data::Start how) {
   const DeclaredModel declared{};
   const data::Run run = held(how);
-  const Record record = prepare(run, declared, model);
+  const PreparedRun record = prepare_run(run, declared, model);
   const Window& window = record.windows.front();
   const auto start = simulation::equilibrium_at_first_input(model, window.input);
   EXPECT_TRUE(start);
@@ -76,7 +76,7 @@ TEST(Prediction, AWindowThatGoesOnTakesOverTheHeat) {
   const DeclaredModel declared{};
   data::Run run = held(data::Start::free);
   run.window = 0.5;
-  const Record record = prepare(run, declared, model);
+  const PreparedRun record = prepare_run(run, declared, model);
   ASSERT_EQ(record.windows.size(), 2U);
   const auto start = simulation::equilibrium_at_first_input(model, record.windows.front().input);
   ASSERT_TRUE(start);

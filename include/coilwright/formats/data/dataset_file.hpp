@@ -22,7 +22,7 @@ struct DatasetFile {
 /// Reads a measured-data/1 set: its dataset.json (or the folder of it) and every CSV file it names. Validate runs are
 /// read, so that a fault of their files is told at once, but nothing is concluded from their numbers: warnings, and
 /// refusals of what cannot be right, are about fit runs only. A set that names no validate run has some held out by
-/// measurement::data::hold_out(). Throws InputError naming file, place and rule.
+/// measurement::data::with_runs_held_out(). Throws InputError naming file, place and rule.
 [[nodiscard]] DatasetFile read_dataset(const std::filesystem::path& path);
 
 /// The same for the text of a dataset.json; its runs' files count from the folder of `file`.

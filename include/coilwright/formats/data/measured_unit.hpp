@@ -9,10 +9,10 @@
 namespace coilwright::formats {
 
 /// A quantity as the report calls it: "torque"; "angle" for both kinds of angles, whose errors are taken together.
-[[nodiscard]] std::string_view name_of(measurement::data::Quantity quantity);
+[[nodiscard]] std::string_view name_of(measurement::data::ChannelKind quantity);
 
 /// The unit of its errors: deg, deg_s, Nmm, N or K.
-[[nodiscard]] units::Unit error_unit(measurement::data::Quantity quantity);
+[[nodiscard]] units::Unit error_unit(measurement::data::ChannelKind quantity);
 
 /// The unit at the end of a column's name, for differences: "torque_Nm" in Nm, "temperature_degC" in K. No unit: as it
 /// is.

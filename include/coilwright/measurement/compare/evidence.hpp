@@ -8,22 +8,23 @@
 
 namespace coilwright::measurement::compare {
 
-/// How much an effect explains, on the fit runs.
+/// How much an effect explains of the fit runs.
 struct Evidence {
-  double chi_square_before{};  ///< sum of squared residuals over the noise variance, without it
-  double chi_square_after{};   ///< with it, everything fitted anew
-  double criterion_gain{};     ///< fall of the criterion (chi^2 over correlation time, plus the charge for parameters)
-  double cross_validated_gain{};  ///< share of the held-out squared residual above the noise that it removes; NaN if
-                                  ///< the set has a single fit run
-  double correlation_time{};      ///< samples of the residual that count as one
+  double chi_square_before{};     ///< sum of squared residuals over the noise variance, without the effect
+  double chi_square_after{};      ///< the same with the effect, all parameters refitted
+  double quasi_bic_gain{};        ///< fall of the quasi-BIC (chi-square over the overdispersion, plus the penalty for
+                                  ///< the number of parameters)
+  double cross_validated_gain{};  ///< fraction of the squared residual above the noise that it removes on held-out
+                                  ///< runs; NaN if the set has a single fit run
+  double correlation_time{};      ///< integrated autocorrelation time of the residual with the effect, samples
 };
 
-/// One of the hypotheses that were compared, best first.
-struct Candidate {
+/// One of the hypotheses that were compared.
+struct ComparedHypothesis {
   std::vector<const actuator::EffectKind*> effects{};
-  std::optional<Evidence> evidence{};  ///< nothing where it was ruled out without a fit
-  std::string
-      remark{};  ///< why it is out: "interval includes absent", "does not fit this rig: ..."; empty if it is not
+  std::optional<Evidence> evidence{};  ///< nothing if the hypothesis was ruled out without a fit
+  std::string remark{};                ///< why it is ruled out: "fits best where it is absent", "does not fit this rig:
+                                       ///< ..."; empty if it is not
 };
 
 }  // namespace coilwright::measurement::compare

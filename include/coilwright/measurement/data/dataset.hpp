@@ -13,8 +13,8 @@ class FinalErrors;
 
 namespace coilwright::measurement::data {
 
-/// Runs that no fit and no choice may see. They go in, and come out again in one place only: `FinalErrors`, which takes
-/// the errors of models that are finished.
+/// Runs that no fit and no selection may see. Only `FinalErrors`, which takes the errors of finished models, can read
+/// them.
 class SealedRuns {
  public:
   SealedRuns() = default;
@@ -29,7 +29,7 @@ class SealedRuns {
 
 /// Something about the data that a reader of the diagnosis should know.
 struct Warning {
-  std::string run{};   ///< file of the run; empty: the set
+  std::string run{};   ///< file of the run; empty if the warning concerns the whole set
   std::string text{};  ///< one line
 };
 
@@ -37,10 +37,10 @@ struct Warning {
 struct Dataset {
   std::string name{};
   std::vector<Run> fit{};  ///< at least one
-  SealedRuns validate;     ///< empty only where the set has a single run in all
+  SealedRuns validate;     ///< empty only if the set has a single run in all
   std::vector<std::string>
-      held_out{};                   ///< the files that the tool itself held out, where the set names no validate run
-  std::vector<Warning> warnings{};  ///< of the reader, about the fit runs
+      held_out{};                   ///< files that with_runs_held_out() sealed because the set names no validate run
+  std::vector<Warning> warnings{};  ///< warnings of the reader about the fit runs
 };
 
 }  // namespace coilwright::measurement::data

@@ -4,9 +4,9 @@
 
 namespace coilwright::measurement::data {
 
-/// For a set that names no validate run: seals every fourth run of each kind, from the second on, so that every kind
-/// with at least two keeps some on both sides; their files are then in `held_out`. Does nothing where validate runs are
-/// there, or no kind has two.
-void hold_out(Dataset& data);
+/// The set with every fourth fit run of each kind sealed, from the second on, so that every kind with at least two runs
+/// keeps some on both sides; the sealed files are listed in `held_out`. A set that has validate runs, or no kind with
+/// two runs, is returned as it is.
+[[nodiscard]] Dataset with_runs_held_out(Dataset data);
 
 }  // namespace coilwright::measurement::data

@@ -10,20 +10,20 @@
 
 namespace coilwright::measurement::experiment {
 
-/// A run that somebody plans.
+/// A run that somebody plans to record.
 struct PlannedRun {
-  /// Name, kind, drive, start and channels; times, angles, inputs and values are still empty, except those of a bench
-  /// (angles, inputs), which are complete.
+  /// Name, kind, drive, start and channels. Times, angles, inputs and values are still empty, except angles and inputs
+  /// of a bench, which are complete.
   data::Run plan;
   bool validate{};
   InputShape input{};                  ///< of a kind with time
-  std::optional<int> only{};           ///< the one coil (joint, under a torque) that is driven, from 0; nothing: all
-  std::vector<double> start_angles{};  ///< rad, a joint; where it is let go. Empty: in equilibrium
+  std::optional<int> only{};           ///< index of the one driven coil, or joint under a torque; nothing: all of them
+  std::vector<double> start_angles{};  ///< joint angles from which the finger is released, rad; empty: in equilibrium
   double duration{};                   ///< s
-  double rate{};                       ///< samples a second
+  double rate{};                       ///< samples per second
 };
 
-/// What is to be done on a rig.
+/// The runs that are planned on one rig.
 struct Experiment {
   std::string name{};
   Instruments instruments{};

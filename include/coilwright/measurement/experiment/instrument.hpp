@@ -4,16 +4,16 @@
 
 namespace coilwright::measurement::experiment {
 
-/// What an instrument does to what it measures, SI.
+/// How an instrument distorts what it measures, SI.
 struct Instrument {
   double noise{};       ///< standard deviation of white Gaussian noise; >= 0
-  double resolution{};  ///< readings are multiples of it; 0: exact
+  double resolution{};  ///< readings are multiples of it; 0 if readings are exact
 };
 
-/// Instruments of a rig; angles of joints and of the whole finger are seen by the same camera.
+/// The instruments of a rig. One camera sees the angles of the joints and of the whole finger.
 struct Instruments {
   Instrument angle{}, rate{}, torque{}, force{}, temperature{};
-  [[nodiscard]] const Instrument& of(data::Quantity quantity) const;
+  [[nodiscard]] const Instrument& of(data::ChannelKind kind) const;
 };
 
 }  // namespace coilwright::measurement::experiment

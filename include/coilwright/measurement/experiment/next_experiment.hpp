@@ -4,12 +4,12 @@
 
 namespace coilwright::measurement::experiment {
 
-/// The run that would separate what these data cannot.
+/// A run that would separate hypotheses that the present data cannot separate.
 struct NextExperiment {
-  std::string kind{};   ///< from the menu: "release", "hot_hold", ...
-  std::string input{};  ///< what to command, with numbers
+  std::string kind{};   ///< one of the candidate experiments: "release", "hot_hold", ...
+  std::string input{};  ///< the command, with numbers
   std::string why{};
-  double separation{};  ///< rms difference of the rivals' predictions over the noise
+  double separation{};  ///< rms difference of the hypotheses' predictions over the noise
 };
 
 }  // namespace coilwright::measurement::experiment

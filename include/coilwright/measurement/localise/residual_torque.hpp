@@ -13,42 +13,43 @@
 
 namespace coilwright::measurement::localise {
 
-/// A motion as it was measured, beside what the model makes of the same input.
+/// A measured motion beside the motion of the model under the same input.
 struct MeasuredMotion {
   std::string run{};                           ///< its file
-  simulation::ModelInput input{};              ///< a row a sample
-  std::vector<simulation::State> simulated{};  ///< of the model, a state a sample
-  /// Measured, rad, a value a sample: one series per joint, or a single one, their sum (the bending angle). Delay,
-  /// offset and scale of the camera are taken off before.
+  simulation::ModelInput input{};              ///< one row per sample
+  std::vector<simulation::State> simulated{};  ///< one state of the model per sample
+  /// Measured angles, rad, one value per sample: one series per joint, or a single series of their sum (the bending
+  /// angle). Offset and scale of the camera have been removed.
   std::vector<std::vector<double>> angles{};
   std::vector<double> sigma{};         ///< noise of each series, rad; > 0
-  std::vector<std::size_t> starts{0};  ///< first sample of each window in which `simulated` starts anew, from 0
+  std::vector<std::size_t> starts{0};  ///< first sample of each window, each with an initial state of its own; from 0
 };
 
-/// What is left over by the model, as a generalised torque over the measured motion.
+/// The residual of a model as a generalised torque along the measured motion.
 struct ResidualTorque {
   double rms{};                           ///< N m
-  double smallest_visible{};              ///< what noise alone gives, N m
+  double noise_floor{};                   ///< rms that measurement noise alone would cause, N m
   std::vector<Dependence> dependences{};  ///< strongest first
-  std::optional<double> frequency{};      ///< of the strongest line in its spectrum, Hz
+  std::optional<double> frequency{};      ///< frequency of the strongest spectral line, Hz; nothing if there is none
 };
 
-/// What `model` lacks in these motions, as a torque over the measured motion, and on what that depends.
+/// The torque that `model` lacks in these motions, and the variables on which it depends.
 ///
 /// The difference of measured and simulated angle is smoothed (Whittaker, third differences, Mallows' C_p), so that
-/// what the model has right passes unsmoothed; the torque is then M (theta''_measured - theta''_model(measured state)).
-/// A bending angle alone gives the one torque that, the same in all joints, moves it so; the difference is shared among
-/// the joints as such a torque would bend them at rest. Records per joint give a torque per joint, and the names of
-/// their dependences say which ("rate of joint 2"); `rms` and `smallest_visible` are then over all joints together.
-/// Edges of windows are left out, two smoothing lengths at each.
+/// what the model predicts correctly is not smoothed; the torque is then
+/// M (theta''_measured - theta''_model(measured state)).
+/// A bending angle alone gives the one torque that, equal in all joints, causes its acceleration; the difference of
+/// angles is shared among the joints as such a torque would bend them at rest. Records per joint give one torque per
+/// joint, and the names of their dependences say which ("rate of joint 2"); `rms` and `noise_floor` are then taken over
+/// all joints. Two smoothing lengths are left out at each end of a window.
 ///
-/// A dependence is made of means in up to 20 bins on every second block of samples and tried on the others, and the
-/// reverse; kept if it explains more than 2 % there. They are in order of `explained` less 0.0025 a bin, so that the
-/// simpler of two that say the same stands first. `frequency` is of the strongest line that stands out of the spectrum
-/// around it by more than chance, and is a dependence of its own.
+/// A dependence consists of means in up to 20 bins, computed on every second block of samples and tested on the other
+/// blocks, and the reverse. It is kept if it explains more than 2 % there. Dependences are ordered by `explained` minus
+/// 0.0025 per bin, so that of two that explain the same the simpler one comes first. `frequency` belongs to the
+/// strongest spectral line that exceeds the spectrum around it by more than chance; it is a dependence of its own.
 ///
-/// `rms` is 0 and nothing depends on anything where no motion is long enough (16 samples).
-/// Throws std::invalid_argument naming run and rule where sizes do not fit.
+/// `rms` is 0 and there are no dependences if no motion is long enough (16 samples).
+/// Throws std::invalid_argument naming run and rule if sizes do not match.
 [[nodiscard]] ResidualTorque residual_torque(std::span<const MeasuredMotion> motions, const actuator::Model& model);
 
 }  // namespace coilwright::measurement::localise

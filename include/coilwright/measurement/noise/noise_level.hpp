@@ -10,21 +10,22 @@ namespace coilwright::measurement::noise {
 struct NoiseLevel {
   std::string run{};
   std::string channel{};
-  double sigma{};        ///< SI
-  bool given{};          ///< by the set, not estimated
+  double sigma{};        ///< standard deviation, SI; > 0
+  bool given{};          ///< whether the set gives it; otherwise it is estimated
   std::string source{};  ///< "given", or how it was estimated
 };
 
-/// The standard deviation of the measurement noise in one channel of a run, SI, always > 0.
+/// The standard deviation of the measurement noise in one channel of a run.
 ///
-/// A `sigma` that the run gives is taken as it is. Otherwise the noise is estimated from the record itself: it is what
-/// local polynomials leave over, where the motion is smooth beside the sampling and the noise is white. The widest
-/// window is used that the motion does not enter yet, and a trimmed scale keeps onsets and impacts out. Sampling may be
-/// uneven. Never below the quantisation's own resolution / sqrt(12), resolution being the smallest step between two
-/// distinct values. A bench without time is judged over its angles at equal current (or the reverse).
-/// Relative standard error 1 / sqrt(2 n) for n samples and a little more; `source` states it, in one line, and says so
-/// where the record is too short for an estimate. Source: docs/theory/measurement.md.
-/// Throws std::invalid_argument where the channel's number of values is not the run's.
+/// A `sigma` that the run gives is taken as it is. Otherwise the noise is estimated from the record itself: it is the
+/// residual of local polynomial fits, under the assumption that the motion is smooth on the scale of the sampling
+/// interval and that the noise is white. The widest window is used whose residual does not contain motion yet, and a
+/// trimmed scale excludes onsets and impacts. Sampling may be uneven. The estimate is never below the quantisation
+/// noise, resolution / sqrt(12), where the resolution is the smallest step between two distinct values. A bench without
+/// time is treated as curves over the angle at equal current, or over the current at equal angle.
+/// The relative standard error is somewhat above 1 / sqrt(2 n) for n samples; `source` states it in one line, and says
+/// so if the record is too short for an estimate. Source: docs/theory/measurement.md.
+/// Throws std::invalid_argument if the channel's number of values is not the run's.
 [[nodiscard]] NoiseLevel noise_of(const data::Run& run, const data::Channel& channel);
 
 }  // namespace coilwright::measurement::noise

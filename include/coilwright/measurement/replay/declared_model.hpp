@@ -11,24 +11,25 @@
 
 namespace coilwright::measurement::replay {
 
-/// A number of the declared model that may be fitted anew before a residual counts.
+/// A number of the declared model that may be recalibrated before its residual is judged.
 struct CalibrationParameter {
   std::string key;           ///< as the diagnosis writes it: "joint_stiffness_Nmm_rad", "/links/0/mass_kg"
-  double declared{};         ///< as written in the file, SI
-  double lower{};            ///< physical bounds, SI; may be infinite
-  double upper{};            ///< SI
-  double scale{};            ///< how large a change of it is usual, SI; > 0 also where `declared` is 0
+  double declared{};         ///< value in the file, SI
+  double lower{};            ///< physical lower bound, SI; may be -infinity
+  double upper{};            ///< physical upper bound, SI; may be infinity
+  double scale{};            ///< typical change, SI; > 0 even if `declared` is 0
   double denominator = 1.0;  ///< SI value = value in the key's unit / denominator
 };
 
-/// The model that somebody believes in, with the numbers that may move.
+/// The model that the user declares, with the numbers that may be recalibrated.
 struct DeclaredModel {
   std::vector<CalibrationParameter> calibration;
-  /// The model with those numbers (SI, one per parameter, inside the bounds). Pure. Throws std::invalid_argument where
-  /// they make no model. Effects that the file itself declares are in it.
+  /// The model with those numbers (SI, one per parameter, inside the bounds), effects that the file declares included.
+  /// Pure. Throws std::invalid_argument if the numbers make no model.
   std::function<actuator::ModelSpec(std::span<const double>)> build;
-  std::vector<std::string> held_effects{};  ///< numbers of declared effects that are not in the calibration: pointers
-  std::optional<thermal::Network> heat{};   ///< heat paths; nothing for a lumped model
+  /// JSON pointers of those numbers of declared effects that are not among the calibration.
+  std::vector<std::string> uncalibrated_effect_numbers{};
+  std::optional<thermal::Network> heat{};  ///< heat paths; nothing for a lumped model
 };
 
 }  // namespace coilwright::measurement::replay

@@ -7,17 +7,16 @@
 
 namespace coilwright::measurement::whiteness {
 
-/// What a model leaves over of one channel of one run, in units of the noise.
+/// The residual of a model in one channel of one run, in units of the noise.
 struct ScaledResidual {
-  std::string run{};  ///< its file, as `where` names it
-  std::vector<double>
-      times{};  ///< s, increasing; empty on a bench, whose samples then stand in the order of their places
+  std::string run{};                   ///< its file, as WhitenessResult::where names it
+  std::vector<double> times{};         ///< s, increasing; empty on a bench, whose samples are in the order of the file
   std::vector<double> values{};        ///< residual / sigma; finite
-  std::vector<std::size_t> starts{0};  ///< first sample of each window, rising from 0; {0} without windows
-  bool sigma_given = false;            ///< sigma is known, not estimated from the same record
+  std::vector<std::size_t> starts{0};  ///< first sample of each window, increasing from 0; {0} without windows
+  bool sigma_given = false;            ///< whether sigma is known; otherwise it was estimated from the same record
 };
 
-/// Throws std::invalid_argument naming run and rule where sizes do not match or a value is not finite.
-void check(std::span<const ScaledResidual> residuals);
+/// Throws std::invalid_argument naming run and rule if sizes do not match or a value is not finite.
+void validate_residuals(std::span<const ScaledResidual> residuals);
 
 }  // namespace coilwright::measurement::whiteness

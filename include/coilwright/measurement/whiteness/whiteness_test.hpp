@@ -7,25 +7,26 @@
 
 namespace coilwright::measurement::whiteness {
 
-/// Whether a residual is noise.
-struct Adequacy {
-  double level{};       ///< rms residual over noise
-  double structure{};   ///< statistic of the test for whiteness over its limit; above 1: not white
-  std::string where{};  ///< run and scale at which it is worst
-  [[nodiscard]] bool noise_only() const { return structure <= 1.0; }
+/// Whether a residual is white noise.
+struct WhitenessResult {
+  double level{};            ///< rms residual over the noise
+  double whiteness_ratio{};  ///< statistic of the worst test over its limit; above 1 the residual is not white
+  std::string where{};       ///< run and scale of that test
+  [[nodiscard]] bool is_white() const { return whiteness_ratio <= 1.0; }
 };
 
-/// Whether residuals are noise: white at every scale, alone and taken together.
+/// Tests whether residuals are white noise at every scale, each run alone and all runs pooled.
 ///
-/// `level` is the root mean square, with `fitted_parameters` taken off the count of samples. `structure` is the worst
-/// of four kinds of tests, each as excess over its expectation by the excess allowed: energy at all wavelengths longer
-/// than 2, 4, 8, ... samples, of single runs and of all together; lines of the spectrum, likewise; means of blocks of
-/// 8, 16, ... samples. The measure of each run is its own level at high frequencies (at least 1 where sigma was given,
-/// or the run is shorter than 64 samples), so that an error of the estimated sigma is no structure. Limits are such
-/// that white noise is above 1 in fewer than 1 of 200 sets, whatever their size. Structure of rms up to 0.03 of the
-/// noise is allowed on top, which moves an rms error by 0.05 %. Runs of fewer than 4 samples count for the level alone.
-/// Rules, power and sources: docs/theory/measurement.md.
-/// Throws std::invalid_argument naming run and rule where sizes do not match or a value is not finite.
-[[nodiscard]] Adequacy adequacy_of(std::span<const ScaledResidual> residuals, int fitted_parameters);
+/// `level` is the root mean square, with `fitted_parameters` subtracted from the number of samples. `whiteness_ratio`
+/// is the largest result of four kinds of tests, each expressed as the excess over the expectation divided by the
+/// excess that is allowed: energy at all wavelengths longer than 2, 4, 8, ... samples, of single runs and pooled over
+/// all; spectral lines, likewise; means of blocks of 8, 16, ... samples. Each run is normalised by its own level at
+/// high frequencies (at least 1 if sigma was given or the run is shorter than 64 samples), so that an error of the
+/// estimated sigma does not count as structure. The limits are such that white noise exceeds 1 in fewer than 1 of 200
+/// sets, whatever their size. Structure with an rms of up to 0.03 of the noise, which changes an rms error by 0.05 %,
+/// is allowed in addition. Runs of fewer than 4 samples contribute to the level only. Rules, power and sources:
+/// docs/theory/measurement.md. Throws std::invalid_argument naming run and rule if sizes do not match or a value is not
+/// finite.
+[[nodiscard]] WhitenessResult whiteness_test(std::span<const ScaledResidual> residuals, int fitted_parameters);
 
 }  // namespace coilwright::measurement::whiteness

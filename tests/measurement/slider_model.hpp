@@ -65,7 +65,7 @@ inline data::Run slide_run(std::size_t samples, Place start, const std::function
                 .kind = data::RunKind::transient,
                 .drive = data::Drive::torque,
                 .sigma = noise_sigma,
-                .channels = {{.name = "theta1_rad", .quantity = data::Quantity::joint_angle}}};
+                .channels = {{.name = "theta1_rad", .kind = data::ChannelKind::joint_angle}}};
   Place place = start;
   for (std::size_t i = 0; i < samples; ++i) {
     run.times.push_back(interval * static_cast<double>(i));

@@ -1,0 +1,105 @@
+#include "measurement/compare/profile_likelihood.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "measurement/compare/search_effort.hpp"
+
+namespace coilwright::measurement::compare {
+namespace {
+
+constexpr int largest_number_of_doublings = 8;
+
+bool is_magnitude(const fit::FitParameter& parameter, double value) {
+  return parameter.lower >= 0.0 && value > 0.0;
+}
+
+}  // namespace
+
+ProfileLikelihood::ProfileLikelihood(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
+                                     Eigen::Index parameter, double overdispersion)
+    : runs_(runs),
+      fitted_(fitted),
+      parameter_(parameter),
+      overdispersion_(overdispersion),
+      last_values_(fitted.fit.values),
+      best_values_(fitted.fit.values),
+      best_chi_square_(fitted.fit.chi_square) {
+  const fit::FitParameter& number = fitted.hypothesis.parameters()[static_cast<std::size_t>(parameter)];
+  lower_ = number.lower;
+  upper_ = number.upper;
+  scale_ = number.scale;
+  logarithmic_ = is_magnitude(number, fitted.fit.values[parameter]);
+}
+
+double ProfileLikelihood::crossing(double direction, double deviation) {
+  last_values_ = fitted_.fit.values;
+  const double estimate = fitted_.fit.values[parameter_];
+  const double centre = coordinate(estimate);
+  const double bound = coordinate(direction > 0.0 ? upper_ : lower_);
+  const double step = direction * first_step(estimate, deviation);
+  double inside = centre;
+  double inside_value = -chi_square_95;
+  for (int i = 0; i < largest_number_of_doublings; ++i) {
+    const double wanted = centre + step * std::pow(2.0, i);
+    const double at = direction > 0.0 ? std::min(wanted, bound) : std::max(wanted, bound);
+    const double value = above_limit(at);
+    if (value >= 0.0) return value_at(root(inside, inside_value, at, value, 0.01 * std::abs(at - centre)));
+    if (at == bound) break;
+    inside = at;
+    inside_value = value;
+  }
+  return std::copysign(std::numeric_limits<double>::infinity(), direction);
+}
+
+double ProfileLikelihood::coordinate(double value) const {
+  return logarithmic_ ? std::log(value) : value;
+}
+
+double ProfileLikelihood::value_at(double coordinate) const {
+  return logarithmic_ ? std::exp(coordinate) : coordinate;
+}
+
+double ProfileLikelihood::first_step(double estimate, double deviation) const {
+  double step = 1.05 * normal_95 * deviation;
+  if (!std::isfinite(step)) step = scale_;
+  return logarithmic_ ? std::min(step / estimate, std::numbers::ln2) : step;
+}
+
+// The profile minus the 95 % limit; positive outside the interval.
+double ProfileLikelihood::above_limit(double coordinate) {
+  Eigen::VectorXd start = last_values_;
+  start[parameter_] = value_at(coordinate);
+  const auto refitted = fit::fit({.hypothesis = &fitted_.hypothesis,
+                                  .runs = runs_,
+                                  .start = start,
+                                  .initial_states_from = &fitted_.fit,
+                                  .held_parameter = parameter_,
+                                  .effort = search_effort.profile});
+  simulated_runs_ += refitted.simulated_runs;
+  if (!refitted.value) return chi_square_95;  // a model that cannot be simulated is no explanation
+  last_values_ = refitted.value->values;
+  if (refitted.value->chi_square < best_chi_square_) {
+    best_chi_square_ = refitted.value->chi_square;
+    best_values_ = refitted.value->values;
+  }
+  return (refitted.value->chi_square - fitted_.fit.chi_square) / overdispersion_ - chi_square_95;
+}
+
+double ProfileLikelihood::root(double inside, double inside_value, double outside, double outside_value,
+                               double tolerance) {
+  std::uintmax_t evaluations = 6;
+  const auto function = [this](double coordinate) { return above_limit(coordinate); };
+  const auto close = [&](double a, double b) { return std::abs(a - b) <= tolerance; };
+  const auto [a, b] = inside < outside ? boost::math::tools::toms748_solve(function, inside, outside, inside_value,
+                                                                           outside_value, close, evaluations)
+                                       : boost::math::tools::toms748_solve(function, outside, inside, outside_value,
+                                                                           inside_value, close, evaluations);
+  return 0.5 * (a + b);
+}
+
+}  // namespace coilwright::measurement::compare

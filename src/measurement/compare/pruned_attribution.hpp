@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coilwright/measurement/compare/estimate.hpp"
+#include "measurement/compare/attribution.hpp"
+
+namespace coilwright::measurement::compare {
+
+/// An attribution without the effects that the data do not support.
+struct PrunedAttribution {
+  Attribution attribution{};
+  std::vector<Evidence> evidence{};   ///< of each step after the first
+  std::vector<Estimate> estimates{};  ///< of the last step, as refit_and_estimate() has them
+  double overdispersion{};            ///< of the last step
+  long simulated_runs{};              ///< for estimates and evidence
+};
+
+/// Removes effects, the last first, that explain too little (DecisionThresholds), improve no held-out run, or have an
+/// interval that contains the value at which the effect is absent.
+[[nodiscard]] PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs,
+                                                          Attribution attribution);
+
+}  // namespace coilwright::measurement::compare

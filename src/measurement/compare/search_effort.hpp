@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+
+#include "measurement/fit/fit_request.hpp"
+
+namespace coilwright::measurement::compare {
+
+/// The constants of the search for effects that were chosen by hand. Each trades simulated runs against the chance to
+/// miss the best hypothesis.
+struct SearchEffort {
+  /// A start is scaled to the strength that the linear screening predicts, at most by these factors. A wider range
+  /// follows the prediction further; a weaker effect no longer has the shape of the start, a stronger one leaves the
+  /// range in which the prediction holds.
+  double weakest_start = 0.3;
+  double strongest_start = 3.0;
+  /// A start of an effect with several numbers is drawn a second time, each number within this factor of the first.
+  /// More scatter covers a cost function that is not convex; less stays near what the effect proposes.
+  double scatter = 2.0;
+  /// Two residual directions count as one if the determinant of their normal equations is below this fraction of the
+  /// product of their squares. A larger value rejects pairs that are hard to separate; a smaller one divides by noise.
+  double smallest_determinant = 1e-6;
+
+  /// A start with another discrete choice is fitted if its predicted fall of chi-square exceeds this fraction of the
+  /// best one; smaller values cost short fits.
+  double other_choice = 0.1;
+  /// The runner-up with a choice that is fitted already needs this fraction of the best predicted fall.
+  double runner_up = 0.7;
+  /// End of a short fit. More iterations rank the effects more reliably, and each costs one simulation per parameter.
+  fit::FitEffort short_fit{.iterations = 4, .tolerance = 1e-2};
+  /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
+  double retry_strength = 0.05;
+
+  /// Number of single effects whose short fit is continued to convergence; the others are too far behind.
+  std::size_t refined_singles = 9;
+  /// Number of hypotheses of one size that are extended by one more effect (beam width).
+  std::size_t beam = 5;
+  /// Number of effects, in order of their predicted fall of chi-square, by which each of them is extended; also the
+  /// number of pairs that are fitted at once.
+  std::size_t extensions = 4;
+  /// Number of hypotheses of one size whose discrete choices are tried the other way.
+  std::size_t reconsidered = 4;
+  /// Largest number of effects in one hypothesis.
+  std::size_t largest_hypothesis = 3;
+  /// A third effect is searched only if the second left at most this fraction of the chi-square above the noise.
+  double worth_another_effect = 0.5;
+
+  /// End of each fit along a profile likelihood.
+  fit::FitEffort profile{.iterations = 8, .tolerance = 1e-6};
+  /// Fall of chi-square, in units of the overdispersion, that counts as a better optimum than that of the fit; smaller
+  /// differences are within the tolerance of fits.
+  double better_optimum = 0.2;
+  /// Number of times that the intervals are taken anew at a better optimum.
+  int largest_number_of_moves = 8;
+};
+inline constexpr SearchEffort search_effort{};
+
+/// The constants that decide which effects are reported. They trade false effects against missed ones.
+struct DecisionThresholds {
+  /// A smaller gain of the quasi-BIC decides nothing: odds of 20 to 1 (Kass and Raftery 1995, "strong").
+  double decisive_gain = 6.0;
+  /// If structure remains: the fraction of the chi-square above the noise that the first effect and each later one must
+  /// remove. With enough samples every flexible term is significant; a term that does not halve the remainder of a
+  /// model that is known to be incomplete takes the shape of what is missing.
+  double least_explained = 0.2;
+  double least_explained_later = 0.5;
+};
+inline constexpr DecisionThresholds decision_thresholds{};
+
+}  // namespace coilwright::measurement::compare

@@ -1,0 +1,167 @@
+#include "measurement/fit/least_squares.hpp"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace coilwright::measurement::fit {
+namespace {
+
+// Ceres announces each point once; everything is then evaluated in parallel, and the cost functions only copy.
+class Coordinator : public ceres::EvaluationCallback {
+ public:
+  Coordinator(ResidualBlocks& blocks, Eigen::VectorXd& parameters, Derivatives derivatives)
+      : blocks_(blocks), parameters_(parameters), derivatives_(derivatives) {}
+
+  void PrepareForEvaluation(bool derivatives, bool /*new_point*/) override { evaluate_here(derivatives); }
+  // Residuals and derivatives at the point where the solver is: often kept from its last accepted step. Null if there
+  // is no model.
+  [[nodiscard]] ResidualValues* here() {
+    evaluate_here(true);
+    return current_->values ? &*current_->values : nullptr;
+  }
+  // What the cost functions copy.
+  [[nodiscard]] const ResidualValues* values() const { return current_->values ? &*current_->values : nullptr; }
+  [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
+
+ private:
+  struct Point {
+    Eigen::VectorXd parameters{};
+    std::vector<double> initial_states{};
+    std::optional<ResidualValues> values{};
+  };
+
+  [[nodiscard]] bool is_here(const Point& point) const {
+    return point.values && point.parameters == parameters_ &&
+           std::ranges::equal(point.initial_states, blocks_.initial_states());
+  }
+
+  void evaluate_here(bool derivatives) {
+    if (is_here(with_derivatives_) || (!derivatives && is_here(without_derivatives_))) {
+      current_ = is_here(with_derivatives_) ? &with_derivatives_ : &without_derivatives_;
+      return;
+    }
+    current_ = derivatives ? &with_derivatives_ : &without_derivatives_;
+    const std::span<const double> initial_states = blocks_.initial_states();
+    auto found = blocks_.evaluate(parameters_, derivatives ? derivatives_ : Derivatives::none);
+    simulated_runs_ += found.simulated_runs;
+    *current_ = {.parameters = parameters_,
+                 .initial_states = {initial_states.begin(), initial_states.end()},
+                 .values = std::move(found.value)};
+  }
+
+  ResidualBlocks& blocks_;
+  Eigen::VectorXd& parameters_;
+  Derivatives derivatives_;
+  Point with_derivatives_, without_derivatives_;
+  Point* current_ = &without_derivatives_;
+  long simulated_runs_ = 0;
+};
+
+class BlockCost : public ceres::CostFunction {
+ public:
+  BlockCost(const Coordinator& coordinator, std::size_t block, Eigen::Index rows, Eigen::Index parameters,
+            std::size_t initial_state)
+      : coordinator_(coordinator), block_(block) {
+    set_num_residuals(static_cast<int>(rows));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters));
+    if (initial_state > 0) mutable_parameter_block_sizes()->push_back(static_cast<int>(initial_state));
+  }
+  bool Evaluate(const double* const* /*parameters*/, double* residuals, double** jacobians) const override {
+    if (coordinator_.values() == nullptr) return false;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const ResidualValues::Block& values = coordinator_.values()->blocks[block_];
+    Eigen::Map<Eigen::VectorXd>(residuals, values.residuals.size()) = values.residuals;
+    if (jacobians == nullptr) return true;
+    if (jacobians[0] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[0], values.jacobian.rows(), values.jacobian.cols()) = values.jacobian;
+    if (parameter_block_sizes().size() > 1 && jacobians[1] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[1], values.initial_state_jacobian.rows(), values.initial_state_jacobian.cols()) =
+          values.initial_state_jacobian;
+    return true;
+  }
+
+ private:
+  const Coordinator& coordinator_;
+  std::size_t block_;
+};
+
+void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::VectorXd& values) {
+  for (Eigen::Index i = 0; i < hypothesis.size(); ++i) {
+    const FitParameter& parameter = hypothesis.parameters()[static_cast<std::size_t>(i)];
+    if (std::isfinite(parameter.lower))
+      problem.SetParameterLowerBound(values.data(), static_cast<int>(i), parameter.lower);
+    if (std::isfinite(parameter.upper))
+      problem.SetParameterUpperBound(values.data(), static_cast<int>(i), parameter.upper);
+  }
+}
+
+// Moves parameters, if they are free, and initial states to the least squares. False if the solver finds no step.
+bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool parameters_free, Coordinator& coordinator,
+              Eigen::VectorXd& values) {
+  const bool has_initial_states =
+      std::ranges::any_of(blocks.blocks(), [](const ResidualBlock& block) { return !block.whole_run; });
+  const bool free = parameters_free && values.size() > (request.held_parameter ? 1 : 0);
+  if (!has_initial_states && !free) return true;
+  ceres::Problem::Options problem_options;
+  problem_options.evaluation_callback = &coordinator;
+  ceres::Problem problem(problem_options);
+  // Even a hypothesis without parameters needs a parameter block for its residuals.
+  Eigen::VectorXd no_parameter = Eigen::VectorXd::Zero(1);
+  double* shared = values.size() > 0 ? values.data() : no_parameter.data();
+  const Eigen::Index width = std::max<Eigen::Index>(1, values.size());
+  problem.AddParameterBlock(shared, static_cast<int>(width));
+  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+  ordering->AddElementToGroup(shared, 1);
+  for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
+    const ResidualBlock& block = blocks.blocks()[b];
+    auto* cost = new BlockCost(coordinator, b, block.rows, width, block.initial_state.size());
+    if (block.whole_run) {
+      problem.AddResidualBlock(cost, nullptr, shared);
+    } else {
+      problem.AddResidualBlock(cost, nullptr, shared, block.initial_state.data());
+      ordering->AddElementToGroup(block.initial_state.data(), 0);
+    }
+  }
+  if (values.size() > 0) set_bounds(problem, *request.hypothesis, values);
+  if (!free) problem.SetParameterBlockConstant(shared);
+  if (free && request.held_parameter)
+    problem.SetManifold(
+        shared, new ceres::SubsetManifold(static_cast<int>(width), {static_cast<int>(*request.held_parameter)}));
+  ceres::Solver::Options options;
+  options.linear_solver_type = has_initial_states ? ceres::DENSE_SCHUR : ceres::DENSE_QR;
+  if (has_initial_states) options.linear_solver_ordering = ordering;
+  options.max_num_iterations = request.effort.iterations;
+  options.function_tolerance = request.effort.tolerance;
+  options.parameter_tolerance = 1e-9;
+  // Steps that leave the bounds are projected onto them; the line search along them that Ceres would add costs more
+  // simulated runs than it saves.
+  options.max_num_line_search_step_size_iterations = 0;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return summary.IsSolutionUsable();
+}
+
+}  // namespace
+
+Counted<std::optional<Optimum>> least_squares(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns) {
+  Eigen::VectorXd parameters = request.hypothesis->clamped(request.start);
+  const Derivatives derivatives =
+      unknowns == Unknowns::initial_states ? Derivatives::by_initial_states : Derivatives::all;
+  Coordinator coordinator(blocks, parameters, derivatives);
+  // A solver cannot start where there is no model.
+  if (coordinator.here() == nullptr || !minimise(request, blocks, unknowns == Unknowns::all, coordinator, parameters))
+    return {.value = std::nullopt, .simulated_runs = coordinator.simulated_runs()};
+  ResidualValues* found = coordinator.here();
+  if (found == nullptr) return {.value = std::nullopt, .simulated_runs = coordinator.simulated_runs()};
+  return {.value = Optimum{.parameters = parameters, .values = std::move(*found)},
+          .simulated_runs = coordinator.simulated_runs()};
+}
+
+}  // namespace coilwright::measurement::fit

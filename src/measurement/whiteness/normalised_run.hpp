@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "coilwright/measurement/whiteness/scaled_residual.hpp"
+
+namespace coilwright::measurement::whiteness {
+
+/// Structure with an rms of this fraction of the noise is allowed: discretisation, interpolation and jitter of the
+/// clock cause it, no effect explains it, and it does not matter.
+inline constexpr double allowed_structure = 0.03;
+
+/// A residual divided by its own level at high frequencies. Refers to the residual.
+struct NormalisedRun {
+  const ScaledResidual* residual{};
+  std::vector<double> energies{};  ///< of the cosine transform, over the noise variance
+  double noise_variance{};         ///< variance that counts as noise, in units of sigma^2
+  double degrees_of_freedom{};     ///< of that variance; infinite if it is known
+  double allowed_energy{};         ///< energy of the structure that is allowed, over the noise variance
+  double interval = 1.0;           ///< s between samples; 1 on a bench
+
+  [[nodiscard]] std::size_t samples() const { return residual->values.size(); }
+  /// Whether it has enough high frequencies to estimate the noise from them.
+  [[nodiscard]] bool is_long() const;
+  [[nodiscard]] bool has_times() const { return !residual->times.empty(); }
+};
+
+[[nodiscard]] NormalisedRun normalised(const ScaledResidual& residual);
+
+/// The length of so many samples, for people: "16 ms", or "12 samples" on a bench.
+[[nodiscard]] std::string length_text(const NormalisedRun& run, std::size_t samples);
+
+}  // namespace coilwright::measurement::whiteness

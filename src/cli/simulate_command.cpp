@@ -148,31 +148,34 @@ void run_simulate(const Options& options) {
 
 void add_simulate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("simulate", "How an actuator moves under an input over time");
+  CLI::App* command = app.add_subcommand("simulate", "Simulate the motion of an actuator under an input over time");
   add_actuator_options(*command, options->actuator);
-  CLI::Option_group* input = command->add_option_group("input", "What drives it; one of");
-  input->add_option("--step", options->step, "This current in every coil from time 0 on, from rest without current, A")
+  CLI::Option_group* input = command->add_option_group("input", "Input of the simulation; one of");
+  input
+      ->add_option("--step", options->step,
+                   "Current in every coil from time 0 on, A; the actuator starts from rest without current")
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
-  input->add_option("--sine", options->sine, "AMPLITUDE_A OFFSET_A FREQUENCY_Hz: offset + amplitude sin(2 pi f t)")
+  input
+      ->add_option("--sine", options->sine,
+                   "AMPLITUDE_A OFFSET_A FREQUENCY_Hz: current offset + amplitude sin(2 pi f t) in every coil")
       ->expected(3)
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
-  input->add_option("--input", options->input,
-                    "CSV: time_s and current_A, current1_A.., voltage_V or torque1_Nm.., held between samples");
+  input->add_option(
+      "--input", options->input,
+      "CSV file with time_s and one input: current_A, current1_A.., voltage_V or torque1_Nm..; values are held "
+      "between samples");
   input->require_option(1);
   command->add_option("--duration-s", options->duration, "Duration of --step or --sine, s (default 1)")
       ->check(number_rule(text::positive));
   command->add_option("--interval-s", options->interval, "Time between samples of --step or --sine, s (default 0.002)")
       ->check(number_rule(text::positive));
-  command->add_option("--out", options->out, "CSV to write")->required();
+  command->add_option("--out", options->out, "CSV file to write")->required();
   command->footer(
       "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample.\n"
-      "bending_angle_deg includes the sensor's offset, scale and delay if the actuator declares them; joint angles "
-      "and\n"
-      "the bending speed are the true ones. A step starts at rest without current, every other input at rest under "
-      "its\n"
-      "first sample, as a measured run with \"start\": \"at_rest\" does. A model without coils and without a stable "
-      "pose\n"
-      "starts straight.\n\n"
+      "bending_angle_deg includes the sensor's offset, scale and delay if the actuator declares them; joint\n"
+      "angles and bending speed are the true ones. A step starts at rest without current, every other input at\n"
+      "rest under its first sample, as a measured run with \"start\": \"at_rest\" does. A model without coils and\n"
+      "without a stable pose starts straight.\n\n"
       "Example:\n"
       "  coilwright simulate configs/actuators/paper_finger.json --sine 0.7 0.7 2 --duration-s 2 --out sine.csv");
   command->callback([options] { run_simulate(*options); });

@@ -26,14 +26,9 @@ inline measurement::Errors degrees(double mae, double rmse, double max) {
   return {.mae = mae * degree, .rmse = rmse * degree, .max = max * degree};
 }
 
-inline measurement::ErrorComparison comparison(measurement::data::ChannelKind quantity, std::size_t samples,
+inline measurement::ErrorComparison comparison(measurement::data::ChannelKind kind, std::size_t samples,
                                                double noise_floor) {
-  return {.quantity = quantity,
-          .samples = samples,
-          .declared = {},
-          .before = {},
-          .after = {},
-          .noise_floor_rmse = noise_floor};
+  return {.kind = kind, .samples = samples, .declared = {}, .before = {}, .after = {}, .noise_floor_rmse = noise_floor};
 }
 
 // Stiff at 40 degrees, on the lower side.
@@ -61,7 +56,7 @@ inline measurement::Diagnosis example() {
                     .cross_validated_gain = 0.97,
                     .correlation_time = 4.0}}};
   diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
-  diagnosis.validate_errors = {{.quantity = measurement::data::ChannelKind::bending_angle,
+  diagnosis.validate_errors = {{.kind = measurement::data::ChannelKind::bending_angle,
                                 .samples = 900,
                                 .declared = degrees(2.9, 3.5, 9.1),
                                 .before = degrees(1.1, 1.4, 5.0),

@@ -41,7 +41,7 @@ TEST(ExperimentFile, TheShippedOneIsLikeThePapers) {
   for (const PlannedRun& each : experiment.runs) {
     fit += each.validate ? 0 : 1;
     ASSERT_EQ(each.plan.channels.size(), 1u);
-    EXPECT_EQ(each.plan.channels[0].quantity, ChannelKind::bending_angle);
+    EXPECT_EQ(each.plan.channels[0].kind, ChannelKind::bending_angle);
   }
   EXPECT_EQ(fit, 10u);
   EXPECT_EQ(experiment.runs.size(), 14u);
@@ -103,9 +103,9 @@ TEST(ExperimentFile, DrivesByVoltageAndTorqueInTheirUnits) {
   EXPECT_EQ(std::get<StepShape>(torque.input).after, 0.003);
   ASSERT_EQ(torque.plan.channels.size(), 3u);
   EXPECT_EQ(torque.plan.channels[1].name, "theta2_rad");
-  EXPECT_EQ(torque.plan.channels[1].quantity, ChannelKind::joint_angle);
+  EXPECT_EQ(torque.plan.channels[1].kind, ChannelKind::joint_angle);
   EXPECT_EQ(torque.plan.channels[1].joint, 1);
-  EXPECT_EQ(torque.plan.channels[2].quantity, ChannelKind::joint_rate);
+  EXPECT_EQ(torque.plan.channels[2].kind, ChannelKind::joint_rate);
   const PlannedRun voltage = only_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "drive": "voltage",
       "input": {"step": {"after_V": 4, "at_s": 0.2}}})");
   EXPECT_EQ(std::get<StepShape>(voltage.input).after, 4.0);
@@ -125,7 +125,7 @@ TEST(ExperimentFile, PlansBenches) {
   EXPECT_EQ(stiffness.angles.size(), 3u);
   EXPECT_TRUE(stiffness.inputs.empty());
   const auto force = only_run(R"({"file": "a.csv", "role": "fit", "kind": "blocked_force", "currents_A": [1]})").plan;
-  EXPECT_EQ(force.channels[0].quantity, ChannelKind::force);
+  EXPECT_EQ(force.channels[0].kind, ChannelKind::force);
   const PlannedRun heat = only_run(R"({"file": "a.csv", "role": "fit", "kind": "temperature", "duration_s": 60,
       "sampling_rate_Hz": 1, "input": {"hold": {"level_A": 1, "from_s": 0, "until_s": 30}}})");
   EXPECT_EQ(heat.plan.channels[0].name, "temperature_degC");

@@ -46,13 +46,13 @@ TEST(RunFile, ReadsEveryMeasuredColumnOfATransient) {
   EXPECT_THAT(run.inputs, ElementsAre(ElementsAre(1.4, -0.7), ElementsAre(1.3, -0.6)));
   ASSERT_EQ(run.channels.size(), 4u);
   EXPECT_EQ(run.channels[0].name, "bending_angle_deg");
-  EXPECT_EQ(run.channels[0].quantity, ChannelKind::bending_angle);
+  EXPECT_EQ(run.channels[0].kind, ChannelKind::bending_angle);
   EXPECT_THAT(run.channels[0].values, ElementsAre(DoubleEq(41.5 * degree), DoubleEq(47.5 * degree)));
   EXPECT_EQ(run.channels[2].name, "theta2_rad");
-  EXPECT_EQ(run.channels[2].quantity, ChannelKind::joint_angle);
+  EXPECT_EQ(run.channels[2].kind, ChannelKind::joint_angle);
   EXPECT_EQ(run.channels[2].joint, 1);
   EXPECT_THAT(run.channels[2].values, ElementsAre(0.2, 0.25));
-  EXPECT_EQ(run.channels[3].quantity, ChannelKind::joint_rate);
+  EXPECT_EQ(run.channels[3].kind, ChannelKind::joint_rate);
   EXPECT_THAT(run.channels[3].values, ElementsAre(DoubleEq(90.0 * degree), DoubleEq(45.0 * degree)));
   EXPECT_EQ(run.samples(), 2u);
 }
@@ -72,11 +72,11 @@ TEST(RunFile, ReadsTheBenches) {
   EXPECT_THAT(run.times, IsEmpty());
   run = run_of("torque_Nm,angle_rad\n0.0175,0.6\n", RunKind::joint_stiffness);
   EXPECT_THAT(run.angles, ElementsAre(0.6));
-  EXPECT_EQ(run.channels[0].quantity, ChannelKind::torque);
+  EXPECT_EQ(run.channels[0].kind, ChannelKind::torque);
   EXPECT_THAT(run.channels[0].values, ElementsAre(0.0175));
   EXPECT_THAT(run.inputs, IsEmpty());
   run = run_of("current_A,force_N\n0.9,0.135\n1.4,0.21\n", RunKind::blocked_force);
-  EXPECT_EQ(run.channels[0].quantity, ChannelKind::force);
+  EXPECT_EQ(run.channels[0].kind, ChannelKind::force);
   EXPECT_THAT(run.inputs, ElementsAre(ElementsAre(0.9), ElementsAre(1.4)));
   EXPECT_THAT(run.channels[0].values, ElementsAre(0.135, 0.21));
 }
@@ -84,7 +84,7 @@ TEST(RunFile, ReadsTheBenches) {
 TEST(RunFile, KeepsTemperaturesInDegreesCelsius) {
   const auto run =
       run_of("time_s,current_A,temperature_degC\n0,0.7,23.4\n0.7,0.7,23.6\n2,0.7,24.1\n", RunKind::temperature);
-  EXPECT_EQ(run.channels[0].quantity, ChannelKind::temperature);
+  EXPECT_EQ(run.channels[0].kind, ChannelKind::temperature);
   EXPECT_THAT(run.channels[0].values, ElementsAre(23.4, 23.6, 24.1));
   EXPECT_THAT(run.times, ElementsAre(0.0, 0.7, 2.0));
 }

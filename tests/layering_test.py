@@ -16,7 +16,7 @@ ROOMS = {
     "winding": "",
     "mechanics": "",
     "thermal": "",
-    "actuator": "magnetics winding mechanics thermal",
+    "actuator": "units magnetics winding mechanics thermal",
     "simulation": "actuator",
     "systems": "simulation",
     "sizing": "simulation",

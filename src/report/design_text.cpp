@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/units/unit.hpp"
 #include "report/text_table.hpp"
 
 namespace coilwright::report {
@@ -50,7 +51,7 @@ std::string what_is_in_the_way(const Study& study, const Evaluation& evaluation)
   for (const auto& [negative, i] : broken)
     texts.push_back(fmt::format("{} broken by {:.4g} {}", name_of(study.limits[i]),
                                 -formats::margin_of(study.limits[i], evaluation.constraints[i]),
-                                readable_unit(formats::difference_unit(study.limits[i].quantity.name))));
+                                readable_unit(units::difference_unit(study.limits[i].quantity.name).suffix)));
   for (std::string& text : texts) text.erase(text.find_last_not_of(' ') + 1);
   return fmt::format("{}", fmt::join(texts, ", "));
 }

@@ -18,7 +18,6 @@
 namespace coilwright::report {
 namespace {
 
-using formats::difference_unit_of;
 using formats::error_unit;
 using formats::EstimateInUnit;
 using formats::ids;
@@ -234,7 +233,7 @@ std::string noise_text(const Diagnosis& diagnosis) {
   }
   TextTable table;
   for (const auto& [name, channel] : channels) {
-    const units::Unit unit = difference_unit_of(name);
+    const units::Unit unit = units::difference_unit(name);
     const std::string most = in_unit_text(channel.most, unit);
     const std::string range = channel.least == channel.most
                                   ? most

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace coilwright::units {
@@ -138,6 +139,12 @@ std::optional<NameWithUnit> split_unit(std::string_view name) noexcept {
   return NameWithUnit{name.substr(0, name.size() - longest->suffix.size() - 1), *longest};
 }
 
+Unit difference_unit(std::string_view name) noexcept {
+  const auto split = split_unit(name);
+  if (!split) return {.suffix = "", .dimension = ""};
+  return split->unit.offset == 0.0 ? split->unit : Unit{.suffix = "K", .dimension = split->unit.dimension};
+}
+
 double to_si(double value, const Unit& unit) noexcept {
   return value * unit.numerator / unit.denominator + unit.offset;
 }
@@ -155,6 +162,21 @@ double from_si(double value, const Unit& unit) noexcept {
 double from_si(double value, std::string_view name) noexcept {
   const auto split = split_unit(name);
   return split ? from_si(value, split->unit) : value;
+}
+
+double to_memory(double value, std::string_view name) noexcept {
+  return to_si(value, difference_unit(name));
+}
+
+double from_memory(double value, std::string_view name) noexcept {
+  const Unit unit = difference_unit(name);
+  const double nearest = from_si(value, unit);
+  if (to_si(nearest, unit) == value) return nearest;
+  // A factor such as pi/180 rounds twice on the way to SI: the number that was read may lie right beside the quotient.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double beside : {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)})
+    if (to_si(beside, unit) == value) return beside;
+  return nearest;
 }
 
 }  // namespace coilwright::units

@@ -71,13 +71,11 @@ TEST(Score, CountsTrueValuesInsideIntervals) {
   answer.hidden[0].numbers = {
       {.key = "torque_Nmm", .value = 0.2}, {.key = "range_deg", .value = 10.0}, {.key = "side", .value = 1.0}};
   Diagnosis diagnosis = diagnosed(Verdict::explained, {"friction"});
-  diagnosis.effects[0].parameters = {
-      {.key = "torque_Nmm", .denominator = 1e3, .value = 0.21e-3, .lower = 0.19e-3, .upper = 0.23e-3},
-      {.key = "range_deg", .denominator = 57.3, .value = 0.3, .lower = 0.28, .upper = 0.32},
-      {.key = "side", .value = 1.0, .lower = 0.0, .upper = 0.5}};
-  diagnosis.calibration = {
-      {.key = "joint_stiffness_Nmm_rad", .denominator = 1e3, .value = 0.0124, .lower = 0.0123, .upper = 0.0126},
-      {.key = "joint_damping_Nmms_rad", .denominator = 1e3, .value = 2e-4, .lower = 1.9e-4, .upper = 2.1e-4}};
+  diagnosis.effects[0].parameters = {{.key = "torque_Nmm", .value = 0.21e-3, .lower = 0.19e-3, .upper = 0.23e-3},
+                                     {.key = "range_deg", .value = 0.3, .lower = 0.28, .upper = 0.32},
+                                     {.key = "side", .value = 1.0, .lower = 0.0, .upper = 0.5}};
+  diagnosis.calibration = {{.key = "joint_stiffness_Nmm_rad", .value = 0.0124, .lower = 0.0123, .upper = 0.0126},
+                           {.key = "joint_damping_Nmms_rad", .value = 2e-4, .lower = 1.9e-4, .upper = 2.1e-4}};
   Outcome outcome = score(asked, answer, diagnosis);
   EXPECT_EQ(outcome.effect_intervals.of, 2);  // a side has none
   EXPECT_EQ(outcome.effect_intervals.hits, 1);

@@ -45,9 +45,8 @@ class Push final : public actuator::DescribedEffect {
                          .description = "something pushes on, the harder the faster it goes",
                          .equation = "q += c rate |rate|",
                          .source = "this test",
-                         .parameters = {{.key = "push_Nms2_rad2",
+                         .parameters = {{.key = "push_Nmms2_rad2",
                                          .text = "torque over squared rate",
-                                         .denominator = 1e3,
                                          .lower = 0.0,
                                          .upper = std::numeric_limits<double>::infinity(),
                                          .absent = 0.0}}}) {}
@@ -75,7 +74,7 @@ std::string slide_file(const std::string& effects) {
          effects + "]}";
 }
 
-const std::string declared_push = R"({"id": "push", "parameters": {"push_Nms2_rad2": 250}})";
+const std::string declared_push = R"({"id": "push", "parameters": {"push_Nmms2_rad2": 250}})";
 
 TEST(OwnEffect, IsReadWhereTheReaderKnowsIt) {
   const auto file = formats::parse_actuator(slide_file(declared_push), "a.json", own_effects());
@@ -84,7 +83,7 @@ TEST(OwnEffect, IsReadWhereTheReaderKnowsIt) {
   EXPECT_EQ(effects.front().kind, &push);
   EXPECT_EQ(effects.front().values, std::vector{0.25});
   EXPECT_THROW((void)formats::parse_actuator(slide_file(declared_push), "a.json"), std::runtime_error);
-  EXPECT_EQ(formats::parse_effect("push:push_Nms2_rad2=250", own_effects()).kind, &push);
+  EXPECT_EQ(formats::parse_effect("push:push_Nmms2_rad2=250", own_effects()).kind, &push);
 }
 
 TEST(OwnEffect, IsFoundInMeasuredMotionAndWrittenIntoTheActuator) {

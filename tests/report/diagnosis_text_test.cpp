@@ -87,7 +87,7 @@ TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {
   compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
   estimate.upper = infinity;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at least 0.58 (95 %)"));
-  estimate = {.key = estimate.key, .denominator = 1e3, .value = 0.61e-3, .lower = -infinity, .upper = 0.64e-3};
+  estimate = {.key = estimate.key, .value = 0.61e-3, .lower = -infinity, .upper = 0.64e-3};
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at most 0.64 (95 %)"));
   estimate.determined = false;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  not determined by these data"));

@@ -38,10 +38,9 @@ struct RigScale {
 
 /// One number of an effect.
 struct EffectParameter {
-  std::string_view key;      ///< as files write it, unit at its end: "torque_Nmm"; no unit for a pure number
-  std::string_view text;     ///< what it is, one line
-  double denominator = 1.0;  ///< SI value = value in the key's unit / denominator
-  double lower{};            ///< physical bounds, SI, inclusive; may be infinite
+  std::string_view key;   ///< as files write it, unit at its end: "torque_Nmm"; no unit for a pure number
+  std::string_view text;  ///< what it is, one line
+  double lower{};         ///< physical bounds, SI, inclusive; may be infinite
   double upper{};
   /// The value at which the effect is not there, SI. Nothing for a shape (a time constant, a range) that means nothing
   /// without the effect's other parameter.

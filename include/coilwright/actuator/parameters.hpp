@@ -13,11 +13,10 @@ enum class ParameterRule { positive, not_negative, at_least_one, any };
 /// One number of a Design as files write it: the one table that the reader, the writer and a study's variables share.
 struct Parameter {
   std::string_view section;  ///< object of the actuator file: "coil", "magnet", "body", "surroundings", "calibration"
-  std::string_view key;      ///< key in that object, unit at its end
+  std::string_view key;      ///< key in that object, its unit (units::to_memory) at its end
   std::string_view name;     ///< name among all parameters, unit at its end: what a study's variable is called
   bool whole{};              ///< a whole number
   ParameterRule rule{};
-  double denominator = 1.0;                ///< SI value = value in the key's unit / denominator
   double (*get)(const Design&) = nullptr;  ///< SI
   void (*set)(Design&, double) = nullptr;  ///< SI
 };

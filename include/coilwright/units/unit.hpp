@@ -30,6 +30,10 @@ struct NameWithUnit {
 /// Takes the longest unit off the end of `name` (`omega_deg_s` is in deg/s, not in s); nothing when there is none.
 [[nodiscard]] std::optional<NameWithUnit> split_unit(std::string_view name) noexcept;
 
+/// The unit of a difference between two values under `name`: the name's unit, but K for degC. A name without a unit has
+/// none: an empty suffix, and its values are left as they are.
+[[nodiscard]] Unit difference_unit(std::string_view name) noexcept;
+
 /// `value`, given in `unit`, in SI (radians, kelvin).
 [[nodiscard]] double to_si(double value, const Unit& unit) noexcept;
 
@@ -40,5 +44,12 @@ struct NameWithUnit {
 /// from_si() with the unit taken from the name under which the value is written, `from_si(0.0099, "gap_mm")`; a name
 /// without a unit leaves the value as it is.
 [[nodiscard]] double from_si(double value, std::string_view name) noexcept;
+
+/// `value`, written under `name`, as memory keeps the numbers of a model: in SI and radians, but a temperature in degC
+/// stays in degC. A name without a unit leaves the value as it is.
+[[nodiscard]] double to_memory(double value, std::string_view name) noexcept;
+
+/// The way back, with the digits of from_si(). What to_memory() gave is found again to the bit, whatever its digits.
+[[nodiscard]] double from_memory(double value, std::string_view name) noexcept;
 
 }  // namespace coilwright::units

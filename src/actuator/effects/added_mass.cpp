@@ -20,7 +20,6 @@ class AddedMass final : public DescribedEffect {
                          .source = "point mass at a link's centre of mass; definition",
                          .parameters = {{.key = "mass_g",
                                          .text = "besides the declared mass of the last link",
-                                         .denominator = milli,
                                          .lower = 0.0,
                                          .upper = std::numeric_limits<double>::infinity(),
                                          .absent = 0.0}}}) {}

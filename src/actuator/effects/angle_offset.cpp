@@ -25,7 +25,6 @@ class AngleOffset final : public DescribedEffect {
                          .source = "definition",
                          .parameters = {{.key = "angle_deg",
                                          .text = "shown at angle zero",
-                                         .denominator = degrees,
                                          .lower = -10.0 / degrees,
                                          .upper = 10.0 / degrees,
                                          .absent = 0.0}}}) {}

@@ -14,7 +14,6 @@ class BaseTilt final : public DescribedEffect {
                          .source = "definition; mechanics::PlanarChain",
                          .parameters = {{.key = "angle_deg",
                                          .text = "of the whole chain towards opening, besides the declared tilt",
-                                         .denominator = degrees,
                                          .lower = -45.0 / degrees,
                                          .upper = 45.0 / degrees,
                                          .absent = 0.0}}}) {}

@@ -45,7 +45,6 @@ class CoilLag final : public DescribedEffect {
              .source = "L i' + R i = u, T = L/R",
              .parameters = {{.key = "time_constant_ms",
                              .text = "of the current's answer to a step",
-                             .denominator = milli,
                              .lower = 0.0,
                              .upper = 1.0,
                              .absent = 0.0}}}) {}

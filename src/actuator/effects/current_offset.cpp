@@ -25,7 +25,6 @@ class CurrentOffset final : public DescribedEffect {
                          .source = "definition",
                          .parameters = {{.key = "current_mA",
                                          .text = "current of every coil at no command",
-                                         .denominator = milli,
                                          .lower = -5.0,
                                          .upper = 5.0,
                                          .absent = 0.0}}}) {}

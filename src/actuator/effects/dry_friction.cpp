@@ -65,7 +65,6 @@ class DryFriction final : public DescribedEffect {
                        "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
              .parameters = {{.key = "torque_Nmm",
                              .text = "friction torque of a sliding joint, every joint",
-                             .denominator = milli,
                              .lower = 0.0,
                              .upper = std::numeric_limits<double>::infinity(),
                              .absent = 0.0}}}) {}

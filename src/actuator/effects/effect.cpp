@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "coilwright/actuator/model_spec.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -15,11 +16,11 @@ namespace {
 std::string rule_of(const EffectParameter& parameter) {
   if (!parameter.choices.empty()) {
     std::vector<double> choices(parameter.choices.begin(), parameter.choices.end());
-    for (double& choice : choices) choice *= parameter.denominator;
+    for (double& choice : choices) choice = units::from_memory(choice, parameter.key);
     return fmt::format("{}", fmt::join(choices, " or "));
   }
-  const double lower = parameter.lower * parameter.denominator;
-  const double upper = parameter.upper * parameter.denominator;
+  const double lower = units::from_memory(parameter.lower, parameter.key);
+  const double upper = units::from_memory(parameter.upper, parameter.key);
   if (std::isinf(lower) && std::isinf(upper)) return "finite";
   if (std::isinf(upper)) return fmt::format(">= {:.6g}", lower);
   if (std::isinf(lower)) return fmt::format("<= {:.6g}", upper);
@@ -65,7 +66,7 @@ void validate_effect(const Effect& effect) {
     const EffectParameter& parameter = parameters[i];
     if (!keeps_rule(parameter, effect.values[i]))
       throw std::invalid_argument(fmt::format("effect {}: {} must be {}; got {:.6g}", kind.id(), parameter.key,
-                                              rule_of(parameter), effect.values[i] * parameter.denominator));
+                                              rule_of(parameter), units::from_memory(effect.values[i], parameter.key)));
   }
 }
 

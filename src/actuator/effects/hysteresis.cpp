@@ -44,7 +44,6 @@ class Hysteresis final : public DescribedEffect {
                              "102 (1976) 249, with n = 1 and no pinching: Dahl",
                          .parameters = {{.key = "amplitude_Nmm",
                                          .text = "torque between middle and edge of the loop",
-                                         .denominator = milli,
                                          .lower = 0.0,
                                          .upper = std::numeric_limits<double>::infinity(),
                                          .absent = 0.0},

@@ -28,7 +28,6 @@ class MeasurementDelay final : public DescribedEffect {
                          .source = "definition",
                          .parameters = {{.key = "delay_ms",
                                          .text = "between motion and record",
-                                         .denominator = milli,
                                          .lower = 0.0,
                                          .upper = longest,
                                          .absent = 0.0}}}) {}

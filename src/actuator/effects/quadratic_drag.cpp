@@ -29,7 +29,6 @@ class QuadraticDrag final : public DescribedEffect {
                          .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
                          .parameters = {{.key = "drag_Nmms2_rad2",
                                          .text = "drag coefficient, every joint",
-                                         .denominator = milli,
                                          .lower = 0.0,
                                          .upper = std::numeric_limits<double>::infinity(),
                                          .absent = 0.0}}}) {}

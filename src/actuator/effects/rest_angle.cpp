@@ -15,7 +15,6 @@ class RestAngle final : public DescribedEffect {
                          .source = "linear spring with a natural angle; definition",
                          .parameters = {{.key = "angle_deg",
                                          .text = "angle at which a hinge is relaxed, every joint",
-                                         .denominator = degrees,
                                          .lower = -45.0 / degrees,
                                          .upper = 45.0 / degrees,
                                          .absent = 0.0}}}) {}

@@ -7,8 +7,7 @@
 
 namespace coilwright::actuator::effects {
 
-/// SI value = value in the key's unit / denominator (docs/units.md).
-inline constexpr double milli = 1e3;
+/// How many degrees a radian has: 5.0 / degrees is an angle of 5 degrees.
 inline constexpr double degrees = 180.0 / std::numbers::pi;
 
 /// `count` >= 2 values from `low` to `high`, equally far apart in logarithm; 0 < low. Where high <= low: low alone.

@@ -20,8 +20,7 @@ Json section_json(const Design& design, std::string_view section) {
   Json out = Json::object();
   for (const Parameter& parameter : parameters()) {
     if (parameter.section != section) continue;
-    const units::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
-    const double value = units::from_si(parameter.get(design), unit);
+    const double value = units::from_memory(parameter.get(design), parameter.key);
     out.set(std::string(parameter.key), parameter.whole ? Json(static_cast<int>(value)) : Json(value));
   }
   return out;
@@ -106,8 +105,7 @@ Json to_json(std::span<const Effect> effects) {
     Json values = Json::object();
     for (std::size_t i = 0; i < effect.values.size(); ++i) {
       const EffectParameter& parameter = effect.kind->parameters()[i];
-      const units::Unit unit{.suffix = parameter.key, .dimension = "", .denominator = parameter.denominator};
-      values.set(std::string(parameter.key), units::from_si(effect.values[i], unit));
+      values.set(std::string(parameter.key), units::from_memory(effect.values[i], parameter.key));
     }
     out.add(Json::object({{"id", effect.kind->id()}, {"parameters", std::move(values)}}));
   }

@@ -6,6 +6,7 @@
 
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/spelling.hpp"
+#include "coilwright/units/unit.hpp"
 #include "formats/actuator/design_reader.hpp"
 
 namespace coilwright::formats {
@@ -42,7 +43,7 @@ actuator::Design with_assignment(actuator::Design design, std::string_view text)
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
     throw argument_error(text, "is not a number of a design" + did_you_mean(assignment.name, names));
   }
-  parameter->set(design, value_of(text, assignment.value, *parameter) / parameter->denominator);
+  parameter->set(design, units::to_memory(value_of(text, assignment.value, *parameter), parameter->key));
   return design;
 }
 

@@ -6,6 +6,7 @@
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/dimensions.hpp"
+#include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 #include "formats/actuator/effects_reader.hpp"
 
@@ -38,7 +39,7 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
     if (parameter.whole)
       parameter.set(design, value->integer<int>(rule_of(parameter)));
     else
-      parameter.set(design, value->number(rule_of(parameter)) / parameter.denominator);
+      parameter.set(design, units::to_memory(value->number(rule_of(parameter)), parameter.key));
   }
   keys.finish();
 }

@@ -9,6 +9,7 @@
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -45,7 +46,7 @@ std::vector<double> values_of(std::string_view argument, const EffectKind& kind,
     const NameAndValue each = split_assignment(argument, list.substr(0, comma), "dry_friction:torque_Nmm=0.6");
     const std::size_t index = index_of(argument, kind, each.name);
     if (given[index]) throw argument_error(argument, in_quotes(each.name) + " must not be there twice");
-    given[index] = number_of(argument, each.value) / kind.parameters()[index].denominator;
+    given[index] = units::to_memory(number_of(argument, each.value), kind.parameters()[index].key);
     more = comma != std::string_view::npos;
     if (more) list.remove_prefix(comma + 1);
   }

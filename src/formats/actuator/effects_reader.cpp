@@ -8,6 +8,7 @@
 #include <string>
 
 #include "coilwright/text/spelling.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -32,14 +33,14 @@ double read_choice(const Node& node, const EffectParameter& parameter) {
   const double value = node.number();
   std::vector<double> choices(parameter.choices.begin(), parameter.choices.end());
   for (const double choice : choices)
-    if (value == choice * parameter.denominator) return choice;
-  for (double& choice : choices) choice *= parameter.denominator;
+    if (value == units::from_memory(choice, parameter.key)) return choice;
+  for (double& choice : choices) choice = units::from_memory(choice, parameter.key);
   throw node.error(fmt::format("must be {}", fmt::join(choices, " or ")));
 }
 
 double read_parameter(const Node& node, const EffectParameter& parameter) {
   if (!parameter.choices.empty()) return read_choice(node, parameter);
-  const double value = node.number(Rule::between(-largest_number, largest_number)) / parameter.denominator;
+  const double value = units::to_memory(node.number(Rule::between(-largest_number, largest_number)), parameter.key);
   // In SI: a bound that was written comes back as the very bound, which a rule in the file's unit may miss by a digit.
   if (value < parameter.lower || value > parameter.upper) throw node.error(rule_of(parameter).text());
   return value;
@@ -69,8 +70,8 @@ Effect read_effect(const Node& node, const EffectCatalogue& known, const std::ve
 }  // namespace
 
 Rule rule_of(const EffectParameter& parameter) {
-  const double lower = parameter.lower * parameter.denominator;
-  const double upper = parameter.upper * parameter.denominator;
+  const double lower = units::from_memory(parameter.lower, parameter.key);
+  const double upper = units::from_memory(parameter.upper, parameter.key);
   return Rule::between(std::max(lower, -largest_number), std::min(upper, largest_number));
 }
 

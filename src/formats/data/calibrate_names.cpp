@@ -6,7 +6,7 @@
 
 #include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/text/one_line.hpp"
-#include "formats/actuator/effects_reader.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 
@@ -52,29 +52,29 @@ std::optional<EffectNumber> CalibrateNames::effect_number(std::size_t i, std::sp
   return EffectNumber{.effect = *index, .parameter = static_cast<std::size_t>(found - parameters.begin())};
 }
 
-measurement::replay::CalibrationParameter calibration_parameter(std::string key, double declared, const Rule& rule,
-                                                                double denominator, double usual) {
+measurement::replay::CalibrationParameter calibration_parameter(std::string name, std::string_view key, double declared,
+                                                                const Rule& rule, double usual) {
   // Where a rule leaves out its end, as for a mass, the nearest number that still makes a model.
   constexpr double nearly_nothing = 1e-9;
   const double scale = declared != 0.0 ? std::abs(declared) : usual;
-  double lower = rule.lower() / denominator;
+  double lower = units::to_memory(rule.lower(), key);
   if (std::isfinite(lower) && !rule.allows(rule.lower())) lower += nearly_nothing * scale;
-  return {.key = std::move(key),
+  return {.key = std::move(name),
           .declared = declared,
           .lower = lower,
-          .upper = rule.upper() / denominator,
-          .scale = scale,
-          .denominator = denominator};
+          .upper = units::to_memory(rule.upper(), key),
+          .scale = scale};
 }
 
 measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,
                                                                 const actuator::Effect& effect, std::size_t parameter) {
   const actuator::EffectParameter& known = effect.kind->parameters()[parameter];
-  measurement::replay::CalibrationParameter out = calibration_parameter(
-      pointer, effect.values[parameter], rule_of(known), known.denominator, 1.0 / known.denominator);
-  out.lower = known.lower;
-  out.upper = known.upper;
-  return out;
+  const double declared = effect.values[parameter];
+  return {.key = pointer,
+          .declared = declared,
+          .lower = known.lower,
+          .upper = known.upper,
+          .scale = declared != 0.0 ? std::abs(declared) : units::to_memory(1.0, known.key)};
 }
 
 std::vector<actuator::Effect> joined(std::vector<actuator::Effect> declared,

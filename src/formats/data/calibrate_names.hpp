@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/formats/data/declared_actuator.hpp"
@@ -50,11 +51,11 @@ class CalibrateNames {
   std::set<std::string> claimed_{};
 };
 
-/// A parameter of that key and value (SI), with the bounds of `rule` (in the key's unit). `usual` is a change of it
+/// A parameter of that name and value (SI), with the bounds of `rule` in the unit of `key`. `usual` is a change of it
 /// that is usual where it is 0, SI; > 0.
-[[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(std::string key, double declared,
-                                                                              const text::Rule& rule,
-                                                                              double denominator, double usual);
+[[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(std::string name, std::string_view key,
+                                                                              double declared, const text::Rule& rule,
+                                                                              double usual);
 
 /// The same for a number of an effect that the file declares.
 [[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,

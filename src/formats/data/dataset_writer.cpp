@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/data/measured_unit.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -24,7 +24,7 @@ Json run_json(const RunWithRole& each) {
   if (run.window) out.set("window_s", *run.window);
   if (run.sigma) {
     const std::string& column = run.channels.front().name;
-    out.set("sigma", units::from_si(*run.sigma, difference_unit_of(column)));
+    out.set("sigma", units::from_memory(*run.sigma, column));
   }
   return out;
 }
@@ -69,9 +69,10 @@ void write_run(std::ostream& out, const data::Run& run) {
   for (std::size_t i = 0; i < run.samples(); ++i) {
     row.clear();
     if (!run.times.empty()) row.push_back(run.times[i]);
-    if (!run.angles.empty()) row.push_back(in_column_unit(run.angles[i], "angle_deg"));
+    if (!run.angles.empty()) row.push_back(units::from_memory(run.angles[i], "angle_deg"));
     if (!run.inputs.empty()) row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
-    for (const data::Channel& channel : run.channels) row.push_back(in_column_unit(channel.values[i], channel.name));
+    for (const data::Channel& channel : run.channels)
+      row.push_back(units::from_memory(channel.values[i], channel.name));
     for (double& value : row) value = twelve_digits(value);
     csv.row(row);
   }

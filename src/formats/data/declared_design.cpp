@@ -28,8 +28,6 @@ using actuator::ModelSpec;
 using actuator::Parameter;
 using measurement::replay::CalibrationParameter;
 
-constexpr double milli = 1e3;
-
 // What a number changes, from the cheapest to the dearest.
 enum class Touches {
   hinges,    // one value for all joints, in the model
@@ -52,7 +50,7 @@ struct Movable {
 double usual_change(const Parameter& parameter) {
   if (parameter.name == "base_tilt_deg") return 0.1;  // rad
   if (parameter.name == "gravity_m_s2") return usual_gravity;
-  return 1.0 / parameter.denominator;
+  return units::to_memory(1.0, parameter.key);
 }
 
 class Finder {
@@ -87,7 +85,7 @@ class Finder {
     names_.claim(i, {"/measured/" + key, "/calibration/" + name + "_factor"});
     const auto member = stiffness ? &Hinge::stiffness : &Hinge::damping;
     // A design's factors are > 0, and so is what they make.
-    return {.parameter = calibration_parameter(key, spec_.hinges.front().*member, positive, milli, 1.0),
+    return {.parameter = calibration_parameter(key, key, spec_.hinges.front().*member, positive, 1.0),
             .touches = Touches::hinges,
             .member = member};
   }
@@ -95,8 +93,7 @@ class Finder {
   Movable of_measured(std::size_t i, const Node& node) const {
     const auto name = units::split_unit(node.key());
     if (!name) throw names_.leads_nowhere(i);
-    const double denominator = name->unit.denominator / name->unit.numerator;
-    return {.parameter = calibration_parameter(names_.name(i), node.quantity(), positive, denominator, 1.0),
+    return {.parameter = calibration_parameter(names_.name(i), node.key(), node.quantity(), positive, 1.0),
             .touches = Touches::measured,
             .pointer = names_.name(i),
             .unit = name->unit};
@@ -107,7 +104,7 @@ class Finder {
     const bool chain = parameter.name == "gravity_m_s2" || parameter.name == "base_tilt_deg";
     Rule rule = rule_of(parameter);
     if (parameter.name == "base_tilt_deg") rule = rule.and_also(Rule::between(-180.0, 180.0));  // beyond, it repeats
-    return {.parameter = calibration_parameter(names_.name(i), parameter.get(design_), rule, parameter.denominator,
+    return {.parameter = calibration_parameter(names_.name(i), parameter.key, parameter.get(design_), rule,
                                                usual_change(parameter)),
             .touches = chain ? Touches::gravity : Touches::geometry,
             .number = &parameter};

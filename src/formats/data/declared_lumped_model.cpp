@@ -22,8 +22,6 @@ using actuator::Hinge;
 using actuator::HingePair;
 using measurement::replay::CalibrationParameter;
 
-constexpr double milli = 1e3;
-
 // Numbers of the file by their pointers, in its units.
 using Numbers = std::map<std::string, double>;
 
@@ -74,9 +72,8 @@ double usual_change(std::string_view dimension, const Sizes& sizes) {
 
 CalibrationParameter parameter_at(const std::string& pointer, std::string_view key, double declared, const Rule& rule,
                                   const Sizes& sizes) {
-  const auto name = units::split_unit(key);
-  return calibration_parameter(pointer, declared, rule, name->unit.denominator / name->unit.numerator,
-                               usual_change(name->unit.dimension, sizes));
+  return calibration_parameter(pointer, key, declared, rule,
+                               usual_change(units::split_unit(key)->unit.dimension, sizes));
 }
 
 std::string at_joint(std::size_t joint, std::string_view key) {
@@ -93,7 +90,7 @@ Movable of_all_joints(const LumpedModel& lumped, std::string_view key, double Hi
       lumped.hinges, [&](const Hinge& hinge) { return hinge.*member == lumped.hinges.front().*member; });
   if (alike) mean = lumped.hinges.front().*member;  // to the bit
   for (const Hinge& hinge : lumped.hinges) ratios.push_back(alike ? 1.0 : hinge.*member / mean);
-  return {.parameter = calibration_parameter(std::move(name), mean, non_negative, milli,
+  return {.parameter = calibration_parameter(name, name, mean, non_negative,
                                              usual_change(units::split_unit(key)->unit.dimension, sizes)),
           .set =
               [ratios, member](LumpedModel& model, double value) {

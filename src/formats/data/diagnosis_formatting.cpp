@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
@@ -32,11 +33,16 @@ std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> 
   return out;
 }
 
+std::string_view key_with_unit(std::string_view name) {
+  const std::size_t slash = name.rfind('/');
+  return slash != std::string_view::npos && text::array_index(name.substr(slash + 1)) ? name.substr(0, slash) : name;
+}
+
 EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
-  const units::Unit unit{.suffix = estimate.key, .dimension = "", .denominator = estimate.denominator};
-  return {.value = units::from_si(estimate.value, unit),
-          .lower = units::from_si(estimate.lower, unit),
-          .upper = units::from_si(estimate.upper, unit)};
+  const std::string_view key = key_with_unit(estimate.key);
+  return {.value = units::from_memory(estimate.value, key),
+          .lower = units::from_memory(estimate.lower, key),
+          .upper = units::from_memory(estimate.upper, key)};
 }
 
 }  // namespace coilwright::formats

@@ -158,7 +158,7 @@ Json residual_json(const Diagnosis& diagnosis) {
 Json noise_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const noise::NoiseLevel& each : diagnosis.noise) {
-    const units::Unit unit = difference_unit_of(each.channel);
+    const units::Unit unit = units::difference_unit(each.channel);
     out.add(Json::object({{"run", each.run},
                           {"channel", each.channel},
                           {with_unit("sigma", unit), in_unit_or_null(each.sigma, unit)},

@@ -54,16 +54,6 @@ units::Unit error_unit(ChannelKind quantity) {
   return as_it_is;
 }
 
-units::Unit difference_unit_of(std::string_view column) {
-  const auto split = units::split_unit(column);
-  if (!split) return as_it_is;
-  return split->unit.offset == 0.0 ? split->unit : unit_named("K");
-}
-
-double in_column_unit(double value, std::string_view column) {
-  return units::from_si(value, difference_unit_of(column));
-}
-
 units::Unit variable_unit(std::string_view variable) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> table = {
       {{"angle", "deg"}, {"rate", "deg_s"}, {"current", "A"}, {"time", "s"}, {"frequency", "Hz"}}};

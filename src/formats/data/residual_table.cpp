@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coilwright/formats/data/measured_unit.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -27,7 +27,7 @@ Axis axis_of(const Replay& replay) {
 
 CsvCell cell(double value, std::string_view column) {
   if (!std::isfinite(value)) return {};
-  return in_column_unit(value, column) + 0.0;  // no -0
+  return units::from_si(value, units::difference_unit(column)) + 0.0;  // no -0
 }
 
 void check(const Replay& replay) {

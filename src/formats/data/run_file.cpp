@@ -105,12 +105,6 @@ Channel channel_of(const CsvTable& table, const Measured& measured) {
   return channel;
 }
 
-// A standard deviation has the scale of its column and no zero point.
-double spread_in_si(double sigma, const std::string& column) {
-  const auto name = units::split_unit(column);
-  return name ? sigma * name->unit.numerator / name->unit.denominator : sigma;
-}
-
 std::optional<InputError> objection(const CsvTable& table, const Columns& columns) {
   std::vector<std::string> angles;
   if (columns.angles) angles.emplace_back("angle");
@@ -145,7 +139,7 @@ RunFile run_of(const CsvTable& table, const Columns& columns, const RunEntry& en
     for (std::size_t row = 0; row < values.size(); ++row) run.inputs[row].push_back(values[row]);
   }
   for (const Measured& measured : columns.measured) run.channels.push_back(channel_of(table, measured));
-  if (entry.sigma) run.sigma = spread_in_si(*entry.sigma, run.channels.front().name);
+  if (entry.sigma) run.sigma = units::to_memory(*entry.sigma, run.channels.front().name);
   return {.run = std::move(run), .objection = objection(table, columns)};
 }
 

@@ -18,17 +18,11 @@ std::string_view status_of(const Evaluation& evaluation) {
   return sizing::is_feasible(evaluation) ? "ok" : "infeasible";
 }
 
-std::string difference_unit(std::string_view quantity) {
-  const auto split = units::split_unit(quantity);
-  if (!split) return "";
-  return split->unit.offset != 0.0 ? "K" : std::string(split->unit.suffix);
-}
-
 std::string margin_column(const Limit& limit) {
   const auto split = units::split_unit(limit.quantity.name);
   const std::string_view side = limit.side == Limit::Side::at_most ? "max" : "min";
   if (!split) return fmt::format("{}_{}_margin", limit.quantity.name, side);
-  return fmt::format("{}_{}_margin_{}", split->quantity, side, difference_unit(limit.quantity.name));
+  return fmt::format("{}_{}_margin_{}", split->quantity, side, units::difference_unit(limit.quantity.name).suffix);
 }
 
 bool is_variable(const Study& study, std::string_view name) {

@@ -45,7 +45,7 @@ Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overd
 }
 
 Estimate local_estimate(const fit::FitParameter& parameter, double value, double deviation) {
-  Estimate out{.key = parameter.key, .denominator = parameter.denominator, .value = value};
+  Estimate out{.key = parameter.key, .value = value};
   out.lower = value - normal_95 * deviation;
   out.upper = value + normal_95 * deviation;
   if (out.lower < parameter.lower) out.lower = -infinity;
@@ -122,7 +122,6 @@ std::vector<Estimate> estimates_of_effect(const FittedHypothesis& fitted, const 
       out.push_back(estimates[static_cast<std::size_t>(parameters.first + (in_fit - parameters.numbers.begin()))]);
     } else {
       out.push_back({.key = std::string(number.key),
-                     .denominator = number.denominator,
                      .value = found.values[k],
                      .lower = found.values[k],
                      .upper = found.values[k],

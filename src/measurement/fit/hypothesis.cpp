@@ -20,11 +20,7 @@ double scale_of(const actuator::EffectParameter& parameter, double start) {
 Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuator::Effect> effects)
     : declared_(&declared), effects_(std::move(effects)) {
   for (const replay::CalibrationParameter& number : declared.calibration)
-    parameters_.push_back({.key = number.key,
-                           .denominator = number.denominator,
-                           .lower = number.lower,
-                           .upper = number.upper,
-                           .scale = number.scale});
+    parameters_.push_back({.key = number.key, .lower = number.lower, .upper = number.upper, .scale = number.scale});
   for (const actuator::Effect& effect : effects_) {
     EffectParameters placed{.first = size()};
     const auto numbers = effect.kind->parameters();
@@ -32,7 +28,6 @@ Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuat
       if (!numbers[i].choices.empty()) continue;
       placed.numbers.push_back(i);
       parameters_.push_back({.key = std::string(numbers[i].key),
-                             .denominator = numbers[i].denominator,
                              .lower = numbers[i].lower,
                              .upper = numbers[i].upper,
                              .scale = scale_of(numbers[i], effect.values[i])});

@@ -11,11 +11,10 @@ namespace coilwright::measurement::fit {
 
 /// A number that a fit varies.
 struct FitParameter {
-  std::string key{};         ///< with its unit, as reports write it
-  double denominator = 1.0;  ///< SI value = value in the key's unit / denominator
-  double lower{};            ///< physical lower bound, SI; may be -infinity
-  double upper{};            ///< physical upper bound, SI; may be infinity
-  double scale{};            ///< typical change, SI; > 0
+  std::string key{};  ///< with its unit, as reports write it
+  double lower{};     ///< physical lower bound, SI; may be -infinity
+  double upper{};     ///< physical upper bound, SI; may be infinity
+  double scale{};     ///< typical change, SI; > 0
 };
 
 /// The declared model with additional effects, whose numbers are fitted together with the calibration.

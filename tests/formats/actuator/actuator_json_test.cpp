@@ -9,6 +9,7 @@
 
 #include "coilwright/actuator/parameters.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/units/unit.hpp"
 #include "formats/actuator/same_bits.hpp"
 
 namespace coilwright::formats {
@@ -42,14 +43,14 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
   for (int i = 0; i < 300; ++i) {
     Design design;
     for (const actuator::Parameter& parameter : actuator::parameters()) {
-      const double value = parameter.get(design) * parameter.denominator * factor(random);
-      parameter.set(design, value / parameter.denominator);
+      const double value = units::from_memory(parameter.get(design), parameter.key) * factor(random);
+      parameter.set(design, units::to_memory(value, parameter.key));
     }
     design.coil.wire_gauge = 20 + i % 21;
     design.coil.inner_radius = 4.0 * factor(random) / 1e3;  // no bore too tight for the wire
     design.body.shore_hardness = 40.0 * factor(random);     // within Gent's relation
     const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");
-    tilt.set(design, 17.0 * factor(random) / tilt.denominator);
+    tilt.set(design, units::to_memory(17.0 * factor(random), tilt.key));
     expect_same_bits(read_back(design), design);
   }
 }
@@ -74,8 +75,8 @@ TEST(ActuatorJson, ReadsBackAsTheSameEffectsWhateverTheirNumbers) {
       for (const actuator::EffectParameter& parameter : kind->parameters()) {
         const double lower = std::max(parameter.lower, -3.0), upper = std::min(parameter.upper, 3.0);
         // Numbers that some decimal in the key's unit means; between those there are doubles that none does.
-        const double value = (lower + share(random) * (upper - lower)) * parameter.denominator;
-        effect.values.push_back(parameter.choices.empty() ? value / parameter.denominator
+        const double value = units::from_memory(lower + share(random) * (upper - lower), parameter.key);
+        effect.values.push_back(parameter.choices.empty() ? units::to_memory(value, parameter.key)
                                                           : parameter.choices[round % parameter.choices.size()]);
       }
       // The bounds themselves, too.

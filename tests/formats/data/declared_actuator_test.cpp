@@ -10,6 +10,8 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
+#include "coilwright/units/unit.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
@@ -50,6 +52,11 @@ std::vector<double> declared_values(const DeclaredActuator& actuator) {
   std::vector<double> values;
   for (const auto& parameter : actuator.model.calibration) values.push_back(parameter.declared);
   return values;
+}
+
+// One of the unit that the parameter's key names, SI.
+double si_of_one(const measurement::replay::CalibrationParameter& parameter) {
+  return units::to_memory(1.0, key_with_unit(parameter.key));
 }
 
 // Everything but curves, of which it only looks at values.
@@ -129,17 +136,17 @@ TEST(DeclaredLumpedModel, BoundsNumbersByWhatTheyCanBe) {
   const DeclaredActuator actuator = declared(lumped, every_kind);
   const auto& parameters = actuator.model.calibration;
   EXPECT_EQ(parameters[0].key, "joint_stiffness_Nmm_rad");
-  EXPECT_EQ(parameters[0].denominator, 1e3);
+  EXPECT_EQ(si_of_one(parameters[0]), 1e-3);
   EXPECT_EQ(parameters[0].lower, 0.0);
   EXPECT_EQ(parameters[0].upper, infinity);
   EXPECT_EQ(parameters[2].key, "/links/0/mass_kg");
-  EXPECT_EQ(parameters[2].denominator, 1.0);
+  EXPECT_EQ(si_of_one(parameters[2]), 1.0);
   EXPECT_GT(parameters[2].lower, 0.0);
   EXPECT_LT(parameters[2].lower, 1e-6);
   EXPECT_EQ(parameters[3].lower, -infinity);
-  EXPECT_EQ(parameters[6].denominator, 180.0 / std::numbers::pi);
+  EXPECT_EQ(si_of_one(parameters[6]), std::numbers::pi / 180.0);
   EXPECT_EQ(parameters[9].lower, 0.0);
-  EXPECT_EQ(parameters[9].denominator, 1e3);
+  EXPECT_EQ(si_of_one(parameters[9]), 1e-3);
   EXPECT_EQ(parameters[1].scale, 9.81);
   for (const auto& parameter : parameters) {
     EXPECT_GT(parameter.scale, 0.0) << parameter.key;
@@ -227,7 +234,7 @@ TEST(DeclaredDesign, IsTheModelOfTheFileAtTheDeclaredNumbers) {
   expect_same(actuator.model.build(declared_values(actuator)), assembly.model.nominal_spec());
   EXPECT_EQ(actuator.model.calibration[0].declared, assembly.model.hinges()[0].stiffness);
   EXPECT_DOUBLE_EQ(actuator.model.calibration[0].declared, 12.5e-3);
-  EXPECT_EQ(actuator.model.calibration[5].denominator, 1e3);
+  EXPECT_EQ(si_of_one(actuator.model.calibration[5]), 1e-3);
   EXPECT_EQ(actuator.model.build(declared_values(actuator)).coil_resistance, assembly.coil.resistance);
   ASSERT_TRUE(actuator.model.heat);
   EXPECT_EQ(actuator.model.heat->nodes().size(), 3u);

@@ -34,11 +34,7 @@ inline measurement::ErrorComparison comparison(measurement::data::ChannelKind ki
 // Stiff at 40 degrees, on the lower side.
 inline measurement::AddedEffect stopped() {
   return {.kind = &end_stop,
-          .parameters = {{.key = "angle_deg",
-                          .denominator = 180.0 / std::numbers::pi,
-                          .value = 40.0 * degree,
-                          .lower = 39.0 * degree,
-                          .upper = 41.0 * degree},
+          .parameters = {{.key = "angle_deg", .value = 40.0 * degree, .lower = 39.0 * degree, .upper = 41.0 * degree},
                          {.key = "side", .value = -1.0, .lower = -1.0, .upper = -1.0, .chosen = true}},
           .evidence = {}};
 }
@@ -47,14 +43,13 @@ inline measurement::AddedEffect stopped() {
 inline measurement::Diagnosis example() {
   measurement::Diagnosis diagnosis;
   diagnosis.verdict = measurement::Verdict::explained;
-  diagnosis.effects = {
-      {.kind = &dry_friction,
-       .parameters = {{.key = "torque_Nmm", .denominator = 1e3, .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
-       .evidence = {.chi_square_before = 52000.0,
-                    .chi_square_after = 12000.0,
-                    .quasi_bic_gain = 800.0,
-                    .cross_validated_gain = 0.97,
-                    .correlation_time = 4.0}}};
+  diagnosis.effects = {{.kind = &dry_friction,
+                        .parameters = {{.key = "torque_Nmm", .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
+                        .evidence = {.chi_square_before = 52000.0,
+                                     .chi_square_after = 12000.0,
+                                     .quasi_bic_gain = 800.0,
+                                     .cross_validated_gain = 0.97,
+                                     .correlation_time = 4.0}}};
   diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
   diagnosis.validate_errors = {{.kind = measurement::data::ChannelKind::bending_angle,
                                 .samples = 900,
@@ -62,8 +57,7 @@ inline measurement::Diagnosis example() {
                                 .before = degrees(1.1, 1.4, 5.0),
                                 .after = degrees(0.24, 0.30, 1.2),
                                 .noise_floor_rmse = 0.30 * degree}};
-  diagnosis.calibration = {
-      {.key = "joint_stiffness_Nmm_rad", .denominator = 1e3, .value = 12.4e-3, .lower = 12.3e-3, .upper = 12.5e-3}};
+  diagnosis.calibration = {{.key = "joint_stiffness_Nmm_rad", .value = 12.4e-3, .lower = 12.3e-3, .upper = 12.5e-3}};
   diagnosis.after = {.level = 1.01, .whiteness_ratio = 0.8, .where = "step_1.4A.csv, 20 ms"};
   return diagnosis;
 }

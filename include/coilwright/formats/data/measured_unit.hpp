@@ -14,13 +14,6 @@ namespace coilwright::formats {
 /// The unit of its errors: deg, deg_s, Nmm, N or K.
 [[nodiscard]] units::Unit error_unit(measurement::data::ChannelKind quantity);
 
-/// The unit at the end of a column's name, for differences: "torque_Nm" in Nm, "temperature_degC" in K. No unit: as it
-/// is.
-[[nodiscard]] units::Unit difference_unit_of(std::string_view column);
-
-/// An SI value as the column has it. Temperatures are in degC in memory too.
-[[nodiscard]] double in_column_unit(double value, std::string_view column);
-
 /// What the report calls a variable on which a residual may depend: {"angle", rad} is written in deg, {"current
 /// history", ...} as it is.
 [[nodiscard]] units::Unit variable_unit(std::string_view variable);

@@ -16,10 +16,6 @@ using Cells = std::vector<text::CsvCell>;
 /// "ok", "infeasible" or "failed".
 [[nodiscard]] std::string_view status_of(const sizing::Evaluation& evaluation);
 
-/// The unit at the end of a quantity's name, as a differences of it is given: "deg_s", "K" for a temperature, "" for a
-/// plain number.
-[[nodiscard]] std::string difference_unit(std::string_view quantity);
-
 /// Column of a limit's margin: "mass_max_margin_g" for mass_g <= 70, "steady_angle_min_margin_deg" for >=.
 [[nodiscard]] std::string margin_column(const sizing::Limit& limit);
 

@@ -6,13 +6,12 @@ namespace coilwright::measurement::compare {
 
 /// A fitted number.
 struct Estimate {
-  std::string key{};         ///< with its unit, as the report writes it
-  double denominator = 1.0;  ///< SI value = value in the key's unit / denominator
-  double value{};            ///< SI
-  double lower{};            ///< lower end of the 95 % interval, SI; -infinity if the data set no bound
-  double upper{};            ///< upper end, SI; infinity if the data set no bound
-  bool determined = true;    ///< false if the interval reaches a physical bound on both sides, or there is no interval
-  bool chosen = false;  ///< whether it is one of a few choices: each was tried, and the interval is the value alone
+  std::string key{};       ///< with its unit, as the report writes it
+  double value{};          ///< SI
+  double lower{};          ///< lower end of the 95 % interval, SI; -infinity if the data set no bound
+  double upper{};          ///< upper end, SI; infinity if the data set no bound
+  bool determined = true;  ///< false if the interval reaches a physical bound on both sides, or there is no interval
+  bool chosen = false;     ///< whether it is one of a few choices: each was tried, and the interval is the value alone
 };
 
 }  // namespace coilwright::measurement::compare

@@ -13,12 +13,11 @@ namespace coilwright::measurement::replay {
 
 /// A number of the declared model that may be recalibrated before its residual is judged.
 struct CalibrationParameter {
-  std::string key;           ///< as the diagnosis writes it: "joint_stiffness_Nmm_rad", "/links/0/mass_kg"
-  double declared{};         ///< value in the file, SI
-  double lower{};            ///< physical lower bound, SI; may be -infinity
-  double upper{};            ///< physical upper bound, SI; may be infinity
-  double scale{};            ///< typical change, SI; > 0 even if `declared` is 0
-  double denominator = 1.0;  ///< SI value = value in the key's unit / denominator
+  std::string key;    ///< with its unit, as the diagnosis writes it: "joint_stiffness_Nmm_rad", "/links/0/mass_kg"
+  double declared{};  ///< value in the file, SI
+  double lower{};     ///< physical lower bound, SI; may be -infinity
+  double upper{};     ///< physical upper bound, SI; may be infinity
+  double scale{};     ///< typical change, SI; > 0 even if `declared` is 0
 };
 
 /// The model that the user declares, with the numbers that may be recalibrated.

@@ -101,10 +101,10 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
   add_study_options(*command, *options);
   add_search_options(*command, *options);
   command->footer(
-      "Writes result.json (everything that is printed, and more), actuator.json (the design, which every other\n"
-      "command reads) and evaluations.csv (every design that was evaluated). If no design keeps all limits, the\n"
-      "least infeasible design is written and the exit code is 3. Ctrl-C writes what was found so far; the exit\n"
-      "code is then 130.\n\n"
+      "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
+      "evaluate and simulate) and evaluations.csv (every design that was evaluated). If no design keeps all\n"
+      "limits, the least infeasible design is written and the exit code is 3. Ctrl-C writes what was found so\n"
+      "far; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
   command->callback([options, &outcome] { outcome.code = run_size(*options); });

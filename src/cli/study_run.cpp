@@ -1,11 +1,14 @@
 #include "study_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <iostream>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -14,6 +17,12 @@
 
 namespace coilwright::cli {
 namespace {
+
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  for (const sizing::Algorithm algorithm : sizing::algorithms()) names.push_back(sizing::name_of(algorithm));
+  return names;
+}
 
 std::string algorithm_complaint(const std::string& name) {
   try {
@@ -43,7 +52,8 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
       ->check(number_rule(text::Rule::between(1, 1e9)));
   command
       .add_option("--algorithm", options.algorithm,
-                  "Search algorithm, automatic or one of NLopt's; overrides the study's (default automatic)")
+                  fmt::format("Search algorithm; overrides the study's (default automatic). One of {}",
+                              fmt::join(algorithm_names(), ", ")))
       ->check(CLI::Validator(algorithm_complaint, ""));
 }
 

@@ -41,15 +41,15 @@ std::string objective_text(const sizing::StudyObjective& objective) {
                      objective.quantity.name);
 }
 
-std::string what_is_in_the_way(const Study& study, const Evaluation& evaluation) {
+std::string reasons_for_infeasibility(const Study& study, const Evaluation& evaluation) {
   if (!evaluation.failure.empty()) return evaluation.failure;
-  std::vector<std::pair<double, std::size_t>> broken;
+  std::vector<std::pair<double, std::size_t>> violated;
   for (std::size_t i = 0; i < evaluation.constraints.size(); ++i)
-    if (evaluation.constraints[i] > 0.0) broken.emplace_back(-evaluation.constraints[i], i);
-  std::ranges::sort(broken);
+    if (evaluation.constraints[i] > 0.0) violated.emplace_back(-evaluation.constraints[i], i);
+  std::ranges::sort(violated);
   std::vector<std::string> texts;
-  for (const auto& [negative, i] : broken)
-    texts.push_back(fmt::format("{} broken by {:.4g} {}", name_of(study.limits[i]),
+  for (const auto& [negative, i] : violated)
+    texts.push_back(fmt::format("{} violated by {:.4g} {}", name_of(study.limits[i]),
                                 -formats::margin_of(study.limits[i], evaluation.constraints[i]),
                                 readable_unit(units::difference_unit(study.limits[i].quantity.name).suffix)));
   for (std::string& text : texts) text.erase(text.find_last_not_of(' ') + 1);

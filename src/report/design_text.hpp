@@ -17,7 +17,8 @@ namespace coilwright::report {
 /// "maximise peak_bending_speed_deg_s".
 [[nodiscard]] std::string objective_text(const sizing::StudyObjective& objective);
 
-/// The failure, or the limits that are broken and by how much, worst first.
-[[nodiscard]] std::string what_is_in_the_way(const sizing::Study& study, const sizing::Evaluation& evaluation);
+/// Why a design is not feasible: its failure, or the limits that it violates and by how much, worst first. Empty for a
+/// feasible design.
+[[nodiscard]] std::string reasons_for_infeasibility(const sizing::Study& study, const sizing::Evaluation& evaluation);
 
 }  // namespace coilwright::report

@@ -34,13 +34,13 @@ std::string table_of(const Study& study, const ParetoResult& result) {
 }
 
 std::string nearest_text(const Study& study, const ParetoResult& result) {
-  if (!result.least_infeasible) return "Nothing was evaluated.\n";
+  if (!result.least_infeasible) return "No design was evaluated.\n";
   TextTable table;
   const std::vector<std::string> values = variable_texts(study, result.least_infeasible->point);
   for (std::size_t i = 0; i < values.size(); ++i) table.row({name_of(study.variables[i]), values[i]});
-  return "No design found keeps every limit. The least infeasible one\n" +
+  return "No design that was found keeps every limit. The least infeasible one\n" +
          table.text(2, {TextTable::Align::left, TextTable::Align::right}) +
-         fmt::format("In the way: {}\n", what_is_in_the_way(study, result.least_infeasible->evaluation));
+         fmt::format("It is not feasible: {}\n", reasons_for_infeasibility(study, result.least_infeasible->evaluation));
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ std::string to_text(const Study& study, const ParetoResult& result) {
   for (const StudyObjective& objective : study.objectives)
     text += (&objective == &study.objectives.front() ? " " : ", ") + objective_text(objective);
   text += "\n\n" + (result.front.empty() ? nearest_text(study, result) : table_of(study, result));
-  return text + fmt::format("\n{} designs on the front. Stopped because {}: {} evaluations; {}.\n", result.front.size(),
-                            meaning_of(result.stop_reason), result.evaluations,
+  return text + fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.\n",
+                            result.front.size(), meaning_of(result.stop_reason), result.evaluations,
                             to_text(formats::counts_of(result.archive)));
 }
 

@@ -5,18 +5,18 @@
 namespace coilwright::report {
 
 std::string to_text(const formats::ArchiveCounts& counts) {
-  return fmt::format("{} kept every limit, {} did not, {} could not be evaluated", counts.ok, counts.infeasible,
+  return fmt::format("{} keep every limit, {} do not, and {} could not be evaluated", counts.ok, counts.infeasible,
                      counts.failed);
 }
 
 std::string_view meaning_of(sizing::StopReason reason) {
   switch (reason) {
     case sizing::StopReason::evaluation_limit:
-      return "the evaluations allowed were made";
+      return "the limit of evaluations was reached";
     case sizing::StopReason::space_exhausted:
-      return "every design there is was evaluated";
+      return "every design of the space was evaluated";
     case sizing::StopReason::converged:
-      return "the algorithm saw nothing left to gain";
+      return "the algorithm converged";
     case sizing::StopReason::interrupted:
       return "it was interrupted";
   }

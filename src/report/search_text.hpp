@@ -7,10 +7,10 @@
 
 namespace coilwright::report {
 
-/// "1200 kept every limit, 700 did not, 100 could not be evaluated".
+/// "1200 keep every limit, 700 do not, and 100 could not be evaluated".
 [[nodiscard]] std::string to_text(const formats::ArchiveCounts& counts);
 
-/// "the evaluations allowed were made" for StopReason::evaluation_limit.
+/// "the limit of evaluations was reached" for StopReason::evaluation_limit.
 [[nodiscard]] std::string_view meaning_of(sizing::StopReason reason);
 
 }  // namespace coilwright::report

@@ -33,15 +33,15 @@ std::string range_ends_text(const formats::SizeReport& report) {
   std::vector<std::string> names;
   for (const formats::RangeEnd& each : formats::range_ends(report))
     names.push_back(fmt::format("{} ({})", name_of(report.study.variables[each.variable]), each.end));
-  return names.empty() ? "" : fmt::format("\nAt the end of its range: {}\n", fmt::join(names, ", "));
+  return names.empty() ? "" : fmt::format("\nVariables at an end of their range: {}\n", fmt::join(names, ", "));
 }
 
 std::string headline(const formats::SizeReport& report) {
   const Study& study = report.study;
   std::string text = fmt::format("{}: {}\n\n", study.name, objective_text(study.objectives.front()));
-  if (!report.result.best) return text + "Nothing was evaluated.\n";
+  if (!report.result.best) return text + "No design was evaluated.\n";
   if (report.result.feasible) return text + "Best design";
-  return text + "No design found keeps every limit. The least infeasible one";
+  return text + "No design that was found keeps every limit. The least infeasible one";
 }
 
 // Variables with their value in the actuator that the study starts from, where it has one.
@@ -58,21 +58,21 @@ std::string objective_lines(const formats::SizeReport& report) {
   const simulation::ResultQuantity& quantity = report.study.objectives.front().quantity;
   std::string text;
   if (!best.failure.empty()) {
-    text = fmt::format("\nIt cannot be evaluated: {}\n", best.failure);
+    text = fmt::format("\nThis design cannot be evaluated: {}\n", best.failure);
   } else {
     text = fmt::format("\n{} {}\n", quantity.name, short_number(best.objectives.front()));
   }
   if (report.best)
     if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
-      text += fmt::format("at {} A in every coil, duty {}\n", short_number(evaluated->point.current),
+      text += fmt::format("with {} A in every coil, duty {}\n", short_number(evaluated->point.current),
                           short_number(evaluated->point.duty));
   if (report.base_seen.failure.empty()) {
-    const std::string in_the_way = what_is_in_the_way(report.study, report.base_seen);
-    text += fmt::format(
-        "the actuator as given, at {} A: {}{}\n", short_number(std::get<EvaluatedDesign>(report.base).point.current),
-        short_number(report.base_seen.objectives.front()), in_the_way.empty() ? "" : " (" + in_the_way + ")");
+    const std::string reasons = reasons_for_infeasibility(report.study, report.base_seen);
+    text += fmt::format("for comparison, the study's own actuator with {} A: {}{}\n",
+                        short_number(std::get<EvaluatedDesign>(report.base).point.current),
+                        short_number(report.base_seen.objectives.front()), reasons.empty() ? "" : " (" + reasons + ")");
   } else {
-    text += fmt::format("the actuator as given: none ({})\n", report.base_seen.failure);
+    text += fmt::format("for comparison, the study's own actuator cannot be evaluated: {}\n", report.base_seen.failure);
   }
   return text;
 }
@@ -85,10 +85,10 @@ std::string limits_text(const formats::SizeReport& report) {
   for (std::size_t i = 0; i < study.limits.size(); ++i) {
     const Limit& limit = study.limits[i];
     const double margin = formats::margin_of(limit, best.constraints[i]);
-    std::string remark = margin < 0.0 ? "broken" : "";
+    std::string remark = margin < 0.0 ? "violated" : "";
     for (const BindingConstraint& binding : report.result.sensitivity.binding) {
       if (binding.name != name_of(limit)) continue;
-      remark = binding.at_limit ? "at its limit" : "stops a better step";
+      remark = binding.at_limit ? "at its limit" : "violated by a step that improves the objective";
     }
     table.row({name_of(limit), short_number(formats::value_behind(limit, best.constraints[i])),
                margin_text(margin, limit.quantity), remark});
@@ -100,15 +100,15 @@ std::string limits_text(const formats::SizeReport& report) {
 std::string relaxations_text(const formats::SizeReport& report) {
   const Study& study = report.study;
   const std::vector<BindingConstraint>& bindings = report.result.sensitivity.binding;
-  // Without steps the surroundings were not looked at: interrupted, or nothing can vary.
+  // Without steps there is no analysis: the search was interrupted, or nothing can vary.
   if (!report.result.feasible || report.result.sensitivity.steps.empty()) return {};
   if (bindings.empty()) return "\nNo limit binds.\n";
-  std::string text = "\nWhat a limit costs\n";
+  std::string text = "\nGain if one limit is relaxed\n";
   for (const BindingConstraint& binding : bindings) {
     const Limit& limit = formats::limit_named(study, binding.name);
     const std::string change = binding.objective_change
                                    ? in_unit(*binding.objective_change, study.objectives.front().quantity)
-                                   : std::string("nothing better found");
+                                   : std::string("no better design found");
     text += fmt::format("  {} relaxed to {}: {}\n", binding.name, short_number(formats::relaxed(limit, binding).value),
                         change);
   }
@@ -124,13 +124,15 @@ std::string steps_text(const formats::SizeReport& report) {
     const std::string change = step.objective_change
                                    ? in_unit(*step.objective_change, report.study.objectives.front().quantity)
                                    : std::string("-");
-    const std::string broken = step.violates.empty() ? "" : fmt::format("breaks {}", fmt::join(step.violates, ", "));
-    const std::string remark = step.objective_change ? broken : fmt::format("{}", fmt::join(step.violates, ", "));
+    const std::string violated =
+        step.violates.empty() ? "" : fmt::format("violates {}", fmt::join(step.violates, ", "));
+    const std::string remark = step.objective_change ? violated : fmt::format("{}", fmt::join(step.violates, ", "));
     table.row(
         {step.variable, value_text(variable, step.from) + " -> " + value_text(variable, step.to), change, remark});
   }
-  return "\nWhat one step does\n" + table.text(2, {TextTable::Align::left, TextTable::Align::left,
-                                                   TextTable::Align::right, TextTable::Align::left});
+  return "\nChange of the objective by one step of one variable\n" +
+         table.text(2,
+                    {TextTable::Align::left, TextTable::Align::left, TextTable::Align::right, TextTable::Align::left});
 }
 
 }  // namespace
@@ -143,13 +145,13 @@ std::string to_text(const formats::SizeReport& report) {
             range_ends_text(report) + steps_text(report);
     if (report.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
-        text += "\nAll of it\n" + to_text(evaluated->view(), report.study.quantities);
+        text += "\nAll quantities of this design\n" + to_text(evaluated->view(), report.study.quantities);
   }
-  text +=
-      fmt::format("\nStopped because {}: {} evaluations", meaning_of(result.stop_reason), result.search_evaluations);
+  text += fmt::format("\nThe search ended because {}. It evaluated {} designs", meaning_of(result.stop_reason),
+                      result.search_evaluations);
   if (result.sensitivity_evaluations > 0)
-    text += fmt::format(" and {} around the answer", result.sensitivity_evaluations);
-  return text + fmt::format("; {}.\n", to_text(formats::counts_of(result.archive)));
+    text += fmt::format(", and {} more around the best one", result.sensitivity_evaluations);
+  return text + fmt::format(": {}.\n", to_text(formats::counts_of(result.archive)));
 }
 
 }  // namespace coilwright::report

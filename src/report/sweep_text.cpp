@@ -16,11 +16,12 @@ namespace {
 using sizing::Study;
 using sizing::SweptDesign;
 
-// What the design at `first` is best for, and where the leaders after it are the same design: that too.
-std::string verdict(const Study& study, std::span<const sizing::Leader> leaders, std::size_t first) {
+// The objectives in which the design at `first` is best, also where the leaders after it are the same design; for an
+// infeasible design what it violates.
+std::string best_for(const Study& study, std::span<const sizing::Leader> leaders, std::size_t first) {
   const SweptDesign& design = leaders[first].design;
   if (!sizing::is_feasible(design.evaluation))
-    return "nothing feasible; nearest: " + what_is_in_the_way(study, design.evaluation);
+    return "none is feasible; the nearest: " + reasons_for_infeasibility(study, design.evaluation);
   std::string text;
   for (std::size_t i = first; i < leaders.size() && leaders[i].design.index == design.index; ++i)
     text += (text.empty() ? "" : ", ") + study.objectives[leaders[i].objective].quantity.name;
@@ -46,7 +47,7 @@ std::string to_text(const formats::SweepReport& report) {
       if (formats::is_variable(study, study.objectives[i].quantity.name)) continue;
       row.push_back(evaluation.failure.empty() ? short_number(evaluation.objectives[i]) : "-");
     }
-    row.push_back(verdict(study, leaders, k));
+    row.push_back(best_for(study, leaders, k));
     table.row(std::move(row));
   }
   std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);

@@ -90,7 +90,7 @@ class Pareto(ProgramTest):
         self.assertEqual(self.table("out/front.csv"), [])
         self.assertEqual(answer["least_infeasible"]["violated"], ["mass_g <= 40"])
         self.assertIsNone(answer["hypervolume"])
-        self.assertRegex(text, r"In the way: mass_g <= 40 broken by [\d.]+ g\n")
+        self.assertRegex(text, r"It is not feasible: mass_g <= 40 violated by [\d.]+ g\n")
 
     def test_one_objective_is_refused(self):
         write_study(self)

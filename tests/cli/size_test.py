@@ -80,7 +80,7 @@ class Size(ProgramTest):
         given = run("evaluate", "finger.json", "--current", repr(0.9 * 1.4), "--duty", "0.5", "--json", cwd=self.folder)
         self.assertEqual(base["objectives"]["peak_bending_speed_deg_s"],
                          json.loads(given.stdout)["peak_bending_speed_deg_s"])
-        self.assertIn("mass_g <= 66 broken by", text.split("the actuator as given, at")[1].splitlines()[0])
+        self.assertIn("mass_g <= 66 violated by", text.split("the study's own actuator with")[1].splitlines()[0])
 
     def test_a_current_may_be_a_variable_and_needs_no_operating_point(self):
         write_study(self, operating_point=None, variables={"current_A": {"lower": 0.3, "upper": 1.6}},
@@ -108,7 +108,7 @@ class Size(ProgramTest):
         answer = self.result("out/result.json")
         self.assertFalse(answer["feasible"])
         self.assertEqual(answer["violated"], ["mass_g <= 40"])
-        self.assertIn("No design found keeps every limit", text)
+        self.assertIn("No design that was found keeps every limit", text)
         rows = self.table("out/evaluations.csv")
         self.assertEqual({row["status"] for row in rows}, {"infeasible"})
         nearest = max(float(row["mass_max_margin_g"]) for row in rows)
@@ -125,7 +125,7 @@ class Size(ProgramTest):
         self.assertTrue(all("coil inner radius must be at least" in row["reason"] for row in rows))
         # 0.5 mm is the nearest to what the wire needs.
         self.assertEqual(self.result("out/result.json")["best"]["variables"], {"coil_inner_radius_mm": 0.5})
-        self.assertIn("It cannot be evaluated: coil inner radius", text)
+        self.assertIn("This design cannot be evaluated: coil inner radius", text)
 
     def test_threads_change_no_byte_and_the_seed_does(self):
         write_study(self)

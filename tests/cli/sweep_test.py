@@ -65,7 +65,7 @@ class Sweep(ProgramTest):
         write_study(self, variables={"configuration": {"values": ["A", "C"]}},
                     constraints=[{"quantity": "mass_g", "at_most": 60}])
         text = self.sweep()
-        self.assertRegex(text, r"C +\S+ +nothing feasible; nearest: mass_g <= 60 broken by [\d.]+ g\n")
+        self.assertRegex(text, r"C +\S+ +none is feasible; the nearest: mass_g <= 60 violated by [\d.]+ g\n")
         self.assertEqual([row["status"] for row in self.table("out/best.csv")], ["ok", "infeasible"])
 
     def test_nothing_feasible_at_all_is_3(self):

@@ -25,12 +25,13 @@ TEST(SweepText, NamesADesignOnceAndSaysWhatIsInTheWay) {
                                           other.index = 4;
                                           return other;
                                         }()}};
-  EXPECT_EQ(to_text(formats::SweepReport{.study = asked, .designs = 9, .evaluated = 7, .ok = 2, .leaders = leaders}),
-            "configuration  current_A  wire_gauge_AWG  grasp_force_N  best for\n"
-            "            D        0.4              30           1.25  current_A, grasp_force_N\n"
-            "            A        0.8              26            2.5  nothing feasible; nearest: mass_g <= 64 broken "
-            "by 16 g\n"
-            "\n7 of 9 designs evaluated; 2 keep every limit.\n");
+  EXPECT_EQ(
+      to_text(formats::SweepReport{.study = asked, .designs = 9, .evaluated = 7, .ok = 2, .leaders = leaders}),
+      "configuration  current_A  wire_gauge_AWG  grasp_force_N  best for\n"
+      "            D        0.4              30           1.25  current_A, grasp_force_N\n"
+      "            A        0.8              26            2.5  none is feasible; the nearest: mass_g <= 64 violated "
+      "by 16 g\n"
+      "\n7 of 9 designs evaluated; 2 keep every limit.\n");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace coilwright::sizing {
 namespace {
 
-// Saturates at 0 ("not countable") so that a product of many grids cannot wrap round.
+// 0 (not countable) if the product overflows, and from then on.
 std::uint64_t times(std::uint64_t count, double factor) {
   constexpr auto largest = static_cast<double>(std::numeric_limits<std::int64_t>::max());
   return static_cast<double>(count) * factor < largest ? count * static_cast<std::uint64_t>(factor) : 0;

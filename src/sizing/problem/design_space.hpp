@@ -9,8 +9,8 @@
 
 namespace coilwright::sizing {
 
-/// The variables of a problem as the search moves in them: the free ordered ones as coordinates of a unit cube, the
-/// free categorical ones as one index over all their combinations, fixed ones left out.
+/// Coordinates of a search for the variables of a problem: each free ordered variable is a coordinate of the unit cube,
+/// all free categorical ones together are one index over their combinations, and fixed variables are left out.
 class DesignSpace {
  public:
   explicit DesignSpace(const std::vector<Variable>& variables);
@@ -19,17 +19,17 @@ class DesignSpace {
   [[nodiscard]] std::size_t dimension() const { return ordered_.size(); }
   /// Number of combinations of the free categorical variables; 1 if there is none.
   [[nodiscard]] std::uint64_t combinations() const { return combinations_; }
-  /// Levels of each free categorical variable; the first one runs fastest in a combination.
+  /// Number of levels of each free categorical variable; in a combination the first one changes fastest.
   [[nodiscard]] const std::vector<std::uint64_t>& level_counts() const { return level_counts_; }
-  /// Number of designs if every free variable has a grid, otherwise (or if it overflows) 0.
+  /// Number of designs if every free variable has a grid; 0 otherwise, and if the number overflows.
   [[nodiscard]] std::uint64_t design_count() const { return design_count_; }
-  /// Grid spacing of unit coordinate `axis`; 0: no grid.
+  /// Spacing of the grid of unit coordinate `axis`; 0 without a grid.
   [[nodiscard]] double spacing(std::size_t axis) const { return axes_[axis].spacing; }
-  /// Largest legal value of unit coordinate `axis`: 1, or less where the grid does not meet the upper bound.
+  /// Largest legal value of unit coordinate `axis`: 1, or less where the upper bound is no grid value.
   [[nodiscard]] double ceiling(std::size_t axis) const { return axes_[axis].ceiling; }
   /// Index of the variable that is unit coordinate `axis`.
   [[nodiscard]] std::size_t variable_of(std::size_t axis) const { return ordered_[axis]; }
-  /// True if any unit coordinate has a grid.
+  /// Whether any unit coordinate has a grid.
   [[nodiscard]] bool has_grid() const { return has_grid_; }
 
   /// Nearest legal unit coordinates: clamped to the bounds and on the grid.
@@ -54,13 +54,13 @@ class DesignSpace {
   bool has_grid_ = false;
 };
 
-/// Grid step of a variable: its own, 1 for whole numbers, 0 for none.
+/// Grid step of a variable: its own; without one 1 for integer and categorical variables and 0 for continuous ones.
 [[nodiscard]] double grid_step(const Variable& variable);
 
 /// Index of the last grid value of a variable with a grid.
 [[nodiscard]] double last_grid_index(const Variable& variable);
 
-/// The legal value nearest to `value`, always the same bits for the same grid index.
+/// The legal value nearest to `value`; the same bits whenever the grid index is the same.
 [[nodiscard]] double nearest_legal(const Variable& variable, double value);
 
 }  // namespace coilwright::sizing

@@ -18,7 +18,7 @@ bool no_worse(std::span<const double> a, std::span<const double> b) {
   return true;
 }
 
-// Lexicographic order: whatever dominates a point stands before it, so one pass against the kept ones is enough.
+// In lexicographic order every point comes after those that dominate it, so one pass against the kept ones is enough.
 std::vector<std::size_t> lexicographic_order(const std::vector<Objectives>& points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -46,7 +46,7 @@ class Staircase {
     auto after = steps_.upper_bound(first);
     double ceiling = after == steps_.begin() ? second_ : std::prev(after)->second;
     if (ceiling <= second) return;
-    // What the new corner adds: strips between the steps it covers, each up to the old ceiling.
+    // The new corner adds the strips between the steps that it covers, each up to the old ceiling.
     double left = first;
     auto it = steps_.lower_bound(first);
     while (it != steps_.end() && it->second >= second) {

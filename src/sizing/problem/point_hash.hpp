@@ -7,7 +7,7 @@
 
 namespace coilwright::sizing {
 
-/// Hash of a design's bits (multiply and fold; points come from a few coordinates, not from an adversary).
+/// Hash of the bits of a point, by multiplication and folding.
 [[nodiscard]] inline std::size_t hash_of(const std::vector<double>& point) noexcept {
   std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
   for (const double value : point) {
@@ -18,7 +18,7 @@ namespace coilwright::sizing {
   return static_cast<std::size_t>(hash);
 }
 
-/// The same for hash tables.
+/// `hash_of` for hash tables.
 struct PointHash {
   std::size_t operator()(const std::vector<double>& point) const noexcept { return hash_of(point); }
 };

@@ -11,7 +11,7 @@ namespace coilwright::sizing {
 
 struct Workers::Arena {
   explicit Arena(unsigned threads) : arena{threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads)} {
-    // TBB gives no more threads than cores unless told; whoever asks for more gets them.
+    // By default TBB runs no more threads than there are cores.
     const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     if (threads > allowed) more.emplace(tbb::global_control::max_allowed_parallelism, threads);
   }
@@ -27,14 +27,14 @@ Workers::~Workers() = default;
 void Workers::run(std::size_t count, const std::function<void(std::size_t)>& task) {
   std::vector<std::exception_ptr> thrown(count);
   arena_->arena.execute([&] {
-    // simple_partitioner and grain 1: tasks are few and of very different length
+    // simple_partitioner and a grain of 1, because tasks are few and of very different length.
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>{0, count, 1},
         [&](const tbb::blocked_range<std::size_t>& range) {
           for (std::size_t i = range.begin(); i < range.end(); ++i) {
             try {
-              // isolated: a task that waits inside (an evaluation with its own TBB loop) must not pick up a sibling,
-              // which might wait for a design this very thread is evaluating
+              // Isolated: a task that waits for a TBB loop inside must not take over another task, which might wait
+              // for the design that this very thread is evaluating.
               tbb::this_task_arena::isolate([&] { task(i); });
             } catch (...) {
               thrown[i] = std::current_exception();

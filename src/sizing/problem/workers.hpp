@@ -10,21 +10,21 @@
 
 namespace coilwright::sizing {
 
-/// A fixed number of threads that work through indexed tasks.
+/// A fixed number of threads that run indexed tasks.
 class Workers {
  public:
-  /// 0: one per core.
+  /// `threads` at the same time; 0: one per core.
   explicit Workers(unsigned threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Calls `task(i)` for every i below `count`, in any order. Every call ends before this returns; of the exceptions
-  /// thrown the one of the lowest index is rethrown.
+  /// Calls `task(i)` for every i below `count`, in any order, and returns when all calls have ended. If calls throw, it
+  /// throws the exception of the lowest index.
   void run(std::size_t count, const std::function<void(std::size_t)>& task);
 
-  /// Evaluates designs into `archive` and returns their records in the given order. After a request to stop the designs
-  /// not begun yet are left out.
+  /// Evaluates designs into `archive` and returns their records in the given order. After a request to stop it leaves
+  /// out the designs that are not begun.
   [[nodiscard]] std::vector<Record> evaluate(Archive& archive, const std::vector<std::vector<double>>& points,
                                              const std::stop_token& stop);
 

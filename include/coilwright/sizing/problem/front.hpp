@@ -6,34 +6,34 @@
 
 namespace coilwright::sizing {
 
-/// One point in objective space, every objective minimised.
+/// One point in objective space; every objective is minimised.
 using Objectives = std::vector<double>;
 
-/// True if `a` is nowhere worse than `b` and somewhere better (all minimised; same length).
+/// True if `a` is nowhere above `b` and somewhere below it. Both have the same length.
 [[nodiscard]] bool dominates(std::span<const double> a, std::span<const double> b);
 
-/// Indices of the points no other point dominates, ascending. Of equal points the first is kept.
+/// Indices of the points that no other point dominates, ascending. Of equal points the first one is kept.
 /// O(n log n) for two objectives, O(n times size of the front) otherwise.
 [[nodiscard]] std::vector<std::size_t> non_dominated(const std::vector<Objectives>& points);
 
-/// Exact volume dominated by `points` below `reference`, all minimised, in the product of the objectives' units. Points
-/// not strictly better than the reference in every objective add nothing. One, two or three objectives.
-/// 2-D: sweep. 3-D: sweep along the third objective over a 2-D staircase (Beume, Fonseca, Lopez-Ibanez, Paquete,
-/// Vahrenhold, IEEE Trans. Evol. Comput. 13 (2009) 1075, whose staircase is a tree; a sorted vector here).
+/// Exact volume that `points` dominate below `reference`, in the product of the objectives' units, for one, two or
+/// three objectives. Points that are not below the reference in every objective add nothing. With two objectives by a
+/// sweep; with three by a sweep along the third one over the two-dimensional front of the first two (Beume, Fonseca,
+/// Lopez-Ibanez, Paquete, Vahrenhold, IEEE Trans. Evol. Comput. 13 (2009) 1075).
 /// Throws std::invalid_argument on another number of objectives or points of another length.
 [[nodiscard]] double hypervolume(const std::vector<Objectives>& points, std::span<const double> reference);
 
-/// The frame in which hypervolumes are compared: ideal and nadir (best and worst of each objective on a front).
+/// The ideal and nadir points of a front, between which hypervolumes are normalised.
 struct FrontFrame {
-  Objectives ideal;  ///< smallest of each objective
-  Objectives nadir;  ///< largest of each objective
+  Objectives ideal;  ///< smallest value of each objective
+  Objectives nadir;  ///< largest value of each objective
 };
 
-/// Frame of the non-dominated ones of `points`. Throws std::invalid_argument if there is none.
+/// Frame of the points that no other point dominates. Throws std::invalid_argument if there is none.
 [[nodiscard]] FrontFrame frame_of(const std::vector<Objectives>& points);
 
-/// Hypervolume of `points` after ideal -> 0 and nadir -> 1, against 1.1 in each objective. An objective that does not
-/// vary over the frame keeps its unit scale. Dimensionless.
+/// Hypervolume of `points` in coordinates in which the ideal point is 0 and the nadir point 1 in every objective, below
+/// the reference 1.1. An objective that does not vary over the frame is only shifted. Dimensionless.
 [[nodiscard]] double normalised_hypervolume(const std::vector<Objectives>& points, const FrontFrame& frame);
 
 }  // namespace coilwright::sizing

@@ -57,7 +57,7 @@ Count effect_intervals(const Outcome& outcome, const Diagnosis& diagnosis) {
         for (const truth::HiddenEffect::Number& number : hidden.numbers) {
           // a side is one of two and has no interval
           if (number.key != estimate.key || number.key == "side" || !counts(estimate)) continue;
-          count.add(inside(estimate, units::to_memory(number.value, number.key)));
+          count.add(inside(estimate, coilwright::units::to_memory(number.value, number.key)));
         }
     }
   return count;

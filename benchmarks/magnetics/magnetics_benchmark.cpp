@@ -21,7 +21,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 const CylinderMagnet magnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44});
 const HingeGeometry hinge{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 11.5e-3};
 
-ThickCoil prototype_coil(Winding winding) {
+ThickCoil prototype_coil(CurrentDistribution winding) {
   return ThickCoil({.inner_radius = 3e-3,
                     .outer_radius = 9.5e-3,
                     .length = 12e-3,
@@ -50,18 +50,18 @@ void straightforward(benchmark::State& state) {
 }
 BENCHMARK(straightforward)->Name("axial_force/straightforward");
 
-void axial(benchmark::State& state, Winding winding) {
+void axial(benchmark::State& state, CurrentDistribution winding) {
   const ThickCoil coil = prototype_coil(winding);
   const std::vector<double> z = distances();
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(axial_force(coil, 1.0, magnet, z[i++ % z.size()]));
   per_second(state, 1);
 }
-BENCHMARK_CAPTURE(axial, paper_shells, Winding::paper_shells)->Name("axial_force/paper_shells");
-BENCHMARK_CAPTURE(axial, layer_centres, Winding::layer_centres)->Name("axial_force/layer_centres");
-BENCHMARK_CAPTURE(axial, uniform, Winding::uniform)->Name("axial_force/uniform");
+BENCHMARK_CAPTURE(axial, paper_shells, CurrentDistribution::paper_shells)->Name("axial_force/paper_shells");
+BENCHMARK_CAPTURE(axial, layer_centres, CurrentDistribution::layer_centres)->Name("axial_force/layer_centres");
+BENCHMARK_CAPTURE(axial, uniform, CurrentDistribution::uniform)->Name("axial_force/uniform");
 
-void axial_batch(benchmark::State& state, Winding winding) {
+void axial_batch(benchmark::State& state, CurrentDistribution winding) {
   const ThickCoil coil = prototype_coil(winding);
   const std::vector<double> z = distances();
   std::vector<double> force(z.size());
@@ -71,9 +71,10 @@ void axial_batch(benchmark::State& state, Winding winding) {
   }
   per_second(state, static_cast<double>(z.size()));
 }
-BENCHMARK_CAPTURE(axial_batch, paper_shells, Winding::paper_shells)->Name("axial_force_batch/paper_shells");
-BENCHMARK_CAPTURE(axial_batch, layer_centres, Winding::layer_centres)->Name("axial_force_batch/layer_centres");
-BENCHMARK_CAPTURE(axial_batch, uniform, Winding::uniform)->Name("axial_force_batch/uniform");
+BENCHMARK_CAPTURE(axial_batch, paper_shells, CurrentDistribution::paper_shells)->Name("axial_force_batch/paper_shells");
+BENCHMARK_CAPTURE(axial_batch, layer_centres, CurrentDistribution::layer_centres)
+    ->Name("axial_force_batch/layer_centres");
+BENCHMARK_CAPTURE(axial_batch, uniform, CurrentDistribution::uniform)->Name("axial_force_batch/uniform");
 
 void two_magnets(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(axial_force(magnet, magnet, 19.8e-3));
@@ -82,14 +83,14 @@ void two_magnets(benchmark::State& state) {
 BENCHMARK(two_magnets)->Name("axial_force/two_magnets");
 
 void two_coils(benchmark::State& state) {
-  const ThickCoil coil = prototype_coil(Winding::uniform);
+  const ThickCoil coil = prototype_coil(CurrentDistribution::uniform);
   for (auto _ : state) benchmark::DoNotOptimize(axial_force(coil, 1.0, coil, 1.0, 12.6e-3));
   per_second(state, 1);
 }
 BENCHMARK(two_coils)->Name("axial_force/two_coils");
 
 /// Displaced and tilted, gap around 3 mm: nothing symmetric.
-void pose_general(benchmark::State& state, Winding winding) {
+void pose_general(benchmark::State& state, CurrentDistribution winding) {
   const ThickCoil coil = prototype_coil(winding);
   const std::array<Pose, 4> poses{{{.position = {4e-3, 1e-3, 14e-3}, .axis = {0.3, -0.1, 0.9}},
                                    {.position = {1e-3, -2e-3, 13e-3}, .axis = {-0.1, 0.2, 1.0}},
@@ -99,12 +100,12 @@ void pose_general(benchmark::State& state, Winding winding) {
   for (auto _ : state) benchmark::DoNotOptimize(wrench(coil, 1.0, magnet, poses[i++ % poses.size()]).force.z());
   per_second(state, 1);
 }
-BENCHMARK_CAPTURE(pose_general, uniform, Winding::uniform)->Name("wrench/uniform");
-BENCHMARK_CAPTURE(pose_general, paper_shells, Winding::paper_shells)->Name("wrench/paper_shells");
+BENCHMARK_CAPTURE(pose_general, uniform, CurrentDistribution::uniform)->Name("wrench/uniform");
+BENCHMARK_CAPTURE(pose_general, paper_shells, CurrentDistribution::paper_shells)->Name("wrench/paper_shells");
 
 /// Poses with a mirror plane, as every hinge has: tilted, displaced or both.
 void pose_planar(benchmark::State& state) {
-  const ThickCoil coil = prototype_coil(Winding::uniform);
+  const ThickCoil coil = prototype_coil(CurrentDistribution::uniform);
   const std::array<Pose, 4> poses{{{.position = {0.0, 0.0, 15.5e-3}, .axis = {0.5, 0.0, 0.866}},
                                    {.position = {4e-3, 0.0, 13e-3}, .axis = {0.34, 0.0, 0.94}},
                                    {.position = {5e-3, 0.0, 9.9e-3}, .axis = {0.0, 0.0, 1.0}},
@@ -116,7 +117,7 @@ void pose_planar(benchmark::State& state) {
 BENCHMARK(pose_planar)->Name("wrench/planar");
 
 void torque(benchmark::State& state, Fidelity fidelity) {
-  const ThickCoil coil = prototype_coil(Winding::uniform);
+  const ThickCoil coil = prototype_coil(CurrentDistribution::uniform);
   double angle = 0.0;
   for (auto _ : state) {
     angle = angle > 90.0 ? 0.0 : angle + 1.7;
@@ -127,7 +128,7 @@ void torque(benchmark::State& state, Fidelity fidelity) {
 BENCHMARK_CAPTURE(torque, line_of_centres, Fidelity::line_of_centres)->Name("hinge_torque/line_of_centres");
 BENCHMARK_CAPTURE(torque, exact, Fidelity::exact)->Name("hinge_torque/exact");
 
-void build(benchmark::State& state, Fidelity fidelity, Winding winding, double lower, double tolerance) {
+void build(benchmark::State& state, Fidelity fidelity, CurrentDistribution winding, double lower, double tolerance) {
   const ThickCoil coil = prototype_coil(winding);
   int evaluations = 0;
   for (auto _ : state) {
@@ -138,14 +139,16 @@ void build(benchmark::State& state, Fidelity fidelity, Winding winding, double l
   }
   state.counters["evaluations"] = evaluations;
 }
-BENCHMARK_CAPTURE(build, line_of_centres_uniform, Fidelity::line_of_centres, Winding::uniform, -3.0, 1e-8);
-BENCHMARK_CAPTURE(build, line_of_centres_shells, Fidelity::line_of_centres, Winding::paper_shells, -3.0, 1e-8);
-BENCHMARK_CAPTURE(build, exact_uniform, Fidelity::exact, Winding::uniform, -1.0, 1e-7);
-BENCHMARK_CAPTURE(build, exact_shells, Fidelity::exact, Winding::paper_shells, -1.0, 1e-7);
+BENCHMARK_CAPTURE(build, line_of_centres_uniform, Fidelity::line_of_centres, CurrentDistribution::uniform, -3.0, 1e-8);
+BENCHMARK_CAPTURE(build, line_of_centres_shells, Fidelity::line_of_centres, CurrentDistribution::paper_shells, -3.0,
+                  1e-8);
+BENCHMARK_CAPTURE(build, exact_uniform, Fidelity::exact, CurrentDistribution::uniform, -1.0, 1e-7);
+BENCHMARK_CAPTURE(build, exact_shells, Fidelity::exact, CurrentDistribution::paper_shells, -1.0, 1e-7);
 
 void evaluate(benchmark::State& state) {
-  const Curve curve = torque_curve(prototype_coil(Winding::uniform), magnet, hinge, Fidelity::line_of_centres,
-                                   {.lower = -3 * degree, .upper = 120 * degree, .tolerance = 1e-8});
+  const Curve curve =
+      torque_curve(prototype_coil(CurrentDistribution::uniform), magnet, hinge, Fidelity::line_of_centres,
+                   {.lower = -3 * degree, .upper = 120 * degree, .tolerance = 1e-8});
   double angle = 0.1;
   for (auto _ : state) {
     const Curve::Sample s = curve.sample(angle);

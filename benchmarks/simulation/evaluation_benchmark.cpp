@@ -26,9 +26,9 @@ using actuator::Design;
 // winding.
 Design finger(magnetics::Fidelity torque, Configuration configuration = Configuration::B) {
   Design design;
-  design.choices = {.winding = magnetics::Winding::paper_shells,
+  design.choices = {.winding = magnetics::CurrentDistribution::paper_shells,
                     .torque = torque,
-                    .faces = actuator::FaceContact::hard_parts,
+                    .faces = actuator::ContactChoice::hard_parts,
                     .masses = actuator::SegmentMass::on_axis_points};
   design.calibration = actuator::calibrate(design, {.joint_stiffness = 12.5e-3,
                                                     .joint_damping = 1.29e-4,
@@ -38,7 +38,7 @@ Design finger(magnetics::Fidelity torque, Configuration configuration = Configur
                                                     .tip_com = 9.1e-3,
                                                     .continuous_current = 1.1});
   design.layout = actuator::layout_of(configuration);
-  if (torque == magnetics::Fidelity::exact) design.choices.winding = magnetics::Winding::uniform;
+  if (torque == magnetics::Fidelity::exact) design.choices.winding = magnetics::CurrentDistribution::uniform;
   return design;
 }
 

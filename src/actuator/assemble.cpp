@@ -51,7 +51,7 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
       {.width = size.width, .height = size.face_height, .thickness = design.body.gap, .young_modulus = modulus});
   const int n = chain.joints();
   const mechanics::JointVector mobility = chain.joint_mobility();
-  const double closing_angle = design.choices.faces == FaceContact::walls ? 0.0 : -size.closing_angle;
+  const double closing_angle = design.choices.faces == ContactChoice::walls ? 0.0 : -size.closing_angle;
   std::vector<Hinge> hinges(n);
   for (int j = 0; j < n; ++j) {
     hinges[j] = {.stiffness = design.calibration.joint_stiffness * strip,
@@ -175,21 +175,22 @@ double Assembly::mass() const {
   return sum;
 }
 
-std::variant<Assembly, Misfits> assemble(const Design& design) {
-  if (Misfits broken = misfits(design); !broken.empty()) return broken;
+std::variant<Assembly, ConstructionFaults> assemble(const Design& design) {
+  if (ConstructionFaults broken = construction_faults(design); !broken.empty()) return broken;
   try {
     return with_effects(assemble_fitting(design), design.effects);
   } catch (const UnfitEffect& error) {
-    return Misfits{{.rule = error.what(), .excess = 1.0}};
+    return ConstructionFaults{{.rule = error.what(), .excess = 1.0}};
   } catch (const std::logic_error& error) {
     // No rule of ours, but a formula outside its range: a coil that is 1e4 times wider than long, say.
-    return Misfits{{.rule = std::string("shape too extreme to compute: ") + error.what(), .excess = 1.0}};
+    return ConstructionFaults{{.rule = std::string("shape too extreme to compute: ") + error.what(), .excess = 1.0}};
   }
 }
 
 Assembly assemble_or_throw(const Design& design) {
-  std::variant<Assembly, Misfits> result = assemble(design);
-  if (const Misfits* broken = std::get_if<Misfits>(&result)) throw std::invalid_argument(broken->front().rule);
+  std::variant<Assembly, ConstructionFaults> result = assemble(design);
+  if (const ConstructionFaults* broken = std::get_if<ConstructionFaults>(&result))
+    throw std::invalid_argument(broken->front().rule);
   return std::get<Assembly>(std::move(result));
 }
 

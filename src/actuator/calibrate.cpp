@@ -24,7 +24,8 @@ double ratio(double measured, double derived, const char* name) {
 }
 
 void require_buildable(const Design& design) {
-  if (const Misfits broken = misfits(design); !broken.empty()) throw std::invalid_argument(broken.front().rule);
+  if (const ConstructionFaults broken = construction_faults(design); !broken.empty())
+    throw std::invalid_argument(broken.front().rule);
 }
 
 // Pitch of `layers` layers that are `thickness` thick together: the outermost takes its wire's whole diameter where
@@ -99,7 +100,7 @@ Calibration calibrate(Design design, const Measured& measured) {
     const double current = *measured.continuous_current;
     check_positive(current, "continuous current");
     const Assembly calibrated = assemble_or_throw(design);
-    const thermal::Chain chain = heat_chain(design, calibrated, thermal_joint_angle);
+    const thermal::HeatChain chain = heat_chain(design, calibrated, thermal_joint_angle);
     design.calibration.heat_transfer =
         thermal::calibrate_heat_transfer(chain, current) / design.surroundings.heat_transfer;
   }

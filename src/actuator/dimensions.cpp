@@ -54,11 +54,11 @@ class MisfitList {
                        static_cast<double>(value) / most_turns - 1.0});
   }
   void add(std::string rule, double excess) { list_.push_back({std::move(rule), excess}); }
-  [[nodiscard]] Misfits take() { return std::move(list_); }
+  [[nodiscard]] ConstructionFaults take() { return std::move(list_); }
   [[nodiscard]] bool empty() const { return list_.empty(); }
 
  private:
-  Misfits list_;
+  ConstructionFaults list_;
 };
 
 void check_sizes(const Design& design, MisfitList& list) {
@@ -140,7 +140,7 @@ void check_axis(const Design& design, MisfitList& list) {
 
 }  // namespace
 
-Misfits misfits(const Design& design) {
+ConstructionFaults construction_faults(const Design& design) {
   MisfitList list;
   try {
     check_layout(design.layout);

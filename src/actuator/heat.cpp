@@ -14,9 +14,9 @@ double core_radius(const Design& design, const Dimensions& size, ComponentKind k
 
 }  // namespace
 
-thermal::Chain heat_chain(const Design& design, const Assembly& assembly, double joint_angle) {
+thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly, double joint_angle) {
   const Dimensions& size = assembly.dimensions;
-  thermal::Chain chain;
+  thermal::HeatChain chain;
   chain.width = size.width;
   chain.height = size.height;
   chain.heat_transfer = design.surroundings.heat_transfer * design.calibration.heat_transfer;
@@ -46,7 +46,7 @@ thermal::Chain heat_chain(const Design& design, const Assembly& assembly, double
 }
 
 thermal::Network heat_network(const Design& design, const Assembly& assembly, double joint_angle) {
-  return thermal::assemble(heat_chain(design, assembly, joint_angle));
+  return thermal::build_network(heat_chain(design, assembly, joint_angle));
 }
 
 }  // namespace coilwright::actuator

@@ -7,6 +7,6 @@
 namespace coilwright::actuator {
 
 /// Geometry and materials of the heat paths of an assembled design, every joint at `joint_angle` (rad).
-[[nodiscard]] thermal::Chain heat_chain(const Design& design, const Assembly& assembly, double joint_angle);
+[[nodiscard]] thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly, double joint_angle);
 
 }  // namespace coilwright::actuator

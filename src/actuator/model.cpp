@@ -103,7 +103,7 @@ std::span<const Model::Term> Model::terms(Stage first, Stage last) const {
   return {begin, std::ranges::upper_bound(begin, terms_.end(), last, {}, &Term::stage)};
 }
 
-EffectTerm::Own Model::own(const Term& term, const double* states, double* slopes) const {
+EffectTerm::InternalStateView Model::own(const Term& term, const double* states, double* slopes) const {
   if (term.held) return {.states = held_.data() + term.first};
   return {.states = states + term.first, .slopes = slopes == nullptr ? nullptr : slopes + term.first};
 }
@@ -112,7 +112,7 @@ InternalStates Model::settled(const JointVector& angles, const CoilCurrents& com
   InternalStates states = InternalStates::Zero(internal_states_);
   if (terms_.empty()) return states;
   const JointVector still = JointVector::Zero(joints());
-  const EffectTerm::Motion motion{.chain = spec_.chain, .angles = angles, .rates = still};
+  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = still};
   const auto settle = [&](const Term& term, const CoilCurrents& entering) {
     if (term.held) return;
     if (history == InitialHistory::recorded_run)
@@ -186,7 +186,7 @@ void Model::stage_torques(const JointVector& angles, const JointVector& rates, c
   spec_.magnetics.add_torques(spec_.chain, angles, strength, torques);
 }
 
-void Model::add_term_torques(const EffectTerm::Motion& motion, const CoilCurrents& strength, const double* states,
+void Model::add_term_torques(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
                              double* slopes, JointVector& torques) const {
   for (const Term& term : terms(Stage::magnetics, Stage::chain))
     term.effect->add_torques(motion, strength, own(term, states, slopes), torques);
@@ -256,7 +256,7 @@ void Model::add_term_stiffness(const JointVector& angles, const CoilCurrents& co
   constexpr double step = 1e-5;  // rad: truncation 1e-10 relative, as for distant pairs
   const JointVector still = JointVector::Zero(joints());
   JointVector shifted = angles;
-  const EffectTerm::Motion motion{.chain = spec_.chain, .angles = shifted, .rates = still};
+  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = shifted, .rates = still};
   const auto term_torques = [&] {
     const InternalStates states = settled(shifted, command, history);
     JointVector torque = JointVector::Zero(joints());

@@ -43,7 +43,7 @@ void evaluate(const actuator::Model& model, const Options& options) {
   const auto result = simulation::motion_of(model, options.current);
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
-  const simulation::Motion& motion = std::get<simulation::Motion>(result);
+  const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
   std::cout << (options.json ? formats::to_json(motion, options.current).text()
                              : report::to_text(motion, options.current));
 }

@@ -96,12 +96,13 @@ struct PieceMaps {
 Curve::Curve(BatchFunction function, const Spec& spec)
     : lower_(spec.lower),
       upper_(spec.upper),
-      origin_(spec.lower - (spec.crowding > 0.0 ? spec.crowding : spec.upper - spec.lower)) {
+      origin_(spec.lower - (spec.boundary_layer_width > 0.0 ? spec.boundary_layer_width : spec.upper - spec.lower)) {
   require_finite("curve lower", spec.lower);
   require(std::isfinite(spec.upper) && spec.upper > spec.lower, "curve upper",
           fmt::format("finite and > lower ({})", spec.lower), spec.upper);
   require(spec.tolerance >= 1e-13 && spec.tolerance < 1.0, "curve tolerance", ">= 1e-13 and < 1", spec.tolerance);
-  require(std::isfinite(spec.crowding) && spec.crowding >= 0.0, "curve crowding", "finite and >= 0", spec.crowding);
+  require(std::isfinite(spec.boundary_layer_width) && spec.boundary_layer_width >= 0.0, "curve boundary_layer_width",
+          "finite and >= 0", spec.boundary_layer_width);
 
   const double from = std::log(lower_ - origin_);
   const double to = std::log(upper_ - origin_);
@@ -201,8 +202,9 @@ void Curve::cut(std::span<const double> series, double tolerance) {
 
 namespace {
 
-Curve::Spec with_crowding(Curve::Spec spec, double crowding) {
-  if (spec.crowding == 0.0) spec.crowding = std::min(crowding, spec.upper - spec.lower);
+Curve::Spec with_boundary_layer(Curve::Spec spec, double boundary_layer_width) {
+  if (spec.boundary_layer_width == 0.0)
+    spec.boundary_layer_width = std::min(boundary_layer_width, spec.upper - spec.lower);
   return spec;
 }
 
@@ -216,14 +218,14 @@ Curve torque_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const Hi
   };
   // The torque varies over the angle in which the centres move apart by a fraction of their first distance.
   const double reach = 0.5 * (geometry.coil_offset + geometry.magnet_offset) / geometry.axis_offset;
-  return Curve(torque, with_crowding(spec, 0.3 * reach));
+  return Curve(torque, with_boundary_layer(spec, 0.3 * reach));
 }
 
 Curve force_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const Curve::Spec& spec) {
   const auto force = [&](std::span<const double> distances, std::span<double> forces) {
     axial_force_per_ampere(coil, magnet, distances, forces);
   };
-  return Curve(force, with_crowding(spec, coil.outer_radius()));
+  return Curve(force, with_boundary_layer(spec, coil.outer_radius()));
 }
 
 Curve force_curve(const CylinderMagnet& first, const CylinderMagnet& second, const Curve::Spec& spec) {
@@ -231,7 +233,7 @@ Curve force_curve(const CylinderMagnet& first, const CylinderMagnet& second, con
     std::transform(distances.begin(), distances.end(), forces.begin(),
                    [&](double distance) { return axial_force(first, second, distance); });
   };
-  return Curve(force, with_crowding(spec, first.radius()));
+  return Curve(force, with_boundary_layer(spec, first.radius()));
 }
 
 Curve force_curve(const ThickCoil& first, const ThickCoil& second, const Curve::Spec& spec) {
@@ -239,7 +241,7 @@ Curve force_curve(const ThickCoil& first, const ThickCoil& second, const Curve::
     std::transform(distances.begin(), distances.end(), forces.begin(),
                    [&](double distance) { return axial_force(first, 1.0, second, 1.0, distance); });
   };
-  return Curve(force, with_crowding(spec, first.outer_radius()));
+  return Curve(force, with_boundary_layer(spec, first.outer_radius()));
 }
 
 }  // namespace coilwright::magnetics

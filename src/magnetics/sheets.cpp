@@ -10,9 +10,9 @@ SheetBody sheets_of(const ThickCoil& coil, double current) noexcept {
                  .half_length = 0.5 * coil.length(),
                  .surface_current = coil.turns() * current / coil.length(),
                  .shells = coil.turns_radial(),
-                 .spread = coil.winding() == Winding::uniform ? Spread::uniform : Spread::shells};
-  const bool one_shell = coil.turns_radial() == 1 && coil.winding() == Winding::paper_shells;
-  if (one_shell || coil.winding() == Winding::layer_centres) {
+                 .spread = coil.winding() == CurrentDistribution::uniform ? Spread::uniform : Spread::shells};
+  const bool one_shell = coil.turns_radial() == 1 && coil.winding() == CurrentDistribution::paper_shells;
+  if (one_shell || coil.winding() == CurrentDistribution::layer_centres) {
     const double half_layer = 0.5 * (coil.outer_radius() - coil.inner_radius()) / coil.turns_radial();
     body.inner_radius += half_layer;
     body.outer_radius -= half_layer;

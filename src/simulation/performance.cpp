@@ -19,8 +19,8 @@ using actuator::Design;
 Heat heat_of(const Design& design, const Assembly& assembly, const OperatingPoint& point) {
   const thermal::Network network = actuator::heat_network(design, assembly);
   Heat heat;
-  heat.continuous_current = thermal::continuous_current(network, thermal::Watch::coils).current;
-  heat.magnet_continuous_current = thermal::continuous_current(network, thermal::Watch::magnets).current;
+  heat.continuous_current = thermal::continuous_current(network, thermal::LimitedParts::coils).current;
+  heat.magnet_continuous_current = thermal::continuous_current(network, thermal::LimitedParts::magnets).current;
   heat.runaway_current = thermal::runaway_current(network);
   const double mean_square = thermal::mean_square({.current = point.current, .duty = point.duty});
   const thermal::SteadyState state = thermal::steady_state(network, thermal::same_in_every_coil(network, mean_square));
@@ -48,7 +48,7 @@ double force_current(const actuator::Model& model, const mechanics::JointVector&
 }
 
 // What a model does from `motion.rest_angles` on. Slow effects are held: a cold actuator's step.
-std::variant<Motion, NoPerformance> driven(const actuator::Model& model, double current, Motion out) {
+std::variant<MotionSummary, NoPerformance> driven(const actuator::Model& model, double current, MotionSummary out) {
   const actuator::CoilCurrents off = model.all_coils(0.0);
   const actuator::CoilCurrents on = model.all_coils(current);
   const auto step = step_response(model, on, out.rest_angles);
@@ -72,10 +72,10 @@ std::variant<Motion, NoPerformance> driven(const actuator::Model& model, double 
 
 }  // namespace
 
-std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, double current) {
+std::variant<MotionSummary, NoPerformance> motion_of(const actuator::Model& model, double current) {
   if (!std::isfinite(current)) return NoPerformance{"the current is not finite"};
   const actuator::CoilCurrents off = model.all_coils(0.0);
-  Motion out;
+  MotionSummary out;
 
   const auto rest = find_equilibrium(model, off, mechanics::JointVector::Zero(model.joints()));
   if (!rest) return NoPerformance{"no stable rest pose: a joint folds without current"};
@@ -86,10 +86,10 @@ std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, doub
 
 std::variant<Performance, NoPerformance> performance_of(const Design& design, const Assembly& assembly,
                                                         const OperatingPoint& point) {
-  std::variant<Motion, NoPerformance> motion = motion_of(assembly.model, point.current);
+  std::variant<MotionSummary, NoPerformance> motion = motion_of(assembly.model, point.current);
   if (const auto* reason = std::get_if<NoPerformance>(&motion)) return *reason;
   Performance out;
-  out.motion = std::get<Motion>(std::move(motion));
+  out.motion = std::get<MotionSummary>(std::move(motion));
   out.heat = heat_of(design, assembly, point);
   out.axial_force =
       force_current(assembly.model, out.motion.rest_angles, point.current) * assembly.rest_force_per_ampere;

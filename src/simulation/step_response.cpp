@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "arrival.hpp"
-#include "basin.hpp"
 #include "bending_record.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
+#include "settling_detector.hpp"
+#include "settling_energy_criterion.hpp"
 #include "stepper.hpp"
 
 namespace coilwright::simulation {
@@ -23,7 +23,7 @@ double change_to(const JointVector& equilibrium, const JointVector& rest) {
   return std::max(std::abs(equilibrium.sum() - rest.sum()), smallest_change);
 }
 
-// Which equilibrium a motion circles, asked anew at each turning point: it may have left the first one's basin.
+// Which equilibrium a motion circles, asked anew at each turning point: it may have left the first one's reach.
 class Destination {
  public:
   Destination(const actuator::Model& model, const actuator::CoilCurrents& currents, const JointVector& rest)
@@ -34,19 +34,21 @@ class Destination {
   void look_from(const JointVector& angles, double time) {
     const std::optional<JointVector> target = find_equilibrium(model_, currents_, angles);
     if (!target) return;
-    if (basin_ && (*target - basin_->equilibrium()).lpNorm<Eigen::Infinity>() < 1e-9) return;
+    if (energy_criterion_ && (*target - energy_criterion_->equilibrium()).lpNorm<Eigen::Infinity>() < 1e-9) return;
     const double change = change_to(*target, rest_);
-    basin_.emplace(model_, currents_, Basin::Spec{.equilibrium = *target, .excursion = settling_band * change});
+    energy_criterion_.emplace(
+        model_, currents_, SettlingEnergyCriterion::Spec{.equilibrium = *target, .excursion = settling_band * change});
     if (model_.has_terms())
-      arrival_.emplace(linear_system(model_, *target, currents_),
-                       Arrival::Spec{.equilibrium = *target, .change = change, .band = settling_band, .start = time});
+      detector_.emplace(
+          linear_system(model_, *target, currents_),
+          SettlingDetector::Spec{.equilibrium = *target, .change = change, .band = settling_band, .start = time});
   }
-  [[nodiscard]] const std::optional<Basin>& basin() const { return basin_; }
+  [[nodiscard]] const std::optional<SettlingEnergyCriterion>& energy_criterion() const { return energy_criterion_; }
 
   // Where the motion ends, once it cannot leave the settling band about that any more.
   [[nodiscard]] std::optional<JointVector> reached(double time, const State& state) {
-    if (arrival_) return arrival_->at(time, state.angles);
-    if (basin_ && basin_->holds(state)) return basin_->equilibrium();
+    if (detector_) return detector_->observe(time, state.angles);
+    if (energy_criterion_ && energy_criterion_->confines(state)) return energy_criterion_->equilibrium();
     return std::nullopt;
   }
 
@@ -54,8 +56,8 @@ class Destination {
   const actuator::Model& model_;
   const actuator::CoilCurrents& currents_;
   const JointVector& rest_;
-  std::optional<Basin> basin_;
-  std::optional<Arrival> arrival_;  // instead, where effects act
+  std::optional<SettlingEnergyCriterion> energy_criterion_;
+  std::optional<SettlingDetector> detector_;  // instead, where effects act
 };
 
 StepResponse measure(const BendingRecord& record, double start, const JointVector& steady) {
@@ -87,8 +89,8 @@ Stepper::Tolerance tolerance_for(double relative, double change) {
 std::optional<StepResponse> step_response(const actuator::Model& model, const actuator::CoilCurrents& currents,
                                           const JointVector& rest, const StepLimits& limits) {
   Destination destination(model, currents, rest);
-  const double change =
-      destination.basin() ? change_to(destination.basin()->equilibrium(), rest) : std::numbers::pi / 180.0;
+  const double change = destination.energy_criterion() ? change_to(destination.energy_criterion()->equilibrium(), rest)
+                                                       : std::numbers::pi / 180.0;
   Stepper stepper(model, tolerance_for(limits.relative_accuracy, change));
   const int n = model.joints();
   stepper.start(0.0,

@@ -53,7 +53,7 @@ Performance performance(const Design& design, double current) {
   return std::get<Performance>(result);
 }
 
-magnetics::ThickCoil paper_coil(magnetics::Winding winding) {
+magnetics::ThickCoil paper_coil(magnetics::CurrentDistribution winding) {
   return magnetics::ThickCoil({.inner_radius = 3e-3,
                                .outer_radius = 9.5e-3,
                                .length = 12e-3,
@@ -100,16 +100,16 @@ void add_geometry(Table& table) {
 
 void add_forces(Table& table) {
   constexpr double distance = 9.9e-3;  // m, centres at the rest gap
-  const auto repulsion = [](magnetics::Winding winding) {
+  const auto repulsion = [](magnetics::CurrentDistribution winding) {
     return -magnetics::axial_force(paper_coil(winding), full_current, paper_magnet(), distance);
   };
   // A recoil permeability of 1.05 in the paper's FEMM magnet lowers a force by a few per cent; ours is 1.
   const char* femm = "rigid magnet here, recoil permeability above 1 in FEMM";
-  table.add("axial force N, paper shells", "section V.B, FEMM", 2.05, repulsion(magnetics::Winding::paper_shells),
-            {1.0, 1.06}, femm);
-  table.add("axial force N, uniform winding", "section V.B, FEMM", 2.05, repulsion(magnetics::Winding::uniform),
-            {1.0, 1.06}, femm);
-  const magnetics::ThickCoil coil = paper_coil(magnetics::Winding::uniform);
+  table.add("axial force N, paper shells", "section V.B, FEMM", 2.05,
+            repulsion(magnetics::CurrentDistribution::paper_shells), {1.0, 1.06}, femm);
+  table.add("axial force N, uniform winding", "section V.B, FEMM", 2.05,
+            repulsion(magnetics::CurrentDistribution::uniform), {1.0, 1.06}, femm);
+  const magnetics::ThickCoil coil = paper_coil(magnetics::CurrentDistribution::uniform);
   table.add("coil-coil attraction N", "section V.B, FEMM", 0.024,
             -magnetics::axial_force(coil, full_current, coil, full_current, 2.0 * distance), {0.94, 1.0},
             "two digits printed (2 %), FEMM's mesh");
@@ -118,7 +118,7 @@ void add_forces(Table& table) {
 // The paper's bench of Fig. 17: its approximation over the exact torque at one angle, h = 13.5 mm.
 void add_bench(Table& table) {
   const magnetics::HingeGeometry bench{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 13.5e-3};
-  const magnetics::ThickCoil coil = paper_coil(magnetics::Winding::uniform);
+  const magnetics::ThickCoil coil = paper_coil(magnetics::CurrentDistribution::uniform);
   const auto torque = [&](magnetics::Fidelity fidelity, double angle) {
     return magnetics::hinge_torque_per_ampere(coil, paper_magnet(), bench, fidelity, angle / degrees);
   };
@@ -162,11 +162,11 @@ void add_closed_gaps(Table& table) {
   table.add("peak speed deg/s, + segments as bodies", measured, 1491.0, speed(), {1.07, 1.10},
             "segments' own inertia explains about two fifths of the excess");
   finger.choices.torque = magnetics::Fidelity::exact;
-  finger.choices.winding = magnetics::Winding::uniform;
+  finger.choices.winding = magnetics::CurrentDistribution::uniform;
   table.add("peak speed deg/s, + exact torque", measured, 1491.0, speed(), {1.05, 1.08},
             "what is left: current lag, drag or force, not told apart by this figure");
   finger = paper_finger();
-  finger.choices.faces = actuator::FaceContact::walls;
+  finger.choices.faces = actuator::ContactChoice::walls;
   table.add("grasp force N, firm silicone walls", "section V.A, measured", 1.19,
             performance(finger, full_current).motion.grasp_force, {1.0, 1.1},
             "walls that do not give way: the measured force lies between both");

@@ -15,9 +15,9 @@ actuator::Design paper_finger_geometry() {
   design.body.front_length = 8.6 / 1e3;
   design.body.rear_length = 20 / 1e3;
   design.surroundings.gravity = 9.81;
-  design.choices = {.winding = magnetics::Winding::paper_shells,
+  design.choices = {.winding = magnetics::CurrentDistribution::paper_shells,
                     .torque = magnetics::Fidelity::line_of_centres,
-                    .faces = actuator::FaceContact::hard_parts,
+                    .faces = actuator::ContactChoice::hard_parts,
                     .masses = actuator::SegmentMass::on_axis_points};
   return design;
 }

@@ -13,14 +13,14 @@ namespace {
 constexpr double least_transfer = 0.01;  // W/(m2 K), far below still air
 constexpr double most_transfer = 10e3;   // W/(m2 K), boiling water
 
-double allowed_current(Chain chain, double heat_transfer) {
+double allowed_current(HeatChain chain, double heat_transfer) {
   chain.heat_transfer = heat_transfer;
-  return continuous_current(assemble(chain), Watch::coils).current;
+  return continuous_current(build_network(chain), LimitedParts::coils).current;
 }
 
 }  // namespace
 
-double calibrate_heat_transfer(const Chain& chain, double continuous_current) {
+double calibrate_heat_transfer(const HeatChain& chain, double continuous_current) {
   require_positive({"continuous_current"}, continuous_current);
   // More transfer always allows more current; over logarithms both ends of the range are alike.
   const auto surplus = [&](double logarithm) {

@@ -13,18 +13,18 @@ namespace {
 // diameters, or the core would stand out of the body.
 constexpr double square_bar = 1.08;
 
-double side_of(const Chain& chain) {
+double side_of(const HeatChain& chain) {
   return std::sqrt(chain.width * chain.height);
 }
-double perimeter_of(const Chain& chain) {
+double perimeter_of(const HeatChain& chain) {
   return 2.0 * (chain.width + chain.height);
 }
-double section_of(const Chain& chain) {
+double section_of(const HeatChain& chain) {
   return chain.width * chain.height;
 }
 
-void check_segment(const Chain& chain, std::size_t index) {
-  const Segment& segment = chain.segments[index];
+void check_segment(const HeatChain& chain, std::size_t index) {
+  const HeatSegment& segment = chain.segments[index];
   const auto field = [index](std::string_view member) { return Field{"segments", index, member}; };
   require_positive(field("length"), segment.length);
   const double widest = 0.5 * std::min(chain.width, chain.height);
@@ -42,7 +42,7 @@ void check_gap(const Gap& gap, std::size_t index) {
   require(gap.silicone + gap.air > 0.0, field("silicone"), "> 0 where there is no air", gap.silicone);
 }
 
-void check(const Chain& chain) {
+void check(const HeatChain& chain) {
   require_positive({"width"}, chain.width);
   require_positive({"height"}, chain.height);
   require_positive({"heat_transfer"}, chain.heat_transfer);
@@ -55,7 +55,7 @@ void check(const Chain& chain) {
   for (std::size_t i = 0; i < chain.gaps.size(); ++i) check_gap(chain.gaps[i], i);
 }
 
-double through_sides(const Chain& chain, const Segment& segment) {
+double through_sides(const HeatChain& chain, const HeatSegment& segment) {
   const double shape =
       2.0 * std::numbers::pi * segment.length / std::log(square_bar * side_of(chain) / (2.0 * segment.core_radius));
   const double inside = chain.silicone_conductivity * shape;
@@ -63,7 +63,7 @@ double through_sides(const Chain& chain, const Segment& segment) {
   return inside * outside / (inside + outside);
 }
 
-double through_fin(const Chain& chain, const Segment& segment) {
+double through_fin(const HeatChain& chain, const HeatSegment& segment) {
   if (segment.solid_end == 0.0) return 0.0;
   const double section = section_of(chain);
   const double decay =
@@ -73,7 +73,7 @@ double through_fin(const Chain& chain, const Segment& segment) {
   return chain.silicone_conductivity * section * decay * (body + tip) / (1.0 + tip * body);
 }
 
-double through_gap(const Chain& chain, std::size_t index) {
+double through_gap(const HeatChain& chain, std::size_t index) {
   const Gap& gap = chain.gaps[index];
   const double radius = std::min(chain.segments[index].core_radius, chain.segments[index + 1].core_radius);
   const double resistance = gap.silicone / chain.silicone_conductivity + gap.air / chain.air_conductivity;  // m2 K/W
@@ -93,13 +93,13 @@ double equivalent_air_gap(const Wedge& wedge) {
   return wedge.angle * wedge.hinge_distance / crowding;
 }
 
-Network assemble(const Chain& chain) {
+Network build_network(const HeatChain& chain) {
   check(chain);
   Network::Spec spec{
       .nodes = {}, .links = {}, .ambient = chain.ambient, .temperature_coefficient = chain.temperature_coefficient};
   spec.nodes.reserve(chain.segments.size());
   spec.links.reserve(chain.gaps.size());
-  for (const Segment& segment : chain.segments) {
+  for (const HeatSegment& segment : chain.segments) {
     spec.nodes.push_back({.kind = segment.kind,
                           .ambient_conductance = through_sides(chain, segment) + through_fin(chain, segment),
                           .heat_capacity = segment.heat_capacity,

@@ -33,30 +33,30 @@ Modes modes_of(const Network& network) {
           .runaway = 1.0 / solver.eigenvalues()(network.size() - 1)};
 }
 
-bool watched(const Node& node, Watch watch) {
-  switch (watch) {
-    case Watch::coils:
+bool is_limited(const Node& node, LimitedParts parts) {
+  switch (parts) {
+    case LimitedParts::coils:
       return node.kind == NodeKind::coil;
-    case Watch::magnets:
+    case LimitedParts::magnets:
       return node.kind == NodeKind::magnet;
-    case Watch::everything:
+    case LimitedParts::everything:
       break;
   }
   return true;
 }
 
 struct Hottest {
-  double excess{};  // temperature above the limit, K; the largest over the watched nodes
+  double excess{};  // temperature above the limit, K; the largest over the limited nodes
   std::size_t node{};
 };
 
-Hottest hottest(const Network& network, const Modes& modes, Watch watch, double mean_square_current) {
+Hottest hottest(const Network& network, const Modes& modes, LimitedParts parts, double mean_square_current) {
   const NodeVector amplitudes = (mean_square_current / (1.0 - mean_square_current * modes.growths.array())).matrix();
   const NodeVector rises = modes.rises * amplitudes;
   Hottest worst{.excess = -std::numeric_limits<double>::infinity(), .node = network.nodes().size()};
   for (std::size_t i = 0; i < network.nodes().size(); ++i) {
     const Node& node = network.nodes()[i];
-    if (!watched(node, watch)) continue;
+    if (!is_limited(node, parts)) continue;
     const double excess = network.ambient() + rises(static_cast<Eigen::Index>(i)) - node.temperature_limit;
     if (excess > worst.excess) worst = {.excess = excess, .node = i};
   }
@@ -83,11 +83,11 @@ double runaway_current(const Network& network) {
   return std::sqrt(modes_of(network).runaway);
 }
 
-ContinuousCurrent continuous_current(const Network& network, Watch watch) {
+ContinuousCurrent continuous_current(const Network& network, LimitedParts parts) {
   const Modes modes = modes_of(network);
-  if (watch == Watch::magnets) require_any(network, NodeKind::magnet);
-  const auto excess = [&](double share) { return hottest(network, modes, watch, share * modes.runaway).excess; };
-  const Hottest cold = hottest(network, modes, watch, 0.0);
+  if (parts == LimitedParts::magnets) require_any(network, NodeKind::magnet);
+  const auto excess = [&](double share) { return hottest(network, modes, parts, share * modes.runaway).excess; };
+  const Hottest cold = hottest(network, modes, parts, 0.0);
   if (cold.excess >= 0.0) return {.current = 0.0, .limiting_node = cold.node};
   constexpr double nearly_all = 1.0 - 1e-12;  // at the runaway itself temperatures are infinite
   const double last = excess(nearly_all);
@@ -98,7 +98,7 @@ ContinuousCurrent continuous_current(const Network& network, Watch watch) {
       boost::math::tools::toms748_solve(excess, 0.0, nearly_all, cold.excess, last, close_enough, steps);
   const double mean_square_current = 0.5 * (bracket.first + bracket.second) * modes.runaway;
   return {.current = std::sqrt(mean_square_current),
-          .limiting_node = hottest(network, modes, watch, mean_square_current).node};
+          .limiting_node = hottest(network, modes, parts, mean_square_current).node};
 }
 
 }  // namespace coilwright::thermal

@@ -42,7 +42,7 @@ TEST(Calibrate, ReproducesEveryMeasuredValueAtItsGeometry) {
   expect_relative(a.segments[2].mass, 22.5e-3, "m_2");
   expect_relative(a.segments[2].com_along, 9.1e-3, "l_2");
   expect_relative(a.coil.resistance, 4.0, "R");
-  const double current = thermal::continuous_current(heat_network(design, a), thermal::Watch::coils).current;
+  const double current = thermal::continuous_current(heat_network(design, a), thermal::LimitedParts::coils).current;
   EXPECT_NEAR(current, 1.1, 1e-9);  // a root of a root: both brackets end below 1e-12 relative
 }
 

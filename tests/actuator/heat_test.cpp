@@ -50,20 +50,20 @@ TEST(HeatNetwork, LosesWhatItsCoilsMake) {
 TEST(HeatNetwork, HeatsTheMagnetLessWhereJointsStandOpen) {
   const Design design = paper_finger();
   const Assembly a = assemble_or_throw(design);
-  const auto current = [&](double angle, thermal::Watch watch) {
+  const auto current = [&](double angle, thermal::LimitedParts watch) {
     return thermal::continuous_current(heat_network(design, a, angle), watch).current;
   };
   std::printf("  joint angle, deg: continuous current of coils, magnets, A\n");
   for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0})
-    std::printf("  %4.0f: %.4f %.4f\n", angle, current(angle * degree, thermal::Watch::coils),
-                current(angle * degree, thermal::Watch::magnets));
+    std::printf("  %4.0f: %.4f %.4f\n", angle, current(angle * degree, thermal::LimitedParts::coils),
+                current(angle * degree, thermal::LimitedParts::magnets));
   const double printed = 5e-4;  // half of the last digit of that comment
-  EXPECT_NEAR(current(0.0, thermal::Watch::coils), 1.167, printed);
-  EXPECT_NEAR(current(30.0 * degree, thermal::Watch::coils), 1.1, 1e-9);  // calibrated there
-  EXPECT_NEAR(current(60.0 * degree, thermal::Watch::coils), 1.093, printed);
-  EXPECT_NEAR(current(0.0, thermal::Watch::magnets), 0.89, 5e-3);
-  EXPECT_NEAR(current(30.0 * degree, thermal::Watch::magnets), 1.44, 5e-3);
-  EXPECT_NEAR(current(60.0 * degree, thermal::Watch::magnets), 1.60, 5e-3);
+  EXPECT_NEAR(current(0.0, thermal::LimitedParts::coils), 1.167, printed);
+  EXPECT_NEAR(current(30.0 * degree, thermal::LimitedParts::coils), 1.1, 1e-9);  // calibrated there
+  EXPECT_NEAR(current(60.0 * degree, thermal::LimitedParts::coils), 1.093, printed);
+  EXPECT_NEAR(current(0.0, thermal::LimitedParts::magnets), 0.89, 5e-3);
+  EXPECT_NEAR(current(30.0 * degree, thermal::LimitedParts::magnets), 1.44, 5e-3);
+  EXPECT_NEAR(current(60.0 * degree, thermal::LimitedParts::magnets), 1.60, 5e-3);
 }
 
 }  // namespace

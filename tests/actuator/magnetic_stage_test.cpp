@@ -48,7 +48,7 @@ ThickCoil paper_coil() {
                     .length = 12e-3,
                     .turns_radial = 15,
                     .turns_axial = 30,
-                    .winding = magnetics::Winding::paper_shells});
+                    .winding = magnetics::CurrentDistribution::paper_shells});
 }
 CylinderMagnet paper_magnet() {
   return CylinderMagnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44});

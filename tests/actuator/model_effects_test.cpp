@@ -123,10 +123,10 @@ TEST(ModelEffects, SayWhyADesignCannotHaveThem) {
   Design design = paper_finger();
   design.layout = layout_of(Configuration::A);
   design.effects = {{standard_effects().find("coil_coil_force"), {}}};
-  const std::variant<Assembly, Misfits> result = assemble(design);
-  const auto* misfits = std::get_if<Misfits>(&result);
-  ASSERT_NE(misfits, nullptr);
-  EXPECT_EQ(misfits->front().rule, "effect coil_coil_force: the model has one coil only");
+  const std::variant<Assembly, ConstructionFaults> result = assemble(design);
+  const auto* faults = std::get_if<ConstructionFaults>(&result);
+  ASSERT_NE(faults, nullptr);
+  EXPECT_EQ(faults->front().rule, "effect coil_coil_force: the model has one coil only");
   design.layout = layout_of(Configuration::B);
   const Model model = assemble_or_throw(design).model;
   EXPECT_EQ(model.magnetics().distant_pairs().size(), 1U);

@@ -12,9 +12,9 @@ namespace coilwright::actuator {
 /// The prototype's geometry (Table I of the source paper) under the paper's own conventions, nothing measured yet.
 inline Design paper_geometry() {
   Design design;
-  design.choices = {.winding = magnetics::Winding::paper_shells,
+  design.choices = {.winding = magnetics::CurrentDistribution::paper_shells,
                     .torque = magnetics::Fidelity::line_of_centres,
-                    .faces = FaceContact::hard_parts,
+                    .faces = ContactChoice::hard_parts,
                     .masses = SegmentMass::on_axis_points};
   return design;
 }

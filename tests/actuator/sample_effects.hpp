@@ -62,10 +62,10 @@ class Lag : public EffectTerm {
  public:
   Lag(std::span<const double> values, const ModelSpec& spec) : time_(values[0]), coils_(spec.coils) {}
   [[nodiscard]] int states() const override { return coils_; }
-  void settle(const Motion& /*motion*/, const CoilCurrents& currents, double* own) const override {
+  void settle(const Kinematics& /*motion*/, const CoilCurrents& currents, double* own) const override {
     std::copy_n(currents.data(), coils_, own);
   }
-  void drive(Own own, CoilCurrents& currents) const override {
+  void drive(InternalStateView own, CoilCurrents& currents) const override {
     for (int c = 0; c < coils_; ++c) {
       if (own.slopes) own.slopes[c] = (currents[c] - own.states[c]) / time_;
       currents[c] = own.states[c];
@@ -82,7 +82,7 @@ inline const Kind lag = kind_of<Lag>("sample_lag", Stage::drive, {number("time_s
 class DriveGain : public EffectTerm {
  public:
   DriveGain(std::span<const double> values, const ModelSpec& /*spec*/) : gain_(values[0]) {}
-  void drive(Own /*own*/, CoilCurrents& currents) const override { currents *= gain_; }
+  void drive(InternalStateView /*own*/, CoilCurrents& currents) const override { currents *= gain_; }
 
  private:
   double gain_;
@@ -93,7 +93,7 @@ inline const Kind drive_gain = kind_of<DriveGain>("sample_drive_gain", Stage::dr
 class ForceGain : public EffectTerm {
  public:
   ForceGain(std::span<const double> values, const ModelSpec& /*spec*/) : gain_(values[0]) {}
-  void magnetize(Own /*own*/, const CoilCurrents& /*currents*/, CoilCurrents& strength) const override {
+  void magnetize(InternalStateView /*own*/, const CoilCurrents& /*currents*/, CoilCurrents& strength) const override {
     strength *= gain_;
   }
 
@@ -110,10 +110,10 @@ class Creep : public EffectTerm {
       : stiffness_(values[0]), time_(values[1]), slow_(values[2] != 0.0), joints_(spec.chain.joints()) {}
   [[nodiscard]] int states() const override { return joints_; }
   [[nodiscard]] bool slow() const override { return slow_; }
-  void settle(const Motion& motion, const CoilCurrents& /*currents*/, double* own) const override {
+  void settle(const Kinematics& motion, const CoilCurrents& /*currents*/, double* own) const override {
     std::copy_n(motion.angles.data(), joints_, own);
   }
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own own,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
                    mechanics::JointVector& torques) const override {
     for (int j = 0; j < joints_; ++j) {
       const double stretch = motion.angles[j] - own.states[j];
@@ -136,11 +136,11 @@ class SpringDamper : public EffectTerm {
  public:
   SpringDamper(std::span<const double> values, const ModelSpec& /*spec*/)
       : stiffness_(values[0]), damping_(values[1]) {}
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    mechanics::JointVector& torques) const override {
     torques -= stiffness_ * motion.angles + damping_ * motion.rates;
   }
-  void add_damping(const Motion& /*motion*/, const CoilCurrents& /*strength*/,
+  void add_damping(const Kinematics& /*motion*/, const CoilCurrents& /*strength*/,
                    mechanics::JointMatrix& damping) const override {
     damping.diagonal().array() += damping_;
   }
@@ -158,7 +158,7 @@ class Friction : public EffectTerm {
   Friction(std::span<const double> values, const ModelSpec& spec)
       : torque_(values[0]), give_(values[1]), joints_(spec.chain.joints()) {}
   [[nodiscard]] int states() const override { return joints_; }
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own own,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
                    mechanics::JointVector& torques) const override {
     for (int j = 0; j < joints_; ++j) {
       torques[j] -= torque_ * own.states[j];

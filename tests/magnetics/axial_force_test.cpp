@@ -55,14 +55,14 @@ const ThickCoil other({.inner_radius = 4.1e-3,
                        .length = 8.7e-3,
                        .turns_radial = 9,
                        .turns_axial = 22,
-                       .winding = Winding::paper_shells});
+                       .winding = CurrentDistribution::paper_shells});
 
 // Second route: Maxwell's loops, Boost, adaptive quadrature, good to about 1e-11 where its long doubles do not cancel.
 // Random sizes such as a search meets, from overlapping to 60 mm apart, magnet radius inside the winding or out.
 TEST(AxialForce, AgreesWithLoopsIntegratedAdaptivelyOnRandomPairs) {
   random_pairs::Generator random(20260101);
   for (int i = 0; i < 12; ++i) {
-    const ThickCoil coil = random_pairs::coil(random, Winding::uniform);
+    const ThickCoil coil = random_pairs::coil(random, CurrentDistribution::uniform);
     const CylinderMagnet target = random_pairs::magnet(random);
     const double z = random_pairs::log_uniform(random, 2e-3, 60e-3);
     const long double mean = filament_reference::thick_force(coil.inner_radius(), coil.outer_radius(), coil.length(),
@@ -153,7 +153,7 @@ TEST(AxialForce, GivesTheSameBitsInABatchAndOnAnyThread) {
 // One layer: the mean radius in both conventions of shells. Many layers: the sum over layer centres is a midpoint rule,
 // whose error falls as 1 / layers^2, so by 16 from 8 to 32 layers (10 % for the next order).
 TEST(AxialForce, OfLayerCentresTendsToThatOfUniformCurrent) {
-  const auto coil = [](int layers, Winding winding) {
+  const auto coil = [](int layers, CurrentDistribution winding) {
     return ThickCoil({.inner_radius = 3e-3,
                       .outer_radius = 9.5e-3,
                       .length = 12e-3,
@@ -161,11 +161,11 @@ TEST(AxialForce, OfLayerCentresTendsToThatOfUniformCurrent) {
                       .turns_axial = 30,
                       .winding = winding});
   };
-  EXPECT_EQ(axial_force(coil(1, Winding::paper_shells), 1.0, magnet, 9.9e-3),
-            axial_force(coil(1, Winding::layer_centres), 1.0, magnet, 9.9e-3));
+  EXPECT_EQ(axial_force(coil(1, CurrentDistribution::paper_shells), 1.0, magnet, 9.9e-3),
+            axial_force(coil(1, CurrentDistribution::layer_centres), 1.0, magnet, 9.9e-3));
   const auto error = [&](int layers) {
-    return axial_force(coil(layers, Winding::layer_centres), 1.0, magnet, 9.9e-3) /
-               axial_force(coil(layers, Winding::uniform), 1.0, magnet, 9.9e-3) -
+    return axial_force(coil(layers, CurrentDistribution::layer_centres), 1.0, magnet, 9.9e-3) /
+               axial_force(coil(layers, CurrentDistribution::uniform), 1.0, magnet, 9.9e-3) -
            1.0;
   };
   EXPECT_NEAR(error(8) / error(32), 16.0, 1.6);
@@ -189,7 +189,7 @@ TEST(AxialForce, IsFiniteAndAttractiveWhateverTheSizes) {
                           .length = height,
                           .turns_radial = 1 + i % 20,
                           .turns_axial = 7,
-                          .winding = i % 4 < 2 ? Winding::uniform : Winding::paper_shells});
+                          .winding = i % 4 < 2 ? CurrentDistribution::uniform : CurrentDistribution::paper_shells});
     const double force =
         axial_force(coil, 1.0, CylinderMagnet({.radius = radius, .length = thickness, .remanence = 1.2}), z);
     ASSERT_TRUE(std::isfinite(force)) << i << " " << inner << " " << outer << " " << height << " " << radius << " "

@@ -41,7 +41,7 @@ TEST(Curve, KeepsItsErrorBoundForForcesOverDistance) {
                           .length = 8.7e-3,
                           .turns_radial = 9,
                           .turns_axial = 22,
-                          .winding = Winding::paper_shells});
+                          .winding = CurrentDistribution::paper_shells});
   const Curve::Spec spec{.lower = 10.6e-3, .upper = 90e-3, .tolerance = 1e-9};
   const auto check = [&](const Curve& curve, auto force) {
     EXPECT_LE(curve.error_bound(), spec.tolerance * curve.scale());
@@ -61,7 +61,7 @@ TEST(Curve, HasTheDerivativeOfItsFunction) {
   const auto batch = [&](std::span<const double> x, std::span<double> y) {
     std::transform(x.begin(), x.end(), y.begin(), f);
   };
-  const Curve curve(batch, {.lower = 0.2, .upper = 2.9, .tolerance = 1e-10, .crowding = 0.4});
+  const Curve curve(batch, {.lower = 0.2, .upper = 2.9, .tolerance = 1e-10, .boundary_layer_width = 0.4});
   for (double x = 0.21; x < 2.89; x += 0.0317)
     EXPECT_NEAR(curve.derivative(x), (f(x + 1e-4) - f(x - 1e-4)) / 2e-4, 3e-7) << x;
   EXPECT_EQ(curve.lower(), 0.2);
@@ -100,8 +100,8 @@ TEST(Curve, SaysWhatIsWrongWithItsInputs) {
               ThrowsMessage<Error>("curve upper must be finite and > lower (0.02); got 0.01"));
   EXPECT_THAT(making({.lower = 0.01, .upper = 0.02, .tolerance = 0.0}),
               ThrowsMessage<Error>("curve tolerance must be >= 1e-13 and < 1; got 0"));
-  EXPECT_THAT(making({.lower = 0.01, .upper = 0.02, .tolerance = 1e-8, .crowding = -1.0}),
-              ThrowsMessage<Error>("curve crowding must be finite and >= 0; got -1"));
+  EXPECT_THAT(making({.lower = 0.01, .upper = 0.02, .tolerance = 1e-8, .boundary_layer_width = -1.0}),
+              ThrowsMessage<Error>("curve boundary_layer_width must be finite and >= 0; got -1"));
   const auto gap = [=](std::span<const double> x, std::span<double> y) {
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] > 1.5 ? nan : 1.0;
   };

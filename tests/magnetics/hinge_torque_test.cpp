@@ -50,7 +50,7 @@ TEST(HingeTorque, ShowsTheErrorOfThePapersApproximation) {
                         .length = 12e-3,
                         .turns_radial = 15,
                         .turns_axial = 30,
-                        .winding = Winding::paper_shells});
+                        .winding = CurrentDistribution::paper_shells});
   const CylinderMagnet magnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44});
   const HingeGeometry geometry{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 13.5e-3};
   const auto ratio = [&](double degrees) {

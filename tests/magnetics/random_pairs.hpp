@@ -23,7 +23,7 @@ inline double log_uniform(Generator& random, double lower, double upper) {
   return lower * std::pow(upper / lower, uniform(random, 0.0, 1.0));
 }
 
-inline ThickCoil coil(Generator& random, Winding winding) {
+inline ThickCoil coil(Generator& random, CurrentDistribution winding) {
   const double inner = log_uniform(random, 0.5e-3, 15e-3);
   const int layers = 1 + static_cast<int>(random() % 40);
   return ThickCoil({.inner_radius = inner,

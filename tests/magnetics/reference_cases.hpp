@@ -15,9 +15,9 @@ inline nlohmann::json load(const std::string& file) {
   return nlohmann::json::parse(in);
 }
 
-inline Winding winding(const std::string& name) {
-  if (name == "edge") return Winding::paper_shells;
-  return name == "mid" ? Winding::layer_centres : Winding::uniform;
+inline CurrentDistribution winding(const std::string& name) {
+  if (name == "edge") return CurrentDistribution::paper_shells;
+  return name == "mid" ? CurrentDistribution::layer_centres : CurrentDistribution::uniform;
 }
 
 inline ThickCoil coil(const nlohmann::json& c, const std::string& model) {

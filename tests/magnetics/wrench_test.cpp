@@ -94,7 +94,7 @@ TEST(Wrench, ComesDownToTheAxialForceNextToACommonAxis) {
                          .length = 8.7e-3,
                          .turns_radial = 9,
                          .turns_axial = 22,
-                         .winding = Winding::layer_centres});
+                         .winding = CurrentDistribution::layer_centres});
   const CylinderMagnet pin({.radius = 2.2e-3, .length = 9e-3, .remanence = 1.3});
   constexpr double aside = 1e-10;
   const auto check = [](const Wrench& result, double expected) {
@@ -122,7 +122,7 @@ TEST(Wrench, ComesDownToTheAxialForceNextToACommonAxis) {
 TEST(Wrench, BalancesThatOnTheOtherBodyInRandomPoses) {
   random_pairs::Generator random(3);
   for (int i = 0; i < 150; ++i) {
-    ThickCoil coil = random_pairs::coil(random, Winding::uniform);
+    ThickCoil coil = random_pairs::coil(random, CurrentDistribution::uniform);
     const CylinderMagnet magnet = random_pairs::magnet(random);
     const double gap = random_pairs::log_uniform(random, 1e-3, 40e-3);
     const Pose pose = random_pairs::pose_at_clearance(random, coil, magnet, gap);
@@ -134,7 +134,7 @@ TEST(Wrench, BalancesThatOnTheOtherBodyInRandomPoses) {
                            .length = magnet.length(),
                            .turns_radial = 1,
                            .turns_axial = 35,
-                           .winding = Winding::paper_shells});
+                           .winding = CurrentDistribution::paper_shells});
     const double size = magnet.radius() + 0.5 * magnet.length();
     EXPECT_LT(
         imbalance(pose, wrench(coil, 1.0, sheet, 1.5, pose), wrench(sheet, 1.5, coil, 1.0, back), to_second, size),
@@ -255,7 +255,8 @@ TEST(Wrench, IsTheDerivativeOfTheLinkedEnergy) {
 TEST(Wrench, IsFiniteWhateverThePoseOverlapsIncluded) {
   random_pairs::Generator random(5);
   for (int i = 0; i < 60; ++i) {
-    const ThickCoil coil = random_pairs::coil(random, i % 2 == 0 ? Winding::uniform : Winding::paper_shells);
+    const ThickCoil coil =
+        random_pairs::coil(random, i % 2 == 0 ? CurrentDistribution::uniform : CurrentDistribution::paper_shells);
     const CylinderMagnet magnet = random_pairs::magnet(random);
     const Pose pose{.position = random_pairs::log_uniform(random, 1e-6, 3.0) * random_pairs::direction(random),
                     .axis = random_pairs::direction(random)};

@@ -28,7 +28,7 @@ using mechanics::JointVector;
 class PushTerm final : public actuator::EffectTerm {
  public:
   explicit PushTerm(double strength) : strength_(strength) {}
-  void add_torques(const Motion& motion, const actuator::CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const actuator::CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    JointVector& torques) const override {
     torques += strength_ * motion.rates.cwiseProduct(motion.rates.cwiseAbs());
   }

@@ -70,7 +70,7 @@ Grasp by_least_energy(const Model& model, double current) {
 }
 
 TEST(BlockedGrasp, IsTheLeastEnergyAlongTheWall) {
-  for (const actuator::FaceContact faces : {actuator::FaceContact::hard_parts, actuator::FaceContact::walls}) {
+  for (const actuator::ContactChoice faces : {actuator::ContactChoice::hard_parts, actuator::ContactChoice::walls}) {
     actuator::Design design = actuator::paper_finger();
     design.choices.faces = faces;
     const Model model = actuator::assemble_or_throw(design).model;

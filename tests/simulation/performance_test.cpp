@@ -78,7 +78,7 @@ TEST(Performance, IsTheSameBitsEveryTime) {
 }
 
 bool all_finite(const Performance& p) {
-  const Motion& m = p.motion;
+  const MotionSummary& m = p.motion;
   bool finite = m.rest_angles.allFinite() && m.steady_angles.allFinite() && m.grasp_angles.allFinite() &&
                 std::isfinite(m.peak_bending_speed + m.peak_speed_time + m.overshoot + m.rise_time.value_or(0.0) +
                               m.settling_time.value_or(0.0) + m.grasp_force + m.contact_force_no_current) &&
@@ -102,7 +102,7 @@ TEST(Performance, OfAnyDesignIsNumbersOrAReason) {
     Design d = actuator::paper_geometry();
     const double decades = i % 10 == 0 ? 0.8 : 0.2;
     d.layout = actuator::layout_of(static_cast<actuator::Configuration>(i % 200 < 198 ? i % 2 : 2 + i % 2));
-    d.choices.faces = i % 3 == 0 ? actuator::FaceContact::walls : actuator::FaceContact::hard_parts;
+    d.choices.faces = i % 3 == 0 ? actuator::ContactChoice::walls : actuator::ContactChoice::hard_parts;
     d.choices.masses = i % 2 == 0 ? actuator::SegmentMass::rigid_bodies : actuator::SegmentMass::on_axis_points;
     d.coil.inner_radius = spread(3e-3, decades);
     d.coil.turns_radial = 1 + static_cast<int>(random() % 25);

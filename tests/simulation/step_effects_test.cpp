@@ -85,7 +85,7 @@ TEST(StepEffects, OfCreepIsWhatAnotherIntegratorMeasures) {
 TEST(StepEffects, HoldsSlowCreepInAStep) {
   CreepingRig rig;
   const Model model = model_of(rig, 1.0);
-  const Motion motion = std::get<Motion>(motion_of(model, rig.torque));
+  const MotionSummary motion = std::get<MotionSummary>(motion_of(model, rig.torque));
   rig.time = 1e30;
   const double end = rig.torque / (rig.stiffness + rig.branch);
   EXPECT_NEAR(motion.steady_angles[0], end, 1e-10);
@@ -226,8 +226,8 @@ TEST(PerformanceEffects, AreThereForEveryEffectOfTheCatalogue) {
       actuator::Design changed = design;
       changed.effects = {{kind, values}};
       const Model model = actuator::assemble_or_throw(changed).model;
-      const std::variant<Motion, NoPerformance> result = motion_of(model, 1.4);
-      const Motion* motion = std::get_if<Motion>(&result);
+      const std::variant<MotionSummary, NoPerformance> result = motion_of(model, 1.4);
+      const MotionSummary* motion = std::get_if<MotionSummary>(&result);
       ASSERT_NE(motion, nullptr) << kind->id() << ": " << std::get<NoPerformance>(result).reason;
       const State start{.angles = motion->rest_angles, .rates = straight(model)};
       const Model cold = model.with_slow_states_held(model.settled(start.angles, model.all_coils(0.0)));

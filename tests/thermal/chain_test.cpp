@@ -14,23 +14,23 @@ namespace coilwright::thermal {
 namespace {
 
 // The prototype finger of the paper (Tables I and II): coil, magnet, coil in silicone of 22 mm by 24 mm.
-Chain finger() {
-  const Segment rear{.kind = NodeKind::coil,
-                     .length = 12.6e-3,
-                     .core_radius = 9.5e-3,
-                     .solid_end = 20e-3,
-                     .resistance = 3.76,
-                     .heat_capacity = 12.0,
-                     .temperature_limit = class_f_enamel_limit};
-  Segment tip = rear;
+HeatChain finger() {
+  const HeatSegment rear{.kind = NodeKind::coil,
+                         .length = 12.6e-3,
+                         .core_radius = 9.5e-3,
+                         .solid_end = 20e-3,
+                         .resistance = 3.76,
+                         .heat_capacity = 12.0,
+                         .temperature_limit = class_f_enamel_limit};
+  HeatSegment tip = rear;
   tip.solid_end = 8.6e-3;
-  const Segment magnet{.kind = NodeKind::magnet,
-                       .length = 7.2e-3,
-                       .core_radius = 10e-3,
-                       .solid_end = 0.0,
-                       .resistance = 0.0,
-                       .heat_capacity = 9.4,
-                       .temperature_limit = n_grade_magnet_limit};
+  const HeatSegment magnet{.kind = NodeKind::magnet,
+                           .length = 7.2e-3,
+                           .core_radius = 10e-3,
+                           .solid_end = 0.0,
+                           .resistance = 0.0,
+                           .heat_capacity = 9.4,
+                           .temperature_limit = n_grade_magnet_limit};
   return {.width = 22e-3,
           .height = 24e-3,
           .heat_transfer = 27.0,
@@ -42,7 +42,7 @@ Chain finger() {
 }
 
 // Heat that a bar of silicone draws from a root one kelvin above ambient: finite volumes along its length.
-double fin_by_slices(const Chain& chain, double length, int slices) {
+double fin_by_slices(const HeatChain& chain, double length, int slices) {
   const double section = chain.width * chain.height, perimeter = 2.0 * (chain.width + chain.height);
   const double step = length / slices;
   const double along = chain.silicone_conductivity * section / step;
@@ -55,31 +55,31 @@ double fin_by_slices(const Chain& chain, double length, int slices) {
   return beyond;
 }
 
-TEST(Chain, SidesAreConductionAndSurfaceInSeries) {
+TEST(HeatChain, SidesAreConductionAndSurfaceInSeries) {
   // By hand for the magnet: w = sqrt(22 24) = 22.978 mm, ln(1.08 22.978 / 20) = 0.21576, S = 2 pi 7.2 mm / 0.21576 =
   // 209.7 mm, 23.84 K/W; surface 92 mm 7.2 mm 27 = 17.884 mW/K, 55.91 K/W. Together 79.75 K/W.
-  EXPECT_NEAR(assemble(finger()).nodes()[1].ambient_conductance, 1.0 / 79.75, 2e-6);  // four digits
+  EXPECT_NEAR(build_network(finger()).nodes()[1].ambient_conductance, 1.0 / 79.75, 2e-6);  // four digits
 }
 
-TEST(Chain, SolidEndsAreFins) {
-  Chain chain = finger();
-  const double with = assemble(chain).nodes()[2].ambient_conductance;
+TEST(HeatChain, SolidEndsAreFins) {
+  HeatChain chain = finger();
+  const double with = build_network(chain).nodes()[2].ambient_conductance;
   chain.segments[2].solid_end = 0.0;
-  const double without = assemble(chain).nodes()[2].ambient_conductance;
+  const double without = build_network(chain).nodes()[2].ambient_conductance;
   // Slices converge as 1 / n^2: 400 of them are within (m L / 400)^2 / 12, 1e-6.
   EXPECT_NEAR((with - without) / fin_by_slices(chain, 8.6e-3, 400), 1.0, 3e-6);
 }
 
-TEST(Chain, LinksCarryHeatThroughSiliconeAndAirInSeries) {
-  Chain chain = finger();
+TEST(HeatChain, LinksCarryHeatThroughSiliconeAndAirInSeries) {
+  HeatChain chain = finger();
   chain.gaps[1].air = 0.7e-3;
   const double area = std::numbers::pi * 9.5e-3 * 9.5e-3;  // of the smaller core
-  const Network network = assemble(chain);
+  const Network network = build_network(chain);
   EXPECT_NEAR(network.conductance()(0, 1), -area * 0.2 / 0.9e-3, 1e-15);
   EXPECT_NEAR(network.conductance()(1, 2), -area / (0.9e-3 / 0.2 + 0.7e-3 / 0.03), 1e-15);
 }
 
-TEST(Chain, WedgeConductsLikeTheSumOfItsArcs) {
+TEST(HeatChain, WedgeConductsLikeTheSumOfItsArcs) {
   const Wedge wedge{.angle = 0.55, .hinge_distance = 11.5e-3, .core_radius = 9.5e-3};
   // Strips across the disc at height y: width 2 sqrt(R^2 - y^2), arc length (h + y) angle. With y = R sin(t) the rule
   // is periodic, so the midpoint sum converges geometrically.
@@ -96,9 +96,9 @@ TEST(Chain, WedgeConductsLikeTheSumOfItsArcs) {
 }
 
 TEST(Calibration, GivesTheCurrentItWasMadeFor) {
-  Chain chain = finger();
+  HeatChain chain = finger();
   chain.heat_transfer = calibrate_heat_transfer(chain, 1.1);
-  const ContinuousCurrent found = continuous_current(assemble(chain), Watch::coils);
+  const ContinuousCurrent found = continuous_current(build_network(chain), LimitedParts::coils);
   EXPECT_NEAR(found.current, 1.1, 1e-10);  // 2^-40 of the logarithm's range
 }
 
@@ -111,20 +111,20 @@ TEST(Calibration, OfTheFingerIsAboveStillAirAndBelowAFan) {
 }
 
 TEST(Calibration, DoesNotDependOnTheCoefficientGiven) {
-  Chain other = finger();
+  HeatChain other = finger();
   other.heat_transfer = 3.0;
   EXPECT_EQ(calibrate_heat_transfer(other, 1.1), calibrate_heat_transfer(finger(), 1.1));
   EXPECT_LT(calibrate_heat_transfer(finger(), 0.9), calibrate_heat_transfer(finger(), 1.1));
 }
 
-TEST(Chain, FingersMagnetIsTheWeakPartUnlessTheJointsOpen) {
-  Chain chain = finger();
+TEST(HeatChain, FingersMagnetIsTheWeakPartUnlessTheJointsOpen) {
+  HeatChain chain = finger();
   chain.heat_transfer = calibrate_heat_transfer(chain, 1.1);
-  EXPECT_LT(continuous_current(assemble(chain), Watch::magnets).current, 1.1);
+  EXPECT_LT(continuous_current(build_network(chain), LimitedParts::magnets).current, 1.1);
   const double air = equivalent_air_gap({.angle = 0.5, .hinge_distance = 11.5e-3, .core_radius = 9.5e-3});
   for (Gap& gap : chain.gaps) gap.air = air;
-  EXPECT_GT(continuous_current(assemble(chain), Watch::magnets).current,
-            continuous_current(assemble(chain), Watch::coils).current);
+  EXPECT_GT(continuous_current(build_network(chain), LimitedParts::magnets).current,
+            continuous_current(build_network(chain), LimitedParts::coils).current);
 }
 
 TEST(Calibration, RejectsCurrentsThatNoSurfaceAllows) {
@@ -135,11 +135,11 @@ TEST(Calibration, RejectsCurrentsThatNoSurfaceAllows) {
   EXPECT_TRUE(text.ends_with("(10000 W/(m2 K)); got 9")) << text;
 }
 
-TEST(Chain, RejectsGeometryOutsideItsRules) {
+TEST(HeatChain, RejectsGeometryOutsideItsRules) {
   const auto text = [](auto change) {
-    Chain chain = finger();
+    HeatChain chain = finger();
     change(chain);
-    return error_text([&] { (void)assemble(chain); });
+    return error_text([&] { (void)build_network(chain); });
   };
   EXPECT_EQ(text([](auto& c) { c.width = 0.0; }), "width: must be finite and > 0; got 0");
   EXPECT_EQ(text([](auto& c) { c.height = -1.0; }), "height: must be finite and > 0; got -1");
@@ -160,7 +160,7 @@ TEST(Chain, RejectsGeometryOutsideItsRules) {
             "gaps[1].silicone: must be > 0 where there is no air; got 0");
 }
 
-TEST(Chain, RejectsWedgesOutsideTheirRules) {
+TEST(HeatChain, RejectsWedgesOutsideTheirRules) {
   const auto text = [](const Wedge& wedge) { return error_text([&] { (void)equivalent_air_gap(wedge); }); };
   EXPECT_EQ(text({.angle = -0.1, .hinge_distance = 0.012, .core_radius = 0.009}),
             "angle: must be finite and >= 0; got -0.1");

@@ -70,31 +70,31 @@ TEST(SteadyState, RunawayCurrentOfOneCoilIsTheClosedForm) {
 TEST(ContinuousCurrent, OfOneCoilIsTheClosedForm) {
   // G (Tl - Ta) = x R (1 + alpha (Tl - 20))
   const double expected = std::sqrt(0.037 * (148.0 - 31.0) / (3.6 * (1.0 + alpha * 128.0)));
-  const ContinuousCurrent found = continuous_current(one_coil(), Watch::coils);
+  const ContinuousCurrent found = continuous_current(one_coil(), LimitedParts::coils);
   EXPECT_NEAR(found.current / expected, 1.0, 1e-12);  // as documented
   EXPECT_EQ(found.limiting_node, 0U);
 }
 
 TEST(ContinuousCurrent, PutsTheWorstWatchedNodeAtItsLimitAndNoneAbove) {
   const Network network = five_nodes();
-  for (const Watch watch : {Watch::coils, Watch::magnets, Watch::everything}) {
+  for (const LimitedParts watch : {LimitedParts::coils, LimitedParts::magnets, LimitedParts::everything}) {
     const ContinuousCurrent found = continuous_current(network, watch);
     // Second route: the linear solve at that current.
     const SteadyState state = steady_state(network, same_in_every_coil(network, found.current * found.current));
     ASSERT_EQ(state.outcome, Outcome::settles);
     for (std::size_t i = 0; i < 5; ++i) {
       const Node& node = network.nodes()[i];
-      if (watch == Watch::coils && node.kind != NodeKind::coil) continue;
-      if (watch == Watch::magnets && node.kind != NodeKind::magnet) continue;
+      if (watch == LimitedParts::coils && node.kind != NodeKind::coil) continue;
+      if (watch == LimitedParts::magnets && node.kind != NodeKind::magnet) continue;
       // 1e-12 of the current moves a rise of 100 K by less than 1e-9 K.
       EXPECT_LE(state.temperatures(static_cast<Eigen::Index>(i)), node.temperature_limit + 1e-9);
     }
     const double limit = network.nodes()[found.limiting_node].temperature_limit;
     EXPECT_NEAR(state.temperatures(static_cast<Eigen::Index>(found.limiting_node)), limit, 1e-9);
   }
-  EXPECT_EQ(
-      continuous_current(network, Watch::everything).current,
-      std::min(continuous_current(network, Watch::coils).current, continuous_current(network, Watch::magnets).current));
+  EXPECT_EQ(continuous_current(network, LimitedParts::everything).current,
+            std::min(continuous_current(network, LimitedParts::coils).current,
+                     continuous_current(network, LimitedParts::magnets).current));
 }
 
 TEST(ContinuousCurrent, IsNothingWhenAmbientIsAtALimit) {
@@ -102,7 +102,7 @@ TEST(ContinuousCurrent, IsNothingWhenAmbientIsAtALimit) {
                      .links = {0.02},
                      .ambient = 83.0,  // above the magnet's 80
                      .temperature_coefficient = alpha};
-  const ContinuousCurrent found = continuous_current(Network(spec), Watch::everything);
+  const ContinuousCurrent found = continuous_current(Network(spec), LimitedParts::everything);
   EXPECT_EQ(found.current, 0.0);
   EXPECT_EQ(found.limiting_node, 1U);
 }
@@ -112,7 +112,7 @@ TEST(ContinuousCurrent, EndsAtTheRunawayWhenNoWatchedNodeHeatsUp) {
                          .links = {0.0},
                          .ambient = 22.0,
                          .temperature_coefficient = alpha});
-  const ContinuousCurrent found = continuous_current(network, Watch::magnets);
+  const ContinuousCurrent found = continuous_current(network, LimitedParts::magnets);
   EXPECT_NEAR(found.current, std::sqrt(0.041 / (alpha * 3.3)), 1e-12);
   EXPECT_EQ(found.limiting_node, 2U);  // none of the two
 }
@@ -135,9 +135,9 @@ TEST(ContinuousCurrent, RejectsNetworksWithoutWhatIsWatched) {
   const Network magnet_only(
       {.nodes = {five_nodes().nodes()[1]}, .links = {}, .ambient = 22.0, .temperature_coefficient = alpha});
   EXPECT_EQ(error_text([&] { (void)runaway_current(magnet_only); }), "nodes: must include a coil; got none");
-  EXPECT_EQ(error_text([&] { (void)continuous_current(magnet_only, Watch::magnets); }),
+  EXPECT_EQ(error_text([&] { (void)continuous_current(magnet_only, LimitedParts::magnets); }),
             "nodes: must include a coil; got none");
-  EXPECT_EQ(error_text([] { (void)continuous_current(one_coil(), Watch::magnets); }),
+  EXPECT_EQ(error_text([] { (void)continuous_current(one_coil(), LimitedParts::magnets); }),
             "nodes: must include a magnet; got none");
 }
 

@@ -98,7 +98,7 @@ TEST(TimeToLimit, IsWhenTheFirstNodeOfAChainArrives) {
 
 TEST(TimeToLimit, KnowsNeverAndAlready) {
   const Network network = five_nodes();
-  const double most = continuous_current(network, Watch::everything).current;
+  const double most = continuous_current(network, LimitedParts::everything).current;
   EXPECT_FALSE(time_to_limit(network, {.holding_current = 0.1, .overload_current = 0.999 * most}).has_value());
   EXPECT_TRUE(time_to_limit(network, {.holding_current = 0.1, .overload_current = 1.001 * most}).has_value());
   const auto already = time_to_limit(network, {.holding_current = 1.01 * most, .overload_current = 1.2 * most});

@@ -39,9 +39,9 @@ struct Assembly {
 /// Every joint between a coil and a magnet gets the torque curve of the chosen fidelity; magnets act on each other and
 /// on further coils along the chain as DistantPair says; coil-coil forces are left out (1.2 % of the coil-magnet force
 /// in the prototype, by the paper's and by our own figure).
-[[nodiscard]] std::variant<Assembly, Misfits> assemble(const Design& design);
+[[nodiscard]] std::variant<Assembly, ConstructionFaults> assemble(const Design& design);
 
-/// The same for a design that must be buildable: throws std::invalid_argument with the first misfit.
+/// The same for a design that must be buildable: throws std::invalid_argument with the first fault.
 [[nodiscard]] Assembly assemble_or_throw(const Design& design);
 
 }  // namespace coilwright::actuator

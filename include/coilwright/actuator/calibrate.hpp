@@ -22,7 +22,7 @@ struct Measured {
 
 /// Factors measured over derived, at the geometry of `design` (whose own calibration is ignored). A derived value times
 /// its factor is the measured one to rounding. Throws std::invalid_argument naming the value when it is not finite and
-/// > 0, or when the design has no such part, and with the first misfit of a design that cannot be built.
+/// > 0, or when the design has no such part, and with the first fault of a design that cannot be built.
 [[nodiscard]] Calibration calibrate(Design design, const Measured& measured);
 
 }  // namespace coilwright::actuator

@@ -47,7 +47,7 @@ struct BodyDesign {
 };
 
 /// Where segments are allowed to meet when a joint closes.
-enum class FaceContact {
+enum class ContactChoice {
   /// Only the stiff parts stop a joint: the silicone walls give way until coil and magnet touch at their top. The
   /// paper's
   /// model has no contact at all; in its range this is the same, and it cannot run away at negative current.
@@ -64,9 +64,9 @@ enum class SegmentMass {
 
 /// Conventions of the model, each worth a few per cent or more: a result without them cannot be compared.
 struct ModelChoices {
-  magnetics::Winding winding = magnetics::Winding::uniform;
+  magnetics::CurrentDistribution winding = magnetics::CurrentDistribution::uniform;
   magnetics::Fidelity torque = magnetics::Fidelity::exact;
-  FaceContact faces = FaceContact::hard_parts;
+  ContactChoice faces = ContactChoice::hard_parts;
   SegmentMass masses = SegmentMass::rigid_bodies;
 };
 

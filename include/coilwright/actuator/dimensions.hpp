@@ -9,18 +9,18 @@
 namespace coilwright::actuator {
 
 /// A rule of construction that a design breaks.
-struct Misfit {
+struct ConstructionFault {
   std::string rule;  ///< one line: what does not fit into what, with both figures and units
   double excess{};   ///< by how much, relative to the limit; > 0 and growing away from what can be built
 };
 
 /// What is wrong with a design; empty for one that can be built.
-using Misfits = std::vector<Misfit>;
+using ConstructionFaults = std::vector<ConstructionFault>;
 
 /// All rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, gauges outside
 /// the table, a bore too tight for its wire, hardness outside Gent's relation, a layout that is none, calibration
 /// factors or surroundings that are no such thing. Empty for a design that can be built. Never throws.
-[[nodiscard]] Misfits misfits(const Design& design);
+[[nodiscard]] ConstructionFaults construction_faults(const Design& design);
 
 /// Geometry that follows from a design, SI; the names of the paper's Tables I and II in brackets.
 struct Dimensions {
@@ -41,7 +41,8 @@ struct Dimensions {
   double closing_angle{};
 };
 
-/// Precondition: misfits(design) is empty. Throws std::invalid_argument (naming the rule) where the winding is none.
+/// Precondition: construction_faults(design) is empty. Throws std::invalid_argument (naming the rule) where the winding
+/// is none.
 [[nodiscard]] Dimensions dimensions(const Design& design);
 
 /// The coil of a design, its pitches scaled by the calibration. Precondition as above.

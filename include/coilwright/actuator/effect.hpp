@@ -59,13 +59,13 @@ class EffectTerm {
   EffectTerm& operator=(const EffectTerm&) = delete;
   virtual ~EffectTerm() = default;
 
-  struct Motion {
+  struct Kinematics {
     const mechanics::PlanarChain& chain;
     const mechanics::JointVector& angles;  ///< rad
     const mechanics::JointVector& rates;   ///< rad/s
   };
   /// The effect's states, and where their slopes go: null when nobody asks.
-  struct Own {
+  struct InternalStateView {
     const double* states{};
     double* slopes{};
   };
@@ -75,21 +75,22 @@ class EffectTerm {
   /// Whether these states move so slowly (heat, creep over many seconds) that a step response is taken with them held.
   [[nodiscard]] virtual bool slow() const { return false; }
   /// Its states after a long hold at `motion` (at rest) under `currents`, as they enter its stage. Default: zeros.
-  virtual void settle(const Motion& motion, const CoilCurrents& currents, double* states) const;
+  virtual void settle(const Kinematics& motion, const CoilCurrents& currents, double* states) const;
   /// Its states where a recorded run that starts at rest begins. Default: settled; heat may be cold instead.
-  virtual void begin(const Motion& motion, const CoilCurrents& currents, double* states) const {
+  virtual void begin(const Kinematics& motion, const CoilCurrents& currents, double* states) const {
     settle(motion, currents, states);
   }
 
   /// Drive: turns the currents that enter into those that leave.
-  virtual void drive(Own own, CoilCurrents& currents) const;
+  virtual void drive(InternalStateView own, CoilCurrents& currents) const;
   /// Magnetics: `strength` are the currents as the force sees them (a weaker magnet is a smaller current).
-  virtual void magnetize(Own own, const CoilCurrents& currents, CoilCurrents& strength) const;
+  virtual void magnetize(InternalStateView own, const CoilCurrents& currents, CoilCurrents& strength) const;
   /// Magnetics, hinge and chain: adds joint torques, N m, opening positive.
-  virtual void add_torques(const Motion& motion, const CoilCurrents& strength, Own own,
+  virtual void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
                            mechanics::JointVector& torques) const;
   /// Damping of small motions about a pose at rest, N m s/rad, added to `damping` (n, n).
-  virtual void add_damping(const Motion& motion, const CoilCurrents& strength, mechanics::JointMatrix& damping) const;
+  virtual void add_damping(const Kinematics& motion, const CoilCurrents& strength,
+                           mechanics::JointMatrix& damping) const;
 
   /// Camera: what it shows of an angle, rad.
   [[nodiscard]] virtual double observed(double angle) const { return angle; }

@@ -25,8 +25,8 @@ class Model {
   /// twice, breaks its rules or cannot be in this model.
   explicit Model(Spec spec);
 
-  /// What it was made of: the nominal stages, before any effect was built in, and the effects. The other queries (chain(),
-  /// hinges(), magnetics()) answer with the effects built in.
+  /// What it was made of: the nominal stages, before any effect was built in, and the effects. The other queries
+  /// (chain(), hinges(), magnetics()) answer with the effects built in.
   [[nodiscard]] const Spec& nominal_spec() const noexcept { return nominal_ ? *nominal_ : spec_; }
 
   [[nodiscard]] int joints() const noexcept { return spec_.chain.joints(); }
@@ -117,7 +117,7 @@ class Model {
     bool held{};
     int first{};
   };
-  [[nodiscard]] EffectTerm::Own own(const Term& term, const double* states, double* slopes) const;
+  [[nodiscard]] EffectTerm::InternalStateView own(const Term& term, const double* states, double* slopes) const;
   void number_states();
   // Terms of the stages drive, magnetics and hinge to chain, in this order, and of the camera last.
   [[nodiscard]] std::span<const Term> terms(Stage first, Stage last) const;
@@ -130,7 +130,7 @@ class Model {
   // Of magnetics and hinges but for the terms; writes every joint.
   void stage_torques(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
                      const CoilCurrents& strength, mechanics::JointVector& torques) const;
-  void add_term_torques(const EffectTerm::Motion& motion, const CoilCurrents& strength, const double* states,
+  void add_term_torques(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
                         double* slopes, mechanics::JointVector& torques) const;
   void add_term_stiffness(const mechanics::JointVector& angles, const CoilCurrents& command, InitialHistory history,
                           mechanics::JointMatrix& stiffness) const;

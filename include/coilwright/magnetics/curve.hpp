@@ -41,11 +41,11 @@ class Curve {
  public:
   /// What to interpolate over, and how well.
   struct Spec {
-    double lower{};      ///< finite, < upper
-    double upper{};      ///< finite
-    double tolerance{};  ///< of the largest magnitude of the function over the range; >= 1e-13, < 1
-    double crowding{};   ///< > 0: how far below `lower` the function's variation is concentrated, in the unit of x; 0
-                         ///< stands for upper - lower: no particular concentration
+    double lower{};                 ///< finite, < upper
+    double upper{};                 ///< finite
+    double tolerance{};             ///< of the largest magnitude of the function over the range; >= 1e-13, < 1
+    double boundary_layer_width{};  ///< > 0: how far below `lower` the function's variation is concentrated, in the
+                                    ///< unit of x; 0 stands for upper - lower: no particular concentration
   };
   struct Sample {
     double value;       ///< in the function's unit
@@ -119,14 +119,14 @@ class Curve {
   std::array<Piece, max_pieces> pieces_;
 };
 
-/// hinge_torque_per_ampere over the joint angle, rad -> N m/A. A crowding of 0 is replaced by one that suits the
-/// hinge. With Fidelity::exact the range must not reach far into angles at which coil and magnet overlap: the torque of
-/// overlapping currents is not smooth, and the construction then gives up with std::domain_error.
+/// hinge_torque_per_ampere over the joint angle, rad -> N m/A. A boundary layer width of 0 is replaced by one that
+/// suits the hinge. With Fidelity::exact the range must not reach far into angles at which coil and magnet overlap: the
+/// torque of overlapping currents is not smooth, and the construction then gives up with std::domain_error.
 [[nodiscard]] Curve torque_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& geometry,
                                  Fidelity fidelity, const Curve::Spec& spec);
 
 /// axial_force over the distance of the centres, m -> N per ampere (both senses positive: attraction is negative).
-/// Here and below a crowding of 0 is replaced by the radius of the first body.
+/// Here and below a boundary layer width of 0 is replaced by the radius of the first body.
 [[nodiscard]] Curve force_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const Curve::Spec& spec);
 /// The same for two magnets, m -> N.
 [[nodiscard]] Curve force_curve(const CylinderMagnet& first, const CylinderMagnet& second, const Curve::Spec& spec);

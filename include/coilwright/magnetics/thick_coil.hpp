@@ -4,7 +4,7 @@ namespace coilwright::magnetics {
 
 /// Where the current of a thick coil is taken to flow. The total is turns_radial * turns_axial turns in each case;
 /// on the prototype finger the three differ by 1.05 % in force.
-enum class Winding {
+enum class CurrentDistribution {
   paper_shells,   ///< turns_radial thin shells from the inner to the outer radius, both included (a single one: at the
                   ///< mean radius); the source paper's eq. (14)
   layer_centres,  ///< turns_radial thin shells in the middle of turns_radial layers of equal thickness
@@ -16,12 +16,12 @@ class ThickCoil {
  public:
   /// Inputs of a ThickCoil. Name every field at the call site.
   struct Spec {
-    double inner_radius{};               ///< m; finite, > 0
-    double outer_radius{};               ///< m; finite, > inner_radius
-    double length{};                     ///< m, along the axis; finite, > 0
-    int turns_radial{};                  ///< layers, dimensionless; >= 1
-    int turns_axial{};                   ///< turns in each layer, dimensionless; >= 1
-    Winding winding = Winding::uniform;  ///< where the current flows
+    double inner_radius{};                                       ///< m; finite, > 0
+    double outer_radius{};                                       ///< m; finite, > inner_radius
+    double length{};                                             ///< m, along the axis; finite, > 0
+    int turns_radial{};                                          ///< layers, dimensionless; >= 1
+    int turns_axial{};                                           ///< turns in each layer, dimensionless; >= 1
+    CurrentDistribution winding = CurrentDistribution::uniform;  ///< where the current flows
   };
   /// Throws std::invalid_argument naming the field, the rule and the value received.
   explicit ThickCoil(const Spec& spec);
@@ -31,7 +31,7 @@ class ThickCoil {
   [[nodiscard]] double length() const noexcept { return spec_.length; }              ///< m
   [[nodiscard]] int turns_radial() const noexcept { return spec_.turns_radial; }     ///< layers
   [[nodiscard]] int turns_axial() const noexcept { return spec_.turns_axial; }       ///< turns in each layer
-  [[nodiscard]] Winding winding() const noexcept { return spec_.winding; }
+  [[nodiscard]] CurrentDistribution winding() const noexcept { return spec_.winding; }
   [[nodiscard]] double turns() const noexcept;  ///< all turns, turns_radial * turns_axial
 
  private:

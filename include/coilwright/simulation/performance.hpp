@@ -18,7 +18,7 @@ struct OperatingPoint {
 };
 
 /// How a model moves and pulls at one current.
-struct Motion {
+struct MotionSummary {
   mechanics::JointVector rest_angles;    ///< hanging without current, rad
   mechanics::JointVector steady_angles;  ///< where a step from rest ends, rad
   double peak_bending_speed{};           ///< of that step, rad/s
@@ -43,7 +43,7 @@ struct Heat {
 
 /// All that is known of a design at an operating point.
 struct Performance {
-  Motion motion;
+  MotionSummary motion;
   Heat heat;
   double axial_force{};      ///< of one coil on a magnet at the rest gap, N, positive for repulsion
   double mass{};             ///< kg
@@ -61,7 +61,7 @@ struct NoPerformance {
 };
 
 /// Motion of any model, also one that is given by its lumps alone.
-[[nodiscard]] std::variant<Motion, NoPerformance> motion_of(const actuator::Model& model, double current);
+[[nodiscard]] std::variant<MotionSummary, NoPerformance> motion_of(const actuator::Model& model, double current);
 
 /// Everything of an assembled design. Pure: the same input gives the same bits. Throws std::invalid_argument for a duty
 /// outside 0 to 1.

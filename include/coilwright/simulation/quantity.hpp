@@ -28,7 +28,7 @@ struct ResultQuantity {
   /// runaway). Pure, and called from several threads at once.
   using Value = std::function<std::optional<double>(const DesignView&)>;
   /// The same for a model that is given by its lumps alone; current in A.
-  using LumpedValue = std::function<std::optional<double>(const Motion& motion, double current)>;
+  using LumpedValue = std::function<std::optional<double>(const MotionSummary& motion, double current)>;
 
   std::string name;               ///< ends with its unit: "mass_g"; without one it is a plain number
   std::string meaning;            ///< one line for a person

@@ -7,7 +7,7 @@
 namespace coilwright::thermal {
 
 /// A box of silicone around a round core: one segment of the actuator.
-struct Segment {
+struct HeatSegment {
   NodeKind kind{};
   double length{};             ///< along the actuator, silicone walls included, m; finite, > 0
   double core_radius{};        ///< of the coil or magnet, m; > 0, inside the body
@@ -24,16 +24,16 @@ struct Gap {
 };
 
 /// An actuator as a thermal chain: geometry and materials in, Network out.
-struct Chain {
-  double width{};                    ///< of the cross-section, m
-  double height{};                   ///< of the cross-section, m
-  double heat_transfer{};            ///< h of the outer surface: convection and radiation together, W/(m2 K); > 0
-  double silicone_conductivity{};    ///< W/(m K); > 0
-  double air_conductivity{0.03};     ///< W/(m K); > 0. Still air at 80 degC: 0.030 (CRC Handbook)
-  double ambient{};                  ///< degC
-  double temperature_coefficient{};  ///< alpha of the coils, 1/K; > 0
-  std::vector<Segment> segments;     ///< in order along the actuator
-  std::vector<Gap> gaps;             ///< between neighbours; one less than segments
+struct HeatChain {
+  double width{};                     ///< of the cross-section, m
+  double height{};                    ///< of the cross-section, m
+  double heat_transfer{};             ///< h of the outer surface: convection and radiation together, W/(m2 K); > 0
+  double silicone_conductivity{};     ///< W/(m K); > 0
+  double air_conductivity{0.03};      ///< W/(m K); > 0. Still air at 80 degC: 0.030 (CRC Handbook)
+  double ambient{};                   ///< degC
+  double temperature_coefficient{};   ///< alpha of the coils, 1/K; > 0
+  std::vector<HeatSegment> segments;  ///< in order along the actuator
+  std::vector<Gap> gaps;              ///< between neighbours; one less than segments
 };
 
 /// A gap that opens as a wedge when a joint bends.
@@ -60,7 +60,7 @@ struct Wedge {
 /// and Mass Transfer, table 4.1 case 6 (conduction) and table 3.4 case A (fins). The shape factor is meant for long
 /// bars; a segment is half as long as wide, but its ends are covered by neighbours or fins. Throws
 /// std::invalid_argument naming the field, the rule and the value received.
-[[nodiscard]] Network assemble(const Chain& chain);
+[[nodiscard]] Network build_network(const HeatChain& chain);
 
 /// The heat transfer coefficient, W/(m2 K), at which the hottest coil of `chain` is exactly at its temperature limit
 /// under `continuous_current` (A, > 0; the same in every coil). `chain.heat_transfer` is not used.
@@ -69,6 +69,6 @@ struct Wedge {
 /// (convection, radiation, wires, mounting) as a property of a surface.
 /// Throws std::invalid_argument when no coefficient from 0.01 to 10,000 W/(m2 K) does it (the conduction inside alone
 /// may already be too poor), saying which current each end allows.
-[[nodiscard]] double calibrate_heat_transfer(const Chain& chain, double continuous_current);
+[[nodiscard]] double calibrate_heat_transfer(const HeatChain& chain, double continuous_current);
 
 }  // namespace coilwright::thermal

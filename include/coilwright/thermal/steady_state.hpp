@@ -31,20 +31,20 @@ struct SteadyState {
 [[nodiscard]] double runaway_current(const Network& network);
 
 /// Which nodes' limits count.
-enum class Watch { coils, magnets, everything };
+enum class LimitedParts { coils, magnets, everything };
 
 /// The largest steady current and what sets it.
 struct ContinuousCurrent {
-  /// A. 0 when ambient itself is at a limit; the runaway current when no watched node reaches its limit below that.
+  /// A. 0 when ambient itself is at a limit; the runaway current when no limited node reaches its limit below that.
   double current{};
   /// Index of the node at its limit; the number of nodes when it is the runaway that limits.
   std::size_t limiting_node{};
 };
 
-/// The largest steady current (the same in every coil) at which every watched node stays at or under its
+/// The largest steady current (the same in every coil) at which every limited node stays at or under its
 /// temperature_limit. Temperatures rise with current, so there is exactly one: the root of their modal sum below the
 /// runaway current, to 1e-12 relative. Throws std::invalid_argument for a network without coils, or
-/// Watch::magnets without magnets.
-[[nodiscard]] ContinuousCurrent continuous_current(const Network& network, Watch watch);
+/// LimitedParts::magnets without magnets.
+[[nodiscard]] ContinuousCurrent continuous_current(const Network& network, LimitedParts parts);
 
 }  // namespace coilwright::thermal

@@ -25,7 +25,7 @@ class BackEmfTerm final : public EffectTerm {
       : driven_(std::move(driven)), coils_(coils), conductance_(conductance) {}
 
   // A coil with torques g_j per ampere sees the voltage sum g_j omega_j and drives kappa times it through itself.
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    JointVector& torques) const override {
     for (int c = 0; c < coils_; ++c) {
       const JointVector per_ampere = torque_per_ampere(motion, c);
@@ -33,7 +33,7 @@ class BackEmfTerm final : public EffectTerm {
     }
   }
 
-  void add_damping(const Motion& motion, const CoilCurrents& /*strength*/, JointMatrix& damping) const override {
+  void add_damping(const Kinematics& motion, const CoilCurrents& /*strength*/, JointMatrix& damping) const override {
     for (int c = 0; c < coils_; ++c) {
       const JointVector per_ampere = torque_per_ampere(motion, c);
       damping += conductance_ * per_ampere * per_ampere.transpose();
@@ -41,7 +41,7 @@ class BackEmfTerm final : public EffectTerm {
   }
 
  private:
-  JointVector torque_per_ampere(const Motion& motion, int coil) const {
+  JointVector torque_per_ampere(const Kinematics& motion, int coil) const {
     CoilCurrents unit = CoilCurrents::Zero(coils_);
     unit[coil] = 1.0;
     JointVector torque = JointVector::Zero(motion.angles.size());

@@ -23,19 +23,19 @@ class CoilHeatTerm final : public EffectTerm {
   bool slow() const override { return time_constant_ > slow_time; }
 
   // x (1 + x) = a i^2.
-  void settle(const Motion& /*motion*/, const CoilCurrents& currents, double* out) const override {
+  void settle(const Kinematics& /*motion*/, const CoilCurrents& currents, double* out) const override {
     for (int c = 0; c < coils_; ++c) {
       const double load = fade_ * currents[c] * currents[c];
       out[c] = 2.0 * load / (1.0 + std::sqrt(1.0 + 4.0 * load));
     }
   }
 
-  void begin(const Motion& motion, const CoilCurrents& currents, double* out) const override {
+  void begin(const Kinematics& motion, const CoilCurrents& currents, double* out) const override {
     settle(motion, currents, out);
     for (int c = 0; c < coils_; ++c) out[c] *= warm_start_;
   }
 
-  void drive(Own own, CoilCurrents& currents) const override {
+  void drive(InternalStateView own, CoilCurrents& currents) const override {
     for (int c = 0; c < coils_; ++c) {
       const double rise = std::max(own.states[c], 0.0);  // an integrator's trial step may undershoot
       const double cold = currents[c];

@@ -17,11 +17,11 @@ class LagTerm final : public EffectTerm {
 
   int states() const override { return coils_; }
 
-  void settle(const Motion& /*motion*/, const CoilCurrents& currents, double* out) const override {
+  void settle(const Kinematics& /*motion*/, const CoilCurrents& currents, double* out) const override {
     std::copy_n(currents.data(), coils_, out);
   }
 
-  void drive(Own own, CoilCurrents& currents) const override {
+  void drive(InternalStateView own, CoilCurrents& currents) const override {
     for (int c = 0; c < coils_; ++c) {
       if (own.slopes != nullptr) own.slopes[c] = (currents[c] - own.states[c]) / time_constant_;
       currents[c] = own.states[c];

@@ -8,7 +8,7 @@ class OffsetTerm final : public EffectTerm {
  public:
   explicit OffsetTerm(double offset) : offset_(offset) {}
 
-  void drive(Own /*own*/, CoilCurrents& currents) const override { currents.array() += offset_; }
+  void drive(InternalStateView /*own*/, CoilCurrents& currents) const override { currents.array() += offset_; }
 
  private:
   double offset_;

@@ -12,7 +12,7 @@ class DeadbandTerm final : public EffectTerm {
  public:
   explicit DeadbandTerm(double band) : band_(band) {}
 
-  void drive(Own /*own*/, CoilCurrents& currents) const override {
+  void drive(InternalStateView /*own*/, CoilCurrents& currents) const override {
     for (double& current : currents) current = std::copysign(std::max(std::abs(current) - band_, 0.0), current);
   }
 

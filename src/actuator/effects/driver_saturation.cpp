@@ -12,7 +12,7 @@ class SaturationTerm final : public EffectTerm {
  public:
   explicit SaturationTerm(double limit) : limit_(limit) {}
 
-  void drive(Own /*own*/, CoilCurrents& currents) const override {
+  void drive(InternalStateView /*own*/, CoilCurrents& currents) const override {
     for (double& current : currents) current = std::clamp(current, -limit_, limit_);
   }
 

@@ -35,7 +35,7 @@ class FrictionTerm final : public EffectTerm {
 
   int states() const override { return static_cast<int>(stiffness_.size()); }
 
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own own,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
                    JointVector& torques) const override {
     for (int j = 0; j < states(); ++j) {
       const double rate = motion.rates[j];

@@ -36,18 +36,19 @@ bool keeps_rule(const EffectParameter& parameter, double value) {
 
 }  // namespace
 
-void EffectTerm::settle(const Motion& /*motion*/, const CoilCurrents& /*currents*/, double* out) const {
+void EffectTerm::settle(const Kinematics& /*motion*/, const CoilCurrents& /*currents*/, double* out) const {
   std::fill_n(out, states(), 0.0);
 }
 
-void EffectTerm::drive(Own /*own*/, CoilCurrents& /*currents*/) const {}
+void EffectTerm::drive(InternalStateView /*own*/, CoilCurrents& /*currents*/) const {}
 
-void EffectTerm::magnetize(Own /*own*/, const CoilCurrents& /*currents*/, CoilCurrents& /*strength*/) const {}
+void EffectTerm::magnetize(InternalStateView /*own*/, const CoilCurrents& /*currents*/,
+                           CoilCurrents& /*strength*/) const {}
 
-void EffectTerm::add_torques(const Motion& /*motion*/, const CoilCurrents& /*strength*/, Own /*own*/,
+void EffectTerm::add_torques(const Kinematics& /*motion*/, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                              mechanics::JointVector& /*torques*/) const {}
 
-void EffectTerm::add_damping(const Motion& /*motion*/, const CoilCurrents& /*strength*/,
+void EffectTerm::add_damping(const Kinematics& /*motion*/, const CoilCurrents& /*strength*/,
                              mechanics::JointMatrix& /*damping*/) const {}
 
 std::optional<std::string> EffectKind::inapplicable(const ModelSpec& spec) const {

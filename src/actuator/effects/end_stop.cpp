@@ -22,7 +22,7 @@ class StopTerm final : public EffectTerm {
   StopTerm(std::vector<FaceContact> stops, double side) : stops_(std::move(stops)), side_(side) {}
 
   // An opening limit is a closing one seen from the other side.
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    mechanics::JointVector& torques) const override {
     for (std::size_t j = 0; j < stops_.size(); ++j) {
       const int at = static_cast<int>(j);
@@ -30,7 +30,7 @@ class StopTerm final : public EffectTerm {
     }
   }
 
-  void add_damping(const Motion& motion, const CoilCurrents& /*strength*/,
+  void add_damping(const Kinematics& motion, const CoilCurrents& /*strength*/,
                    mechanics::JointMatrix& damping) const override {
     for (std::size_t j = 0; j < stops_.size(); ++j) {
       const int at = static_cast<int>(j);

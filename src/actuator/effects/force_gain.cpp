@@ -8,7 +8,7 @@ class GainTerm final : public EffectTerm {
  public:
   explicit GainTerm(double gain) : gain_(gain) {}
 
-  void magnetize(Own /*own*/, const CoilCurrents& /*currents*/, CoilCurrents& strength) const override {
+  void magnetize(InternalStateView /*own*/, const CoilCurrents& /*currents*/, CoilCurrents& strength) const override {
     strength *= gain_;
   }
 

@@ -15,7 +15,7 @@ class HysteresisTerm final : public EffectTerm {
 
   int states() const override { return joints_; }
 
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own own,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
                    mechanics::JointVector& torques) const override {
     for (int j = 0; j < joints_; ++j) {
       const double rate = motion.rates[j];

@@ -21,16 +21,16 @@ class MagnetHeatTerm final : public EffectTerm {
   int states() const override { return 1; }
   bool slow() const override { return time_constant_ > slow_time; }
 
-  void settle(const Motion& /*motion*/, const CoilCurrents& currents, double* out) const override {
+  void settle(const Kinematics& /*motion*/, const CoilCurrents& currents, double* out) const override {
     out[0] = steady(currents);
   }
 
-  void begin(const Motion& /*motion*/, const CoilCurrents& currents, double* out) const override {
+  void begin(const Kinematics& /*motion*/, const CoilCurrents& currents, double* out) const override {
     out[0] = warm_start_ * steady(currents);
   }
 
   // A magnet loses all its remanence at the worst and never turns round.
-  void magnetize(Own own, const CoilCurrents& currents, CoilCurrents& strength) const override {
+  void magnetize(InternalStateView own, const CoilCurrents& currents, CoilCurrents& strength) const override {
     strength *= std::clamp(1.0 - own.states[0], 0.0, 1.0);
     if (own.slopes != nullptr) own.slopes[0] = (steady(currents) - own.states[0]) / time_constant_;
   }

@@ -10,7 +10,7 @@ class DragTerm final : public EffectTerm {
  public:
   explicit DragTerm(double drag) : drag_(drag) {}
 
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    mechanics::JointVector& torques) const override {
     torques.array() -= drag_ * motion.rates.array() * motion.rates.array().abs();
   }

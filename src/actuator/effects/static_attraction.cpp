@@ -18,7 +18,7 @@ class AttractionTerm final : public EffectTerm {
   AttractionTerm(double torque, double range, double side) : torque_(torque), range_(range), side_(side) {}
 
   // The magnet nearest the base, on the first link, is what iron attracts; a coil without current is copper.
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    mechanics::JointVector& torques) const override {
     const double distance = 1.0 - side_ * motion.angles[0] / range_;
     const double closeness = (1.0 + size * size) / (distance * distance + size * size);

@@ -18,7 +18,7 @@ class HardeningTerm final : public EffectTerm {
         coefficient_(coefficient),
         turn_(coefficient < 0.0 ? 1.0 / std::sqrt(-3.0 * coefficient) : std::numeric_limits<double>::infinity()) {}
 
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own /*own*/,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    mechanics::JointVector& torques) const override {
     for (int j = 0; j < stiffness_.size(); ++j) {
       const double angle = motion.angles[j];

@@ -21,11 +21,11 @@ class CreepTerm final : public EffectTerm {
   int states() const override { return static_cast<int>(stiffness_.size()); }
   bool slow() const override { return time_constant_ > slow_time; }
 
-  void settle(const Motion& motion, const CoilCurrents& /*currents*/, double* out) const override {
+  void settle(const Kinematics& motion, const CoilCurrents& /*currents*/, double* out) const override {
     std::copy_n(motion.angles.data(), states(), out);
   }
 
-  void add_torques(const Motion& motion, const CoilCurrents& /*strength*/, Own own,
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
                    mechanics::JointVector& torques) const override {
     for (int j = 0; j < states(); ++j) {
       const double stretch = motion.angles[j] - own.states[j];

@@ -38,13 +38,13 @@ Json polarity_json(const Layout& layout) {
   return out;
 }
 
-std::string_view word(magnetics::Winding winding) {
+std::string_view word(magnetics::CurrentDistribution winding) {
   switch (winding) {
-    case magnetics::Winding::paper_shells:
+    case magnetics::CurrentDistribution::paper_shells:
       return "paper_shells";
-    case magnetics::Winding::layer_centres:
+    case magnetics::CurrentDistribution::layer_centres:
       return "layer_centres";
-    case magnetics::Winding::uniform:
+    case magnetics::CurrentDistribution::uniform:
       return "uniform";
   }
   return "";
@@ -54,7 +54,7 @@ Json choices_json(const ModelChoices& choices) {
   return Json::object(
       {{"winding", word(choices.winding)},
        {"torque", choices.torque == magnetics::Fidelity::exact ? "exact" : "line_of_centres"},
-       {"face_contact", choices.faces == FaceContact::walls ? "walls" : "hard_parts"},
+       {"face_contact", choices.faces == ContactChoice::walls ? "walls" : "hard_parts"},
        {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"}});
 }
 

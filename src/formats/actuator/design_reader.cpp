@@ -72,18 +72,19 @@ actuator::ModelChoices read_choices(const Node& node) {
   using namespace actuator;
   return read_object(node, [](ObjectReader& in) {
     const ModelChoices usual;
-    return ModelChoices{.winding = in.choice_or("winding", usual.winding,
-                                                {{"paper_shells", magnetics::Winding::paper_shells},
-                                                 {"layer_centres", magnetics::Winding::layer_centres},
-                                                 {"uniform", magnetics::Winding::uniform}}),
-                        .torque = in.choice_or("torque", usual.torque,
-                                               {{"line_of_centres", magnetics::Fidelity::line_of_centres},
-                                                {"exact", magnetics::Fidelity::exact}}),
-                        .faces = in.choice_or("face_contact", usual.faces,
-                                              {{"hard_parts", FaceContact::hard_parts}, {"walls", FaceContact::walls}}),
-                        .masses = in.choice_or("segment_mass", usual.masses,
-                                               {{"on_axis_points", SegmentMass::on_axis_points},
-                                                {"rigid_bodies", SegmentMass::rigid_bodies}})};
+    return ModelChoices{
+        .winding = in.choice_or("winding", usual.winding,
+                                {{"paper_shells", magnetics::CurrentDistribution::paper_shells},
+                                 {"layer_centres", magnetics::CurrentDistribution::layer_centres},
+                                 {"uniform", magnetics::CurrentDistribution::uniform}}),
+        .torque = in.choice_or(
+            "torque", usual.torque,
+            {{"line_of_centres", magnetics::Fidelity::line_of_centres}, {"exact", magnetics::Fidelity::exact}}),
+        .faces = in.choice_or("face_contact", usual.faces,
+                              {{"hard_parts", ContactChoice::hard_parts}, {"walls", ContactChoice::walls}}),
+        .masses = in.choice_or(
+            "segment_mass", usual.masses,
+            {{"on_axis_points", SegmentMass::on_axis_points}, {"rigid_bodies", SegmentMass::rigid_bodies}})};
   });
 }
 
@@ -133,7 +134,7 @@ Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
   design.layout = read_layout(in);
   for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
   if (const auto choices = in.find("model")) design.choices = read_choices(*choices);
-  if (const actuator::Misfits broken = actuator::misfits(design); !broken.empty())
+  if (const actuator::ConstructionFaults broken = actuator::construction_faults(design); !broken.empty())
     throw in.node().error_without_value(broken.front().rule);
   const auto measured = in.find("measured");
   if (measured && in.find("calibration"))

@@ -62,7 +62,7 @@ double read_length(ObjectReader& in, std::string_view ours, std::string_view pap
 
 // Coil and magnet of Table II with the paper's l_a, l_b and h.
 std::shared_ptr<const HingePairParts> read_pair_parts(ObjectReader& in) {
-  const magnetics::Winding winding = read_winding(in);
+  const magnetics::CurrentDistribution winding = read_winding(in);
   const magnetics::ThickCoil coil = read_coil(in.at("coil"), winding);
   const magnetics::CylinderMagnet magnet = read_magnet(in.at("magnet"));
   const magnetics::HingeGeometry geometry{.coil_offset = read_length(in, "coil_offset_mm", "l_a_mm"),

@@ -5,9 +5,9 @@
 namespace coilwright::formats {
 
 using namespace text;
+using magnetics::CurrentDistribution;
 using magnetics::CylinderMagnet;
 using magnetics::ThickCoil;
-using magnetics::Winding;
 
 namespace {
 
@@ -26,7 +26,7 @@ CylinderMagnet read_magnet(const Node& node) {
   });
 }
 
-ThickCoil read_coil(const Node& node, Winding winding) {
+ThickCoil read_coil(const Node& node, CurrentDistribution winding) {
   return read_object(node, [winding](ObjectReader& in) {
     const double inner = in.number("inner_radius_mm", dimension);
     const Node outer = in.at("outer_radius_mm");
@@ -40,11 +40,11 @@ ThickCoil read_coil(const Node& node, Winding winding) {
   });
 }
 
-Winding read_winding(ObjectReader& in) {
-  return in.choice_or("winding", Winding::uniform,
-                      {{"paper_shells", Winding::paper_shells},
-                       {"layer_centres", Winding::layer_centres},
-                       {"uniform", Winding::uniform}});
+CurrentDistribution read_winding(ObjectReader& in) {
+  return in.choice_or("winding", CurrentDistribution::uniform,
+                      {{"paper_shells", CurrentDistribution::paper_shells},
+                       {"layer_centres", CurrentDistribution::layer_centres},
+                       {"uniform", CurrentDistribution::uniform}});
 }
 
 }  // namespace coilwright::formats

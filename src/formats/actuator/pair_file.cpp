@@ -13,10 +13,10 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using magnetics::CurrentDistribution;
 using magnetics::CylinderMagnet;
 using magnetics::Pose;
 using magnetics::ThickCoil;
-using magnetics::Winding;
 
 // Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows.
 constexpr Rule coordinate = Rule::between(-1e6, 1e6);  // mm
@@ -42,7 +42,7 @@ TwoMagnets read_two_magnets(ObjectReader& in) {
 }
 
 TwoCoils read_two_coils(ObjectReader& in) {
-  const Winding winding = read_winding(in);
+  const CurrentDistribution winding = read_winding(in);
   const auto coils = in.elements("coils", Length::exactly(2));
   const bool one_each = in.one_of({"current_A", "currents_A"}) == "currents_A";
   const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), current)

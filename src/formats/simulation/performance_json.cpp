@@ -10,7 +10,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
-using simulation::Motion;
+using simulation::MotionSummary;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
@@ -26,7 +26,7 @@ Json number_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-void add_joints_and_modes(Json& out, const Motion& motion) {
+void add_joints_and_modes(Json& out, const MotionSummary& motion) {
   out.set("joint_angles_deg", Json::numbers(in_degrees(motion.steady_angles)));
   out.set("rest_joint_angles_deg", Json::numbers(in_degrees(motion.rest_angles)));
   out.set("grasp_joint_angles_deg", Json::numbers(in_degrees(motion.grasp_angles)));
@@ -45,7 +45,7 @@ Json to_json(const simulation::DesignView& design, const QuantityTable& quantiti
   return out;
 }
 
-Json to_json(const Motion& motion, double current, const QuantityTable& quantities) {
+Json to_json(const MotionSummary& motion, double current, const QuantityTable& quantities) {
   Json out = Json::object();
   for (const ResultQuantity& quantity : quantities)
     if (quantity.value_of_lumped) out.set(quantity.name, number_or_null(quantity.value_of_lumped(motion, current)));

@@ -9,13 +9,13 @@
 namespace coilwright::report {
 namespace {
 
-using simulation::Motion;
+using simulation::MotionSummary;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-std::string joint_lines(const Motion& motion) {
+std::string joint_lines(const MotionSummary& motion) {
   std::string text;
   const auto line = [&text](std::string_view name, const mechanics::JointVector& angles) {
     text += fmt::format("{:<28}", name);
@@ -46,7 +46,7 @@ std::string to_text(const simulation::DesignView& design, const QuantityTable& q
   return text + joint_lines(design.performance.motion);
 }
 
-std::string to_text(const Motion& motion, double current, const QuantityTable& quantities) {
+std::string to_text(const MotionSummary& motion, double current, const QuantityTable& quantities) {
   std::string text;
   for (const ResultQuantity& quantity : quantities)
     if (quantity.value_of_lumped)

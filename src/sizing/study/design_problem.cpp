@@ -30,17 +30,17 @@ double current_of(const Study& study, const actuator::Design& design, std::span<
   return current_of(study, design).value();
 }
 
-NotEvaluated not_buildable(const actuator::Misfits& misfits) {
+NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
   double excess = 0.0;
-  for (const actuator::Misfit& misfit : misfits) excess += misfit.excess;
-  return {.reason = misfits.front().rule, .infeasibility = 1.0 + excess};
+  for (const actuator::ConstructionFault& fault : faults) excess += fault.excess;
+  return {.reason = faults.front().rule, .infeasibility = 1.0 + excess};
 }
 
 // `current` is asked for only once the design is known to have a wire that exists.
 template <class Current>
 DesignResult evaluate_buildable(actuator::Design design, const Current& current, double duty) {
-  std::variant<actuator::Assembly, actuator::Misfits> assembled = actuator::assemble(design);
-  if (const auto* misfits = std::get_if<actuator::Misfits>(&assembled)) return not_buildable(*misfits);
+  std::variant<actuator::Assembly, actuator::ConstructionFaults> assembled = actuator::assemble(design);
+  if (const auto* faults = std::get_if<actuator::ConstructionFaults>(&assembled)) return not_buildable(*faults);
   actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
   const simulation::OperatingPoint operating{.current = current(design), .duty = duty};
   std::variant<simulation::Performance, simulation::NoPerformance> performance =

@@ -78,8 +78,8 @@ Answer answer_of(const EffectTerm* term, const ModelSpec& spec, const Numbers& s
            .slopes = Numbers(states.size(), 0.0),
            .observed = 0.37};
   if (term == nullptr) return a;
-  const EffectTerm::Own own{.states = states.data(), .slopes = a.slopes.data()};
-  const EffectTerm::Motion motion{.chain = spec.chain, .angles = angles, .rates = rates};
+  const EffectTerm::InternalStateView own{.states = states.data(), .slopes = a.slopes.data()};
+  const EffectTerm::Kinematics motion{.chain = spec.chain, .angles = angles, .rates = rates};
   term->drive(own, a.currents);
   a.strength = a.currents;
   term->magnetize(own, a.currents, a.strength);
@@ -248,7 +248,7 @@ TEST(StandardEffects, AnswersAlikeWithAndWithoutSlopes) {
     term->drive({.states = states.data()}, plain);
     term->drive({.states = states.data(), .slopes = slopes.data()}, asked);
     EXPECT_EQ(plain, asked) << kind->id();
-    const EffectTerm::Motion motion{.chain = spec.chain, .angles = angles, .rates = rates};
+    const EffectTerm::Kinematics motion{.chain = spec.chain, .angles = angles, .rates = rates};
     JointVector plain_torque = JointVector::Zero(2);
     JointVector asked_torque = JointVector::Zero(2);
     term->add_torques(motion, plain, {.states = states.data()}, plain_torque);
@@ -267,11 +267,11 @@ TEST(StandardEffects, SettlesWhereItsSlopesVanish) {
       ModelSpec spec = finger();
       const std::unique_ptr<const EffectTerm> term = kind->build(start, spec);
       if (term == nullptr || term->states() == 0) continue;
-      const EffectTerm::Motion motion{.chain = spec.chain, .angles = angles, .rates = rates};
+      const EffectTerm::Kinematics motion{.chain = spec.chain, .angles = angles, .rates = rates};
       Numbers states(term->states());
       Numbers slopes(term->states(), 1.0);
       term->settle(motion, currents, states.data());
-      const EffectTerm::Own own{.states = states.data(), .slopes = slopes.data()};
+      const EffectTerm::InternalStateView own{.states = states.data(), .slopes = slopes.data()};
       CoilCurrents through = currents;
       term->drive(own, through);
       CoilCurrents strength = through;

@@ -61,9 +61,9 @@ TEST(ActuatorFile, PutsEveryKeyIntoItsPlaceInSi) {
   EXPECT_EQ(design.body.shore_hardness, 31.0);
   EXPECT_DOUBLE_EQ(design.surroundings.base_tilt, 12.0 * degree);
   EXPECT_EQ(design.surroundings.ambient, 22.0);
-  EXPECT_EQ(design.choices.winding, magnetics::Winding::layer_centres);
+  EXPECT_EQ(design.choices.winding, magnetics::CurrentDistribution::layer_centres);
   EXPECT_EQ(design.choices.torque, magnetics::Fidelity::line_of_centres);
-  EXPECT_EQ(design.choices.faces, actuator::FaceContact::walls);
+  EXPECT_EQ(design.choices.faces, actuator::ContactChoice::walls);
   EXPECT_EQ(design.choices.masses, actuator::SegmentMass::on_axis_points);
   EXPECT_EQ(design.calibration.joint_damping, 1.07);
   EXPECT_EQ(design.calibration.tip_com, 0.93);

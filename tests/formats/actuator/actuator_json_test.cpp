@@ -26,10 +26,10 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsForEveryChoice) {
   Design design;
   design.layout = actuator::layout_of(actuator::Configuration::C);
   design.layout[3].polarity = -1;
-  for (const auto winding :
-       {magnetics::Winding::paper_shells, magnetics::Winding::layer_centres, magnetics::Winding::uniform})
+  for (const auto winding : {magnetics::CurrentDistribution::paper_shells,
+                             magnetics::CurrentDistribution::layer_centres, magnetics::CurrentDistribution::uniform})
     for (const auto torque : {magnetics::Fidelity::line_of_centres, magnetics::Fidelity::exact})
-      for (const auto faces : {actuator::FaceContact::hard_parts, actuator::FaceContact::walls})
+      for (const auto faces : {actuator::ContactChoice::hard_parts, actuator::ContactChoice::walls})
         for (const auto masses : {actuator::SegmentMass::on_axis_points, actuator::SegmentMass::rigid_bodies}) {
           design.choices = {.winding = winding, .torque = torque, .faces = faces, .masses = masses};
           expect_same_bits(read_back(design), design);

@@ -8,7 +8,7 @@
 
 namespace coilwright::formats {
 namespace {
-using magnetics::Winding;
+using magnetics::CurrentDistribution;
 
 const std::filesystem::path data = std::filesystem::path(COILWRIGHT_TEST_DATA) / "formats";
 
@@ -33,7 +33,7 @@ TEST(PairFile, GivesACoilAndAMagnetInSi) {
   EXPECT_EQ(pair.coil.length(), 0.0105);
   EXPECT_EQ(pair.coil.turns_radial(), 8);
   EXPECT_EQ(pair.coil.turns_axial(), 20);
-  EXPECT_EQ(pair.coil.winding(), Winding::layer_centres);
+  EXPECT_EQ(pair.coil.winding(), CurrentDistribution::layer_centres);
   EXPECT_EQ(pair.magnet.radius(), 0.004);
   EXPECT_EQ(pair.magnet.length(), 0.006);
   EXPECT_EQ(pair.magnet.remanence(), 1.3);
@@ -48,7 +48,7 @@ TEST(PairFile, GivesTwoCoilsWithACurrentEachOrOneForBoth) {
   EXPECT_EQ(each.first_current, 1.4);
   EXPECT_EQ(each.second_current, -0.7);
   EXPECT_EQ(each.second.inner_radius(), 0.0035);
-  EXPECT_EQ(each.second.winding(), Winding::uniform);
+  EXPECT_EQ(each.second.winding(), CurrentDistribution::uniform);
   const std::string both = "{\"coils\": [" + coil + "," + coil + "], \"current_A\": 0.7, " + poses + "}";
   const auto same = std::get<TwoCoils>(parse_pair(both, "x.json").bodies);
   EXPECT_EQ(same.first_current, 0.7);

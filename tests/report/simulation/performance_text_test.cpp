@@ -45,7 +45,7 @@ TEST(PerformanceText, ListsAQuantityOfAUsersOwn) {
 
 TEST(PerformanceText, OfALumpedModelHasWhatNeedsNoDesign) {
   const actuator::Assembly assembly = actuator::assemble_or_throw(actuator::Design{});
-  const auto motion = std::get<simulation::Motion>(simulation::motion_of(assembly.model, 1.1));
+  const auto motion = std::get<simulation::MotionSummary>(simulation::motion_of(assembly.model, 1.1));
   const std::string text = to_text(motion, 1.1, table_with_aspect_ratio());
   EXPECT_THAT(text, HasSubstr("current_A"));
   EXPECT_THAT(text, HasSubstr("grasp_joint_angles_deg"));

@@ -12,7 +12,7 @@ namespace coilwright::formats {
                                  const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 /// The same of a model that is given by its lumps alone: only the quantities that need no design. Current in A.
-[[nodiscard]] text::Json to_json(const simulation::Motion& motion, double current,
+[[nodiscard]] text::Json to_json(const simulation::MotionSummary& motion, double current,
                                  const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 }  // namespace coilwright::formats

@@ -12,7 +12,7 @@ namespace coilwright::report {
                                   const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 /// The same for a lumped model. Current in A.
-[[nodiscard]] std::string to_text(const simulation::Motion& motion, double current,
+[[nodiscard]] std::string to_text(const simulation::MotionSummary& motion, double current,
                                   const simulation::QuantityTable& quantities = simulation::standard_quantities());
 
 }  // namespace coilwright::report

@@ -1,4 +1,4 @@
-#include "basin.hpp"
+#include "settling_energy_criterion.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -24,7 +24,8 @@ double secant_stiffness(const mechanics::FaceContact& contact, double angle, dou
 
 }  // namespace
 
-Basin::Basin(const actuator::Model& model, const actuator::CoilCurrents& currents, Spec spec)
+SettlingEnergyCriterion::SettlingEnergyCriterion(const actuator::Model& model, const actuator::CoilCurrents& currents,
+                                                 Spec spec)
     : model_(model), spec_(std::move(spec)), free_stiffness_(model.tangent_stiffness(spec_.equilibrium, currents)) {
   const JointMatrix tangent = free_stiffness_;
   JointMatrix held = free_stiffness_;
@@ -45,7 +46,7 @@ Basin::Basin(const actuator::Model& model, const actuator::CoilCurrents& current
 }
 
 // Energy in the stops above that of the equilibrium, less what the pressure there takes out of the linear term.
-double Basin::stop_energy(const JointVector& away) const {
+double SettlingEnergyCriterion::stop_energy(const JointVector& away) const {
   double energy = 0.0;
   for (int j = 0; j < model_.joints(); ++j) {
     const mechanics::FaceContact& contact = model_.hinges()[j].contact;
@@ -55,7 +56,7 @@ double Basin::stop_energy(const JointVector& away) const {
   return energy;
 }
 
-bool Basin::holds(const State& state) const {
+bool SettlingEnergyCriterion::confines(const State& state) const {
   const JointVector away = state.angles - spec_.equilibrium;
   if (std::abs(away.sum()) > spec_.excursion) return false;
   const double potential = 0.5 * away.dot(free_stiffness_ * away) + stop_energy(away);

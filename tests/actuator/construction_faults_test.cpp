@@ -17,24 +17,24 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Change = std::function<void(Design&)>;
 
-Misfits misfits_after(const Change& change) {
+ConstructionFaults faults_after(const Change& change) {
   Design design = paper_geometry();
   change(design);
-  return misfits(design);
+  return construction_faults(design);
 }
 
 // All rules that one change breaks, joined.
 std::string rules_after(const Change& change) {
   std::string all;
-  for (const Misfit& misfit : misfits_after(change)) all += (all.empty() ? "" : " | ") + misfit.rule;
+  for (const ConstructionFault& fault : faults_after(change)) all += (all.empty() ? "" : " | ") + fault.rule;
   return all;
 }
 
-TEST(Misfits, AreNoneForThePrototype) {
+TEST(ConstructionFaults, AreNoneForThePrototype) {
   EXPECT_EQ(rules_after([](Design&) {}), "");
 }
 
-TEST(Misfits, NameEverySizeThatIsNotPositive) {
+TEST(ConstructionFaults, NameEverySizeThatIsNotPositive) {
   const auto expect = [](const Change& change, const std::string& rule) { EXPECT_EQ(rules_after(change), rule); };
   expect([](Design& d) { d.coil.inner_radius = -2.5e-3; },
          "coil inner radius must be > 0 and at most 1000 mm; got -2.5 mm");
@@ -58,7 +58,7 @@ TEST(Misfits, NameEverySizeThatIsNotPositive) {
   expect([](Design& d) { d.surroundings.heat_transfer = 0.0; }, "heat transfer must be finite and > 0; got 0 W/(m2 K)");
 }
 
-TEST(Misfits, NameTurnsThatNobodyWinds) {
+TEST(ConstructionFaults, NameTurnsThatNobodyWinds) {
   EXPECT_EQ(rules_after([](Design& d) { d.coil.turns_radial = 0; }), "turns_radial must be at least 1; got 0");
   EXPECT_EQ(rules_after([](Design& d) { d.coil.turns_axial = std::numeric_limits<int>::min(); }),
             "turns_axial must be at least 1; got -2147483648");
@@ -69,7 +69,7 @@ TEST(Misfits, NameTurnsThatNobodyWinds) {
             "turns_radial must be at most 10000; got 2147483647 | turns_axial must be at most 10000; got 10001");
 }
 
-TEST(Misfits, NameWireThatIsNoneOrDoesNotGoRoundItsBore) {
+TEST(ConstructionFaults, NameWireThatIsNoneOrDoesNotGoRoundItsBore) {
   EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_gauge = 19; }), "wire gauge must be AWG 20 to 40; got 19");
   EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_gauge = 41; }), "wire gauge must be AWG 20 to 40; got 41");
   // 1.5 insulated diameters of 0.3556 mm.
@@ -77,7 +77,7 @@ TEST(Misfits, NameWireThatIsNoneOrDoesNotGoRoundItsBore) {
             "coil inner radius must be at least 0.5334 mm for AWG 28; got 0.5 mm");
 }
 
-TEST(Misfits, NameMaterialsAndSurroundingsOutsideTheirRange) {
+TEST(ConstructionFaults, NameMaterialsAndSurroundingsOutsideTheirRange) {
   EXPECT_EQ(rules_after([](Design& d) { d.body.shore_hardness = 81.5; }),
             "shore hardness must lie in 20 to 80; got 81.5");
   EXPECT_EQ(rules_after([](Design& d) { d.body.shore_hardness = not_a_number; }),
@@ -94,7 +94,7 @@ TEST(Misfits, NameMaterialsAndSurroundingsOutsideTheirRange) {
             "magnet temperature limit must be finite; got inf degC");
 }
 
-TEST(Misfits, NameEveryCalibrationFactorThatIsNone) {
+TEST(ConstructionFaults, NameEveryCalibrationFactorThatIsNone) {
   const auto expect = [](double Calibration::*factor, const std::string& name) {
     EXPECT_EQ(rules_after([&](Design& d) { d.calibration.*factor = -0.5; }),
               "calibration factor of " + name + " must be finite and > 0; got -0.5");
@@ -111,7 +111,7 @@ TEST(Misfits, NameEveryCalibrationFactorThatIsNone) {
   expect(&Calibration::heat_transfer, "heat transfer");
 }
 
-TEST(Misfits, NameAPitchBelowAnyPackingAndAnAxisInsideTheParts) {
+TEST(ConstructionFaults, NameAPitchBelowAnyPackingAndAnAxisInsideTheParts) {
   EXPECT_EQ(rules_after([](Design& d) { d.calibration.axial_pitch = 0.5; }),
             "packing.axial: must be finite and >= 1 (turns of a layer do not overlap); got 0.562429696287964");
   // h = 11.5 mm * 0.8, below the 10 mm of the magnet.
@@ -119,14 +119,14 @@ TEST(Misfits, NameAPitchBelowAnyPackingAndAnAxisInsideTheParts) {
             "hinge axis must lie below the parts, more than 10 mm from their centre; got 9.2 mm");
 }
 
-TEST(Misfits, NameALayoutThatIsNone) {
+TEST(ConstructionFaults, NameALayoutThatIsNone) {
   EXPECT_EQ(rules_after([](Design& d) { d.layout.pop_back(), d.layout.pop_back(); }),
             "layout must have 2 to 17 components; got 1");
 }
 
 // A search is led back to what can be built by how far off it is.
-TEST(Misfits, GrowWithTheDistanceFromWhatCanBeBuilt) {
-  const auto excess = [](const Change& change) { return misfits_after(change).front().excess; };
+TEST(ConstructionFaults, GrowWithTheDistanceFromWhatCanBeBuilt) {
+  const auto excess = [](const Change& change) { return faults_after(change).front().excess; };
   const double near = excess([](Design& d) { d.coil.inner_radius = 0.5e-3; });
   const double far = excess([](Design& d) { d.coil.inner_radius = 0.3e-3; });
   EXPECT_GT(near, 0.0);
@@ -140,18 +140,18 @@ TEST(Assemble, ReturnsTheMisfitsAndItsTwinThrowsTheFirst) {
   design.body.gap = not_a_number;
   design.coil.turns_axial = 0;
   const auto result = assemble(design);
-  ASSERT_TRUE(std::holds_alternative<Misfits>(result));
-  EXPECT_EQ(std::get<Misfits>(result).size(), 2U);
+  ASSERT_TRUE(std::holds_alternative<ConstructionFaults>(result));
+  EXPECT_EQ(std::get<ConstructionFaults>(result).size(), 2U);
   EXPECT_EQ(error_text([&] { (void)assemble_or_throw(design); }), "turns_axial must be at least 1; got 0");
 }
 
-// Shapes that no rule foresees come back as a misfit too, in the words of the formula they are too extreme for.
+// Shapes that no rule foresees come back as a fault too, in the words of the formula they are too extreme for.
 TEST(Assemble, RefusesShapesOutsideItsFormulas) {
   Design pancake = paper_geometry();
   pancake.coil = {.inner_radius = 3e-3, .turns_radial = 10'000, .turns_axial = 1, .wire_gauge = 40};
   const auto result = assemble(pancake);
-  ASSERT_TRUE(std::holds_alternative<Misfits>(result));
-  EXPECT_THAT(std::get<Misfits>(result).front().rule,
+  ASSERT_TRUE(std::holds_alternative<ConstructionFaults>(result));
+  EXPECT_THAT(std::get<ConstructionFaults>(result).front().rule,
               testing::StartsWith("shape too extreme to compute: curve over ["));
 }
 
@@ -215,11 +215,11 @@ TEST(Assemble, NeverThrowsWhateverTheDesign) {
       ++built;
       ASSERT_TRUE(all_finite(*assembly)) << "design " << i;
     } else {
-      const Misfits& broken = std::get<Misfits>(result);
+      const ConstructionFaults& broken = std::get<ConstructionFaults>(result);
       ASSERT_FALSE(broken.empty());
-      for (const Misfit& misfit : broken) {
-        ASSERT_FALSE(misfit.rule.empty());
-        ASSERT_GT(misfit.excess, 0.0) << misfit.rule;
+      for (const ConstructionFault& fault : broken) {
+        ASSERT_FALSE(fault.rule.empty());
+        ASSERT_GT(fault.excess, 0.0) << fault.rule;
       }
     }
   }

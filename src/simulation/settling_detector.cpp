@@ -1,4 +1,4 @@
-#include "arrival.hpp"
+#include "settling_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,25 +29,25 @@ double patience(const LinearSystem& system) {
 
 }  // namespace
 
-Arrival::Arrival(const LinearSystem& system, Spec spec)
+SettlingDetector::SettlingDetector(const LinearSystem& system, Spec spec)
     : spec_(std::move(spec)),
       sticks_(system.sticks),
       patience_(patience(system)),
       since_(spec_.start),
       pose_(spec_.equilibrium) {}
 
-bool Arrival::near_equilibrium(const mechanics::JointVector& angles) const {
+bool SettlingDetector::near_equilibrium(const mechanics::JointVector& angles) const {
   return std::abs(angles.sum() - spec_.equilibrium.sum()) <= 0.5 * spec_.band * spec_.change;
 }
 
-bool Arrival::stands(const mechanics::JointVector& angles) {
+bool SettlingDetector::has_not_moved(const mechanics::JointVector& angles) {
   if ((angles - pose_).lpNorm<Eigen::Infinity>() <= standing * spec_.change) return true;
   pose_ = angles;
   return false;
 }
 
-std::optional<mechanics::JointVector> Arrival::at(double time, const mechanics::JointVector& angles) {
-  if (!(sticks_ ? stands(angles) : near_equilibrium(angles))) since_ = time;
+std::optional<mechanics::JointVector> SettlingDetector::observe(double time, const mechanics::JointVector& angles) {
+  if (!(sticks_ ? has_not_moved(angles) : near_equilibrium(angles))) since_ = time;
   if (time - since_ < patience_) return std::nullopt;
   return sticks_ ? angles : spec_.equilibrium;
 }

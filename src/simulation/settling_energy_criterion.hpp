@@ -10,16 +10,16 @@ namespace coilwright::simulation {
 /// The energy of the linearised chain, with the faces' springs as they are: one-sided. A joint that the torques press
 /// onto its stop has little of its own to hold it away from it but that pressure, which is counted by its secant over
 /// the excursion. Good for excursions over which the stiffness changes by a small part.
-class Basin {
+class SettlingEnergyCriterion {
  public:
   struct Spec {
     mechanics::JointVector equilibrium;  ///< rad; stable under `currents`
     double excursion{};                  ///< of the bending angle, rad; > 0
   };
-  Basin(const actuator::Model& model, const actuator::CoilCurrents& currents, Spec spec);
+  SettlingEnergyCriterion(const actuator::Model& model, const actuator::CoilCurrents& currents, Spec spec);
 
   /// Whether a motion through `state` stays within the excursion for good.
-  [[nodiscard]] bool holds(const State& state) const;
+  [[nodiscard]] bool confines(const State& state) const;
   [[nodiscard]] const mechanics::JointVector& equilibrium() const { return spec_.equilibrium; }
 
  private:

@@ -12,7 +12,7 @@ namespace coilwright::simulation {
 /// stayed within half of the settling band about it for the time constant of the slowest small motion. Where something
 /// sticks, the end is where the joints stand: reached when none has moved by 1e-4 of the change for three of those time
 /// constants, in which what is left has died down to 5 % of that, or, for what oscillates, for one and a half periods.
-class Arrival {
+class SettlingDetector {
  public:
   struct Spec {
     mechanics::JointVector equilibrium;  ///< rad, as if nothing stuck
@@ -20,14 +20,14 @@ class Arrival {
     double band{};                       ///< settling band over the change
     double start{};                      ///< s
   };
-  Arrival(const LinearSystem& system, Spec spec);
+  SettlingDetector(const LinearSystem& system, Spec spec);
 
   /// The end of the motion if it has arrived by the instant `time` (s, rising from call to call) at `angles`.
-  [[nodiscard]] std::optional<mechanics::JointVector> at(double time, const mechanics::JointVector& angles);
+  [[nodiscard]] std::optional<mechanics::JointVector> observe(double time, const mechanics::JointVector& angles);
 
  private:
   [[nodiscard]] bool near_equilibrium(const mechanics::JointVector& angles) const;
-  [[nodiscard]] bool stands(const mechanics::JointVector& angles);
+  [[nodiscard]] bool has_not_moved(const mechanics::JointVector& angles);
 
   Spec spec_;
   bool sticks_;

@@ -18,7 +18,7 @@ ROOMS = {
     "thermal": "",
     "actuator": "units magnetics winding mechanics thermal",
     "simulation": "actuator",
-    "systems": "simulation",
+    "validation": "simulation",
     "sizing": "simulation",
     "measurement": "simulation",
     "formats/actuator": "text actuator",
@@ -27,7 +27,7 @@ ROOMS = {
     "formats/study": "formats/actuator formats/simulation sizing",
     "report/simulation": "simulation",
     "report": "report/simulation formats/data formats/study",
-    "cli": "systems report",
+    "cli": "validation report",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

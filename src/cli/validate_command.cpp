@@ -6,16 +6,16 @@
 #include <memory>
 #include <vector>
 
-#include "coilwright/systems/paper_comparison.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/validation/paper_comparison.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-using systems::Comparison;
 using text::Json;
+using validation::Comparison;
 
 Json as_json(const std::vector<Comparison>& rows, bool all_hold) {
   Json list = Json::array();
@@ -53,7 +53,7 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
       "Example:\n"
       "  coilwright validate --json");
   command->callback([json, &outcome] {
-    const std::vector<Comparison> rows = systems::compare_with_paper();
+    const std::vector<Comparison> rows = validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
     if (*json)
       std::cout << as_json(rows, outside == 0).text();

@@ -1,8 +1,8 @@
-#include "coilwright/systems/paper_comparison.hpp"
+#include "coilwright/validation/paper_comparison.hpp"
 
 #include <gtest/gtest.h>
 
-namespace coilwright::systems {
+namespace coilwright::validation {
 namespace {
 
 TEST(PaperComparison, EveryFigureLiesInItsBand) {
@@ -32,4 +32,4 @@ TEST(PaperComparison, BracketsTheMeasuredGraspForce) {
 }
 
 }  // namespace
-}  // namespace coilwright::systems
+}  // namespace coilwright::validation

@@ -1,4 +1,4 @@
-#include "coilwright/systems/paper_finger.hpp"
+#include "coilwright/validation/paper_finger.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "coilwright/actuator/parameters.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 
-namespace coilwright::systems {
+namespace coilwright::validation {
 namespace {
 
 TEST(PaperFinger, IsTheShippedFile) {
@@ -25,4 +25,4 @@ TEST(PaperFinger, IsTheShippedFile) {
 }
 
 }  // namespace
-}  // namespace coilwright::systems
+}  // namespace coilwright::validation

@@ -1,4 +1,4 @@
-#include "coilwright/systems/paper_comparison.hpp"
+#include "coilwright/validation/paper_comparison.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,9 +11,9 @@
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/simulation/performance.hpp"
-#include "coilwright/systems/paper_finger.hpp"
+#include "coilwright/validation/paper_finger.hpp"
 
-namespace coilwright::systems {
+namespace coilwright::validation {
 namespace {
 
 using actuator::Design;
@@ -184,4 +184,4 @@ std::vector<Comparison> compare_with_paper() {
   return table.take();
 }
 
-}  // namespace coilwright::systems
+}  // namespace coilwright::validation

@@ -1,6 +1,6 @@
-#include "coilwright/systems/paper_finger.hpp"
+#include "coilwright/validation/paper_finger.hpp"
 
-namespace coilwright::systems {
+namespace coilwright::validation {
 
 // The defaults of a Design are the prototype's sizes; they are repeated here so that a changed default shows.
 actuator::Design paper_finger_geometry() {
@@ -41,4 +41,4 @@ actuator::Design paper_finger() {
   return design;
 }
 
-}  // namespace coilwright::systems
+}  // namespace coilwright::validation

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace coilwright::systems {
+namespace coilwright::validation {
 
 /// One number of the paper (or of its checked errata) beside the model's.
 struct Comparison {
@@ -23,4 +23,4 @@ struct Comparison {
 /// angles, speeds and grasps of the calibrated finger, then what closing a known gap of the model changes.
 [[nodiscard]] std::vector<Comparison> compare_with_paper();
 
-}  // namespace coilwright::systems
+}  // namespace coilwright::validation

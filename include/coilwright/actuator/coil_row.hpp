@@ -17,8 +17,8 @@ struct PlacedCoil {
   double polarity = 1.0;  ///< +1 or -1: the sense of its moment at positive current
 };
 
-/// All coils of an actuator, and the pairs that they are among themselves. Immutable to look at; the pairs' curves are
-/// built when first asked for, once for all threads.
+/// All coils of an actuator, and the pairs that they are among themselves. Logically immutable and thread-safe; the
+/// pairs' curves are computed lazily on first use and cached.
 class CoilRow {
  public:
   /// `coils` base to tip, in the order of their currents, each on a link of its own; at least two. `chain` at angles 0

@@ -23,7 +23,7 @@ using InternalStates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor,
 /// The stages of a model, in the order in which a command passes them. An effect belongs to exactly one.
 enum class Stage { drive, magnetics, hinge, chain, camera };
 
-/// How large things are on the rig at hand: where a fit starts, and the smallest that is worth a start.
+/// Characteristic magnitudes of the measured motion; effects derive their initial guesses from them.
 struct RigScale {
   double torque{};       ///< of the joints' own torques over the motion, N m; > 0
   double angle{};        ///< of the motion, rad; > 0
@@ -50,8 +50,7 @@ struct EffectParameter {
 };
 
 /// What an effect does while the model runs: hooks into the row of stages. Each effect overrides those of its own
-/// stage. Immutable and shared between threads; what changes in time is in `own`, the effect's share of the internal
-/// states.
+/// stage. Immutable and shared between threads; what changes in time is in its InternalStateView.
 class EffectTerm {
  public:
   EffectTerm() = default;
@@ -59,12 +58,14 @@ class EffectTerm {
   EffectTerm& operator=(const EffectTerm&) = delete;
   virtual ~EffectTerm() = default;
 
+  /// A pose and its rates, in the chain that they belong to.
   struct Kinematics {
     const mechanics::PlanarChain& chain;
     const mechanics::JointVector& angles;  ///< rad
     const mechanics::JointVector& rates;   ///< rad/s
   };
-  /// The effect's states, and where their slopes go: null when nobody asks.
+  /// The effect's own share of the model's internal states, and where it writes their slopes: null where no slopes are
+  /// wanted.
   struct InternalStateView {
     const double* states{};
     double* slopes{};

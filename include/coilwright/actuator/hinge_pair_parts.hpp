@@ -11,8 +11,8 @@
 
 namespace coilwright::actuator {
 
-/// What a hinge pair is made of, and the curves of torque per ampere that follow from it. Shared and immutable to look
-/// at; the exact curve is built when first asked for (0.1 to 1 s of field evaluations at most), once for all threads.
+/// What a hinge pair is made of, and the curves of torque per ampere that follow from it. Logically immutable and
+/// thread-safe; the exact curve is computed lazily on first use (0.1 to 1 s of field evaluations at most) and cached.
 class HingePairParts {
  public:
   struct Spec {

@@ -30,7 +30,7 @@ struct SteadyState {
 /// std::invalid_argument for a network without coils.
 [[nodiscard]] double runaway_current(const Network& network);
 
-/// Which nodes' limits count.
+/// The nodes whose temperature limits count.
 enum class LimitedParts { coils, magnets, everything };
 
 /// The largest steady current and what sets it.

@@ -34,6 +34,7 @@ ROOMS = {
 # stands on top of all of them. A folder's public headers and its sources are one.
 FOLDERS = {
     "sizing": "problem sampling nlopt surrogate search study",
+    "actuator": "parts model effects design",
     "measurement": "data noise whiteness replay fit compare localise experiment",
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/calibrate.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/step_response.hpp"

@@ -22,7 +22,8 @@ JOINT_ANGLES_DEG = (32.2, 31.4)
 SILICONE, SILICONE_DARK, COPPER, WIRE, MAGNET_FILL = "#dfe9ee", "#b3cad6", "#8a4b22", "#e39a5c", "#7d8794"
 INK, QUIET = "#1d2733", "#5a6775"
 
-# Geometry in mm, as include/coilwright/actuator/dimensions.hpp derives it: x from the rear end, y from the lower face.
+# Geometry in mm, as include/coilwright/actuator/design/dimensions.hpp derives it: x from the rear end, y from the lower
+# face.
 COIL_LENGTH, COIL_RADIUS = MEASURED["coil_length_mm"], MEASURED["coil_outer_radius_mm"]
 HALF_COIL = COIL_LENGTH / 2 + BODY["gap_mm"] / 3  # one third of the gap is the coil's silicone wall,
 HALF_MAGNET = MAGNET["length_mm"] / 2 + 2 * BODY["gap_mm"] / 3  # two thirds are the magnet's

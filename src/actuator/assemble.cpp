@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "actuator/pair_curves.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
-#include "pair_curves.hpp"
 
 namespace coilwright::actuator {
 namespace {

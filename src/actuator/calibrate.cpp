@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "actuator/heat_chain.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/winding/winding.hpp"
-#include "heat_chain.hpp"
 
 namespace coilwright::actuator {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "actuator/heat_chain.hpp"
 #include "coilwright/winding/copper.hpp"
-#include "heat_chain.hpp"
 
 namespace coilwright::actuator {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 #include "coilwright/thermal/chain.hpp"
 
 namespace coilwright::actuator {

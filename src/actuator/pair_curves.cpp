@@ -1,4 +1,4 @@
-#include "pair_curves.hpp"
+#include "actuator/pair_curves.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "axial_curves.hpp"
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/dimensions.hpp"
-#include "coilwright/actuator/hinge_pair_parts.hpp"
+#include "actuator/parts/axial_curves.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/design/dimensions.hpp"
+#include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/magnetics/curve.hpp"
 
 namespace coilwright::actuator {

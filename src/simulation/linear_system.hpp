@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::simulation {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/state.hpp"
 
 namespace coilwright::simulation {

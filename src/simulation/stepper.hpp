@@ -7,7 +7,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/type_traits/integral_constant.hpp>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/state.hpp"
 
 namespace coilwright::simulation {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "coilwright/actuator/calibrate.hpp"
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::actuator::sample {
 

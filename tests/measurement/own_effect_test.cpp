@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/actuator/described_effect.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/described_effect.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/actuator/effect_argument.hpp"

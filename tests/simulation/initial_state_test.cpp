@@ -6,7 +6,7 @@
 #include <span>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "simulation/reference.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "actuator/sample_effects.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/modes.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/step_response.hpp"

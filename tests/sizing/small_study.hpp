@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::sizing::testing {

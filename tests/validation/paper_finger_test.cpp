@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 
 namespace coilwright::validation {

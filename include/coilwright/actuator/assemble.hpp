@@ -3,10 +3,10 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/dimensions.hpp"
-#include "coilwright/actuator/model.hpp"
-#include "coilwright/actuator/segments.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/design/dimensions.hpp"
+#include "coilwright/actuator/design/segments.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::actuator {
 

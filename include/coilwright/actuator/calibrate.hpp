@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 
 namespace coilwright::actuator {
 

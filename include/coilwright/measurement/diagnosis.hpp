@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/compare/estimate.hpp"
 #include "coilwright/measurement/compare/evidence.hpp"
 #include "coilwright/measurement/data/dataset.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::simulation {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
 

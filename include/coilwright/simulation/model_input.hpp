@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/commanded_input.hpp"
 
 namespace coilwright::simulation {

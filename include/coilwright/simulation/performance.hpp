@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 #include "coilwright/simulation/modes.hpp"
 
 namespace coilwright::simulation {

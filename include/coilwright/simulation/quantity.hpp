@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 #include "coilwright/simulation/performance.hpp"
 
 namespace coilwright::simulation {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
 

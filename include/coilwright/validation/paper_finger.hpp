@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coilwright/actuator/calibrate.hpp"
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 
 namespace coilwright::validation {
 

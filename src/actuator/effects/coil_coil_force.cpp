@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "coilwright/actuator/coil_row.hpp"
-#include "coilwright/actuator/described_effect.hpp"
-#include "coilwright/actuator/model_spec.hpp"
+#include "coilwright/actuator/model/described_effect.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
+#include "coilwright/actuator/parts/coil_row.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "coilwright/actuator/model_spec.hpp"
-#include "heat.hpp"
+#include "actuator/effects/heat.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {

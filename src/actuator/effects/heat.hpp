@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "starts.hpp"
+#include "actuator/effects/starts.hpp"
 
 namespace coilwright::actuator::effects {
 

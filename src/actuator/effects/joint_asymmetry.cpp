@@ -1,6 +1,6 @@
-#include "coilwright/actuator/model_spec.hpp"
-#include "springs.hpp"
-#include "starts.hpp"
+#include "actuator/effects/springs.hpp"
+#include "actuator/effects/starts.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "coilwright/actuator/model_spec.hpp"
-#include "heat.hpp"
+#include "actuator/effects/heat.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {

@@ -1,7 +1,7 @@
 #include <limits>
 
-#include "coilwright/actuator/model_spec.hpp"
-#include "starts.hpp"
+#include "actuator/effects/starts.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "coilwright/actuator/model_spec.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::actuator::effects {
 

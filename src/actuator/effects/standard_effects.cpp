@@ -1,4 +1,4 @@
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 
 // The whole list: a line declares an effect and puts it in its place. In the order of the stages; within a stage, in
 // the order in which the effects act and are built in, so that those that change a spring stand before those that read

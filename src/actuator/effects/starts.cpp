@@ -1,4 +1,4 @@
-#include "starts.hpp"
+#include "actuator/effects/starts.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "coilwright/actuator/described_effect.hpp"
+#include "coilwright/actuator/model/described_effect.hpp"
 
 namespace coilwright::actuator::effects {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {

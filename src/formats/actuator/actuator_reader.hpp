@@ -3,8 +3,8 @@
 #include <string>
 #include <variant>
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "formats/actuator/lumped_model_reader.hpp"
 

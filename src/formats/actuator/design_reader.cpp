@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "coilwright/actuator/calibrate.hpp"
-#include "coilwright/actuator/dimensions.hpp"
+#include "coilwright/actuator/design/dimensions.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 #include "formats/actuator/effects_reader.hpp"

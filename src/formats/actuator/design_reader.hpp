@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {

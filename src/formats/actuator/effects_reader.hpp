@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/actuator/coil_row.hpp"
-#include "coilwright/actuator/hinge_pair_parts.hpp"
+#include "coilwright/actuator/parts/coil_row.hpp"
+#include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/magnetics/curve.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "formats/actuator/effects_reader.hpp"

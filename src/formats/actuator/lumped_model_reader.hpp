@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/actuator/model_spec.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/heat.hpp"
-#include "coilwright/actuator/parameters.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/actuator_reader.hpp"

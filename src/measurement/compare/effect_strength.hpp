@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 
 namespace coilwright::measurement::compare {
 

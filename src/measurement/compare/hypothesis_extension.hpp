@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
 namespace coilwright::measurement::compare {

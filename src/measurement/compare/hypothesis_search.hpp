@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "measurement/compare/attribution.hpp"
 
 namespace coilwright::measurement::compare {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
 namespace coilwright::measurement::compare {

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "coilwright/actuator/effect.hpp"
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement::compare {

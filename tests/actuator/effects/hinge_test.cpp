@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "actuator/effects/rig.hpp"
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::actuator {
 namespace {

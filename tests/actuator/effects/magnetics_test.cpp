@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "actuator/effects/rig.hpp"
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::actuator {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/actuator/model_spec.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 
 namespace coilwright::actuator {
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <variant>
 
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/same_bits.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {

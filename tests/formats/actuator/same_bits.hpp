@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 
 namespace coilwright::testing {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 
 namespace coilwright::testing {
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"

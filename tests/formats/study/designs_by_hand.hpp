@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/sizing/problem/archive.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 

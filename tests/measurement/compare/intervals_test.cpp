@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slider_model.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
 #include "coilwright/actuator/heat.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/blocked_grasp.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"

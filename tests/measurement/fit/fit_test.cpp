@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slider_model.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 
 namespace coilwright::measurement::replay {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <variant>
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/effect_catalogue.hpp"
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::formats {
 

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/json.hpp"
 

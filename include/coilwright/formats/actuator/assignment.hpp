@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "coilwright/actuator/design.hpp"
+#include "coilwright/actuator/design/design.hpp"
 
 namespace coilwright::formats {
 

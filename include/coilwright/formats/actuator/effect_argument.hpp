@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 
 namespace coilwright::formats {
 

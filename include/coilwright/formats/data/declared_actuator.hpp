@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 

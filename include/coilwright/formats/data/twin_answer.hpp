@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/text/json/json.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "coilwright/actuator/effect_catalogue.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/study/study.hpp"
 

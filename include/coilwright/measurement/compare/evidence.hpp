@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 
 namespace coilwright::measurement::compare {
 

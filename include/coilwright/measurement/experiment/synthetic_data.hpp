@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coilwright/actuator/effect.hpp"
+#include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/measurement/experiment/experiment.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/measurement/localise/dependence.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"

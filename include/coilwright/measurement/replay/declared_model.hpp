@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/actuator/model.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/thermal/network.hpp"
 
 namespace coilwright::measurement::replay {

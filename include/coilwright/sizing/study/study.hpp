@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/actuator/design.hpp"
-#include "coilwright/actuator/parameters.hpp"
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/sizing/problem/problem.hpp"

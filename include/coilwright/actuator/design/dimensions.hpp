@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/winding/winding.hpp"
+
+namespace coilwright::actuator {
+
+/// A rule of construction that a design breaks.
+struct ConstructionFault {
+  std::string rule;  ///< one line: what does not fit into what, with both figures and units
+  double excess{};   ///< by how much, relative to the limit; > 0 and growing away from what can be built
+};
+
+/// What is wrong with a design; empty for one that can be built.
+using ConstructionFaults = std::vector<ConstructionFault>;
+
+/// All rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, gauges outside
+/// the table, a bore too tight for its wire, hardness outside Gent's relation, a layout that is none, calibration
+/// factors or surroundings that are no such thing. Empty for a design that can be built. Never throws.
+[[nodiscard]] ConstructionFaults construction_faults(const Design& design);
+
+/// Geometry that follows from a design, SI; the names of the paper's Tables I and II in brackets.
+struct Dimensions {
+  double coil_outer_radius{};  ///< (R_c)
+  double coil_length{};        ///< (l_c)
+  double body_radius{};        ///< of the widest part: max of coil and magnet
+  double width{};              ///< of the cross-section (w_e)
+  double height{};             ///< of the cross-section (h_e)
+  double axis_offset{};        ///< hinge line to coil axis (h)
+  double coil_half_pitch{};    ///< half a coil segment (l_0 = l_3)
+  double magnet_half_pitch{};  ///< half a magnet segment (l_1)
+  double tip_length{};         ///< last joint to the fingertip
+  double effective_length{};   ///< all components and the front part (l_e)
+  double total_length{};       ///< with the rear part
+  double face_height{};        ///< hinge line to the top of the smaller of coil and magnet
+  /// Joint angle, rad, > 0, by which a joint closes from 0 until coil and magnet touch there: gap over height, to first
+  /// order (the next term is below 0.1 % at 3 degrees).
+  double closing_angle{};
+};
+
+/// Precondition: construction_faults(design) is empty. Throws std::invalid_argument (naming the rule) where the winding
+/// is none.
+[[nodiscard]] Dimensions dimensions(const Design& design);
+
+/// The coil of a design, its pitches scaled by the calibration. Precondition as above.
+[[nodiscard]] winding::Winding winding_of(const Design& design);
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "coilwright/actuator/design/design.hpp"
+
+namespace coilwright::actuator {
+
+/// What values a parameter may take in a file.
+enum class ParameterRule { positive, not_negative, at_least_one, any };
+
+/// One number of a Design as files write it: the one table that the reader, the writer and a study's variables share.
+struct Parameter {
+  std::string_view section;  ///< object of the actuator file: "coil", "magnet", "body", "surroundings", "calibration"
+  std::string_view key;      ///< key in that object, its unit (units::to_memory) at its end
+  std::string_view name;     ///< name among all parameters, unit at its end: what a study's variable is called
+  bool whole{};              ///< a whole number
+  ParameterRule rule{};
+  double (*get)(const Design&) = nullptr;  ///< SI
+  void (*set)(Design&, double) = nullptr;  ///< SI
+};
+
+/// Every number of a Design, section by section.
+[[nodiscard]] std::span<const Parameter> parameters();
+
+/// The parameter of that name; nullptr if there is none.
+[[nodiscard]] const Parameter* find_parameter(std::string_view name);
+
+}  // namespace coilwright::actuator

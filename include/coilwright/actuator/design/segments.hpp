@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/design/dimensions.hpp"
+
+namespace coilwright::actuator {
+
+/// Mass of one segment, about its own joint; SI.
+struct Segment {
+  double length{};         ///< own joint to next, m
+  double mass{};           ///< kg, calibrated
+  double com_along{};      ///< from the own joint, m
+  double com_offset{};     ///< from the hinge line, m
+  double inertia{};        ///< about the centre of mass, in the plane of bending, kg m^2
+  double silicone_mass{};  ///< of that, kg
+  double heat_capacity{};  ///< J/K
+};
+
+/// All segments, base first. The base segment (the first component with the rear part) does not move; its length is
+/// counted from its rear end. The last one carries the front part.
+///
+/// Each is a silicone box of the body's cross-section with its coil or magnet cast in on the axis (the bore of a coil
+/// filled); wires are not counted. Under SegmentMass::on_axis_points the offset is the axis's and the inertia zero.
+[[nodiscard]] std::vector<Segment> segments(const Design& design, const Dimensions& dimensions);
+
+}  // namespace coilwright::actuator

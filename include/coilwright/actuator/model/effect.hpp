@@ -1,0 +1,147 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/actuator/parts/coil_currents.hpp"
+#include "coilwright/mechanics/joint_vector.hpp"
+#include "coilwright/mechanics/planar_chain.hpp"
+
+namespace coilwright::actuator {
+
+struct ModelSpec;
+
+/// The most states of their own that all effects of a model may have together.
+inline constexpr int max_internal_states = 128;
+/// States of the effects, in the order of the effects: currents, heat, creep, bristles, each in its own unit.
+using InternalStates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_internal_states, 1>;
+
+/// The stages of a model, in the order in which a command passes them. An effect belongs to exactly one.
+enum class Stage { drive, magnetics, hinge, chain, camera };
+
+/// Characteristic magnitudes of the measured motion; effects derive their initial guesses from them.
+struct RigScale {
+  double torque{};       ///< of the joints' own torques over the motion, N m; > 0
+  double angle{};        ///< of the motion, rad; > 0
+  double rate{};         ///< rad/s; > 0
+  double current{};      ///< A; 0 for a rig without coils
+  double interval{};     ///< between samples, s; > 0
+  double duration{};     ///< of the longest run, s; > 0
+  double mean_angle{};   ///< of a joint over the motion, rad
+  double upper_angle{};  ///< largest angle of a joint, rad
+  double lower_angle{};  ///< smallest, rad
+};
+
+/// One number of an effect.
+struct EffectParameter {
+  std::string_view key;   ///< as files write it, unit at its end: "torque_Nmm"; no unit for a pure number
+  std::string_view text;  ///< what it is, one line
+  double lower{};         ///< physical bounds, SI, inclusive; may be infinite
+  double upper{};
+  /// The value at which the effect is not there, SI. Nothing for a shape (a time constant, a range) that means nothing
+  /// without the effect's other parameter.
+  std::optional<double> absent{};
+  /// One of a few values instead of a range (the side of a stop): never fitted by slope, each is tried. Empty: a range.
+  std::span<const double> choices{};
+};
+
+/// What an effect does while the model runs: hooks into the row of stages. Each effect overrides those of its own
+/// stage. Immutable and shared between threads; what changes in time is in its InternalStateView.
+class EffectTerm {
+ public:
+  EffectTerm() = default;
+  EffectTerm(const EffectTerm&) = delete;
+  EffectTerm& operator=(const EffectTerm&) = delete;
+  virtual ~EffectTerm() = default;
+
+  /// A pose and its rates, in the chain that they belong to.
+  struct Kinematics {
+    const mechanics::PlanarChain& chain;
+    const mechanics::JointVector& angles;  ///< rad
+    const mechanics::JointVector& rates;   ///< rad/s
+  };
+  /// The effect's own share of the model's internal states, and where it writes their slopes: null where no slopes are
+  /// wanted.
+  struct InternalStateView {
+    const double* states{};
+    double* slopes{};
+  };
+
+  /// How many states of its own it has.
+  [[nodiscard]] virtual int states() const { return 0; }
+  /// Whether these states move so slowly (heat, creep over many seconds) that a step response is taken with them held.
+  [[nodiscard]] virtual bool slow() const { return false; }
+  /// Its states after a long hold at `motion` (at rest) under `currents`, as they enter its stage. Default: zeros.
+  virtual void settle(const Kinematics& motion, const CoilCurrents& currents, double* states) const;
+  /// Its states where a recorded run that starts at rest begins. Default: settled; heat may be cold instead.
+  virtual void begin(const Kinematics& motion, const CoilCurrents& currents, double* states) const {
+    settle(motion, currents, states);
+  }
+
+  /// Drive: turns the currents that enter into those that leave.
+  virtual void drive(InternalStateView own, CoilCurrents& currents) const;
+  /// Magnetics: `strength` are the currents as the force sees them (a weaker magnet is a smaller current).
+  virtual void magnetize(InternalStateView own, const CoilCurrents& currents, CoilCurrents& strength) const;
+  /// Magnetics, hinge and chain: adds joint torques, N m, opening positive.
+  virtual void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
+                           mechanics::JointVector& torques) const;
+  /// Damping of small motions about a pose at rest, N m s/rad, added to `damping` (n, n).
+  virtual void add_damping(const Kinematics& motion, const CoilCurrents& strength,
+                           mechanics::JointMatrix& damping) const;
+
+  /// Camera: what it shows of an angle, rad.
+  [[nodiscard]] virtual double observed(double angle) const { return angle; }
+  /// Camera: how long ago the motion was that it shows now, s.
+  [[nodiscard]] virtual double delay() const { return 0.0; }
+};
+
+/// A physical effect that a model may lack: its name, its numbers, and how to build it in. Immutable, and in use from
+/// many threads at once. Effect, EffectCatalogue, Model and Diagnosis refer to it by its address: keep each kind in
+/// static storage, or at least longer than all of them.
+class EffectKind {
+ public:
+  EffectKind() = default;
+  EffectKind(const EffectKind&) = delete;
+  EffectKind& operator=(const EffectKind&) = delete;
+  virtual ~EffectKind() = default;
+
+  /// As measured-data/1 calls it: "dry_friction".
+  [[nodiscard]] virtual std::string_view id() const = 0;
+  [[nodiscard]] virtual Stage stage() const = 0;
+  /// What physically happens, one line for people: "a warm coil resists more, so its current fades".
+  [[nodiscard]] virtual std::string_view description() const = 0;
+  /// Its equation, one line of plain text.
+  [[nodiscard]] virtual std::string_view equation() const = 0;
+  /// Where the equation is from.
+  [[nodiscard]] virtual std::string_view source() const = 0;
+  /// Its numbers; empty for an effect that is there or not.
+  [[nodiscard]] virtual std::span<const EffectParameter> parameters() const = 0;
+
+  /// Whether it is gone while the coils' circuit is open: a driver's bias, what motion induces.
+  [[nodiscard]] virtual bool needs_closed_circuit() const { return false; }
+
+  /// Why it cannot be in this model (no coils, one joint only, already exact): one line; nothing when it can.
+  [[nodiscard]] virtual std::optional<std::string> inapplicable(const ModelSpec& spec) const;
+  /// Parameter values, SI, worth starting a fit from on such a rig; at least one vector, inside the bounds, not absent.
+  [[nodiscard]] virtual std::vector<std::vector<double>> starts(const RigScale& scale) const = 0;
+  /// Builds it in: changes what is fixed in `spec` (a chain, a spring), or gives a term that acts while the model runs,
+  /// or both. `values` are SI, one per parameter, inside the bounds. May return null.
+  [[nodiscard]] virtual std::unique_ptr<const EffectTerm> build(std::span<const double> values,
+                                                                ModelSpec& spec) const = 0;
+};
+
+/// An effect with its numbers.
+struct Effect {
+  const EffectKind* kind{};    ///< not owned: lives longer than every effect, model and result that refers to it
+  std::vector<double> values;  ///< SI, one per parameter
+};
+
+/// Throws std::invalid_argument naming effect, parameter, rule and value when the number of values is wrong, or one is
+/// not finite, outside its bounds or not among its choices.
+void validate_effect(const Effect& effect);
+
+}  // namespace coilwright::actuator

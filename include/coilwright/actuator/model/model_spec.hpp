@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/actuator/parts/coil_row.hpp"
+#include "coilwright/actuator/parts/magnetic_stage.hpp"
+#include "coilwright/mechanics/face_contact.hpp"
+#include "coilwright/mechanics/planar_chain.hpp"
+
+namespace coilwright::actuator {
+
+/// One joint's own torques: spring, damper, constant, and the faces that meet when it closes.
+struct Hinge {
+  double stiffness{};      ///< k, N m/rad; >= 0
+  double damping{};        ///< b, N m s/rad; >= 0
+  double torque_offset{};  ///< added at every angle, N m
+  mechanics::FaceContact contact{};
+};
+
+/// What a model is made of: the nominal stages, and the effects to be built into them.
+struct ModelSpec {
+  mechanics::PlanarChain chain;
+  std::vector<Hinge> hinges;  ///< one per joint
+  MagneticStage magnetics;
+  int coils{};                    ///< how many currents the magnetics take; >= 0
+  mechanics::LinkPoint tip;       ///< what touches first when the finger grasps
+  std::vector<Effect> effects{};  ///< each kind at most once
+  /// Where the coils are, for the forces among them that `magnetics` leaves out; null where nobody knows.
+  std::shared_ptr<const CoilRow> coil_row{};
+  std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
+};
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coilwright/actuator/parts/coil_currents.hpp"
+#include "coilwright/magnetics/curve.hpp"
+#include "coilwright/mechanics/joint_vector.hpp"
+#include "coilwright/mechanics/planar_chain.hpp"
+
+namespace coilwright::actuator {
+
+class HingePairParts;
+
+/// A coil and a magnet on the two sides of one joint: torque = sense * current * curve(angle).
+struct HingePair {
+  int joint{};
+  int coil{};
+  double sense = 1.0;                                         ///< product of the two polarities
+  std::shared_ptr<const magnetics::Curve> torque_per_ampere;  ///< of one joint angle, N m/A, opening positive
+  std::shared_ptr<const HingePairParts> parts{};              ///< what it is made of; null where only a curve is known
+};
+
+/// Two components with at least one joint and one component between them.
+/// A coil's strength is its current, a magnet's is 1; the pair's is the product of the two.
+///
+/// The pair's energy is strength * axial energy at the distance of the centres, with the orientation of two dipoles
+/// where `orientation` says so: W(z) (3 (a.z)(b.z) - a.b) / 2, which is exact on the axis and far away. Without it the
+/// pair pulls along the line of centres with its coaxial force.
+struct DistantPair {
+  enum class Orientation { ignored, dipoles };
+
+  mechanics::LinkPoint first;
+  mechanics::LinkPoint second;
+  int coil = -1;         ///< index of the coil whose current scales the pair; -1: two magnets, no current
+  int second_coil = -1;  ///< index of a second coil whose current scales it too; -1: not a pair of coils
+  double sense = 1.0;    ///< +1 where like moments (both along the chain at unit current) face each other
+  Orientation orientation = Orientation::dipoles;
+  std::shared_ptr<const magnetics::Curve>
+      axial_force;  ///< of like moments on the second, N (per A, A^2), of the distance
+  std::shared_ptr<const magnetics::Curve>
+      axial_energy;  ///< W with -dW/dz = axial_force and W(infinity) = 0, J (per A, A^2)
+};
+
+/// Second stage of a model: joint angles and coil currents in, joint torques out.
+class MagneticStage {
+ public:
+  MagneticStage() = default;
+  MagneticStage(std::vector<HingePair> hinge_pairs, std::vector<DistantPair> distant_pairs);
+
+  /// Adds the magnetic torque of every joint (N m) at `angles` (rad) to `torques`. Outside its range a
+  /// curve goes on along its tangent; contacts stop a joint before that is more than a few thousandths of a radian.
+  void add_torques(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
+                   const CoilCurrents& currents, mechanics::JointVector& torques) const;
+
+  /// Adds -d(torque)/d(angle), (n, n), N m/rad, to `stiffness`: analytic for hinge pairs, central differences (step
+  /// 1e-5 rad, truncation 1e-10 relative) for distant ones.
+  void add_stiffness(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
+                     const CoilCurrents& currents, mechanics::JointMatrix& stiffness) const;
+
+  [[nodiscard]] const std::vector<HingePair>& hinge_pairs() const noexcept { return hinge_pairs_; }
+  [[nodiscard]] const std::vector<DistantPair>& distant_pairs() const noexcept { return distant_pairs_; }
+
+ private:
+  void add_distant_torques(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
+                           const CoilCurrents& currents, mechanics::JointVector& torques) const;
+
+  std::vector<HingePair> hinge_pairs_;
+  std::vector<DistantPair> distant_pairs_;
+};
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,196 @@
+#include "coilwright/actuator/design/dimensions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "coilwright/winding/packing.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+// Of the gap's two silicone walls, one third is the coil's and two thirds the magnet's: 0.3 and 0.6 mm of the
+// prototype's 0.9 (Tables I and II: l_0 - l_c / 2 and l_1 - l_m / 2).
+constexpr double coil_wall_share = 1.0 / 3.0;
+
+// Any length, and layers or turns in a layer (of the thinnest wire in the table they make a metre): beyond them a slip
+// of the keyboard is likelier than a finger.
+constexpr double longest = 1.0;  // m
+constexpr int most_turns = 10'000;
+
+// degC; where copper's linear law and the silicone still hold.
+constexpr double coldest = -50.0;
+constexpr double hottest = 200.0;
+
+class MisfitList {
+ public:
+  void require_positive(double value, const char* name, double unit, const char* unit_name) {
+    if (std::isfinite(value) && value > 0.0) return;
+    const double excess = std::isfinite(value) ? 1.0 - value / unit : 1.0;
+    list_.push_back({fmt::format("{} must be finite and > 0; got {:.6g} {}", name, value / unit, unit_name), excess});
+  }
+  void require_length(double value, const char* name) {
+    if (value > 0.0 && value <= longest) return;
+    const double outside = value > longest ? value / longest - 1.0 : 1.0 - value / 1e-3;
+    list_.push_back(
+        {fmt::format("{} must be > 0 and at most {:.6g} mm; got {:.6g} mm", name, longest * 1e3, value * 1e3),
+         std::isfinite(outside) ? outside : 1.0});
+  }
+  void require_finite(double value, const char* name, const char* unit_name) {
+    if (!std::isfinite(value))
+      list_.push_back({fmt::format("{} must be finite; got {} {}", name, value, unit_name), 1.0});
+  }
+  void require_factor(double value, const char* name) {
+    if (std::isfinite(value) && value > 0.0) return;
+    list_.push_back({fmt::format("calibration factor of {} must be finite and > 0; got {}", name, value), 1.0});
+  }
+  void require_turns(int value, const char* name) {
+    if (value < 1) list_.push_back({fmt::format("{} must be at least 1; got {}", name, value), 1.0 - value});
+    if (value > most_turns)
+      list_.push_back({fmt::format("{} must be at most {}; got {}", name, most_turns, value),
+                       static_cast<double>(value) / most_turns - 1.0});
+  }
+  void add(std::string rule, double excess) { list_.push_back({std::move(rule), excess}); }
+  [[nodiscard]] ConstructionFaults take() { return std::move(list_); }
+  [[nodiscard]] bool empty() const { return list_.empty(); }
+
+ private:
+  ConstructionFaults list_;
+};
+
+void check_sizes(const Design& design, MisfitList& list) {
+  list.require_length(design.coil.inner_radius, "coil inner radius");
+  list.require_turns(design.coil.turns_radial, "turns_radial");
+  list.require_turns(design.coil.turns_axial, "turns_axial");
+  list.require_length(design.magnet.radius, "magnet radius");
+  list.require_length(design.magnet.length, "magnet length");
+  list.require_positive(design.magnet.remanence, "remanence", 1.0, "T");
+  list.require_positive(design.magnet.density, "magnet density", 1.0, "kg/m3");
+  const BodyDesign& body = design.body;
+  list.require_length(body.gap, "gap");
+  list.require_length(body.bottom_layer, "bottom layer");
+  list.require_length(body.side_wall, "side wall");
+  list.require_length(body.bottom_wall, "bottom wall");
+  list.require_length(body.top_wall, "top wall");
+  list.require_length(body.front_length, "front length");
+  list.require_length(body.rear_length, "rear length");
+  list.require_length(body.hinge_length, "hinge length");
+  list.require_positive(body.loss_time, "loss time", 1e-3, "ms");
+  list.require_positive(body.density, "silicone density", 1.0, "kg/m3");
+  list.require_positive(body.heat_capacity, "silicone heat capacity", 1.0, "J/(kg K)");
+  list.require_positive(body.conductivity, "silicone conductivity", 1.0, "W/(m K)");
+}
+
+void check_surroundings(const Design& design, MisfitList& list) {
+  const Surroundings& around = design.surroundings;
+  if (!(std::isfinite(around.gravity) && around.gravity >= 0.0))
+    list.add(fmt::format("gravity must be finite and >= 0; got {} m/s2", around.gravity), 1.0);
+  list.require_finite(around.base_tilt, "base tilt", "rad");
+  list.require_finite(around.coil_limit, "coil temperature limit", "degC");
+  list.require_finite(design.magnet.temperature_limit, "magnet temperature limit", "degC");
+  list.require_positive(around.heat_transfer, "heat transfer", 1.0, "W/(m2 K)");
+  if (!(around.ambient >= coldest && around.ambient <= hottest))
+    list.add(fmt::format("ambient must lie in {} to {} degC; got {}", coldest, hottest, around.ambient), 1.0);
+}
+
+void check_calibration(const Calibration& factors, MisfitList& list) {
+  list.require_factor(factors.axial_pitch, "axial pitch");
+  list.require_factor(factors.radial_pitch, "radial pitch");
+  list.require_factor(factors.joint_stiffness, "joint stiffness");
+  list.require_factor(factors.joint_damping, "joint damping");
+  list.require_factor(factors.axis_offset, "axis offset");
+  list.require_factor(factors.magnet_segment_mass, "magnet segment mass");
+  list.require_factor(factors.coil_segment_mass, "coil segment mass");
+  list.require_factor(factors.tip_com, "tip centre of mass");
+  list.require_factor(factors.coil_resistance, "coil resistance");
+  list.require_factor(factors.heat_transfer, "heat transfer");
+}
+
+void check_wire(const Design& design, MisfitList& list) {
+  const int awg = design.coil.wire_gauge;
+  if (awg < winding::thickest_gauge || awg > winding::thinnest_gauge) {
+    const int outside = std::max(winding::thickest_gauge - awg, awg - winding::thinnest_gauge);
+    list.add(
+        fmt::format("wire gauge must be AWG {} to {}; got {}", winding::thickest_gauge, winding::thinnest_gauge, awg),
+        1.0 * outside);
+    return;
+  }
+  const double smallest = winding::smallest_mandrel_radius * winding::gauge(awg).insulated_diameter;
+  if (design.coil.inner_radius < smallest)
+    list.add(fmt::format("coil inner radius must be at least {:.4g} mm for AWG {}; got {:.4g} mm", smallest * 1e3, awg,
+                         design.coil.inner_radius * 1e3),
+             smallest / design.coil.inner_radius - 1.0);
+}
+
+// A calibrated axis may not sink so far that the parts stand out of the body at the hinge.
+void check_axis(const Design& design, MisfitList& list) {
+  try {
+    const Dimensions size = dimensions(design);
+    if (size.axis_offset > size.body_radius) return;
+    list.add(fmt::format("hinge axis must lie below the parts, more than {:.4g} mm from their centre; got {:.4g} mm",
+                         size.body_radius * 1e3, size.axis_offset * 1e3),
+             1.0 - size.axis_offset / size.body_radius);
+  } catch (const std::invalid_argument& error) {
+    list.add(error.what(), 1.0);  // a calibrated pitch that no packing has
+  }
+}
+
+}  // namespace
+
+ConstructionFaults construction_faults(const Design& design) {
+  MisfitList list;
+  try {
+    check_layout(design.layout);
+  } catch (const std::invalid_argument& error) {
+    list.add(error.what(), 1.0);
+  }
+  check_sizes(design, list);
+  check_surroundings(design, list);
+  check_calibration(design.calibration, list);
+  const double hardness = design.body.shore_hardness;
+  if (!(hardness >= 20.0 && hardness <= 80.0))
+    list.add(fmt::format("shore hardness must lie in 20 to 80; got {}", hardness), 1.0);
+  if (list.empty()) check_wire(design, list);
+  if (list.empty()) check_axis(design, list);
+  return list.take();
+}
+
+winding::Winding winding_of(const Design& design) {
+  const winding::Packing prototype = winding::Packing::prototype();
+  return winding::Winding(
+      {.inner_radius = design.coil.inner_radius,
+       .turns_radial = design.coil.turns_radial,
+       .turns_axial = design.coil.turns_axial,
+       .awg = design.coil.wire_gauge,
+       .packing = winding::Packing({.axial = prototype.axial() * design.calibration.axial_pitch,
+                                    .radial = prototype.radial() * design.calibration.radial_pitch})});
+}
+
+Dimensions dimensions(const Design& design) {
+  const winding::Winding coil = winding_of(design);
+  const BodyDesign& body = design.body;
+  Dimensions out;
+  out.coil_outer_radius = coil.outer_radius();
+  out.coil_length = coil.length();
+  out.body_radius = std::max(out.coil_outer_radius, design.magnet.radius);
+  out.width = 2.0 * (out.body_radius + body.side_wall);
+  out.height = body.bottom_layer + body.bottom_wall + 2.0 * out.body_radius + body.top_wall;
+  // The hinge line is the middle of the bottom layer.
+  out.axis_offset = design.calibration.axis_offset * (out.body_radius + body.bottom_wall + 0.5 * body.bottom_layer);
+  out.coil_half_pitch = 0.5 * out.coil_length + coil_wall_share * body.gap;
+  out.magnet_half_pitch = 0.5 * design.magnet.length + (1.0 - coil_wall_share) * body.gap;
+  const int coils = coil_count(design.layout);
+  const int magnets = magnet_count(design.layout);
+  out.effective_length = 2.0 * (coils * out.coil_half_pitch + magnets * out.magnet_half_pitch) + body.front_length;
+  out.total_length = out.effective_length + body.rear_length;
+  const bool magnet_last = design.layout.back().kind == ComponentKind::magnet;
+  out.tip_length = 2.0 * (magnet_last ? out.magnet_half_pitch : out.coil_half_pitch) + body.front_length;
+  out.face_height = out.axis_offset + std::min(out.coil_outer_radius, design.magnet.radius);
+  out.closing_angle = body.gap / out.face_height;
+  return out;
+}
+
+}  // namespace coilwright::actuator

@@ -1,0 +1,129 @@
+#include "coilwright/actuator/design/segments.hpp"
+
+#include <numbers>
+
+namespace coilwright::actuator {
+namespace {
+
+constexpr double copper_specific_heat = 385.0;  // J/(kg K), CRC Handbook
+constexpr double magnet_specific_heat = 460.0;  // J/(kg K), sintered NdFeB, makers' tables
+
+// A homogeneous body whose inertia is about its own centre of mass.
+struct Body {
+  double mass{};
+  double along{};
+  double offset{};
+  double inertia{};
+};
+
+// Parallel axes: adding a body shifts both inertias to the common centre of mass. A negative mass takes a hole out.
+Body operator+(const Body& a, const Body& b) {
+  Body sum;
+  sum.mass = a.mass + b.mass;
+  sum.along = (a.mass * a.along + b.mass * b.along) / sum.mass;
+  sum.offset = (a.mass * a.offset + b.mass * b.offset) / sum.mass;
+  const auto shifted = [&](const Body& part) {
+    const double dx = part.along - sum.along;
+    const double dy = part.offset - sum.offset;
+    return part.inertia + part.mass * (dx * dx + dy * dy);
+  };
+  sum.inertia = shifted(a) + shifted(b);
+  return sum;
+}
+
+struct Ring {
+  double inner_radius{};
+  double outer_radius{};
+  double length{};
+
+  [[nodiscard]] double volume() const {
+    return std::numbers::pi * (outer_radius * outer_radius - inner_radius * inner_radius) * length;
+  }
+  // About a diameter through the middle.
+  [[nodiscard]] double inertia(double mass) const {
+    return mass * (3.0 * (outer_radius * outer_radius + inner_radius * inner_radius) + length * length) / 12.0;
+  }
+};
+
+// What is the same for every segment of one design.
+struct Materials {
+  const Design& design;
+  const Dimensions& size;
+  double copper_mass;
+
+  [[nodiscard]] Body box(double start, double length) const {
+    const double mass = design.body.density * size.width * size.height * length;
+    return {.mass = mass,
+            .along = start + 0.5 * length,
+            .offset = 0.5 * (size.height - design.body.bottom_layer),
+            .inertia = mass * (size.height * size.height + length * length) / 12.0};
+  }
+
+  [[nodiscard]] Ring core(ComponentKind kind) const {
+    if (kind == ComponentKind::magnet)
+      return {.inner_radius = 0.0, .outer_radius = design.magnet.radius, .length = design.magnet.length};
+    return {
+        .inner_radius = design.coil.inner_radius, .outer_radius = size.coil_outer_radius, .length = size.coil_length};
+  }
+
+  [[nodiscard]] double core_mass(ComponentKind kind) const {
+    return kind == ComponentKind::magnet ? design.magnet.density * core(kind).volume() : copper_mass;
+  }
+
+  [[nodiscard]] Body core_body(ComponentKind kind, double mass, double centre) const {
+    return {.mass = mass, .along = centre, .offset = size.axis_offset, .inertia = core(kind).inertia(mass)};
+  }
+};
+
+// The segment from `start` (negative for a rear part) to its joint-side end plus `front`, its core at half_pitch.
+struct Extent {
+  ComponentKind kind{};
+  double half_pitch{};
+  double rear{};
+  double front{};
+};
+
+Segment segment(const Materials& materials, const Extent& extent) {
+  const Ring core = materials.core(extent.kind);
+  const double core_mass = materials.core_mass(extent.kind);
+  const double centre = extent.rear + extent.half_pitch;
+  const double length = extent.rear + 2.0 * extent.half_pitch + extent.front;
+  const Body hole = materials.core_body(extent.kind, -materials.design.body.density * core.volume(), centre);
+  const Body silicone = materials.box(0.0, length) + hole;
+  const Body whole = silicone + materials.core_body(extent.kind, core_mass, centre);
+
+  const Calibration& calibration = materials.design.calibration;
+  const bool magnet = extent.kind == ComponentKind::magnet;
+  const double factor = magnet ? calibration.magnet_segment_mass : calibration.coil_segment_mass;
+  const bool points = materials.design.choices.masses == SegmentMass::on_axis_points;
+  Segment out;
+  out.length = length - extent.front;
+  out.mass = factor * whole.mass;
+  out.com_along = (extent.front > 0.0 ? calibration.tip_com : 1.0) * whole.along;
+  out.com_offset = points ? materials.size.axis_offset : whole.offset;
+  out.inertia = points ? 0.0 : factor * whole.inertia;
+  out.silicone_mass = silicone.mass;
+  out.heat_capacity = silicone.mass * materials.design.body.heat_capacity +
+                      core_mass * (magnet ? magnet_specific_heat : copper_specific_heat);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Segment> segments(const Design& design, const Dimensions& dimensions) {
+  const Materials materials{design, dimensions, winding_of(design).copper_mass()};
+  std::vector<Segment> out;
+  out.reserve(design.layout.size());
+  for (std::size_t i = 0; i < design.layout.size(); ++i) {
+    const ComponentKind kind = design.layout[i].kind;
+    const bool last = i + 1 == design.layout.size();
+    out.push_back(segment(materials, {.kind = kind,
+                                      .half_pitch = kind == ComponentKind::magnet ? dimensions.magnet_half_pitch
+                                                                                  : dimensions.coil_half_pitch,
+                                      .rear = i == 0 ? design.body.rear_length : 0.0,
+                                      .front = last ? design.body.front_length : 0.0}));
+  }
+  return out;
+}
+
+}  // namespace coilwright::actuator

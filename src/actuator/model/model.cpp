@@ -1,0 +1,323 @@
+#include "coilwright/actuator/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "actuator/model/effect_row.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+using mechanics::JointMatrix;
+using mechanics::JointVector;
+
+void check_magnetics(const Model::Spec& spec) {
+  const int n = spec.chain.joints();
+  const auto require = [](bool valid, const char* rule) {
+    if (!valid) throw std::invalid_argument(fmt::format("magnetics: {}", rule));
+  };
+  for (const HingePair& pair : spec.magnetics.hinge_pairs()) {
+    if (pair.joint < 0 || pair.joint >= n || pair.coil < 0 || pair.coil >= spec.coils)
+      throw std::invalid_argument(fmt::format("magnetics: joint {} and coil {} must exist", pair.joint, pair.coil));
+    require(pair.torque_per_ampere != nullptr, "a hinge pair must have its curve; got none");
+  }
+  for (const DistantPair& pair : spec.magnetics.distant_pairs()) {
+    if (pair.first.link < -1 || pair.second.link <= pair.first.link || pair.second.link >= n)
+      throw std::invalid_argument(
+          fmt::format("magnetics: links of a distant pair must rise from -1 to {}; got {} and {}", n - 1,
+                      pair.first.link, pair.second.link));
+    if (pair.coil < -1 || pair.coil >= spec.coils)
+      throw std::invalid_argument(
+          fmt::format("magnetics: coil of a distant pair must be -1 to {}; got {}", spec.coils - 1, pair.coil));
+    if (pair.second_coil < -1 || pair.second_coil >= spec.coils || (pair.coil < 0 && pair.second_coil >= 0))
+      throw std::invalid_argument(
+          fmt::format("magnetics: second coil of a distant pair must be -1, or beside a first one to {}; got {}",
+                      spec.coils - 1, pair.second_coil));
+    require(pair.axial_force != nullptr && pair.axial_energy != nullptr,
+            "a distant pair must have both its curves; got fewer");
+  }
+}
+
+void check_stages(const Model::Spec& spec) {
+  const int n = spec.chain.joints();
+  if (static_cast<int>(spec.hinges.size()) != n)
+    throw std::invalid_argument(fmt::format("hinges: one per joint, {} here; got {}", n, spec.hinges.size()));
+  if (spec.coils < 0) throw std::invalid_argument(fmt::format("coils must be >= 0; got {}", spec.coils));
+  if (const auto ohm = spec.coil_resistance; ohm && !(std::isfinite(*ohm) && *ohm > 0.0))
+    throw std::invalid_argument(fmt::format("coil_resistance must be finite and > 0; got {}", *ohm));
+  for (int j = 0; j < n; ++j) {
+    const auto require = [&](bool valid, const char* field, double value) {
+      if (!valid || !std::isfinite(value))
+        throw std::invalid_argument(fmt::format("joint {}: {} must be finite and >= 0; got {}", j, field, value));
+    };
+    const Hinge& hinge = spec.hinges[j];
+    require(hinge.stiffness >= 0.0, "stiffness", hinge.stiffness);
+    require(hinge.damping >= 0.0, "damping", hinge.damping);
+    require(hinge.contact.stiffness >= 0.0, "contact stiffness", hinge.contact.stiffness);
+    require(hinge.contact.damping >= 0.0, "contact damping", hinge.contact.damping);
+    if (!std::isfinite(hinge.torque_offset))
+      throw std::invalid_argument(
+          fmt::format("joint {}: torque_offset must be finite; got {}", j, hinge.torque_offset));
+  }
+  check_magnetics(spec);
+  if (spec.tip.link < -1 || spec.tip.link >= n)
+    throw std::invalid_argument(fmt::format("tip: link must be -1 to {}; got {}", n - 1, spec.tip.link));
+}
+
+}  // namespace
+
+Model::Model(Spec spec) : spec_(std::move(spec)) {
+  check_stages(spec_);
+  if (spec_.effects.empty()) return;
+  const std::vector<Effect> row = effect_row(spec_);
+  nominal_ = std::make_shared<const Spec>(spec_);
+  for (const Effect& effect : row) {
+    if (std::shared_ptr<const EffectTerm> term = effect.kind->build(effect.values, spec_))
+      terms_.push_back({.effect = std::move(term), .stage = effect.kind->stage()});
+  }
+  check_stages(spec_);
+  number_states();
+}
+
+void Model::number_states() {
+  internal_states_ = 0;
+  drive_states_ = 0;
+  for (Term& term : terms_) {
+    if (term.held) continue;
+    term.first = internal_states_;
+    internal_states_ += term.effect->states();
+    if (term.stage == Stage::drive) drive_states_ = internal_states_;
+  }
+  if (internal_states_ > max_internal_states)
+    throw std::invalid_argument(
+        fmt::format("effects: at most {} states of their own together; got {}", max_internal_states, internal_states_));
+}
+
+std::span<const Model::Term> Model::terms(Stage first, Stage last) const {
+  const auto begin = std::ranges::lower_bound(terms_, first, {}, &Term::stage);
+  return {begin, std::ranges::upper_bound(begin, terms_.end(), last, {}, &Term::stage)};
+}
+
+EffectTerm::InternalStateView Model::own(const Term& term, const double* states, double* slopes) const {
+  if (term.held) return {.states = held_.data() + term.first};
+  return {.states = states + term.first, .slopes = slopes == nullptr ? nullptr : slopes + term.first};
+}
+
+InternalStates Model::settled(const JointVector& angles, const CoilCurrents& command, InitialHistory history) const {
+  InternalStates states = InternalStates::Zero(internal_states_);
+  if (terms_.empty()) return states;
+  const JointVector still = JointVector::Zero(joints());
+  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = still};
+  const auto settle = [&](const Term& term, const CoilCurrents& entering) {
+    if (term.held) return;
+    if (history == InitialHistory::recorded_run)
+      term.effect->begin(motion, entering, states.data() + term.first);
+    else
+      term.effect->settle(motion, entering, states.data() + term.first);
+  };
+  CoilCurrents currents = command;
+  for (const Term& term : terms(Stage::drive, Stage::drive)) {
+    settle(term, currents);
+    term.effect->drive(own(term, states.data(), nullptr), currents);
+  }
+  CoilCurrents strength = currents;
+  for (const Term& term : terms(Stage::magnetics, Stage::magnetics)) {
+    settle(term, currents);
+    term.effect->magnetize(own(term, states.data(), nullptr), currents, strength);
+  }
+  for (const Term& term : terms(Stage::hinge, Stage::chain)) settle(term, strength);
+  return states;
+}
+
+CoilCurrents Model::currents_under(const CoilCurrents& voltages) const {
+  if (!spec_.coil_resistance)
+    throw std::invalid_argument("a voltage needs the resistance of a coil, which is not known");
+  return voltages / *spec_.coil_resistance;
+}
+
+CoilCurrents Model::strength(const JointVector& angles, const CoilCurrents& command) const {
+  return strength(command, settled(angles, command).data(), nullptr);
+}
+
+bool Model::has_slow_states() const noexcept {
+  return std::ranges::any_of(
+      terms_, [](const Term& term) { return !term.held && term.effect->states() > 0 && term.effect->slow(); });
+}
+
+Model Model::with_slow_states_held(const InternalStates& internal) const {
+  Model out = *this;
+  for (Term& term : out.terms_) {
+    const int count = term.effect->states();
+    if (term.held || count == 0 || !term.effect->slow()) continue;
+    const auto begin = internal.data() + term.first;
+    term.held = true;
+    term.first = static_cast<int>(out.held_.size());
+    out.held_.insert(out.held_.end(), begin, begin + count);
+  }
+  out.number_states();
+  return out;
+}
+
+CoilCurrents Model::strength(const CoilCurrents& command, const double* states, double* slopes) const {
+  CoilCurrents currents = command;
+  for (const Term& term : terms(Stage::drive, Stage::drive)) term.effect->drive(own(term, states, slopes), currents);
+  CoilCurrents strength = currents;
+  for (const Term& term : terms(Stage::magnetics, Stage::magnetics))
+    term.effect->magnetize(own(term, states, slopes), currents, strength);
+  return strength;
+}
+
+void Model::own_hinge_torques(const JointVector& angles, const JointVector& rates, JointVector& torques) const {
+  for (int j = 0; j < joints(); ++j) {
+    const Hinge& hinge = spec_.hinges[j];
+    torques[j] = hinge.torque_offset - hinge.stiffness * angles[j] - hinge.damping * rates[j] +
+                 hinge.contact.torque(angles[j], rates[j]);
+  }
+}
+
+void Model::stage_torques(const JointVector& angles, const JointVector& rates, const CoilCurrents& strength,
+                          JointVector& torques) const {
+  own_hinge_torques(angles, rates, torques);
+  spec_.magnetics.add_torques(spec_.chain, angles, strength, torques);
+}
+
+void Model::add_term_torques(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
+                             double* slopes, JointVector& torques) const {
+  for (const Term& term : terms(Stage::magnetics, Stage::chain))
+    term.effect->add_torques(motion, strength, own(term, states, slopes), torques);
+}
+
+JointVector Model::torques(const JointVector& angles, const JointVector& rates, const CoilCurrents& currents,
+                           InitialHistory history) const {
+  JointVector torque(joints());
+  if (terms_.empty()) {
+    stage_torques(angles, rates, currents, torque);
+    return torque;
+  }
+  const InternalStates states = settled(angles, currents, history);
+  const CoilCurrents seen = strength(currents, states.data(), nullptr);
+  stage_torques(angles, rates, seen, torque);
+  add_term_torques({.chain = spec_.chain, .angles = angles, .rates = rates}, seen, states.data(), nullptr, torque);
+  return torque;
+}
+
+JointVector Model::magnetic_torques(const JointVector& angles, const CoilCurrents& command) const {
+  const JointVector still = JointVector::Zero(joints());
+  const InternalStates states = settled(angles, command);
+  const CoilCurrents seen = strength(command, states.data(), nullptr);
+  JointVector torque = JointVector::Zero(joints());
+  spec_.magnetics.add_torques(spec_.chain, angles, seen, torque);
+  for (const Term& term : terms(Stage::magnetics, Stage::magnetics))
+    term.effect->add_torques({.chain = spec_.chain, .angles = angles, .rates = still}, seen,
+                             own(term, states.data(), nullptr), torque);
+  return torque;
+}
+
+JointVector Model::hinge_torques(const JointVector& angles) const {
+  const JointVector still = JointVector::Zero(joints());
+  const CoilCurrents off = all_coils(0.0);
+  const InternalStates states = settled(angles, off);
+  JointVector torque(joints());
+  own_hinge_torques(angles, still, torque);
+  for (const Term& term : terms(Stage::hinge, Stage::hinge))
+    term.effect->add_torques({.chain = spec_.chain, .angles = angles, .rates = still}, off,
+                             own(term, states.data(), nullptr), torque);
+  return torque;
+}
+
+void Model::derivative(const JointVector& angles, const JointVector& rates, std::span<const double> internal,
+                       const CoilCurrents& command, const JointVector& applied, JointVector& accelerations,
+                       std::span<double> internal_slopes) const {
+  JointVector torque(joints());
+  if (terms_.empty()) {
+    stage_torques(angles, rates, command, torque);
+  } else {
+    const CoilCurrents seen = strength(command, internal.data(), internal_slopes.data());
+    stage_torques(angles, rates, seen, torque);
+    add_term_torques({.chain = spec_.chain, .angles = angles, .rates = rates}, seen, internal.data(),
+                     internal_slopes.data(), torque);
+  }
+  accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
+}
+
+JointVector Model::static_residual(const JointVector& angles, const CoilCurrents& currents,
+                                   InitialHistory history) const {
+  return torques(angles, JointVector::Zero(joints()), currents, history) - spec_.chain.gravity_torques(angles);
+}
+
+// Strengths do not depend on the pose, so only what the terms themselves add is left to differences.
+void Model::add_term_stiffness(const JointVector& angles, const CoilCurrents& command, InitialHistory history,
+                               JointMatrix& stiffness) const {
+  constexpr double step = 1e-5;  // rad: truncation 1e-10 relative, as for distant pairs
+  const JointVector still = JointVector::Zero(joints());
+  JointVector shifted = angles;
+  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = shifted, .rates = still};
+  const auto term_torques = [&] {
+    const InternalStates states = settled(shifted, command, history);
+    JointVector torque = JointVector::Zero(joints());
+    add_term_torques(motion, strength(command, states.data(), nullptr), states.data(), nullptr, torque);
+    return torque;
+  };
+  for (int j = 0; j < joints(); ++j) {
+    shifted[j] = angles[j] + step;
+    const JointVector ahead = term_torques();
+    shifted[j] = angles[j] - step;
+    const JointVector behind = term_torques();
+    shifted[j] = angles[j];
+    stiffness.col(j) -= (ahead - behind) / (2.0 * step);
+  }
+}
+
+JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurrents& currents,
+                                     InitialHistory history) const {
+  JointMatrix stiffness = spec_.chain.gravity_stiffness(angles);
+  for (int j = 0; j < joints(); ++j)
+    stiffness(j, j) += spec_.hinges[j].stiffness + spec_.hinges[j].contact.tangent_stiffness(angles[j]);
+  if (terms_.empty()) {
+    spec_.magnetics.add_stiffness(spec_.chain, angles, currents, stiffness);
+    return stiffness;
+  }
+  const InternalStates states = settled(angles, currents, history);
+  spec_.magnetics.add_stiffness(spec_.chain, angles, strength(currents, states.data(), nullptr), stiffness);
+  add_term_stiffness(angles, currents, history, stiffness);
+  return stiffness;
+}
+
+JointVector Model::damping(const JointVector& angles) const {
+  JointVector damping(joints());
+  for (int j = 0; j < joints(); ++j) {
+    const Hinge& hinge = spec_.hinges[j];
+    damping[j] = hinge.damping + (angles[j] < hinge.contact.closing_angle ? hinge.contact.damping : 0.0);
+  }
+  return damping;
+}
+
+JointMatrix Model::damping(const JointVector& angles, const CoilCurrents& command) const {
+  JointMatrix out = JointMatrix::Zero(joints(), joints());
+  out.diagonal() = damping(angles);
+  if (terms_.empty()) return out;
+  const InternalStates states = settled(angles, command);
+  const CoilCurrents seen = strength(command, states.data(), nullptr);
+  const JointVector still = JointVector::Zero(joints());
+  for (const Term& term : terms(Stage::magnetics, Stage::chain))
+    term.effect->add_damping({.chain = spec_.chain, .angles = angles, .rates = still}, seen, out);
+  return out;
+}
+
+double Model::observed(double angle) const {
+  for (const Term& term : terms(Stage::camera, Stage::camera)) angle = term.effect->observed(angle);
+  return angle;
+}
+
+double Model::delay() const {
+  double sum = 0.0;
+  for (const Term& term : terms(Stage::camera, Stage::camera)) sum += term.effect->delay();
+  return sum;
+}
+
+}  // namespace coilwright::actuator

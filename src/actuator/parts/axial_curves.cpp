@@ -1,0 +1,38 @@
+#include "actuator/parts/axial_curves.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace coilwright::actuator {
+namespace {
+
+// Relative to a curve's largest value; two orders below the 1e-5 to which a coil is wound.
+constexpr double curve_tolerance = 1e-6;
+
+// W(z) = integral of the force from z to infinity; beyond the curve the force is that of two dipoles, which leaves z F
+// / 3.
+magnetics::Curve energy_of(const magnetics::Curve& force) {
+  const double far = force.upper();
+  const double tail = far * force.value(far) / 3.0;
+  const auto energy = [&](std::span<const double> distances, std::span<double> energies) {
+    // Over u = 1/z the integrand F z^2 is smooth, and flat at the far end.
+    const auto integrand = [&](double u) { return force.value(1.0 / u) / (u * u); };
+    for (std::size_t i = 0; i < distances.size(); ++i)
+      energies[i] =
+          tail + boost::math::quadrature::gauss<double, 20>::integrate(integrand, 1.0 / far, 1.0 / distances[i]);
+  };
+  return magnetics::Curve(energy, {.lower = force.lower(), .upper = far, .tolerance = curve_tolerance});
+}
+
+}  // namespace
+
+AxialCurves axial_curves(magnetics::Curve force) {
+  AxialCurves curves;
+  curves.energy = std::make_shared<const magnetics::Curve>(energy_of(force));
+  curves.force = std::make_shared<const magnetics::Curve>(std::move(force));
+  return curves;
+}
+
+}  // namespace coilwright::actuator

@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace coilwright::simulation {
@@ -102,6 +104,13 @@ LinearSystem linear_system(const Model& model, const JointVector& angles, const 
 
 Eigen::VectorXcd LinearSystem::eigenvalues() const {
   return Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues();
+}
+
+LinearSystem::Decomposition LinearSystem::decomposition() const {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
+  Eigen::MatrixXcd right = solver.eigenvectors();
+  Eigen::MatrixXcd left = right.inverse();
+  return {.values = solver.eigenvalues(), .right = std::move(right), .left = std::move(left)};
 }
 
 }  // namespace coilwright::simulation

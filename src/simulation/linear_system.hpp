@@ -16,8 +16,15 @@ struct LinearSystem {
   int relaxing{};          ///< states of effects in it, the last ones
   bool sticks{};           ///< whether any was left out: motions then need not end in the equilibrium
 
-  /// Of the matrix, 1/s.
+  /// Eigenvalues, 1/s; of each, a column of `right` and a row of `left`, which is the inverse of `right`.
+  struct Decomposition {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd right, left;
+  };
+
+  /// Of the matrix, 1/s. Everything that needs them asks here: compiling Eigen's solver takes ten seconds.
   [[nodiscard]] Eigen::VectorXcd eigenvalues() const;
+  [[nodiscard]] Decomposition decomposition() const;
 };
 
 /// `angles` (rad) in equilibrium under `currents` (A).

@@ -1,7 +1,5 @@
 #include "coilwright/simulation/modes.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <complex>
 #include <numbers>
@@ -11,9 +9,6 @@
 
 namespace coilwright::simulation {
 namespace {
-
-constexpr int most_states = 2 * mechanics::max_joints;
-using ChainMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_states, most_states>;
 
 void add_mode(std::complex<double> value, std::vector<Mode>& out) {
   if (value.imag() < 0.0) return;  // its conjugate stands for both
@@ -25,33 +20,31 @@ void add_mode(std::complex<double> value, std::vector<Mode>& out) {
 // As many real eigenvalues as there are states of effects in the system are those states' own: the ones in which they
 // take the greatest part (participation factors: right times left eigenvector, entry by entry).
 std::vector<Mode> modes_beside_effects(const LinearSystem& system) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(system.matrix);
-  const Eigen::MatrixXcd right = solver.eigenvectors();
-  const Eigen::MatrixXcd left = right.inverse();
+  const LinearSystem::Decomposition eigen = system.decomposition();
   const Eigen::Index size = system.matrix.rows();
   const auto part = [&](Eigen::Index mode) {
     double sum = 0.0;
-    for (Eigen::Index i = size - system.relaxing; i < size; ++i) sum += std::abs(right(i, mode) * left(mode, i));
+    for (Eigen::Index i = size - system.relaxing; i < size; ++i)
+      sum += std::abs(eigen.right(i, mode) * eigen.left(mode, i));
     return sum;
   };
   std::vector<Eigen::Index> real;
   std::vector<Mode> out;
   for (Eigen::Index i = 0; i < size; ++i) {
-    if (solver.eigenvalues()[i].imag() == 0.0)
+    if (eigen.values[i].imag() == 0.0)
       real.push_back(i);
     else
-      add_mode(solver.eigenvalues()[i], out);
+      add_mode(eigen.values[i], out);
   }
   std::ranges::stable_sort(real, std::greater<>(), part);
   for (std::size_t i = std::min(real.size(), static_cast<std::size_t>(system.relaxing)); i < real.size(); ++i)
-    add_mode(solver.eigenvalues()[real[i]], out);
+    add_mode(eigen.values[real[i]], out);
   return out;
 }
 
-std::vector<Mode> modes_of_chain(const ChainMatrix& companion) {
-  const Eigen::EigenSolver<ChainMatrix> solver(companion, false);
+std::vector<Mode> modes_of_chain(const LinearSystem& system) {
   std::vector<Mode> out;
-  for (Eigen::Index i = 0; i < companion.rows(); ++i) add_mode(solver.eigenvalues()[i], out);
+  for (const std::complex<double> value : system.eigenvalues()) add_mode(value, out);
   return out;
 }
 
@@ -60,7 +53,7 @@ std::vector<Mode> modes_of_chain(const ChainMatrix& companion) {
 std::vector<Mode> modes(const actuator::Model& model, const mechanics::JointVector& angles,
                         const actuator::CoilCurrents& currents) {
   const LinearSystem system = linear_system(model, angles, currents);
-  std::vector<Mode> out = system.relaxing == 0 ? modes_of_chain(system.matrix) : modes_beside_effects(system);
+  std::vector<Mode> out = system.relaxing == 0 ? modes_of_chain(system) : modes_beside_effects(system);
   std::ranges::sort(out, {}, &Mode::natural_frequency);
   return out;
 }

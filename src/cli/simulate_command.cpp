@@ -14,7 +14,7 @@
 #include "actuator_input.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
-#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/transient.hpp"

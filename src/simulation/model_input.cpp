@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 
 namespace coilwright::simulation {
 namespace {

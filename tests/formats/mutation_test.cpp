@@ -14,7 +14,7 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/experiment_file.hpp"
 #include "coilwright/formats/data/run_file.hpp"
-#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 
@@ -120,7 +120,7 @@ TEST(DamagedFiles, OfAnExperimentNeverDoMoreThanBeRefused) {
   damage_at_every_byte(read_as_experiment, text);
 }
 
-TEST(DamagedFiles, OfAnInputSignalNeverDoMoreThanBeRefused) {
+TEST(DamagedFiles, OfACommandedInputNeverDoMoreThanBeRefused) {
   const std::string text = load("input.csv");
   ASSERT_TRUE(accepts(read_as_signal, text));
   for (std::size_t size = 0; size < text.size(); ++size) accepts(read_as_signal, text.substr(0, size));

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"

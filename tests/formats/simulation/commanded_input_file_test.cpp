@@ -1,4 +1,4 @@
-#include "coilwright/formats/simulation/input_signal.hpp"
+#include "coilwright/formats/simulation/commanded_input_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

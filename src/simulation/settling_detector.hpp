@@ -6,7 +6,7 @@
 
 namespace coilwright::simulation {
 
-/// Sees when a motion has come to its end in a model whose effects have no energy that could be counted.
+/// Detects when a motion has come to its end in a model whose effects have no energy that could be counted.
 ///
 /// Where every effect comes back to its settled state, the end is the equilibrium: reached when the bending angle has
 /// stayed within half of the settling band about it for the time constant of the slowest small motion. Where something

@@ -23,15 +23,16 @@ double change_to(const JointVector& equilibrium, const JointVector& rest) {
   return std::max(std::abs(equilibrium.sum() - rest.sum()), smallest_change);
 }
 
-// Which equilibrium a motion circles, asked anew at each turning point: it may have left the first one's reach.
+// The equilibrium about which a motion oscillates, found anew at each turning point: the motion may have gone over to
+// another one.
 class Destination {
  public:
   Destination(const actuator::Model& model, const actuator::CoilCurrents& currents, const JointVector& rest)
       : model_(model), currents_(currents), rest_(rest) {
-    look_from(rest, 0.0);
+    update(rest, 0.0);
   }
 
-  void look_from(const JointVector& angles, double time) {
+  void update(const JointVector& angles, double time) {
     const std::optional<JointVector> target = find_equilibrium(model_, currents_, angles);
     if (!target) return;
     if (energy_criterion_ && (*target - energy_criterion_->equilibrium()).lpNorm<Eigen::Infinity>() < 1e-9) return;
@@ -103,7 +104,7 @@ std::optional<StepResponse> step_response(const actuator::Model& model, const ac
     if (!now.angles.allFinite() || now.angles.lpNorm<Eigen::Infinity>() > std::numbers::pi) return std::nullopt;
     const double speed_before = record.last().speed;
     record.add(stepper.bending());
-    if (speed_before * record.last().speed < 0.0) destination.look_from(now.angles, stepper.time());
+    if (speed_before * record.last().speed < 0.0) destination.update(now.angles, stepper.time());
     if (const std::optional<JointVector> end = destination.reached(stepper.time(), now))
       return measure(record, rest.sum(), *end);
   }

@@ -75,7 +75,7 @@ void Stepper::approach_drive_end() {
   if (arrival > 0.0) next_step_ = std::min(next_step_, arrival);
 }
 
-// Put where they end exactly, they stand still, and ask for no step at all.
+// States that are set to exactly where they end do not move any more, and limit no step.
 void Stepper::rest_drive() {
   Eigen::Map<Eigen::VectorXd> states(values_.data() + 2 * model_.joints(), drive_end_.size());
   if (!((states - drive_end_).lpNorm<Eigen::Infinity>() <= drive_tolerance)) return;

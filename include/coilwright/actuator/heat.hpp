@@ -8,10 +8,10 @@ namespace coilwright::actuator {
 
 /// Angle of every joint for which heat paths are taken, rad: 30 degrees, where the prototype works at its continuous
 /// current (57 degrees over two joints at 1.05 A). One angle for all designs, so that heat does not depend on dynamics.
-/// An open face passes less heat to its neighbour, a closed one more. From 0 over 30 to 60 degrees the prototype's
-/// coils stand 1.167, 1.100, 1.093 A for hours, so their figure hardly cares; its magnet stands 0.89, 1.44, 1.60 A, for
-/// it has no other source of heat than its neighbours: a finger that is held closed (a blocked grasp) heats its magnets
-/// to their limit at 38 % less current than this angle says.
+/// An open face passes less heat to its neighbour, a closed one more. At 0, 30 and 60 degrees the continuous current of
+/// the prototype's coils is 1.167, 1.100 and 1.093 A, which hardly depends on the angle; that of its magnet is 0.89,
+/// 1.44 and 1.60 A, because the magnet has no other source of heat than its neighbours: a finger that is held closed (a
+/// blocked grasp) heats its magnets to their limit at 38 % less current than at this angle.
 inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 180.0;
 
 /// Thermal chain of an assembled design: a node per component, base to tip.

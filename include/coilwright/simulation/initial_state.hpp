@@ -15,8 +15,8 @@ namespace coilwright::simulation {
 [[nodiscard]] std::optional<State> state_at_rest(const actuator::Model& model, const actuator::CoilCurrents& currents,
                                                  const mechanics::JointVector& applied);
 
-/// The state at the first sample of `input` of a run that starts at rest: the one way for whoever simulates, replays or
-/// makes data.
+/// The state at the first sample of `input` of a run that starts at rest. Simulations, replays of measured runs and
+/// synthetic data all start here.
 [[nodiscard]] std::optional<State> equilibrium_at_first_input(const actuator::Model& model, const ModelInput& input);
 
 }  // namespace coilwright::simulation

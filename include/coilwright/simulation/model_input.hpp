@@ -26,8 +26,8 @@ struct ModelInput {
 /// coil (joint), or a voltage across coils whose resistance is not known. Looks at the width of the first row alone.
 void require_can_drive(const actuator::Model& model, const CommandedInput& command);
 
-/// What `model` is driven by under `command`: the one way from what a person commands to currents and torques, for
-/// whoever simulates, replays or makes data. Throws as require_can_drive() does.
+/// The currents and torques by which `command` drives `model`. Simulations, replays of measured runs and synthetic data
+/// all use this function. Throws as require_can_drive() does.
 [[nodiscard]] ModelInput model_input(const actuator::Model& model, const CommandedInput& command);
 
 /// A step and a sine (see StepInput, SineInput) as `model` takes them.

@@ -84,7 +84,8 @@ class EffectTerm {
 
   /// Drive: turns the currents that enter into those that leave.
   virtual void drive(InternalStateView own, CoilCurrents& currents) const;
-  /// Magnetics: `strength` are the currents as the force sees them (a weaker magnet is a smaller current).
+  /// Magnetics: `strength` are the effective currents, in proportion to the force (a weaker magnet is a smaller
+  /// current).
   virtual void magnetize(InternalStateView own, const CoilCurrents& currents, CoilCurrents& strength) const;
   /// Magnetics, hinge and chain: adds joint torques, N m, opening positive.
   virtual void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,

@@ -13,8 +13,7 @@ namespace coilwright::actuator {
 /// (which differs for heat alone: see EffectTerm::begin).
 enum class InitialHistory { long_hold, recorded_run };
 
-/// An actuator as the simulation sees it: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what
-/// is large.
+/// An actuator for simulation: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what is large.
 ///
 /// Effects may carry states of their own (currents, heat, creep, bristles). Static queries (torques, equilibria,
 /// stiffness) use the steady values of all these states at that pose, unless another InitialHistory is asked for.
@@ -46,8 +45,8 @@ class Model {
   [[nodiscard]] InternalStates settled(const mechanics::JointVector& angles, const CoilCurrents& command,
                                        InitialHistory history = InitialHistory::long_hold) const;
 
-  /// The currents as the force sees them in the magnetics after a long hold at `angles` (rad) under `command` (A): what
-  /// drive and magnets make of it.
+  /// The effective currents, A, after a long hold at `angles` (rad) under `command` (A): the coil currents that the
+  /// drive lets through, scaled by what a warm magnet or a gain does to their force.
   [[nodiscard]] CoilCurrents strength(const mechanics::JointVector& angles, const CoilCurrents& command) const;
 
   /// Whether an effect moves so slowly that a step response is taken with it held.
@@ -101,7 +100,7 @@ class Model {
   /// The same as (n, n) under currents (A), with what the effects add: of small motions about a pose at rest.
   [[nodiscard]] mechanics::JointMatrix damping(const mechanics::JointVector& angles, const CoilCurrents& command) const;
 
-  /// The sum of the joint angles, rad: what a true camera sees.
+  /// The sum of the joint angles, rad: what a camera without error shows.
   [[nodiscard]] static double bending_angle(const mechanics::JointVector& angles) { return angles.sum(); }
 
   /// What the camera shows of an angle, rad: of the bending angle, or of a single joint's.
@@ -122,7 +121,7 @@ class Model {
   // Terms of the stages drive, magnetics and hinge to chain, in this order, and of the camera last.
   [[nodiscard]] std::span<const Term> terms(Stage first, Stage last) const;
 
-  // Currents as the force sees them, A.
+  // Effective currents, A: see strength() above.
   [[nodiscard]] CoilCurrents strength(const CoilCurrents& command, const double* states, double* slopes) const;
   // Of the hinges but for the terms; writes every joint.
   void own_hinge_torques(const mechanics::JointVector& angles, const mechanics::JointVector& rates,

@@ -28,7 +28,7 @@ struct ModelSpec {
   int coils{};                    ///< how many currents the magnetics take; >= 0
   mechanics::LinkPoint tip;       ///< what touches first when the finger grasps
   std::vector<Effect> effects{};  ///< each kind at most once
-  /// Where the coils are, for the forces among them that `magnetics` leaves out; null where nobody knows.
+  /// Where the coils are, for the forces among them that `magnetics` leaves out; null where their places are not known.
   std::shared_ptr<const CoilRow> coil_row{};
   std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
 };

@@ -12,6 +12,7 @@ struct Cost {
   double magnets{};              ///< 6 a gripper of two magnets: 3.00 each, scaled with volume
   double wires{};                ///< 1 a gripper: 0.50 a finger
 
+  /// Sum of all parts, US$.
   [[nodiscard]] double total() const { return silicone_and_moulds + coils + magnets + wires; }
 };
 

@@ -18,6 +18,7 @@ namespace coilwright::magnetics {
 /// A function given to Curve: fills values[i] = f(points[i]). Refers to the callable, does not own it; no allocation.
 class BatchFunction {
  public:
+  /// Refers to `callable`, which must outlive this object and be callable with (points, values).
   template <class Callable>
   requires(!std::same_as<std::remove_cvref_t<Callable>, BatchFunction> &&
            std::invocable<const Callable&, std::span<const double>, std::span<double>>)
@@ -27,6 +28,7 @@ class BatchFunction {
           (*static_cast<const Callable*>(self))(points, values);
         }) {}
 
+  /// Calls the function for all points.
   void operator()(std::span<const double> points, std::span<double> values) const { call_(callable_, points, values); }
 
  private:
@@ -47,6 +49,7 @@ class Curve {
     double boundary_layer_width{};  ///< > 0: how far below `lower` the function's variation is concentrated, in the
                                     ///< unit of x; 0 stands for upper - lower: no particular concentration
   };
+  /// Value and slope at one place.
   struct Sample {
     double value;       ///< in the function's unit
     double derivative;  ///< per unit of x

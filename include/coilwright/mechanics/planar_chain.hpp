@@ -35,6 +35,7 @@ struct LinkFrame {
   double cosine{};
 
   [[nodiscard]] Eigen::Vector2d axis() const { return {sine, -cosine}; }  ///< along the link, unit length
+  /// Position of the point at `along` and `offset` of the link, m.
   [[nodiscard]] Eigen::Vector2d at(double along, double offset) const {
     return joint + along * axis() + offset * Eigen::Vector2d(-cosine, -sine);
   }
@@ -57,6 +58,7 @@ class PlanarChain {
   explicit PlanarChain(std::span<const Link> links, double gravity = 9.81, double base_tilt = 0.0);
 
   [[nodiscard]] int joints() const noexcept { return joints_; }
+  /// A link, counted from the base: 0 to joints() - 1.
   [[nodiscard]] const Link& link(int index) const noexcept { return links_[index]; }
   [[nodiscard]] std::span<const Link> links() const noexcept { return std::span(links_).first(joints_); }
   [[nodiscard]] double gravity() const noexcept { return gravity_; }

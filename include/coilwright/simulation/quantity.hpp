@@ -65,6 +65,7 @@ class QuantityTable {
   const ResultQuantity& at(std::string_view name) const&& = delete;
 
   [[nodiscard]] std::size_t size() const noexcept { return rows_->size(); }
+  /// The quantity at a place in the order of the table, index < size().
   [[nodiscard]] const ResultQuantity& operator[](std::size_t index) const { return (*rows_)[index]; }
   [[nodiscard]] auto begin() const noexcept { return rows_->begin(); }
   [[nodiscard]] auto end() const noexcept { return rows_->end(); }

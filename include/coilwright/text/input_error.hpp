@@ -17,6 +17,7 @@ struct Fault {
 /// `study.json: /variables/gap_mm/upper: must exceed lower (2); got 1.5`.
 class InputError : public std::runtime_error {
  public:
+  /// Puts the fault into one line.
   explicit InputError(Fault fault);
   [[nodiscard]] const Fault& fault() const noexcept { return fault_; }
 

@@ -10,9 +10,13 @@ class Rule {
  public:
   /// Any finite number.
   [[nodiscard]] static constexpr Rule any() { return {unbounded_below, unbounded_above}; }
+  /// >= lower.
   [[nodiscard]] static constexpr Rule at_least(double lower) { return {{lower, true}, unbounded_above}; }
+  /// > lower.
   [[nodiscard]] static constexpr Rule above(double lower) { return {{lower, false}, unbounded_above}; }
+  /// <= upper.
   [[nodiscard]] static constexpr Rule at_most(double upper) { return {unbounded_below, {upper, true}}; }
+  /// < upper.
   [[nodiscard]] static constexpr Rule below(double upper) { return {unbounded_below, {upper, false}}; }
   /// Both ends allowed.
   [[nodiscard]] static constexpr Rule between(double lower, double upper) { return {{lower, true}, {upper, true}}; }
@@ -26,12 +30,15 @@ class Rule {
     return {other_lower ? other.lower_ : lower_, other_upper ? other.upper_ : upper_};
   }
 
+  /// Whether a value keeps the rule.
   [[nodiscard]] constexpr bool allows(double value) const {
     return (value > lower_.value || (lower_.included && value == lower_.value)) &&
            (value < upper_.value || (upper_.included && value == upper_.value));
   }
 
+  /// The lower end; minus infinity if there is none.
   [[nodiscard]] constexpr double lower() const { return lower_.value; }
+  /// The upper end; infinity if there is none.
   [[nodiscard]] constexpr double upper() const { return upper_.value; }
 
   /// "must be > 0", "must be from 2 to 5", "must be > 0 and <= 1", "must be finite".

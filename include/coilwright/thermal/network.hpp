@@ -32,6 +32,7 @@ struct Node {
 /// A coil makes heat I^2 R20 (1 + alpha (T - 20)): it grows with temperature, which is what makes a runaway possible.
 class Network {
  public:
+  /// Inputs of a Network.
   struct Spec {
     std::vector<Node> nodes;           ///< in order along the actuator; 1 to most_nodes
     std::vector<double> links;         ///< conductance between node i and i + 1, W/K; finite, >= 0; one less than nodes

@@ -11,6 +11,7 @@ namespace coilwright::thermal {
 /// a runaway, where modes grow exponentially. Immutable.
 class Transient {
  public:
+  /// Inputs of a Transient.
   struct Spec {
     NodeVector mean_square_currents;  ///< A^2, >= 0, a value a node; 0 in magnets
     NodeVector initial;               ///< temperatures at time 0, degC, a value a node; finite

@@ -15,7 +15,9 @@ struct Comparison {
   double band_high{};    ///< and band_high
   std::string because;   ///< where the difference comes from
 
+  /// Model over reference.
   [[nodiscard]] double ratio() const { return model / reference; }
+  /// Whether the ratio lies in its band.
   [[nodiscard]] bool holds() const { return ratio() >= band_low && ratio() <= band_high; }
 };
 

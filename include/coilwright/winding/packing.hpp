@@ -9,6 +9,7 @@ namespace coilwright::winding {
 /// winding is then longer by that half pitch.
 class Packing {
  public:
+  /// Inputs of a Packing.
   struct Spec {
     double axial{};   ///< pitch of turns in a layer, insulated diameters; finite, >= 1 (wires do not overlap)
     double radial{};  ///< pitch of layers, insulated diameters; finite, >= max(1/2, sqrt(1 - axial^2 / 4))

@@ -23,9 +23,11 @@ struct EffectProperties {
 /// and how the effect is built in. The texts are not copied: give literals.
 class DescribedEffect : public EffectKind {
  public:
+  /// Keeps the texts and numbers.
   explicit DescribedEffect(EffectProperties properties) : properties_(std::move(properties)) {}
 
   [[nodiscard]] std::string_view id() const final { return properties_.id; }
+  /// As EffectKind says.
   [[nodiscard]] Stage stage() const final { return properties_.stage; }
   [[nodiscard]] std::string_view description() const final { return properties_.description; }
   [[nodiscard]] std::string_view equation() const final { return properties_.equation; }

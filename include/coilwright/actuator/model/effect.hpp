@@ -112,6 +112,7 @@ class EffectKind {
 
   /// As measured-data/1 calls it: "dry_friction".
   [[nodiscard]] virtual std::string_view id() const = 0;
+  /// The stage to which the effect belongs.
   [[nodiscard]] virtual Stage stage() const = 0;
   /// What physically happens, one line for people: "a warm coil resists more, so its current fades".
   [[nodiscard]] virtual std::string_view description() const = 0;

@@ -19,6 +19,7 @@ enum class InitialHistory { long_hold, recorded_run };
 /// stiffness) use the steady values of all these states at that pose, unless another InitialHistory is asked for.
 class Model {
  public:
+  /// Inputs of a Model.
   using Spec = ModelSpec;
   /// Throws std::invalid_argument where counts do not match, a hinge value breaks its rule, or an effect is given
   /// twice, breaks its rules or cannot be in this model.

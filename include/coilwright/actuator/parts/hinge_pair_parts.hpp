@@ -15,6 +15,7 @@ namespace coilwright::actuator {
 /// thread-safe; the exact curve is computed lazily on first use (0.1 to 1 s of field evaluations at most) and cached.
 class HingePairParts {
  public:
+  /// Inputs of a HingePairParts.
   struct Spec {
     magnetics::ThickCoil coil;
     magnetics::CylinderMagnet magnet;
@@ -25,6 +26,7 @@ class HingePairParts {
     /// a chain without stops swings there. Given up for `range` where that is not so.
     std::optional<double> line_of_centres_lower{};
   };
+  /// Keeps the inputs; builds no curve yet.
   explicit HingePairParts(const Spec& spec) : spec_(spec) {}
 
   [[nodiscard]] const Spec& spec() const noexcept { return spec_; }

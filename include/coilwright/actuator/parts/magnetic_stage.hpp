@@ -28,6 +28,7 @@ struct HingePair {
 /// where `orientation` says so: W(z) (3 (a.z)(b.z) - a.b) / 2, which is exact on the axis and far away. Without it the
 /// pair pulls along the line of centres with its coaxial force.
 struct DistantPair {
+  /// How the pair's energy depends on the directions of its axes.
   enum class Orientation { ignored, dipoles };
 
   mechanics::LinkPoint first;
@@ -46,6 +47,7 @@ struct DistantPair {
 class MagneticStage {
  public:
   MagneticStage() = default;
+  /// The pairs across one joint and those further apart.
   MagneticStage(std::vector<HingePair> hinge_pairs, std::vector<DistantPair> distant_pairs);
 
   /// Adds the magnetic torque of every joint (N m) at `angles` (rad) to `torques`. Outside its range a

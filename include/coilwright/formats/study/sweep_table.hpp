@@ -17,6 +17,7 @@ class SweepTable {
  public:
   /// `out` and `study` must outlive it.
   SweepTable(std::ostream& out, const sizing::Study& study);
+  /// Writes the row of one design.
   void row(const sizing::SweptDesign& design);
 
  private:

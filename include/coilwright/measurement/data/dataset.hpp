@@ -18,6 +18,7 @@ namespace coilwright::measurement::data {
 class SealedRuns {
  public:
   SealedRuns() = default;
+  /// Seals `runs`.
   explicit SealedRuns(std::vector<Run> runs) : runs_(std::move(runs)) {}
   [[nodiscard]] bool empty() const noexcept { return runs_.empty(); }
   [[nodiscard]] std::size_t count() const noexcept { return runs_.size(); }

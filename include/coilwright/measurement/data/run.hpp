@@ -59,6 +59,7 @@ struct Run {
                                               ///< value for each
   std::vector<Channel> channels{};            ///< at least one
 
+  /// Number of samples of each channel.
   [[nodiscard]] std::size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
   /// What was commanded: `drive`, `times` and `inputs`. A current with one value per row is common to all coils.
   [[nodiscard]] simulation::CommandedInput command() const;

@@ -11,6 +11,7 @@ struct StepShape {
   double after{};   ///< level from `at` on
   double at{};      ///< s
 };
+/// offset + amplitude sin(2 pi frequency t).
 struct SineShape {
   double amplitude{};
   double offset{};

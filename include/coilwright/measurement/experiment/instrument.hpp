@@ -13,6 +13,7 @@ struct Instrument {
 /// The instruments of a rig. One camera sees the angles of the joints and of the whole finger.
 struct Instruments {
   Instrument angle{}, rate{}, torque{}, force{}, temperature{};
+  /// The instrument that measures channels of this kind.
   [[nodiscard]] const Instrument& of(data::ChannelKind kind) const;
 };
 

@@ -12,6 +12,7 @@ struct WhitenessResult {
   double level{};            ///< rms residual over the noise
   double whiteness_ratio{};  ///< statistic of the worst test over its limit; above 1 the residual is not white
   std::string where{};       ///< run and scale of that test
+  /// Whether no test finds structure.
   [[nodiscard]] bool is_white() const { return whiteness_ratio <= 1.0; }
 };
 

@@ -18,6 +18,7 @@ struct EvaluatedDesign {
   simulation::OperatingPoint point;
   simulation::Performance performance;
 
+  /// A view of this object, which must outlive it.
   [[nodiscard]] simulation::DesignView view() const {
     return {.design = design, .assembly = assembly, .point = point, .performance = performance};
   }
@@ -69,6 +70,7 @@ class DesignProblem {
   /// Point `index` < point_count() of these, where the last variable changes fastest.
   [[nodiscard]] std::vector<double> point(std::size_t index) const;
 
+  /// The largest grid that point_count() accepts.
   static constexpr std::size_t max_grid_points = 1'000'000'000'000;
 
  private:

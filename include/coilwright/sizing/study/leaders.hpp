@@ -20,6 +20,7 @@ struct Leader {
 /// Keeps the leaders of a sweep, design by design.
 class Leaders {
  public:
+  /// No leader yet. Keeps a copy of the problem.
   explicit Leaders(DesignProblem problem);
 
   /// Takes in one design. Of equal designs the first one stays.

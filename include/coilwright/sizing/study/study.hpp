@@ -66,6 +66,7 @@ struct StudyObjective {
 
 /// A quantity that must not pass a limit, in the unit of its name.
 struct Limit {
+  /// On which side of the limit the quantity must stay.
   enum class Side { at_most, at_least };
   simulation::ResultQuantity quantity;
   Side side = Side::at_most;

@@ -26,6 +26,7 @@ inline constexpr std::size_t csv_value_limit = 20'000'000;  ///< numbers that ar
 /// Throws InputError naming file, line, column and rule.
 class CsvHeader {
  public:
+  /// The names of the columns, as they stand in line `line` of `file`.
   CsvHeader(std::string file, std::size_t line, std::vector<std::string> names);
 
   /// The column must be there.
@@ -41,6 +42,7 @@ class CsvHeader {
   void finish() const;
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+  /// Whether the reader keeps the values of the column with this index.
   [[nodiscard]] bool keeps(std::size_t column) const { return kept_.contains(column); }
   /// An error of the reader's own about the header as a whole.
   [[nodiscard]] InputError error(std::string rule) const;

@@ -16,6 +16,8 @@ namespace coilwright::text {
 class CsvCell {
  public:
   CsvCell() = default;  ///< an empty cell: there is no value
+  /// A number or a text. A text is not copied: it must outlive the row.
+  ///@{
   CsvCell(double value) : content_(value) {}
   CsvCell(std::int64_t value) : content_(value) {}
   CsvCell(int value) : content_(static_cast<std::int64_t>(value)) {}
@@ -23,6 +25,7 @@ class CsvCell {
   CsvCell(std::string_view text) : content_(text) {}
   CsvCell(const char* text) : content_(std::string_view(text)) {}
   CsvCell(const std::string& text) : content_(std::string_view(text)) {}
+  ///@}
 
  private:
   friend class CsvWriter;
@@ -39,6 +42,7 @@ class CsvWriter {
   /// Throws std::invalid_argument when the row has not one cell for each column or holds a number that is not finite.
   /// The row is then not written. Whether the stream took it is for the stream's owner to ask.
   void row(std::span<const CsvCell> cells);
+  /// The same for cells listed at the call.
   void row(std::initializer_list<CsvCell> cells) { row(std::span(cells.begin(), cells.size())); }
   /// A row of numbers.
   void row(std::span<const double> values);

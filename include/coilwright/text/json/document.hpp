@@ -23,6 +23,7 @@ class Document {
   Document(Document&&) noexcept;
   Document& operator=(Document&&) noexcept;
 
+  /// The value of the whole document.
   [[nodiscard]] Node root() const;
   /// A copy with other numbers at some JSON pointers (RFC 6901): each must lead to a number, or to a key that its
   /// object does not have yet. Throws std::invalid_argument where one does not.

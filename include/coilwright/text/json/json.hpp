@@ -19,9 +19,12 @@ namespace coilwright::text {
 ///     result.set("joint_angles_deg", Json::numbers(angles));
 class Json {
  public:
+  /// A key and its value.
   using Member = std::pair<std::string, Json>;
 
   Json() : content_(nullptr) {}  ///< null
+  /// A JSON value from a C++ value.
+  ///@{
   Json(std::nullptr_t) : content_(nullptr) {}
   Json(std::same_as<bool> auto value) : content_(value) {}
   Json(double value) : content_(value) {}
@@ -30,10 +33,13 @@ class Json {
   Json(std::string value) : content_(std::move(value)) {}
   Json(std::string_view value) : content_(std::string(value)) {}
   Json(const char* value) : content_(std::string(value)) {}
+  ///@}
 
   /// Throws std::invalid_argument when a key is there twice.
   [[nodiscard]] static Json object(std::vector<Member> members = {});
+  /// An array of these elements.
   [[nodiscard]] static Json array(std::vector<Json> elements = {});
+  /// An array of numbers.
   [[nodiscard]] static Json numbers(std::span<const double> values);
 
   /// Adds a member to an object. Throws std::invalid_argument when the key is there already.

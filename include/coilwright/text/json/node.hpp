@@ -24,11 +24,14 @@ struct Length {
   std::size_t least{0};
   std::size_t most{std::numeric_limits<std::size_t>::max()};
 
+  /// So many elements.
+  ///@{
   [[nodiscard]] static constexpr Length exactly(std::size_t count) { return {.least = count, .most = count}; }
   [[nodiscard]] static constexpr Length at_least(std::size_t count) { return {.least = count}; }
   [[nodiscard]] static constexpr Length from_to(std::size_t least, std::size_t most) {
     return {.least = least, .most = most};
   }
+  ///@}
 };
 
 /// One value of a JSON document and where it stands. A light view: valid as long as the Document lives.
@@ -36,6 +39,7 @@ struct Length {
 /// the rule. Rules are in the unit of the file.
 class Node {
  public:
+  /// The kinds of JSON values.
   enum class Kind { null, boolean, number, text, array, object };
 
   [[nodiscard]] Kind kind() const noexcept;
@@ -59,7 +63,9 @@ class Node {
     return static_cast<Integer>(whole_number(rule, static_cast<double>(std::numeric_limits<Integer>::min()),
                                              static_cast<double>(std::numeric_limits<Integer>::max())));
   }
+  /// true or false.
   [[nodiscard]] bool boolean() const;
+  /// A text.
   [[nodiscard]] const std::string& text() const;
   /// A path in the document: a relative one counts from the folder of the document.
   [[nodiscard]] std::filesystem::path path() const;
@@ -76,7 +82,9 @@ class Node {
 
   /// The elements of an array.
   [[nodiscard]] std::vector<Node> elements(Length length = {}) const;
+  /// The elements of an array of numbers, each as number() gives it.
   [[nodiscard]] std::vector<double> numbers(Length length = {}, const Rule& rule = finite) const;
+  /// The elements of an array of quantities, each as quantity() gives it.
   [[nodiscard]] std::vector<double> quantities(Length length = {}, const Rule& rule = finite) const;
   /// Three numbers in the unit of the key, in SI.
   [[nodiscard]] std::array<double, 3> vector(const Rule& rule = finite) const;

@@ -40,34 +40,46 @@ class ObjectReader {
   /// The one key of `keys` that is there. Throws when none or more than one is.
   [[nodiscard]] std::string one_of(std::initializer_list<std::string_view> keys);
 
+  /// A number as it is written.
   [[nodiscard]] double number(std::string_view key, const Rule& rule = finite) { return at(key).number(rule); }
+  /// The same, or `otherwise` where the key is absent.
   [[nodiscard]] double number_or(std::string_view key, double otherwise, const Rule& rule = finite);
   /// In SI, the unit being the key's.
   [[nodiscard]] double quantity(std::string_view key, const Rule& rule = finite) { return at(key).quantity(rule); }
   /// `otherwise` is in SI.
   [[nodiscard]] double quantity_or(std::string_view key, double otherwise, const Rule& rule = finite);
+  /// A number as it is written; nothing where the key is absent.
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, const Rule& rule = finite);
+  /// A number in SI; nothing where the key is absent.
   [[nodiscard]] std::optional<double> optional_quantity(std::string_view key, const Rule& rule = finite);
+  /// A whole number.
   template <class Integer = int>
   [[nodiscard]] Integer integer(std::string_view key, const Rule& rule = finite) {
     return at(key).integer<Integer>(rule);
   }
+  /// A whole number, or `otherwise` where the key is absent.
   template <class Integer = int>
   [[nodiscard]] Integer integer_or(std::string_view key, Integer otherwise, const Rule& rule = finite) {
     const auto node = find(key);
     return node ? node->integer<Integer>(rule) : otherwise;
   }
+  /// true or false, or `otherwise` where the key is absent.
   [[nodiscard]] bool boolean_or(std::string_view key, bool otherwise);
+  /// A text.
   [[nodiscard]] std::string text(std::string_view key) { return at(key).text(); }
+  /// A text, or `otherwise` where the key is absent.
   [[nodiscard]] std::string text_or(std::string_view key, std::string otherwise);
+  /// A path; a relative one counts from the folder of the document.
   [[nodiscard]] std::filesystem::path path(std::string_view key) { return at(key).path(); }
   /// `{"format": "lumped-model/1"}`: the text must be this one.
   void literal(std::string_view key, std::string_view expected);
 
+  /// The value of one of the listed words.
   template <class Value>
   [[nodiscard]] Value choice(std::string_view key, std::initializer_list<std::pair<std::string_view, Value>> words) {
     return at(key).choice<Value>(words);
   }
+  /// The value of one of the listed words, or `otherwise` where the key is absent.
   template <class Value>
   [[nodiscard]] Value choice_or(std::string_view key, Value otherwise,
                                 std::initializer_list<std::pair<std::string_view, Value>> words) {
@@ -75,15 +87,19 @@ class ObjectReader {
     return node ? node->choice<Value>(words) : otherwise;
   }
 
+  /// The elements of an array.
   [[nodiscard]] std::vector<Node> elements(std::string_view key, Length length = {}) {
     return at(key).elements(length);
   }
+  /// The numbers of an array, as they are written.
   [[nodiscard]] std::vector<double> numbers(std::string_view key, Length length = {}, const Rule& rule = finite) {
     return at(key).numbers(length, rule);
   }
+  /// The numbers of an array, in SI.
   [[nodiscard]] std::vector<double> quantities(std::string_view key, Length length = {}, const Rule& rule = finite) {
     return at(key).quantities(length, rule);
   }
+  /// Three numbers, in SI.
   [[nodiscard]] std::array<double, 3> vector(std::string_view key, const Rule& rule = finite) {
     return at(key).vector(rule);
   }

@@ -14,6 +14,7 @@ class OutputError : public std::runtime_error {
   /// When it came out: before any work (the user named a place that cannot be used), or with the results in hand.
   enum class Stage { preparing, writing };
 
+  /// One line from the path and the reason.
   OutputError(const std::filesystem::path& path, const std::string& reason, Stage stage);
   [[nodiscard]] Stage stage() const noexcept { return stage_; }
 

@@ -10,7 +10,7 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 if [[ "${1:-}" == ci ]]; then
-  packages+=(clang clang-format doxygen)
+  packages+=(clang clang-format clang-tidy doxygen)
 fi
 
 missing=()

@@ -52,7 +52,8 @@ class PanelRule {
   [[nodiscard]] double node(int i) const noexcept {
     if (panels_ == 1) return rule_.node[i];
     const int order = static_cast<int>(rule_.count);
-    return (rule_.node[i % order] + 2 * (i / order) + 1) / panels_ - 1.0;
+    const int panel = i / order;
+    return (rule_.node[i % order] + 2 * panel + 1) / panels_ - 1.0;
   }
   [[nodiscard]] double weight(int i) const noexcept {
     return rule_.weight[i % static_cast<int>(rule_.count)] / panels_;

@@ -81,7 +81,7 @@ std::optional<double> strongest_spectral_line(std::span<const EvenSeries> series
     double power = 0.0;
     std::size_t members = 0;
     for (const Spectrum& spectrum : spectra) {
-      const auto nearest = static_cast<std::size_t>(frequency / spectrum.frequency[1] + 0.5);
+      const auto nearest = static_cast<std::size_t>(std::lround(frequency / spectrum.frequency[1]));
       if (nearest >= spectrum.ratio.size() || spectrum.ratio[nearest] == 0.0) continue;
       sum += std::min(spectrum.ratio[nearest], largest_ratio);
       power += spectrum.power[nearest];

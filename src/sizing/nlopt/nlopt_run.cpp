@@ -132,7 +132,7 @@ std::vector<double> run_nlopt(const NloptTask& task) {
   if (task.first_step > 0) nlopt_set_initial_step1(opt.get(), task.first_step);
   std::vector<double> x = task.start;
   for (std::size_t i = 0; i < n; ++i) x[i] = std::clamp(x[i], task.lower[i], task.upper[i]);
-  const std::vector<double> start = x;
+  std::vector<double> start = x;
   double value = 0;
   nlopt_optimize(opt.get(), x.data(), &value);
   if (session.thrown) std::rethrow_exception(session.thrown);

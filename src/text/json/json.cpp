@@ -13,7 +13,7 @@ namespace coilwright::text {
 Json Json::object(std::vector<Member> members) {
   Json json;
   json.content_ = Object{};
-  for (auto& [key, value] : members) json.set(std::move(key), std::move(value));
+  for (Member& member : members) json.set(std::move(member.first), std::move(member.second));
   return json;
 }
 

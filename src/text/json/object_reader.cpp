@@ -109,7 +109,8 @@ bool ObjectReader::boolean_or(std::string_view key, bool otherwise) {
 
 std::string ObjectReader::text_or(std::string_view key, std::string otherwise) {
   const auto node = find(key);
-  return node ? node->text() : std::move(otherwise);
+  if (node) return node->text();
+  return otherwise;
 }
 
 void ObjectReader::literal(std::string_view key, std::string_view expected) {

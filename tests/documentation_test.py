@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every page of docs is in its index, every command in the README, every effect and every room in the pages about
-them, and every relative link of a page leads to a file and a heading that exist."""
+them, what the page about the C++ API names in its headers, and every relative link of a page leads to a
+file and a heading that exist."""
 
 import pathlib
 import re
@@ -73,10 +74,26 @@ def faults_of_lists() -> list[str]:
     return found
 
 
+def faults_of_api() -> list[str]:
+    """Each row of docs/api.md: task, functions or types, the headers that have them, the target."""
+    found, rows = [], 0
+    for row in re.findall(r"^\|.*\.hpp.*\|$", text_of("docs/api.md"), re.MULTILINE):
+        rows += 1
+        _, names, headers, _ = (cell.strip() for cell in row.strip("|").split("|"))
+        paths = [ROOT / "include/coilwright" / header for header in headers.split(", ")]
+        if missing := [path for path in paths if not path.exists()]:
+            found += [f"docs/api.md: {path.relative_to(ROOT)} does not exist" for path in missing]
+            continue
+        text = "".join(text_of(path) for path in paths)
+        found += [f"docs/api.md: {name} is not in {headers}" for name in re.findall(r"`([\w:]+)`", names)
+                  if not re.search(rf"\b{name.rpartition('::')[2]}\b", text)]
+    return found if rows else ["docs/api.md: has no rows"]
+
+
 def main() -> int:
     pages = sorted(page for folder in (ROOT.glob, (ROOT / "docs").rglob, (ROOT / "studies").rglob)
                    for page in folder("*.md"))
-    faults = faults_of_links(pages) + faults_of_index() + faults_of_lists()
+    faults = faults_of_links(pages) + faults_of_index() + faults_of_lists() + faults_of_api()
     print("\n".join(faults) if faults else f"{len(pages)} pages, all links lead somewhere")
     return 1 if faults or not pages else 0
 

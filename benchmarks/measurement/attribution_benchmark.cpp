@@ -1,6 +1,6 @@
-// Diagnoses random sets of known answer, prints a line each and, at the end, what of the aims is reached. With --out,
-// the same without times as confusion.csv, sets.csv and summary.txt: alike for the same sets and seed on any number of
-// threads.
+// Diagnoses random sets whose answers are known, prints one line per set and, at the end, which aims are reached. With
+// --out it writes the same without times to confusion.csv, sets.csv and summary.txt: equal for the same sets and seed
+// on any number of threads.
 
 #include <fmt/format.h>
 
@@ -21,6 +21,7 @@
 
 #include "attribution/run_case.hpp"
 #include "attribution/summary.hpp"
+#include "run_program.hpp"
 
 namespace {
 
@@ -37,7 +38,7 @@ struct Results {
   std::vector<std::string> failures;
 };
 
-// A set a thread, so that the times are those of a diagnosis with one thread.
+// One set per thread, so that the times are those of a diagnosis with one thread.
 Results run_all(const std::vector<attribution::Case>& cases, int threads) {
   Results results;
   results.runs.resize(cases.size());
@@ -48,7 +49,7 @@ Results run_all(const std::vector<attribution::Case>& cases, int threads) {
       try {
         attribution::CaseRun run = attribution::run_case(cases[i], 1);
         const std::lock_guard lock(printing);
-        fmt::print("{}  ({:.1f} s)\n", attribution::line(run.outcome), run.seconds_diagnosed);
+        fmt::print("{}  ({:.1f} s)\n", attribution::set_line(run.outcome), run.seconds_diagnosed);
         std::fflush(stdout);
         results.runs[i] = std::move(run);
       } catch (const std::exception& error) {
@@ -91,14 +92,16 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Does diagnose find what is hidden in data?", "attribution_benchmark");
+  CLI::App app("Measures whether diagnose finds effects that are hidden in data", "attribution_benchmark");
   Settings settings;
-  app.add_option("--sets", settings.sets, "How many")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--first", settings.first, "Number of the first")
+  app.add_option("--sets", settings.sets, "Number of sets")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--first", settings.first, "Number of the first set")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_option("--seed", settings.seed, "Of all that is drawn")->capture_default_str();
-  app.add_option("--threads", settings.threads, "Sets at a time")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--seed", settings.seed, "Random seed")->capture_default_str();
+  app.add_option("--threads", settings.threads, "Number of sets that are diagnosed at once")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--out", settings.out, "Folder for confusion.csv, sets.csv, summary.txt");
   CLI11_PARSE(app, argc, argv);
 
@@ -127,10 +130,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "attribution_benchmark: {}\n", error.what());
-    return 2;
-  }
+  return run_program("attribution_benchmark", [&] { return run(argc, argv); });
 }

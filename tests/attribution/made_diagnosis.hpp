@@ -1,43 +1,20 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "attribution/score.hpp"
+#include "formats/data/named_effect.hpp"
 
 namespace attribution {
 
-/// A name and nothing else.
-class NamedKind final : public coilwright::actuator::EffectKind {
- public:
-  explicit NamedKind(std::string id) : id_(std::move(id)) {}
-  [[nodiscard]] std::string_view id() const override { return id_; }
-  [[nodiscard]] coilwright::actuator::Stage stage() const override { return {}; }
-  [[nodiscard]] std::string_view description() const override { return {}; }
-  [[nodiscard]] std::string_view equation() const override { return {}; }
-  [[nodiscard]] std::string_view source() const override { return {}; }
-  [[nodiscard]] std::span<const coilwright::actuator::EffectParameter> parameters() const override { return {}; }
-  [[nodiscard]] std::vector<std::vector<double>> starts(const coilwright::actuator::RigScale&) const override {
-    return {};
-  }
-  [[nodiscard]] std::unique_ptr<const coilwright::actuator::EffectTerm> build(
-      std::span<const double>, coilwright::actuator::ModelSpec&) const override {
-    return nullptr;
-  }
-
- private:
-  std::string id_;
-};
-
-/// The same kind for the same name.
-inline const NamedKind* named(const std::string& id) {
-  static std::vector<std::unique_ptr<NamedKind>> kinds;
+/// A kind of effect that has a name only; the same one for the same name.
+inline const coilwright::testing::NamedEffect* named(const std::string& id) {
+  static std::vector<std::unique_ptr<coilwright::testing::NamedEffect>> kinds;
   for (const auto& kind : kinds)
     if (kind->id() == id) return kind.get();
-  kinds.push_back(std::make_unique<NamedKind>(id));
+  kinds.push_back(std::make_unique<coilwright::testing::NamedEffect>(id, ""));
   return kinds.back().get();
 }
 
@@ -68,7 +45,7 @@ inline truth::Answer hiding(const std::vector<std::string>& ids) {
 
 inline Outcome outcome_of(Category category, const std::vector<std::string>& hidden,
                           const coilwright::measurement::Diagnosis& diagnosis) {
-  return score({.number = 0, .category = category, .order = {}}, hiding(hidden), diagnosis);
+  return score({.number = 0, .category = category, .request = {}}, hiding(hidden), diagnosis);
 }
 
 }  // namespace attribution

@@ -4,14 +4,14 @@
 #include <string>
 #include <utility>
 
-#include "truth/hidden.hpp"
+#include "truth/hidden_effects.hpp"
 #include "truth/random.hpp"
 
 namespace attribution {
 namespace {
 
-constexpr std::array row = {Category::one, Category::nothing, Category::one,
-                            Category::two, Category::one,     Category::outsider};
+constexpr std::array sequence = {Category::one, Category::nothing, Category::one,
+                                 Category::two, Category::one,     Category::outsider};
 
 std::vector<std::string> ids(bool outsider) {
   std::vector<std::string> out;
@@ -20,7 +20,7 @@ std::vector<std::string> ids(bool outsider) {
   return out;
 }
 
-// The n-th of an endless row in which each comes once a round, in an order drawn anew for every round.
+// The n-th of an infinite sequence that contains each id once per round, in an order that is drawn for every round.
 std::string in_turn(std::vector<std::string> all, int n, std::uint64_t seed) {
   const int size = static_cast<int>(all.size());
   truth::Random random(seed + 1000003u * static_cast<std::uint64_t>(n / size));
@@ -56,21 +56,21 @@ std::string_view name_of(Category category) {
 std::vector<Case> plan(int first, int count, std::uint64_t seed) {
   std::vector<Case> cases;
   for (int number = first; number < first + count; ++number) {
-    const int place = number % static_cast<int>(row.size());
-    const int round = number / static_cast<int>(row.size());
+    const int place = number % static_cast<int>(sequence.size());
+    const int round = number / static_cast<int>(sequence.size());
     truth::Random random(seed * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(number));
-    Case next{.number = number, .category = row[place], .order = {}};
-    next.order.seed = random.seed();
+    Case next{.number = number, .category = sequence[place], .request = {}};
+    next.request.seed = random.seed();
     switch (next.category) {
       case Category::one:
-        next.order.hidden = {in_turn(ids(false), 3 * round + place / 2, seed)};
-        next.order.find_rivals = true;
+        next.request.hidden = {in_turn(ids(false), 3 * round + place / 2, seed)};
+        next.request.find_confounders = true;
         break;
       case Category::two:
-        next.order.hidden = pair(random);
+        next.request.hidden = pair(random);
         break;
       case Category::outsider:
-        next.order.hidden = {in_turn(ids(true), round, seed)};
+        next.request.hidden = {in_turn(ids(true), round, seed)};
         break;
       case Category::nothing:
         break;

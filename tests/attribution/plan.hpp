@@ -8,22 +8,23 @@
 
 namespace attribution {
 
-/// What is hidden in a set.
+/// What is hidden in a set: one effect of the catalogue, nothing, two effects, or an effect outside the catalogue.
 enum class Category { one, nothing, two, outsider };
 
 [[nodiscard]] std::string_view name_of(Category category);
 
-/// A set to be made and diagnosed.
+/// A set to be simulated and diagnosed.
 struct Case {
   int number{};
   Category category{};
-  truth::Order order;
+  truth::DataSetRequest request;
 };
 
-/// Sets number `first` to `first + count - 1` of the endless row that belongs to `seed`: of six in a row three hide one
-/// effect, one nothing, one two effects, one an outsider; the ids of the catalogue, and the outsiders, take turns in an
-/// order of chance. So 120 sets are 60, 20, 20, 20, and every id is hidden alone at least twice. coil_coil_force is
-/// never one of two: half a standard deviation of the noise in the run that shows it best is no fair second.
+/// Sets `first` to `first + count - 1` of the infinite sequence that belongs to `seed`. Of six consecutive sets three
+/// hide one effect, one hides nothing, one two effects and one an outsider; the ids of the catalogue, and the
+/// outsiders, follow each other in random order, each once per round. So 120 sets are 60, 20, 20 and 20, and every id
+/// is hidden alone at least twice. coil_coil_force is never one of two: its strength in the run where it is largest is
+/// half a standard deviation of the noise.
 [[nodiscard]] std::vector<Case> plan(int first, int count, std::uint64_t seed);
 
 }  // namespace attribution

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "truth/hidden.hpp"
+#include "truth/hidden_effects.hpp"
 
 namespace attribution {
 namespace {
@@ -18,17 +18,17 @@ TEST(Plan, HidesEverythingOftenEnough) {
     std::set<std::uint64_t> seeds;
     for (const Case& one : plan(0, 120, seed)) {
       ++categories[one.category];
-      seeds.insert(one.order.seed);
+      seeds.insert(one.request.seed);
       if (one.category == Category::one || one.category == Category::outsider) {
-        ASSERT_EQ(one.order.hidden.size(), 1u);
-        ++alone[one.order.hidden[0]];
+        ASSERT_EQ(one.request.hidden.size(), 1u);
+        ++alone[one.request.hidden[0]];
       }
       if (one.category == Category::two) {
-        ASSERT_EQ(one.order.hidden.size(), 2u);
-        EXPECT_NE(one.order.hidden[0], one.order.hidden[1]);
-        for (const std::string& id : one.order.hidden) EXPECT_FALSE(truth::hidden_kind(id).outsider);
+        ASSERT_EQ(one.request.hidden.size(), 2u);
+        EXPECT_NE(one.request.hidden[0], one.request.hidden[1]);
+        for (const std::string& id : one.request.hidden) EXPECT_FALSE(truth::hidden_kind(id).outsider);
       }
-      EXPECT_EQ(one.category == Category::nothing, one.order.hidden.empty());
+      EXPECT_EQ(one.category == Category::nothing, one.request.hidden.empty());
     }
     EXPECT_EQ(categories[Category::one], 60);
     EXPECT_EQ(categories[Category::nothing], 20);
@@ -39,15 +39,15 @@ TEST(Plan, HidesEverythingOftenEnough) {
   }
 }
 
-TEST(Plan, IsOneRowHoweverItIsCut) {
+TEST(Plan, IsOneSequenceHoweverItIsDivided) {
   const auto whole = plan(0, 30, 4);
   const auto part = plan(12, 6, 4);
   for (std::size_t i = 0; i < part.size(); ++i) {
     EXPECT_EQ(part[i].number, whole[i + 12].number);
-    EXPECT_EQ(part[i].order.hidden, whole[i + 12].order.hidden);
-    EXPECT_EQ(part[i].order.seed, whole[i + 12].order.seed);
+    EXPECT_EQ(part[i].request.hidden, whole[i + 12].request.hidden);
+    EXPECT_EQ(part[i].request.seed, whole[i + 12].request.seed);
   }
-  EXPECT_NE(plan(0, 1, 5)[0].order.seed, whole[0].order.seed);
+  EXPECT_NE(plan(0, 1, 5)[0].request.seed, whole[0].request.seed);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 namespace formats = coilwright::formats;
 namespace measurement = coilwright::measurement;
 
-// A folder that is gone afterwards, whatever happens.
+// A temporary folder that is removed in any case.
 class Folder {
  public:
   explicit Folder(int number)
@@ -52,7 +52,7 @@ measurement::Diagnosis diagnose(const std::filesystem::path& folder, int threads
 CaseRun run_case(const Case& asked, int threads) {
   const Folder folder(asked.number);
   const auto begin = std::chrono::steady_clock::now();
-  const truth::DataSet set = truth::make_data_set(asked.order);
+  const truth::DataSet set = truth::make_data_set(asked.request);
   truth::write_data_set(set, folder.path());
   const double made = seconds_since(begin);
   const auto written = std::chrono::steady_clock::now();

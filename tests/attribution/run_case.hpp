@@ -7,16 +7,16 @@
 
 namespace attribution {
 
-/// A case from start to end.
+/// One case from the simulation of its set to the score of its diagnosis.
 struct CaseRun {
   Outcome outcome;
-  double seconds_made{};                                 ///< to make and write the set
-  double seconds_diagnosed{};                            ///< to read and diagnose it
-  std::vector<coilwright::measurement::Phase> phases{};  ///< where that went
+  double seconds_made{};                                 ///< time to simulate and write the set, s
+  double seconds_diagnosed{};                            ///< time to read and diagnose it, s
+  std::vector<coilwright::measurement::Phase> phases{};  ///< of the diagnosis
 };
 
-/// Makes the set, writes it into a temporary folder, reads it back as a user's would be, diagnoses it with `threads`
-/// threads and holds the diagnosis against the answer. Throws what reader and diagnosis throw.
+/// Simulates the set, writes it into a temporary folder, reads it like a user's, diagnoses it with `threads` threads
+/// and scores the diagnosis against the answer. Throws what reader and diagnosis throw.
 [[nodiscard]] CaseRun run_case(const Case& asked, int threads);
 
 }  // namespace attribution

@@ -17,7 +17,7 @@ bool contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-bool stands_for(const Outcome& outcome, const std::string& reported, const std::string& hidden) {
+bool is_reported_by(const Outcome& outcome, const std::string& reported, const std::string& hidden) {
   if (reported == hidden) return true;
   return std::any_of(outcome.ambiguous.begin(), outcome.ambiguous.end(),
                      [&](const auto& set) { return contains(set, reported) && contains(set, hidden); });
@@ -26,10 +26,10 @@ bool stands_for(const Outcome& outcome, const std::string& reported, const std::
 bool is_found(const Outcome& outcome) {
   if (outcome.reported.empty() || outcome.answer.hidden.empty()) return false;
   if (outcome.answer.hidden.size() == 1)
-    return stands_for(outcome, outcome.reported.front(), outcome.answer.hidden.front().id);
+    return is_reported_by(outcome, outcome.reported.front(), outcome.answer.hidden.front().id);
   return std::all_of(outcome.answer.hidden.begin(), outcome.answer.hidden.end(), [&](const auto& hidden) {
     return std::any_of(outcome.reported.begin(), outcome.reported.end(),
-                       [&](const std::string& id) { return stands_for(outcome, id, hidden.id); });
+                       [&](const std::string& id) { return is_reported_by(outcome, id, hidden.id); });
   });
 }
 
@@ -43,8 +43,8 @@ bool inside(const Estimate& estimate, double value) {
   return estimate.lower <= value && value <= estimate.upper;
 }
 
-// An interval without bounds holds everything and proves nothing: it is not counted.
-bool counts(const Estimate& estimate) {
+// An interval without bounds contains everything and is not counted.
+bool is_bounded(const Estimate& estimate) {
   return estimate.determined && std::isfinite(estimate.lower) && std::isfinite(estimate.upper);
 }
 
@@ -55,8 +55,8 @@ Count effect_intervals(const Outcome& outcome, const Diagnosis& diagnosis) {
       if (hidden.id != effect.kind->id()) continue;
       for (const Estimate& estimate : effect.parameters)
         for (const truth::HiddenEffect::Number& number : hidden.numbers) {
-          // a side is one of two and has no interval
-          if (number.key != estimate.key || number.key == "side" || !counts(estimate)) continue;
+          // A side is one of two choices and has no interval.
+          if (number.key != estimate.key || number.key == "side" || !is_bounded(estimate)) continue;
           count.add(inside(estimate, coilwright::units::to_memory(number.value, number.key)));
         }
     }
@@ -66,14 +66,14 @@ Count effect_intervals(const Outcome& outcome, const Diagnosis& diagnosis) {
 Count calibration_intervals(const truth::Answer& answer, const Diagnosis& diagnosis) {
   Count count;
   for (const Estimate& estimate : diagnosis.calibration) {
-    if (!counts(estimate)) continue;
+    if (!is_bounded(estimate)) continue;
     if (estimate.key.starts_with("joint_stiffness")) count.add(inside(estimate, answer.joint_stiffness));
     if (estimate.key.starts_with("joint_damping")) count.add(inside(estimate, answer.joint_damping));
   }
   return count;
 }
 
-// Against the noise that really is in the file, its rounding included, and not what the diagnosis takes it for.
+// Relative to the true noise of the file, rounding included, not to the noise that the diagnosis estimates.
 std::optional<double> error_over_floor(const truth::Answer& answer, const Diagnosis& diagnosis) {
   std::optional<double> worst;
   for (const measurement::ErrorComparison& error : diagnosis.validate_errors)
@@ -94,7 +94,7 @@ Outcome score(const Case& asked, const truth::Answer& answer, const Diagnosis& d
   outcome.found = is_found(outcome);
   outcome.alone = !answer.hidden.empty() && reports_exactly(outcome) && outcome.ambiguous.empty();
   outcome.determined = std::all_of(answer.hidden.begin(), answer.hidden.end(),
-                                   [](const auto& hidden) { return hidden.visible && hidden.rivals.empty(); });
+                                   [](const auto& hidden) { return hidden.visible && hidden.confounders.empty(); });
   outcome.error_over_floor = error_over_floor(answer, diagnosis);
   if (reports_exactly(outcome)) {
     outcome.effect_intervals = effect_intervals(outcome, diagnosis);

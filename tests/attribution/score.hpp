@@ -10,7 +10,7 @@
 
 namespace attribution {
 
-/// How many of how many.
+/// A number of hits among a number of cases.
 struct Count {
   int hits{};
   int of{};
@@ -26,23 +26,24 @@ struct Count {
   }
 };
 
-/// A diagnosis beside the answer.
+/// A diagnosis compared with the answer.
 struct Outcome {
   int number{};
   Category category{};
   truth::Answer answer;
   coilwright::measurement::Verdict verdict{};
   std::vector<std::string> reported{};                ///< ids, in the order in which they were added
-  std::vector<std::vector<std::string>> ambiguous{};  ///< sets that the diagnosis could not tell apart
-  /// One hidden effect: it is the first reported, or in an ambiguity set with the first. Two: each is reported, or in
-  /// an ambiguity set with one that is.
+  std::vector<std::vector<std::string>> ambiguous{};  ///< sets of effects that the diagnosis could not distinguish
+  /// With one hidden effect: whether it is reported first, or is in an ambiguity set with the first. With two: whether
+  /// each is reported, or is in an ambiguity set with one that is.
   bool found = false;
-  /// What is hidden, and nothing else, is reported, and no ambiguity set is.
+  /// Whether exactly the hidden effects are reported, without ambiguity sets.
   bool alone = false;
-  /// The data tell every hidden effect from any other single one, by the truth's own reckoning.
+  /// Whether the data distinguish every hidden effect from any other single one, according to the simulation.
   bool determined = false;
-  std::optional<double> error_over_floor{};  ///< rmse on the validate runs over the true noise, worst quantity
-  Count effect_intervals{};       ///< true values inside 95 % intervals, where exactly what is hidden is reported
+  std::optional<double>
+      error_over_floor{};         ///< rmse on the validate runs over the true noise, of the worst kind of channel
+  Count effect_intervals{};       ///< true values inside 95 % intervals, if exactly the hidden effects are reported
   Count calibration_intervals{};  ///< the same for stiffness and damping
 };
 

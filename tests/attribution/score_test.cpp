@@ -13,9 +13,9 @@ namespace {
 using coilwright::measurement::Diagnosis;
 using coilwright::measurement::Verdict;
 
-const Case asked{.number = 0, .category = Category::one, .order = {}};
+const Case asked{.number = 0, .category = Category::one, .request = {}};
 
-TEST(Score, FindsOneWhereItIsFirst) {
+TEST(Score, FindsOneThatIsReportedFirst) {
   const Outcome right = outcome_of(Category::one, {"drag"}, diagnosed(Verdict::explained, {"drag"}));
   EXPECT_TRUE(right.found);
   EXPECT_TRUE(right.alone);
@@ -33,16 +33,16 @@ TEST(Score, FindsOneInTheAmbiguitySetOfTheFirst) {
       outcome_of(Category::one, {"heat"}, diagnosed(Verdict::explained, {"gain"}, {{"gain", "heat", "offset"}}));
   EXPECT_TRUE(in_set.found);
   EXPECT_FALSE(in_set.alone);
-  // a set that the first is not in says nothing about it
+  // A set without the first reported effect says nothing about it.
   EXPECT_FALSE(outcome_of(Category::one, {"heat"}, diagnosed(Verdict::explained, {"gain"}, {{"creep", "heat"}})).found);
-  // first and right, but not told apart from another
+  // First and right, but not distinguished from another.
   const Outcome unsure =
       outcome_of(Category::one, {"heat"}, diagnosed(Verdict::explained, {"heat"}, {{"heat", "gain"}}));
   EXPECT_TRUE(unsure.found);
   EXPECT_FALSE(unsure.alone);
 }
 
-TEST(Score, WantsBothOfTwo) {
+TEST(Score, NeedsBothOfTwo) {
   const auto of = [](const Diagnosis& diagnosis) {
     return outcome_of(Category::two, {"drag", "tilt"}, diagnosis).found;
   };
@@ -53,13 +53,13 @@ TEST(Score, WantsBothOfTwo) {
   EXPECT_FALSE(of(diagnosed(Verdict::unexplained, {})));
 }
 
-TEST(Score, IsDeterminedWhereNothingElseWouldDo) {
+TEST(Score, IsDeterminedIfTheEffectIsVisibleWithoutConfounders) {
   truth::Answer answer = hiding({"drag"});
   const auto determined = [&] { return score(asked, answer, diagnosed(Verdict::explained, {"drag"})).determined; };
   EXPECT_TRUE(determined());
-  answer.hidden[0].rivals = {"creep"};
+  answer.hidden[0].confounders = {"creep"};
   EXPECT_FALSE(determined());
-  answer.hidden[0].rivals.clear();
+  answer.hidden[0].confounders.clear();
   answer.hidden[0].visible = false;
   EXPECT_FALSE(determined());
 }
@@ -82,17 +82,17 @@ TEST(Score, CountsTrueValuesInsideIntervals) {
   EXPECT_EQ(outcome.calibration_intervals.of, 2);
   EXPECT_EQ(outcome.calibration_intervals.hits, 1);
 
-  // what the data do not determine is said to be so, and proves nothing
+  // Parameters that the data do not determine are not counted.
   diagnosis.effects[0].parameters[1].determined = false;
   diagnosis.effects[0].parameters[0].upper = std::numeric_limits<double>::infinity();
   EXPECT_EQ(score(asked, answer, diagnosis).effect_intervals.of, 0);
 
-  // with something else besides, what a parameter is worth is not asked
+  // With another effect reported in addition, intervals are not counted.
   diagnosis.effects.push_back({.kind = named("creep"), .parameters = {}, .evidence = {}});
   EXPECT_EQ(score(asked, answer, diagnosis).calibration_intervals.of, 0);
 }
 
-TEST(Score, MeasuresTheErrorAgainstTheNoiseThatIsThere) {
+TEST(Score, MeasuresTheErrorRelativeToTheTrueNoise) {
   truth::Answer answer = hiding({"drag"});
   answer.noise = 3e-3;
   answer.resolution = 4e-3 * std::sqrt(12.0);  // as much as 4e-3 of noise: together 5e-3
@@ -100,7 +100,7 @@ TEST(Score, MeasuresTheErrorAgainstTheNoiseThatIsThere) {
   EXPECT_FALSE(score(asked, answer, diagnosis).error_over_floor);
   diagnosis.validate_errors.resize(1);
   diagnosis.validate_errors[0].after.rmse = 6e-3;
-  diagnosis.validate_errors[0].noise_floor_rmse = 9e-3;  // what the diagnosis believes does not matter
+  diagnosis.validate_errors[0].noise_floor_rmse = 9e-3;  // the estimate of the diagnosis does not matter
   EXPECT_DOUBLE_EQ(*score(asked, answer, diagnosis).error_over_floor, 1.2);
 }
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <string_view>
 
-#include "truth/hidden.hpp"
+#include "truth/hidden_effects.hpp"
 
 namespace attribution {
 namespace {
@@ -40,7 +40,7 @@ bool keeps_error(const Outcome& outcome) {
   return outcome.error_over_floor && *outcome.error_over_floor <= tolerated_error;
 }
 
-// What a set should have given and did not; empty where all is well.
+// What went wrong with a set; empty if nothing did.
 std::string_view fault(const Outcome& outcome) {
   switch (outcome.category) {
     case Category::nothing:
@@ -97,7 +97,7 @@ std::vector<Aim> aims(const std::vector<Outcome>& outcomes) {
   };
 }
 
-std::string line(const Outcome& outcome) {
+std::string set_line(const Outcome& outcome) {
   const std::string_view wrong = fault(outcome);
   return fmt::format("{:>4} {:<8} {:<42} {:>11}  {:<17} {:<42}{}{}", outcome.number, name_of(outcome.category),
                      hidden_ids(outcome), strengths(outcome, &truth::HiddenEffect::strength_after_calibration),
@@ -116,7 +116,7 @@ std::string summary(const std::vector<Outcome>& outcomes) {
   }
   text += "\nwhere something went wrong (strength: standard deviations of the noise, after calibration)\n";
   for (const Outcome& outcome : outcomes)
-    if (!fault(outcome).empty()) text += line(outcome) + "\n";
+    if (!fault(outcome).empty()) text += set_line(outcome) + "\n";
   return text;
 }
 

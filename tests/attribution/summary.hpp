@@ -7,30 +7,31 @@
 
 namespace attribution {
 
-/// One aim of the benchmark: a share of a kind of sets, and the least (or most) that it is to be.
+/// One aim of the benchmark: a fraction of a kind of sets that should be at least, or at most, a given value.
 struct Aim {
   std::string text;
   Count count;
-  double share{};  ///< that is to be reached
+  double share{};  ///< the value to be reached
   bool at_most = false;
   [[nodiscard]] bool reached() const {
-    const double is = static_cast<double>(count.hits);
-    return at_most ? is <= share * count.of : is >= share * count.of;
+    const auto hits = static_cast<double>(count.hits);
+    return at_most ? hits <= share * count.of : hits >= share * count.of;
   }
 };
 
 [[nodiscard]] std::vector<Aim> aims(const std::vector<Outcome>& outcomes);
 
-/// One line on one set.
-[[nodiscard]] std::string line(const Outcome& outcome);
+/// One line about one set.
+[[nodiscard]] std::string set_line(const Outcome& outcome);
 
-/// The aims, a line each, and what was missed, a line a set.
+/// One line per aim, and one line per set in which something went wrong.
 [[nodiscard]] std::string summary(const std::vector<Outcome>& outcomes);
 
-/// A line a set.
+/// One line per set.
 [[nodiscard]] std::string sets_csv(const std::vector<Outcome>& outcomes);
 
-/// Hidden (rows; sets with at most one) against first reported (columns; the verdict where none is).
+/// Counts of the hidden effect (rows; sets with at most one) and the first reported effect (columns; the verdict if
+/// none is reported).
 [[nodiscard]] std::string confusion_csv(const std::vector<Outcome>& outcomes);
 
 }  // namespace attribution

@@ -27,7 +27,7 @@ std::vector<Outcome> a_few() {
   outcomes[1].error_over_floor = 1.3;
   outcomes[2].error_over_floor = 1.1;
   outcomes[0].effect_intervals = {.hits = 1, .of = 1};
-  outcomes[2].answer.hidden[0].rivals = {"rest_angle"};
+  outcomes[2].answer.hidden[0].confounders = {"rest_angle"};
   outcomes[2].determined = false;
   return outcomes;
 }
@@ -39,7 +39,7 @@ Count count_of(const std::vector<Aim>& all, std::string_view text) {
   return {};
 }
 
-TEST(Aims, CountWhatTheySay) {
+TEST(Aims, CountTheSetsThatTheyName) {
   const auto all = aims(a_few());
   const auto expect = [&](std::string_view text, int hits, int of) {
     const Count count = count_of(all, text);
@@ -62,14 +62,14 @@ TEST(Aims, AreReachedOnTheirBound) {
   EXPECT_FALSE((Aim{.text = "", .count = {.hits = 53, .of = 60}, .share = 0.9}.reached()));
 }
 
-TEST(Summary, NamesWhatWentWrongOnly) {
+TEST(Summary, ListsOnlySetsInWhichSomethingWentWrong) {
   const std::string text = summary(a_few());
   EXPECT_THAT(text, HasSubstr("8 sets"));
   EXPECT_THAT(text, HasSubstr("<- false alarm"));
   EXPECT_THAT(text, HasSubstr("<- not found"));
   EXPECT_THAT(text, HasSubstr("<- outsider explained"));
   EXPECT_THAT(text, Not(HasSubstr("shaken_base")));
-  EXPECT_THAT(text, Not(HasSubstr("not alone")));  // base_tilt has a rival in those data
+  EXPECT_THAT(text, Not(HasSubstr("not alone")));  // base_tilt has a confounder in those data
 }
 
 TEST(Confusion, HasHiddenRowsAndReportedColumns) {
@@ -98,7 +98,7 @@ TEST(Confusion, HasHiddenRowsAndReportedColumns) {
   EXPECT_EQ(cell("mains_hum", "coil_lag"), "1");
 }
 
-TEST(SetsCsv, HasALineASet) {
+TEST(SetsCsv, HasOneLinePerSet) {
   const std::string csv = sets_csv(a_few());
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
   EXPECT_THAT(csv, HasSubstr("one,base_tilt,0.00,0.00,0,explained,rest_angle,rest_angle=base_tilt,1,0,1.100,"));

@@ -2,7 +2,7 @@
 
 namespace truth {
 
-/// What is recorded of a motion.
+/// The angles that are recorded of a motion.
 enum class Camera { bending_angle, joint_angles };
 
 }  // namespace truth

@@ -10,21 +10,21 @@
 
 namespace truth {
 
-/// What is done with the finger: paper_bench(), or brief_bench().
+/// Which runs are recorded: paper_runs() or brief_runs().
 enum class Programme { paper, brief };
 
-/// What a set is to hold.
-struct Order {
-  std::vector<std::string> hidden{};  ///< ids of hidden kinds; empty: the declared model is right
+/// What a set is to contain.
+struct DataSetRequest {
+  std::vector<std::string> hidden{};  ///< ids of hidden kinds; empty if the declared model is complete
   std::uint64_t seed = 1;
   Camera camera = Camera::bending_angle;
   Programme programme = Programme::paper;
-  double weakest = 3.0;  ///< strength, in standard deviations of the noise
-  double strongest = 15.0;
-  bool find_rivals = false;  ///< of a single hidden effect; takes seconds
+  double weakest = 3.0;           ///< smallest strength, in standard deviations of the noise
+  double strongest = 15.0;        ///< largest strength
+  bool find_confounders = false;  ///< whether to search confounders of a single hidden effect, which takes seconds
 };
 
-/// One thing that is hidden, with its numbers.
+/// A hidden effect with its numbers.
 struct HiddenEffect {
   struct Number {
     std::string key;
@@ -33,45 +33,45 @@ struct HiddenEffect {
   std::string id;
   bool outsider = false;
   std::vector<Number> numbers;
-  double asked{};     ///< strength that was drawn; 0 for what is there or not
+  double asked{};     ///< strength that was drawn; 0 for an effect without numbers
   double strength{};  ///< rms deviation from the motion without it over the noise, in the fit run where it is largest
-  /// The same after the declared stiffness and damping have taken up what they can (to first order).
+  /// The same after stiffness and damping of the declared model have been fitted (to first order).
   double strength_after_calibration{};
-  /// Whether that can be seen at all: six standard deviations over all samples of the fit runs together.
+  /// Whether that is visible in the noise: at least six standard deviations over all samples of the fit runs together.
   bool visible = false;
-  std::vector<std::string> rivals{};  ///< ids that could pass for it in these data; empty unless asked for
+  std::vector<std::string> confounders{};  ///< ids of effects that fit these data as well; empty unless searched
 };
 
-/// What nobody tells the diagnosis.
+/// What the diagnosis is not told.
 struct Answer {
   std::uint64_t seed{};
   std::vector<HiddenEffect> hidden{};
   double joint_stiffness{};  ///< true, N m/rad
   double joint_damping{};    ///< true, N m s/rad
-  double noise{};            ///< of an angle, standard deviation, rad
-  double resolution{};       ///< angles are rounded to it, rad
+  double noise{};            ///< standard deviation of an angle, rad
+  double resolution{};       ///< angles are rounded to its multiples, rad
 };
 
-/// A recorded run: the command, and what the camera wrote, degrees, one row a sample.
-struct Recording {
+/// A recorded run: the command, and the readings of the camera, deg, one row per sample.
+struct RecordedRun {
   Experiment experiment;
   bool validate = false;
   std::vector<std::vector<double>> angles_deg;
 };
 
 struct DataSet {
-  Order order;
+  DataSetRequest request;
   Answer answer;
-  std::vector<Recording> runs;
+  std::vector<RecordedRun> runs;
 };
 
-/// Bends the finger through the paper's experiments with the effects hidden in it. The same order, the same set.
-[[nodiscard]] DataSet make_data_set(const Order& order);
+/// Simulates the runs with the hidden effects. The same request gives the same set.
+[[nodiscard]] DataSet make_data_set(const DataSetRequest& request);
 
-/// Writes dataset.json, finger.json (the declared lumped-model/1: Table II) and a CSV a run.
+/// Writes dataset.json, finger.json (the declared lumped-model/1: Table II) and one CSV file per run.
 void write_data_set(const DataSet& set, const std::filesystem::path& folder);
 
-/// The answer as JSON; keep it away from the set.
+/// Writes the answer as JSON; it belongs outside the folder of the set.
 void write_answer(const Answer& answer, const std::filesystem::path& file);
 
 }  // namespace truth

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "temporary_folder.hpp"
-#include "truth/film.hpp"
+#include "truth/recording.hpp"
 
 namespace truth {
 namespace {
@@ -30,8 +30,8 @@ TEST(DataSet, IsTheMotionWithNoiseAndRounding) {
   finger.damping = set.answer.joint_damping;
   double sum = 0.0, squares = 0.0, lagged = 0.0, before = 0.0;
   int count = 0;
-  for (const Recording& run : set.runs) {
-    const Record motion = record(finger, {}, run.experiment);
+  for (const RecordedRun& run : set.runs) {
+    const Trajectory motion = simulate(finger, {}, run.experiment);
     for (std::size_t i = 0; i < motion.size(); ++i) {
       const double shown = run.angles_deg[i][0];
       EXPECT_NEAR(shown / 0.02, std::round(shown / 0.02), 1e-9);
@@ -43,19 +43,19 @@ TEST(DataSet, IsTheMotionWithNoiseAndRounding) {
       ++count;
     }
   }
-  // four standard errors of mean, of standard deviation and of the correlation of neighbours
+  // Four standard errors of mean, standard deviation and correlation of neighbours.
   const double error = 4.0 / std::sqrt(count);
   EXPECT_NEAR(sum / count, 0.0, 0.3 * error);
   EXPECT_NEAR(std::sqrt(squares / count), 0.3, 0.3 * error / std::numbers::sqrt2);
   EXPECT_NEAR(lagged / squares, 0.0, error);
 }
 
-TEST(DataSet, HoldsThePapersExperiments) {
+TEST(DataSet, ContainsThePapersExperiments) {
   const DataSet set = make_data_set({.seed = 1});
   int fit = 0;
   std::size_t samples = 0;
   std::set<std::string> names;
-  for (const Recording& run : set.runs) {
+  for (const RecordedRun& run : set.runs) {
     names.insert(run.experiment.name);
     if (run.validate) continue;
     ++fit;
@@ -67,7 +67,7 @@ TEST(DataSet, HoldsThePapersExperiments) {
   EXPECT_NE(set.answer.joint_stiffness, Finger{}.stiffness);
 }
 
-TEST(DataSet, HidesAnEffectAsStronglyAsItSays) {
+TEST(DataSet, HidesAnEffectOfTheStatedStrength) {
   for (const char* id : {"dry_friction", "measurement_delay", "end_stop", "shaken_base"}) {
     const DataSet set = make_data_set({.hidden = {id}, .seed = 21});
     ASSERT_EQ(set.answer.hidden.size(), 1u);
@@ -83,9 +83,9 @@ TEST(DataSet, HidesAnEffectAsStronglyAsItSays) {
     finger.stiffness = set.answer.joint_stiffness;
     finger.damping = set.answer.joint_damping;
     double largest = 0.0;
-    for (const Recording& run : set.runs) {
+    for (const RecordedRun& run : set.runs) {
       if (run.validate) continue;
-      const Record motion = record(finger, {}, run.experiment);
+      const Trajectory motion = simulate(finger, {}, run.experiment);
       double squares = 0.0;
       for (std::size_t i = 0; i < motion.size(); ++i)
         squares += std::pow(run.angles_deg[i][0] * degree - motion[i][0] - motion[i][1], 2);
@@ -97,18 +97,18 @@ TEST(DataSet, HidesAnEffectAsStronglyAsItSays) {
 }
 
 // At three times the noise a delay is like nothing but the lag of the current.
-TEST(DataSet, KnowsWhatCouldBeTakenForItsEffect) {
+TEST(DataSet, NamesTheConfoundersOfItsEffect) {
   const DataSet set = make_data_set(
-      {.hidden = {"measurement_delay"}, .seed = 8, .weakest = 3.0, .strongest = 3.5, .find_rivals = true});
-  EXPECT_THAT(set.answer.hidden[0].rivals, testing::IsSubsetOf({"coil_lag"}));
+      {.hidden = {"measurement_delay"}, .seed = 8, .weakest = 3.0, .strongest = 3.5, .find_confounders = true});
+  EXPECT_THAT(set.answer.hidden[0].confounders, testing::IsSubsetOf({"coil_lag"}));
 }
 
-TEST(DataSet, IsTheSameForTheSameOrder) {
-  const Order order{.hidden = {"hysteresis", "random_cable"}, .seed = 5};
-  const DataSet first = make_data_set(order);
-  const DataSet second = make_data_set(order);
+TEST(DataSet, IsTheSameForTheSameRequest) {
+  const DataSetRequest request{.hidden = {"hysteresis", "random_cable"}, .seed = 5};
+  const DataSet first = make_data_set(request);
+  const DataSet second = make_data_set(request);
   for (std::size_t i = 0; i < first.runs.size(); ++i) EXPECT_EQ(first.runs[i].angles_deg, second.runs[i].angles_deg);
-  EXPECT_NE(first.runs[0].angles_deg, make_data_set({.hidden = order.hidden, .seed = 6}).runs[0].angles_deg);
+  EXPECT_NE(first.runs[0].angles_deg, make_data_set({.hidden = request.hidden, .seed = 6}).runs[0].angles_deg);
 }
 
 TEST(DataSet, WritesTheFormatAndKeepsTheAnswerElsewhere) {

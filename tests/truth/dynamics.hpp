@@ -4,12 +4,13 @@
 #include <array>
 
 #include "truth/finger.hpp"
-#include "truth/quirks.hpp"
+#include "truth/unmodelled_effects.hpp"
 
 namespace truth {
 
-/// What moves in time: angles and rates, then what the quirks remember. Fields that no quirk uses stay zero.
-struct Slot {
+/// Indices of the state vector: angles and rates, then the internal states of effects. Those of absent effects stay
+/// zero.
+struct StateIndex {
   static constexpr int angle = 0;  // two
   static constexpr int rate = 2;   // two
   static constexpr int coil_heat = 4;
@@ -19,64 +20,63 @@ struct Slot {
   static constexpr int mount = 10;      // displacement, speed
   static constexpr int count = 12;
 };
-using Phase = std::array<double, Slot::count>;
+using StateVector = std::array<double, StateIndex::count>;
 
-/// What is the same from one sample to the next.
-struct Held {
-  double target{};         ///< A, what the driver aims at
-  double since{};          ///< s, when it began to
-  double from{};           ///< A, in the coils at that time: the lag between is an exponential, known in closed form
+/// Quantities that are constant from one sample to the next.
+struct HeldInput {
+  double target{};         ///< A, steady current of the driver
+  double since{};          ///< s, time from which that holds
+  double from{};           ///< A, current in the coils at that time: the lag between both is exponential
   double pull{};           ///< N m on both joints
-  double stiffness = 1.0;  ///< share that is left of it, drift
+  double stiffness = 1.0;  ///< share of the stiffness that drift has left
   std::array<double, 2> largest_angle{};
   double shake_phase{};  ///< rad
 };
 
-/// Lagrange's equations of (1)-(8) by d'Alembert: the momentum of the two point masses, projected on what each joint
-/// moves, with the mount's displacement as a third coordinate. Coulomb friction is a mode a joint: sliding up (1) or
-/// down
-/// (-1), or held (0).
+/// Lagrange's equations of (1)-(8) by d'Alembert's principle: the momentum of the two point masses, projected on the
+/// directions in which each joint moves them, with the displacement of the mount as a third coordinate. Coulomb
+/// friction gives each joint a mode: sliding up (1) or down (-1), or held (0).
 class Dynamics {
  public:
-  Dynamics(const Finger& finger, const Quirks& quirks);
+  Dynamics(const Finger& finger, const UnmodelledEffects& effects);
 
-  Held held;
+  HeldInput input;
   std::array<int, 2> modes{};
 
-  /// d(phase)/dt at time `t`, s.
-  void operator()(const Phase& phase, Phase& slope, double t) const;
+  /// d(state)/dt at time `t`, s.
+  void operator()(const StateVector& state, StateVector& slope, double t) const;
 
-  /// Torque that holds a joint which is stuck, N m, against what acts on it; 0 for one that slides.
-  [[nodiscard]] std::array<double, 2> holding_torques(const Phase& phase, double t) const;
+  /// Friction torque on a joint that is held, N m; 0 for one that slides.
+  [[nodiscard]] std::array<double, 2> holding_torques(const StateVector& state, double t) const;
 
   /// Accelerations, rad/s^2.
-  [[nodiscard]] std::array<double, 2> accelerations(const Phase& phase, double t) const;
+  [[nodiscard]] std::array<double, 2> accelerations(const StateVector& state, double t) const;
 
-  /// Torques left over at rest, friction apart, N m.
-  [[nodiscard]] Eigen::Vector2d static_residual(const Phase& phase) const;
+  /// Sum of the torques at rest without friction, N m.
+  [[nodiscard]] Eigen::Vector2d static_residual(const StateVector& state) const;
 
-  /// At `angles`, at rest for ever under the held target: all memories settled.
-  [[nodiscard]] Phase settled(const Eigen::Vector2d& angles) const;
+  /// The state at rest at `angles`, with all internal states at their steady values under the present input.
+  [[nodiscard]] StateVector settled(const Eigen::Vector2d& angles) const;
 
-  /// Of the command, by the driver's quirks of no memory, A.
+  /// Steady current of the driver under a command, A.
   [[nodiscard]] double target(double command) const;
 
-  /// In the coils before they are warm, A.
+  /// Current in cold coils, A.
   [[nodiscard]] double current(double t) const;
 
-  [[nodiscard]] const Quirks& quirks() const { return quirks_; }
+  [[nodiscard]] const UnmodelledEffects& effects() const { return effects_; }
 
  private:
   struct Balance {
     Eigen::Matrix3d inertia;
     Eigen::Vector3d force;
   };
-  [[nodiscard]] Balance balance(const Phase& phase, double t) const;
+  [[nodiscard]] Balance balance(const StateVector& state, double t) const;
   [[nodiscard]] Eigen::Vector3d solve(const Balance& balance) const;
-  [[nodiscard]] Eigen::Vector2d joint_torques(const Phase& phase, double t) const;
+  [[nodiscard]] Eigen::Vector2d joint_torques(const StateVector& state, double t) const;
 
   Finger finger_;
-  Quirks quirks_;
+  UnmodelledEffects effects_;
   std::array<double, 2> stop_damping_{};
 };
 

@@ -8,7 +8,7 @@
 namespace truth {
 namespace {
 
-constexpr int rate = 500;  // samples a second
+constexpr int rate = 500;  // samples per second
 
 template <typename Current>
 Experiment run(std::string name, double duration, Current&& current) {
@@ -23,7 +23,7 @@ Experiment run(std::string name, double duration, Current&& current) {
   return experiment;
 }
 
-constexpr double begin = 0.05;  // s of rest before something happens
+constexpr double begin = 0.05;  // s of rest before the input changes
 
 Experiment step(double current) {
   return run(fmt::format("step_{:g}A", current), 0.7, [=](double t) { return t < begin ? 0.0 : current; });
@@ -38,7 +38,7 @@ Experiment release(double current) {
   return run(fmt::format("release_{:g}A", current), 0.7, [=](double t) { return t < begin ? current : 0.0; });
 }
 
-// A hold that warms the coils, half a second off, and a pulse that finds them warm.
+// A hold that warms the coils, half a second without current, and a pulse through warm coils.
 Experiment hold(double current, double until) {
   return run(fmt::format("hold_{:g}A", current), until + 1.0,
              [=](double t) { return (t >= begin && t < until) || t >= until + 0.5 ? current : 0.0; });
@@ -50,9 +50,9 @@ Experiment pulses(double current, double frequency) {
 }
 
 // Two minutes between records.
-void set_clock(Bench& bench) {
+void set_clock(PlannedRuns& planned) {
   int number = 0;
-  for (std::vector<Experiment>* runs : {&bench.fit, &bench.validate}) {
+  for (std::vector<Experiment>* runs : {&planned.fit, &planned.validate}) {
     for (Experiment& experiment : *runs) {
       experiment.number = number;
       experiment.session_time = 120.0 * number;
@@ -63,29 +63,29 @@ void set_clock(Bench& bench) {
 
 }  // namespace
 
-Bench paper_bench() {
-  Bench bench;
-  bench.fit = {step(0.35),
-               step(0.7),
-               step(1.05),
-               step(1.4),
-               sine(0.7, 0.7, 0.5, 2.0),
-               sine(0.7, 0.7, 1, 1),
-               sine(0.7, 0.7, 2, 1),
-               sine(0.7, 0.7, 10, 0.5),
-               release(1.4),
-               hold(1.3, 15.0)};
-  bench.validate = {step(0.55), step(1.25), sine(0.6, 0.5, 1.5, 1.4), sine(0.7, 0.6, 4, 0.8), pulses(1.05, 5.0)};
-  set_clock(bench);
-  return bench;
+PlannedRuns paper_runs() {
+  PlannedRuns planned;
+  planned.fit = {step(0.35),
+                 step(0.7),
+                 step(1.05),
+                 step(1.4),
+                 sine(0.7, 0.7, 0.5, 2.0),
+                 sine(0.7, 0.7, 1, 1),
+                 sine(0.7, 0.7, 2, 1),
+                 sine(0.7, 0.7, 10, 0.5),
+                 release(1.4),
+                 hold(1.3, 15.0)};
+  planned.validate = {step(0.55), step(1.25), sine(0.6, 0.5, 1.5, 1.4), sine(0.7, 0.6, 4, 0.8), pulses(1.05, 5.0)};
+  set_clock(planned);
+  return planned;
 }
 
-Bench brief_bench() {
-  Bench bench;
-  bench.fit = {step(0.35), step(1.4), sine(0.7, 0.7, 1, 1), sine(0.7, 0.7, 10, 0.5), release(1.4), hold(1.3, 2.0)};
-  bench.validate = {step(1.25), pulses(1.05, 5.0)};
-  set_clock(bench);
-  return bench;
+PlannedRuns brief_runs() {
+  PlannedRuns planned;
+  planned.fit = {step(0.35), step(1.4), sine(0.7, 0.7, 1, 1), sine(0.7, 0.7, 10, 0.5), release(1.4), hold(1.3, 2.0)};
+  planned.validate = {step(1.25), pulses(1.05, 5.0)};
+  set_clock(planned);
+  return planned;
 }
 
 }  // namespace truth

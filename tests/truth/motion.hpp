@@ -6,48 +6,50 @@
 #include <vector>
 
 #include "truth/finger.hpp"
-#include "truth/quirks.hpp"
+#include "truth/unmodelled_effects.hpp"
 
 namespace truth {
 
-/// What is done to the finger: a current for both coils, each sample held until the next.
+/// A commanded current for both coils, each sample held until the next.
 struct Experiment {
   std::string name;
   std::vector<double> times;     ///< s, increasing from 0
-  std::vector<double> currents;  ///< A, one a sample
-  int number = 0;                ///< in the session: chance is drawn anew for each
-  double session_time = 0.0;     ///< s since the session began
+  std::vector<double> currents;  ///< A, one per sample
+  int number = 0;                ///< of the run in the session: random events are drawn for each
+  double session_time = 0.0;     ///< s since the start of the session
 };
 
-/// Joint angles at the instants that the camera shows (late, frozen, jittering where a quirk says so), rad, a sample
-/// each. What the camera makes of an angle is not in it.
-using Record = std::vector<std::array<double, 2>>;
+/// Joint angles at the times that the camera shows (delayed, frozen or jittering with such an effect), rad, one pair
+/// per sample. Scale, offset and hum of the camera are not in it.
+using Trajectory = std::vector<std::array<double, 2>>;
 
 struct State {
   std::array<double, 2> angles{};
   std::array<double, 2> rates{};
 };
 
-/// Joint angles in equilibrium under a current held for ever, rad. Throws std::runtime_error where none is found.
-[[nodiscard]] std::array<double, 2> equilibrium(const Finger& finger, const Quirks& quirks, double current);
+/// Joint angles in equilibrium under a constant current, rad. Throws std::runtime_error if there is none.
+[[nodiscard]] std::array<double, 2> equilibrium(const Finger& finger, const UnmodelledEffects& effects, double current);
 
-/// Joint accelerations of a moving finger with no quirk of memory, rad/s^2.
-[[nodiscard]] std::array<double, 2> accelerations(const Finger& finger, const Quirks& quirks, const State& state,
-                                                  double current);
+/// Joint accelerations of a moving finger without effects that have internal states, rad/s^2.
+[[nodiscard]] std::array<double, 2> accelerations(const Finger& finger, const UnmodelledEffects& effects,
+                                                  const State& state, double current);
 
-/// The motion from equilibrium under the first current. No noise. Throws std::runtime_error where the finger flies off.
-[[nodiscard]] Record record(const Finger& finger, const Quirks& quirks, const Experiment& experiment);
+/// The motion from equilibrium under the first current. No noise. Throws std::runtime_error if the finger leaves its
+/// range of angles.
+[[nodiscard]] Trajectory simulate(const Finger& finger, const UnmodelledEffects& effects, const Experiment& experiment);
 
-/// Between which angles the joints move, rad.
-struct Reach {
+/// The range of the joint angles, rad.
+struct AngleRange {
   double lowest{};
   double highest{};
 };
 
-/// Of a finger without quirks in all `runs`.
-[[nodiscard]] Reach reach_of(const Finger& finger, const std::vector<Experiment>& runs);
+/// That of a finger without unmodelled effects in all `runs`.
+[[nodiscard]] AngleRange angle_range_of(const Finger& finger, const std::vector<Experiment>& runs);
 
-/// Largest rate of the sum of both angles, rad/s, at the ends of the integrator's steps, none longer than a sample.
-[[nodiscard]] double peak_bending_rate(const Finger& finger, const Quirks& quirks, const Experiment& experiment);
+/// Largest rate of the sum of both angles, rad/s, at the ends of integration steps, none longer than a sample.
+[[nodiscard]] double peak_bending_rate(const Finger& finger, const UnmodelledEffects& effects,
+                                       const Experiment& experiment);
 
 }  // namespace truth

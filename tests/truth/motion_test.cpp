@@ -31,8 +31,8 @@ coilwright::simulation::Performance code_under_test(double current) {
       design, coilwright::actuator::assemble_or_throw(design), {.current = current}));
 }
 
-// Two programs that share no line: what both say of the paper's finger can only be wrong in both.
-TEST(Truth, RestsWhereTheCodeUnderTestDoes) {
+// Two independent programs: a figure of the paper's finger on which both agree is wrong only if both are wrong.
+TEST(Truth, HasTheEquilibriaOfTheCodeUnderTest) {
   for (const double current : {0.35, 0.7, 1.05, 1.4}) {
     const auto theirs = code_under_test(current).motion.steady_angles;
     const auto ours = equilibrium({}, {}, current);
@@ -45,7 +45,7 @@ TEST(Truth, BendsAsFarAndAsFastAsTheCodeUnderTest) {
   const auto ours = equilibrium({}, {}, 1.4);
   EXPECT_NEAR((ours[0] + ours[1]) / degree, 63.617, 0.5e-3);
   EXPECT_NEAR(theirs.steady_angles.sum() / degree, 63.617, 0.5e-3);
-  // the step comes with the second sample: 10 us late, nothing to a peak
+  // The step is in the second sample, 10 us late, which does not change a peak.
   const double peak = peak_bending_rate({}, {}, step_to(1.4, 1e-5, 0.05));
   EXPECT_NEAR(peak / degree, 1708.07, 0.01);
   EXPECT_NEAR(theirs.peak_bending_speed / degree, 1708.07, 0.01);
@@ -56,7 +56,7 @@ nlohmann::json reference(const std::string& name) {
   return nlohmann::json::parse(file);
 }
 
-TEST(Truth, TurnsAnyPoseIntoTheExactTorque) {
+TEST(Truth, GivesTheExactTorqueInAnyPose) {
   const nlohmann::json poses = reference("noncoaxial.json");
   int rows = 0;
   for (const auto& row : poses.at("hinge")) {
@@ -67,8 +67,8 @@ TEST(Truth, TurnsAnyPoseIntoTheExactTorque) {
     pair.magnet_offset = row.at("lb");
     const double angle = row.at("theta_deg").get<double>() * degree;
     constexpr double current = 1.4;  // of all rows
-    // their torque is positive where it closes; quadrature near the hinge, where the parts are 0.9 mm apart, is good
-    // to 1e-6 of the largest
+    // The torque of the reference is positive towards closing. The error of the quadrature near the hinge, where the
+    // parts are 0.9 mm apart, is 1e-6 of the largest torque.
     EXPECT_NEAR(current * exact_torque(pair, angle), -row.at("torque_joint_exact").get<double>(), 2.5e-8) << angle;
     EXPECT_NEAR(current * line_of_centres_torque(pair, angle), -row.at("torque_joint_approx").get<double>(), 2.5e-8);
     ++rows;
@@ -76,7 +76,7 @@ TEST(Truth, TurnsAnyPoseIntoTheExactTorque) {
   EXPECT_EQ(rows, 12);
 }
 
-TEST(Truth, PushesAsThePaperShellsDo) {
+TEST(Truth, GivesTheForceOfThePapersShells) {
   const nlohmann::json pairs = reference("coaxial.json");
   int rows = 0;
   for (const auto& row : pairs.at("cases")) {
@@ -93,7 +93,7 @@ TEST(Truth, PushesAsThePaperShellsDo) {
                     .magnet_length = magnet.at("l"),
                     .remanence = magnet.at("J")};
     const double theirs = -row.at("Fz_on_2").get<double>() / coil.at("I").get<double>();
-    // not where they overlap or nearly touch: the quadrature is made for the finger's gaps
+    // Not for parts that overlap or nearly touch: the quadrature is made for the gaps of the finger.
     if (z < 0.5 * (pair.coil_length + pair.magnet_length) + 0.3e-3 || pair.turns_radial < 2) continue;
     EXPECT_NEAR(coaxial_force(pair, z) / theirs, 1.0, 1e-6) << row.at("id");
     ++rows;
@@ -101,8 +101,8 @@ TEST(Truth, PushesAsThePaperShellsDo) {
   EXPECT_GT(rows, 3);
 }
 
-// The finger straight, its coils brought to the distance of the row.
-TEST(Truth, PullsTheCoilsTogether) {
+// The straight finger with its coils at the distance of the row.
+TEST(Truth, GivesTheForceBetweenCoils) {
   const nlohmann::json pairs = reference("coaxial.json");
   int rows = 0;
   for (const auto& row : pairs.at("cases")) {
@@ -115,7 +115,7 @@ TEST(Truth, PullsTheCoilsTogether) {
     constexpr double h = 1e-4;
     const double z = row.at("z");
     const double ours = 1.4 * 1.4 * (inductance(z + h) - inductance(z - h)) / (2.0 * h);
-    // 0.1 %: few loops, and shells replaced by a spread of the same variance
+    // 0.1 %: few loops, and shells are replaced by a distribution of the same variance.
     EXPECT_NEAR(ours / row.at("Fz_on_2").get<double>(), 1.0, 1e-3) << row.at("id");
     ++rows;
   }

@@ -5,7 +5,7 @@
 
 namespace truth {
 
-/// Numbers by chance, the same on every platform: std::mt19937_64 is portable, the distributions of the standard
+/// Random numbers that are the same on every platform: std::mt19937_64 is portable, the distributions of the standard
 /// library are not.
 class Random {
  public:
@@ -14,7 +14,7 @@ class Random {
   /// In [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1.0p-53; }
   double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
-  /// Between two positive numbers, evenly in the logarithm.
+  /// Between two positive numbers, uniform in the logarithm.
   double log_uniform(double lower, double upper);
   /// Mean 0, standard deviation 1 (Box and Muller, Ann. Math. Stat. 29, 610, 1958).
   double normal();
@@ -22,7 +22,7 @@ class Random {
   int below(int count) { return static_cast<int>(uniform() * count); }
   /// -1 or 1.
   double sign() { return uniform() < 0.5 ? -1.0 : 1.0; }
-  /// A seed for a stream of its own.
+  /// A seed for another generator.
   std::uint64_t seed() { return engine_(); }
 
  private:

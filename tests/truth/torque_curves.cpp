@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "truth/loops.hpp"
+#include "truth/current_loops.hpp"
 
 namespace truth {
 namespace {

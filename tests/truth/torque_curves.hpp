@@ -24,7 +24,7 @@ struct CoilCoilTorque {
   double second{};
 };
 
-/// The curves above for Table II's pair, made once and read quickly. Angles from -60 to 150 degrees; constant beyond.
+/// The curves above for the pair of Table II, interpolated. Angles from -60 to 150 degrees; constant beyond.
 namespace curves {
 [[nodiscard]] double line_of_centres(double angle);
 [[nodiscard]] double exact(double angle);

@@ -1,33 +1,35 @@
-// Writes a measured-data/1 set with hidden effects into a folder, and what is hidden into a file elsewhere.
+// Writes a measured-data/1 set with hidden effects into a folder, and the answer into a file in another place.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <string>
 
+#include "run_program.hpp"
 #include "truth/data_set.hpp"
-#include "truth/hidden.hpp"
+#include "truth/hidden_effects.hpp"
 
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("A measured-data/1 set from the independent source of truth", "truth_set");
-  truth::Order order;
+  CLI::App app("Writes a measured-data/1 set from an independent simulation", "truth_set");
+  truth::DataSetRequest request;
   std::string folder;
   std::string answer;
   bool list = false;
-  app.add_option("--hide", order.hidden, "What the declared model does not know of");
-  app.add_option("--seed", order.seed, "Of everything that is drawn");
-  app.add_option("--weakest", order.weakest, "Smallest strength, in standard deviations of the noise");
-  app.add_option("--strongest", order.strongest, "Largest strength");
+  app.add_option("--hide", request.hidden, "Effects that the declared model lacks");
+  app.add_option("--seed", request.seed, "Random seed (default 1)");
+  app.add_option("--weakest", request.weakest, "Smallest strength, in standard deviations of the noise (default 3)");
+  app.add_option("--strongest", request.strongest,
+                 "Largest strength, in standard deviations of the noise (default 15)");
   bool joint_angles = false;
-  app.add_flag("--joint-angles", joint_angles, "theta1_deg, theta2_deg instead of bending_angle_deg");
-  app.add_flag("--rivals", order.find_rivals, "Look for what could be taken for the hidden effect");
+  app.add_flag("--joint-angles", joint_angles, "Record theta1_deg and theta2_deg in place of bending_angle_deg");
+  app.add_flag("--rivals", request.find_confounders,
+               "Search effects that these data cannot distinguish from the hidden one");
   app.add_option("--out", folder, "Folder of the set");
-  app.add_option("--answer", answer, "File for what is hidden");
-  app.add_flag("--list", list, "Names of all that can be hidden");
+  app.add_option("--answer", answer, "File for the answer");
+  app.add_flag("--list", list, "List all effects that can be hidden");
   CLI11_PARSE(app, argc, argv);
   if (list) {
     for (const truth::HiddenKind& kind : truth::hidden_kinds())
@@ -38,8 +40,8 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "truth_set: --out and --answer are needed\n");
     return 2;
   }
-  if (joint_angles) order.camera = truth::Camera::joint_angles;
-  const truth::DataSet set = truth::make_data_set(order);
+  if (joint_angles) request.camera = truth::Camera::joint_angles;
+  const truth::DataSet set = truth::make_data_set(request);
   truth::write_data_set(set, folder);
   truth::write_answer(set.answer, answer);
   return 0;
@@ -48,10 +50,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "truth_set: {}\n", error.what());
-    return 2;
-  }
+  return run_program("truth_set", [&] { return run(argc, argv); });
 }

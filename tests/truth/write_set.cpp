@@ -18,7 +18,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   if (!out.flush()) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
-// The paper's Table II: what everybody believes of the finger.
+// The declared model: Table II of the paper.
 Json declared_finger() {
   const Finger finger;
   const Pair pair;
@@ -51,9 +51,9 @@ Json declared_finger() {
           {"magnetics", {magnetics, magnetics}}};
 }
 
-std::string csv_of(const Order& order, const Recording& run) {
-  std::string text = order.camera == Camera::joint_angles ? "time_s,current_A,theta1_deg,theta2_deg\n"
-                                                          : "time_s,current_A,bending_angle_deg\n";
+std::string csv_of(const DataSetRequest& request, const RecordedRun& run) {
+  std::string text = request.camera == Camera::joint_angles ? "time_s,current_A,theta1_deg,theta2_deg\n"
+                                                            : "time_s,current_A,bending_angle_deg\n";
   for (std::size_t i = 0; i < run.angles_deg.size(); ++i) {
     fmt::format_to(std::back_inserter(text), "{:.3f},{:.6f}", run.experiment.times[i], run.experiment.currents[i]);
     for (const double angle : run.angles_deg[i]) fmt::format_to(std::back_inserter(text), ",{:.2f}", angle);
@@ -67,17 +67,17 @@ std::string csv_of(const Order& order, const Recording& run) {
 void write_data_set(const DataSet& set, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   Json runs = Json::array();
-  for (const Recording& run : set.runs) {
+  for (const RecordedRun& run : set.runs) {
     const std::string file = run.experiment.name + ".csv";
     runs.push_back({{"file", file},
                     {"kind", "transient"},
                     {"role", run.validate ? "validate" : "fit"},
                     {"drive", "current"},
                     {"start", "at_rest"}});
-    write_text(folder / file, csv_of(set.order, run));
+    write_text(folder / file, csv_of(set.request, run));
   }
   const Json index = {{"format", "measured-data/1"},
-                      {"name", fmt::format("finger {}", set.order.seed)},
+                      {"name", fmt::format("finger {}", set.request.seed)},
                       {"actuator", "finger.json"},
                       {"calibrate", {"joint_stiffness", "joint_damping"}},
                       {"runs", runs}};
@@ -97,7 +97,7 @@ void write_answer(const Answer& answer, const std::filesystem::path& file) {
                       {"strength", effect.strength},
                       {"strength_after_calibration", effect.strength_after_calibration},
                       {"visible", effect.visible},
-                      {"rivals", effect.rivals}});
+                      {"rivals", effect.confounders}});
   }
   const Json all = {{"seed", answer.seed},
                     {"effects", hidden},

@@ -1,4 +1,4 @@
-#include "truth/loops.hpp"
+#include "truth/current_loops.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>

@@ -1,4 +1,4 @@
-#include "truth/hidden.hpp"
+#include "truth/hidden_effects.hpp"
 
 #include <fmt/format.h>
 
@@ -12,35 +12,40 @@ namespace {
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double milli = 1e3;  // mm, ms, mN, mA, g in a kg
 
-using Strength = std::function<void(Quirks&, double)>;
-using Shape = std::function<void(Random&, Quirks&)>;
+using Strength = std::function<void(UnmodelledEffects&, double)>;
+using Shape = std::function<void(Random&, UnmodelledEffects&)>;
 
-// A number that grows from absent to a bound.
-Strength grow(double Quirks::*member, double absent, double bound) {
-  return [=](Quirks& quirks, double share) { quirks.*member = absent + share * (bound - absent); };
+// Sets a number between its absent value and a bound.
+Strength towards(double UnmodelledEffects::*member, double absent, double bound) {
+  return [=](UnmodelledEffects& effects, double share) { effects.*member = absent + share * (bound - absent); };
 }
 
-HiddenKind plain(std::string id, std::vector<HiddenNumber> numbers, double Quirks::*member, double absent, double bound,
-                 Shape shape = nullptr) {
-  return {
-      .id = std::move(id), .numbers = std::move(numbers), .draw = [=](Random& random, const Reach&, Quirks& quirks) {
-        if (shape) shape(random, quirks);
-        return grow(member, absent, bound);
-      }};
-}
-
-// The same, on either side of absent.
-HiddenKind two_sided(std::string id, std::vector<HiddenNumber> numbers, double Quirks::*member, double absent,
-                     double lower, double upper) {
-  return {.id = std::move(id), .numbers = std::move(numbers), .draw = [=](Random& random, const Reach&, Quirks&) {
-            return grow(member, absent, random.sign() > 0.0 ? upper : lower);
+HiddenKind plain(std::string id, std::vector<HiddenNumber> numbers, double UnmodelledEffects::*member, double absent,
+                 double bound, Shape shape = nullptr) {
+  return {.id = std::move(id),
+          .numbers = std::move(numbers),
+          .draw = [=](Random& random, const AngleRange&, UnmodelledEffects& effects) {
+            if (shape) shape(random, effects);
+            return towards(member, absent, bound);
           }};
 }
 
-HiddenKind there_or_not(std::string id, bool Quirks::*member) {
-  return {.id = std::move(id), .numbers = {}, .draw = [=](Random&, const Reach&, Quirks& quirks) -> Strength {
-            quirks.*member = true;
-            return [](Quirks&, double) {};
+// The same, towards either of two bounds.
+HiddenKind two_sided(std::string id, std::vector<HiddenNumber> numbers, double UnmodelledEffects::*member,
+                     double absent, double lower, double upper) {
+  return {.id = std::move(id),
+          .numbers = std::move(numbers),
+          .draw = [=](Random& random, const AngleRange&, UnmodelledEffects&) {
+            return towards(member, absent, random.sign() > 0.0 ? upper : lower);
+          }};
+}
+
+HiddenKind without_strength(std::string id, bool UnmodelledEffects::*member) {
+  return {.id = std::move(id),
+          .numbers = {},
+          .draw = [=](Random&, const AngleRange&, UnmodelledEffects& effects) -> Strength {
+            effects.*member = true;
+            return [](UnmodelledEffects&, double) {};
           }};
 }
 
@@ -51,45 +56,47 @@ HiddenKind outsider(HiddenKind kind) {
 
 HiddenKind end_stop() {
   return {.id = "end_stop",
-          .numbers = {{"angle_deg", &Quirks::stop_angle, degrees},
-                      {"stiffness_Nmm_rad", &Quirks::stop_stiffness, milli},
-                      {"side", &Quirks::stop_side}},
-          .draw = [](Random& random, const Reach& reach, Quirks& quirks) {
-            quirks.stop_side = random.sign();
-            quirks.stop_stiffness = random.log_uniform(0.06, 0.6);  // 5 to 50 times the hinge
-            const double free = quirks.stop_side > 0.0 ? reach.highest : reach.lowest;
-            const double middle = 0.5 * (reach.highest + reach.lowest);
-            return grow(&Quirks::stop_angle, free, middle);
+          .numbers = {{"angle_deg", &UnmodelledEffects::stop_angle, degrees},
+                      {"stiffness_Nmm_rad", &UnmodelledEffects::stop_stiffness, milli},
+                      {"side", &UnmodelledEffects::stop_side}},
+          .draw = [](Random& random, const AngleRange& range, UnmodelledEffects& effects) {
+            effects.stop_side = random.sign();
+            effects.stop_stiffness = random.log_uniform(0.06, 0.6);  // 5 to 50 times the hinge
+            const double free = effects.stop_side > 0.0 ? range.highest : range.lowest;
+            const double middle = 0.5 * (range.highest + range.lowest);
+            return towards(&UnmodelledEffects::stop_angle, free, middle);
           }};
 }
 
 HiddenKind static_attraction() {
   return {.id = "static_attraction",
-          .numbers = {{"torque_Nmm", &Quirks::attraction, milli},
-                      {"range_deg", &Quirks::attraction_range, degrees},
-                      {"side", &Quirks::attraction_side}},
-          .draw = [](Random& random, const Reach&, Quirks& quirks) {
-            quirks.attraction_side = random.sign();
-            quirks.attraction_range = random.log_uniform(0.6, 1.5);
-            return grow(&Quirks::attraction, 0.0, quirks.attraction_side * 4e-3);  // iron pulls towards itself
+          .numbers = {{"torque_Nmm", &UnmodelledEffects::attraction, milli},
+                      {"range_deg", &UnmodelledEffects::attraction_range, degrees},
+                      {"side", &UnmodelledEffects::attraction_side}},
+          .draw = [](Random& random, const AngleRange&, UnmodelledEffects& effects) {
+            effects.attraction_side = random.sign();
+            effects.attraction_range = random.log_uniform(0.6, 1.5);
+            return towards(&UnmodelledEffects::attraction, 0.0,
+                           effects.attraction_side * 4e-3);  // iron attracts the magnet
           }};
 }
 
-Shape between(double Quirks::*member, double lower, double upper) {
-  return [=](Random& random, Quirks& quirks) { quirks.*member = random.log_uniform(lower, upper); };
+Shape between(double UnmodelledEffects::*member, double lower, double upper) {
+  return [=](Random& random, UnmodelledEffects& effects) { effects.*member = random.log_uniform(lower, upper); };
 }
 
 // A time constant, and whether runs start warm.
-Shape heat(double Quirks::*time, double lower, double upper) {
-  return [=](Random& random, Quirks& quirks) {
-    between(time, lower, upper)(random, quirks);
-    quirks.warm_start = random.sign() > 0.0 ? 1.0 : 0.0;
+Shape heat(double UnmodelledEffects::*time, double lower, double upper) {
+  return [=](Random& random, UnmodelledEffects& effects) {
+    between(time, lower, upper)(random, effects);
+    effects.warm_start = random.sign() > 0.0 ? 1.0 : 0.0;
   };
 }
 
-// Bounds are what a finger of this size could still be sold with; where a strength is out of reach the answer says so.
+// Bounds are the largest values at which a finger of this size is still usable. If a strength cannot be reached within
+// them, the answer states the strength that was.
 std::vector<HiddenKind> all_kinds() {
-  using Q = Quirks;
+  using Q = UnmodelledEffects;
   return {
       plain("driver_deadband", {{"current_A", &Q::deadband}}, &Q::deadband, 0.0, 0.4),
       plain("driver_saturation", {{"current_A", &Q::saturation}}, &Q::saturation, 1.4, 0.4),
@@ -102,8 +109,8 @@ std::vector<HiddenKind> all_kinds() {
       plain("magnet_heating",
             {{"loss_1_A2", &Q::magnet_loss}, {"time_constant_s", &Q::magnet_time}, {"warm_start", &Q::warm_start}},
             &Q::magnet_loss, 0.0, 0.1, heat(&Q::magnet_time, 2.0, 30.0)),
-      there_or_not("off_axis_force", &Q::off_axis),
-      there_or_not("coil_coil_force", &Q::coil_coil),
+      without_strength("off_axis_force", &Q::off_axis),
+      without_strength("coil_coil_force", &Q::coil_coil),
       static_attraction(),
       plain("back_emf", {{"conductance_1_Ohm", &Q::motional_conductance}}, &Q::motional_conductance, 0.0, 3.0),
       two_sided("joint_asymmetry", {{"stiffness_ratio", &Q::second_stiffness_ratio}}, &Q::second_stiffness_ratio, 1.0,
@@ -134,9 +141,9 @@ std::vector<HiddenKind> all_kinds() {
                       {"frequency_Hz", &Q::mount_frequency},
                       {"damping_ratio", &Q::mount_damping}},
                      &Q::mount_compliance, 0.0, 3.0,
-                     [](Random& random, Quirks& quirks) {
-                       quirks.mount_frequency = random.log_uniform(6.0, 25.0);
-                       quirks.mount_damping = random.log_uniform(0.01, 0.05);
+                     [](Random& random, UnmodelledEffects& effects) {
+                       effects.mount_frequency = random.log_uniform(6.0, 25.0);
+                       effects.mount_damping = random.log_uniform(0.01, 0.05);
                      })),
       outsider(plain("loose_contact", {{"share", &Q::contact_loss}, {"rate_1_s", &Q::contact_rate}}, &Q::contact_loss,
                      0.0, 1.0, between(&Q::contact_rate, 1.0, 3.0))),
@@ -148,9 +155,9 @@ std::vector<HiddenKind> all_kinds() {
                       {"rate_1_s", &Q::frozen_rate},
                       {"jitter_ms", &Q::stamp_jitter, milli}},
                      &Q::frozen_frames, 0.0, 0.3,
-                     [](Random& random, Quirks& quirks) {
-                       quirks.frozen_rate = random.log_uniform(2.0, 8.0);
-                       quirks.stamp_jitter = random.log_uniform(0.3e-3, 1.5e-3);
+                     [](Random& random, UnmodelledEffects& effects) {
+                       effects.frozen_rate = random.log_uniform(2.0, 8.0);
+                       effects.stamp_jitter = random.log_uniform(0.3e-3, 1.5e-3);
                      })),
   };
 }

@@ -6,7 +6,7 @@ namespace truth {
 /// for loops that touch.
 [[nodiscard]] double mutual_inductance(double a, double b, double s);
 
-/// Field of a loop of radius `a` with 1 A round +z, in its own plane's coordinates, T/A.
+/// Field of a loop of radius `a` in its own cylindrical coordinates, for 1 A about +z, T/A.
 struct LoopField {
   double radial{};
   double axial{};

@@ -1,5 +1,4 @@
-// Sets from the independent source of truth, from made to scored: what the benchmark does a hundred times over, on
-// records of a quarter of the length.
+// Sets from the independent simulation, diagnosed and scored as in the benchmark, with a quarter of the samples.
 
 #include <gtest/gtest.h>
 
@@ -29,9 +28,9 @@ class AttributionSet : public testing::TestWithParam<Hidden> {
  protected:
   [[nodiscard]] static Outcome outcome() {
     const Hidden& hidden = GetParam();
-    Case asked{.category = hidden.category, .order = {.hidden = hidden.ids, .seed = hidden.seed}};
-    asked.order.programme = truth::Programme::brief;
-    asked.order.weakest = 5.0;
+    Case asked{.category = hidden.category, .request = {.hidden = hidden.ids, .seed = hidden.seed}};
+    asked.request.programme = truth::Programme::brief;
+    asked.request.weakest = 5.0;
     return run_case(asked, 2).outcome;
   }
 };
@@ -47,7 +46,7 @@ TEST_P(NothingHidden, IsNoMissingEffect) {
 }
 
 using OneHidden = AttributionSet;
-TEST_P(OneHidden, IsFoundAndExplainsTheRest) {
+TEST_P(OneHidden, IsFoundAndExplainsTheResidual) {
   const Outcome found = outcome();
   EXPECT_TRUE(found.found) << (found.reported.empty() ? "nothing" : found.reported.front());
   EXPECT_EQ(found.verdict, Verdict::explained);
@@ -63,7 +62,7 @@ TEST_P(TwoHidden, AreBothFound) {
 }
 
 using Outsider = AttributionSet;
-TEST_P(Outsider, IsNotExplainedAway) {
+TEST_P(Outsider, IsNotExplained) {
   const Outcome found = outcome();
   EXPECT_NE(found.verdict, Verdict::explained);
   EXPECT_NE(found.verdict, Verdict::no_missing_effect);

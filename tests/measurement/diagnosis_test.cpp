@@ -14,7 +14,7 @@
 namespace coilwright::measurement {
 namespace {
 
-// Nobody but its friend opens a seal: no member, no conversion, no iteration. (The friend is named in dataset.hpp.)
+// Only the friend named in dataset.hpp can read sealed runs: there is no member, conversion or iteration.
 template <typename T>
 concept ShowsItsMember = requires(T& sealed) {
   sealed.runs_;
@@ -37,7 +37,7 @@ static_assert(!ShowsItsMember<data::SealedRuns> && !ShowsItsMember<const data::S
 static_assert(!ShowsRuns<data::SealedRuns> && !IsARange<data::SealedRuns>);
 static_assert(!std::convertible_to<data::SealedRuns, std::vector<data::Run>>);
 
-// Measured with an angle that is read 10 standard deviations too high.
+// A run whose angle is read 10 standard deviations too high.
 data::Run misread(const std::string& name, double amplitude, std::uint64_t seed) {
   Normal normal(seed);
   data::Run run = slide_run(150, {}, [&] { return 10.0 * noise_sigma + noise_sigma * normal(); });
@@ -58,7 +58,7 @@ nlohmann::ordered_json report_of(const data::Dataset& data, int threads) {
       formats::to_json({.diagnosis = diagnosis, .dataset = data.name, .updated_actuator = "actuator.json"}).text());
 }
 
-// Without the errors on validate runs, and the warning that is about them and comes after all else.
+// The report without the errors on validate runs and without the warnings about them.
 std::string without_validate_errors(nlohmann::ordered_json report) {
   report["error"].erase("validate");
   auto& warnings = report["warnings"];
@@ -67,7 +67,7 @@ std::string without_validate_errors(nlohmann::ordered_json report) {
   return report.dump();
 }
 
-TEST(Firewall, GarbageInValidateRunsMovesNothingButTheirErrors) {
+TEST(Diagnose, IsIndependentOfTheValidateRunsExceptForTheirErrors) {
   const nlohmann::ordered_json right = report_of(set_with({misread("v.csv", 1.0, 3)}), 2);
   ASSERT_EQ(right["verdict"], "explained");
   ASSERT_FALSE(right["effects"].empty());
@@ -90,7 +90,7 @@ TEST(Diagnose, GivesTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(report_of(data, 1).dump(), report_of(data, 2).dump());
 }
 
-TEST(Diagnose, GivesTheSameBytesWhereWindowsStartAnywhere) {
+TEST(Diagnose, GivesTheSameBytesWithFreeInitialStates) {
   data::Dataset data;
   data.name = "slide";
   data.fit.push_back(pushed_run());

@@ -1,5 +1,5 @@
-// Records of real rigs, which are not part of the project: looked for in $COILWRIGHT_RECORDS or ../shared/data, skipped
-// where they are not there.
+// Records of real rigs, which are not part of the project: read from $COILWRIGHT_RECORDS or ../shared/data; the tests
+// are skipped if they are missing.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ fs::path records(const std::string& name) {
   return fs::path(COILWRIGHT_SOURCE_DIR) / ".." / "shared" / "data" / name;
 }
 
-// The first `samples` of every `stride`-th sample: sampling is finer than the motion needs.
+// The first `samples` of every `stride`-th sample: the sampling is finer than necessary.
 void thin(data::Run& run, std::size_t stride, std::size_t samples) {
   const auto keep = [&](auto& values) {
     std::size_t at = 0;

@@ -54,7 +54,7 @@ inline Place slid(Place from, double force, double time) {
           .speed = end_speed + (from.speed - end_speed) * decay};
 }
 
-// Forces that change at every half second, to and fro.
+// Forces in alternating directions that change every half second.
 inline double force_at(std::size_t sample) {
   const std::size_t step = sample / 50;
   return (step % 2 == 0 ? 2.0 : -1.5) + 0.1 * static_cast<double>(step);
@@ -80,7 +80,7 @@ inline double no_error() {
   return 0.0;
 }
 
-// A slide that is pushed on the harder the faster it goes: no drag does that.
+// A slide under a force that grows with the square of its speed in the direction of motion, opposite to a drag.
 inline data::Run pushed_run() {
   data::Run run = slide_run(200, {}, no_error);
   run.sigma = 0.1 * noise_sigma;

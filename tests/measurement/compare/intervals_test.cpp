@@ -21,7 +21,7 @@ using actuator::standard_effects;
 constexpr double stop = 0.2;
 constexpr double stop_stiffness = 2000.0;
 
-// The slide against a stop of Kelvin and Voigt, by the midpoint rule in steps of 0.1 ms.
+// The slide against a Kelvin-Voigt stop, by the midpoint rule in steps of 0.1 ms.
 data::Run stopped_run() {
   data::Run run = slide_run(400, {}, no_error);
   run.inputs.front() = {0.0};  // at rest away from the stop
@@ -81,7 +81,7 @@ TEST(Intervals, SpanDecadesOfAMagnitude) {
   EXPECT_GT(all[2].upper, stop);
 }
 
-TEST(Intervals, CoverTheTruthAsOftenAsTheySay) {
+TEST(Intervals, CoverTheTrueValuesAtTheirNominalRate) {
   const replay::DeclaredModel declared = slide(2.2, 2.5);
   constexpr int draws = 100;
   int mass = 0;

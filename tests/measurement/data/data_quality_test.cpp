@@ -19,7 +19,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 enum class Noise { none, some };
 
-// A sine of 40 degrees at 2 Hz after half a second at rest, seen at 500 Hz with the resolution of a camera, 0.02 deg.
+// A sine of 40 degrees at 2 Hz after half a second at rest, recorded at 500 Hz with the resolution of a camera, 0.02
+// deg.
 data::Run sine(Noise noise) {
   std::mt19937 random(20240311);  // any fixed seed
   std::normal_distribution<double> error(0.0, noise == Noise::some ? 0.3 : 0.0);
@@ -41,12 +42,12 @@ auto only(const std::string& text) {
   return ElementsAre(AllOf(Field(&Warning::run, "sine.csv"), Field(&Warning::text, HasSubstr(text))));
 }
 
-TEST(Quality, FindsNothingInAGoodRun) {
+TEST(DataQuality, FindsNothingInAGoodRun) {
   EXPECT_THAT(data_quality_warnings(sine(Noise::some)), IsEmpty());
   EXPECT_THAT(data_quality_warnings(sine(Noise::none)), IsEmpty());
 }
 
-TEST(Quality, AcceptsAStepThatIsSeenWithoutNoiseComingToRest) {
+TEST(DataQuality, AcceptsANoiselessStepThatComesToRest) {
   data::Run run = sine(Noise::none);
   for (std::size_t i = 0; i < run.samples(); ++i) {
     const double time = run.times[i];
@@ -58,7 +59,7 @@ TEST(Quality, AcceptsAStepThatIsSeenWithoutNoiseComingToRest) {
   EXPECT_THAT(data_quality_warnings(run), IsEmpty());
 }
 
-TEST(Quality, NamesAnInputThatNeverMoves) {
+TEST(DataQuality, NamesAConstantInput) {
   data::Run run = sine(Noise::some);
   run.inputs.assign(run.samples(), {0.7});
   EXPECT_THAT(data_quality_warnings(run), only("the input never moves"));
@@ -66,13 +67,13 @@ TEST(Quality, NamesAnInputThatNeverMoves) {
   EXPECT_THAT(data_quality_warnings(run), IsEmpty());
 }
 
-TEST(Quality, NamesAChannelThatNeverChanges) {
+TEST(DataQuality, NamesAChannelThatNeverChanges) {
   data::Run run = sine(Noise::some);
   run.channels[0].values.assign(run.samples(), 12.0 * degree);
   EXPECT_THAT(data_quality_warnings(run), only("bending_angle_deg is 12 deg in every sample"));
 }
 
-TEST(Quality, NamesASaturatedSensor) {
+TEST(DataQuality, NamesASaturatedSensor) {
   for (const Noise noise : {Noise::none, Noise::some}) {
     data::Run run = sine(noise);
     for (double& angle : run.channels[0].values) angle = std::min(angle, 31.0 * degree);
@@ -80,14 +81,14 @@ TEST(Quality, NamesASaturatedSensor) {
   }
 }
 
-TEST(Quality, NamesAClockThatJumps) {
+TEST(DataQuality, NamesAGapInTheClock) {
   data::Run run = sine(Noise::some);
   for (std::size_t i = 700; i < run.samples(); ++i) run.times[i] += 0.5;
   EXPECT_THAT(data_quality_warnings(run),
               only("the clock jumps by 0.502 s after 1.398 s, 251 times the usual interval"));
 }
 
-TEST(Quality, AcceptsUnevenSampling) {
+TEST(DataQuality, AcceptsUnevenSampling) {
   data::Run run = sine(Noise::some);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> interval(0.0005, 0.006);
@@ -95,7 +96,7 @@ TEST(Quality, AcceptsUnevenSampling) {
   EXPECT_THAT(data_quality_warnings(run), IsEmpty());
 }
 
-TEST(Quality, NamesUnitsThatCannotBeRight) {
+TEST(DataQuality, NamesUnitsThatCannotBeRight) {
   data::Run run = sine(Noise::some);
   for (double& angle : run.channels[0].values) angle /= degree;
   EXPECT_THAT(data_quality_warnings(run), only("deg, more than two turns: is the unit right?"));

@@ -30,7 +30,7 @@ TEST(HoldOut, KeepsASingleRunForTheFit) {
   EXPECT_EQ(data.fit.size(), 2u);
 }
 
-TEST(HoldOut, LeavesASetWithValidateRunsAlone) {
+TEST(HoldOut, DoesNotChangeASetWithValidateRuns) {
   Dataset data = set_of(4, 0);
   data.validate = SealedRuns({data::Run{.name = "other"}});
   data = with_runs_held_out(std::move(data));

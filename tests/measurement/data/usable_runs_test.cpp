@@ -23,7 +23,7 @@ data::Run run_of(const char* name, bool stuck, bool driven) {
   return run;
 }
 
-TEST(UsableRuns, LeaveStuckChannelsOutAndSaySo) {
+TEST(UsableRuns, LeaveOutStuckChannelsWithAWarning) {
   const auto [kept, warnings] = usable_runs({run_of("a.csv", true, true), run_of("b.csv", false, true)});
   ASSERT_EQ(kept.size(), 2u);
   ASSERT_EQ(kept[0].channels.size(), 1u);
@@ -40,7 +40,7 @@ TEST(UsableRuns, KeepARigThatIsNotDriven) {
   EXPECT_TRUE(usable.warnings.empty());
 }
 
-TEST(UsableRuns, RefuseASetThatIsStuckAltogether) {
+TEST(UsableRuns, RefuseASetOfStuckChannels) {
   data::Run run = run_of("a.csv", true, true);
   run.channels.erase(run.channels.begin());
   EXPECT_EQ(error_text([&] { (void)usable_runs({run}); }), "fit runs: every measured column is stuck at one value");

@@ -20,14 +20,14 @@ TEST(InputShape, AStepAndAHoldChangeAtTheirTimes) {
   EXPECT_EQ(level_at(hold, 1.5, 2.0), 0.0);
 }
 
-TEST(InputShape, ASineHasItsPeakAQuarterPeriodIn) {
+TEST(InputShape, ASinePeaksAfterAQuarterPeriod) {
   const InputShape sine = SineShape{.amplitude = 0.7, .offset = 0.6, .frequency = 2.0};
   EXPECT_EQ(level_at(sine, 0.0, 1.0), 0.6);
   EXPECT_NEAR(level_at(sine, 0.125, 1.0), 1.3, 1e-15);
   EXPECT_NEAR(level_at(sine, 0.375, 1.0), -0.1, 1e-15);
 }
 
-TEST(InputShape, AChirpPassesItsFrequenciesLinearly) {
+TEST(InputShape, AChirpChangesItsFrequencyLinearly) {
   const ChirpShape chirp{.amplitude = 1.0, .offset = 0.0, .from = 1.0, .to = 5.0};
   constexpr double duration = 4.0;
   // Its slope over its quadrature is the angular frequency: differences of the phase, a second route to the frequency.

@@ -23,7 +23,7 @@ Effect effect(const char* id, std::vector<double> values) {
   return {.kind = actuator::standard_effects().find(id), .values = std::move(values)};
 }
 
-// The paper's finger, filmed in a step of 1.4 A with a noise of 0.3 degrees.
+// The paper's finger, recorded in a step of 1.4 A with a noise of 0.3 degrees.
 struct Rig {
   Rig() {
     Design design;

@@ -76,7 +76,7 @@ actuator::Effect effect(std::string_view id, std::vector<double> values) {
   return {.kind = actuator::standard_effects().find(id), .values = std::move(values)};
 }
 
-TEST(Twin, WithoutEffectAndNoiseIsTheSimulation) {
+TEST(SyntheticData, WithoutEffectAndNoiseAreTheSimulation) {
   const Model& model = finger().model;
   const auto input = simulation::sine_input(
       model, {.amplitude = 0.5, .offset = 0.7, .frequency = 3.0, .duration = 0.5, .interval = 1.0 / 500.0});
@@ -89,7 +89,7 @@ TEST(Twin, WithoutEffectAndNoiseIsTheSimulation) {
   for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_NEAR(seen[i], states[i].angles.sum(), 1e-4 * degree) << i;
 }
 
-TEST(Twin, GivesTheSameBitsForTheSameSeedAndOtherNoiseForAnother) {
+TEST(SyntheticData, AreTheSameBitsForTheSameSeedOnly) {
   Experiment experiment = one(motion("a.csv", sine));
   experiment.instruments.angle = {.noise = 0.3 * degree, .resolution = 0.0};
   const std::vector<double> first = values_of(experiment, 1);
@@ -100,7 +100,7 @@ TEST(Twin, GivesTheSameBitsForTheSameSeedAndOtherNoiseForAnother) {
   EXPECT_NE(values_of(experiment, 1 + (std::uint64_t{1} << 32)), first);
 }
 
-TEST(Twin, AFurtherRunChangesNoOther) {
+TEST(SyntheticData, AnotherRunChangesNoneOfTheOthers) {
   Experiment experiment = one(motion("a.csv", sine));
   experiment.instruments.angle.noise = 0.3 * degree;
   const std::vector<double> alone = values_of(experiment);
@@ -109,7 +109,7 @@ TEST(Twin, AFurtherRunChangesNoOther) {
   EXPECT_NE(values_of(experiment, 1, 1), alone);
 }
 
-TEST(Twin, NoiseIsWhiteAndGaussianWithTheDeviationThatWasAskedFor) {
+TEST(SyntheticData, HasWhiteGaussianNoiseOfTheGivenDeviation) {
   Experiment experiment = one(motion("a.csv", HoldShape{.level = 0.0, .from = 0.0, .until = 1.0}, 40.0));
   const double truth = values_of(experiment).front();
   experiment.instruments.angle.noise = 0.3 * degree;
@@ -135,7 +135,7 @@ TEST(Twin, NoiseIsWhiteAndGaussianWithTheDeviationThatWasAskedFor) {
   EXPECT_NEAR(next / n, 0.0, 4.0 / std::sqrt(n));
 }
 
-TEST(Twin, ReadingsAreTheNearestMultiplesOfTheResolution) {
+TEST(SyntheticData, AreTheNearestMultiplesOfTheResolution) {
   Experiment experiment = one(motion("a.csv", sine));
   const std::vector<double> exact = values_of(experiment);
   const double resolution = 0.5 * degree;
@@ -147,7 +147,7 @@ TEST(Twin, ReadingsAreTheNearestMultiplesOfTheResolution) {
   }
 }
 
-TEST(Twin, HidesAnEffectOfTheCamera) {
+TEST(SyntheticData, ContainAnEffectOfTheCamera) {
   const Experiment experiment = one(motion("a.csv", sine));
   const std::vector<double> plain = values_of(experiment);
   const std::vector hidden = {effect("angle_offset", {1.5 * degree})};
@@ -155,7 +155,7 @@ TEST(Twin, HidesAnEffectOfTheCamera) {
   for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(shown[i] - plain[i], 1.5 * degree, 1e-12) << i;
 }
 
-TEST(Twin, LetsAPendulumGoWhereItIsHeld) {
+TEST(SyntheticData, ReleasesAPendulumFromItsStartAngle) {
   PlannedRun run = motion("a.csv", StepShape{.before = 0.0, .after = 0.0, .at = 0.0}, 2.0);
   run.plan.drive = data::Drive::torque;
   run.plan.start = data::Start::free;
@@ -169,7 +169,7 @@ TEST(Twin, LetsAPendulumGoWhereItIsHeld) {
         << i;
 }
 
-TEST(Twin, DrivesOneCoilAlone) {
+TEST(SyntheticData, DrivesOneCoilAlone) {
   PlannedRun run = motion("a.csv", StepShape{.before = 0.0, .after = 1.0, .at = 0.1});
   run.only = 1;
   const auto out = simulate_experiment(one(run), finger_rig(), {}, 1)[0];
@@ -181,7 +181,7 @@ TEST(Twin, DrivesOneCoilAlone) {
   EXPECT_GT(both.channels[0].values.back(), out.channels[0].values.back() + degree);
 }
 
-TEST(Twin, HoldsTheRowsOfATableBetweenItsSamples) {
+TEST(SyntheticData, HoldsTheRowsOfATableBetweenItsSamples) {
   PlannedRun run = motion("a.csv", TableShape{.times = {2.0, 2.1, 2.3}, .rows = {{0.1}, {0.2}, {0.3}}}, 0.4);
   run.rate = 20.0;
   const auto out = simulate_experiment(one(run), finger_rig(), {}, 1)[0];
@@ -189,7 +189,7 @@ TEST(Twin, HoldsTheRowsOfATableBetweenItsSamples) {
             (std::vector<std::vector<double>>{{0.1}, {0.1}, {0.2}, {0.2}, {0.2}, {0.2}, {0.3}, {0.3}, {0.3}}));
 }
 
-TEST(Twin, StandsOnTheBenches) {
+TEST(SyntheticData, IncludesTheBenches) {
   const Model& model = finger().model;
   PlannedRun torque{.plan = {.name = "torque.csv", .kind = data::RunKind::static_torque}};
   torque.plan.angles = {10 * degree, 40 * degree};
@@ -210,7 +210,7 @@ TEST(Twin, StandsOnTheBenches) {
   EXPECT_EQ(runs[2].channels[0].values[0], simulation::blocked_grasp(model, model.all_coils(1.4))->force);
 }
 
-TEST(Twin, WarmsACoilFromAmbient) {
+TEST(SyntheticData, WarmsACoilFromAmbient) {
   PlannedRun heat = motion("heat.csv", HoldShape{.level = 1.0, .from = 0.0, .until = 1e5}, 7200.0);
   heat.plan.kind = data::RunKind::temperature;
   heat.rate = 1.0 / 60.0;
@@ -221,7 +221,7 @@ TEST(Twin, WarmsACoilFromAmbient) {
   EXPECT_GT(out.channels[0].values.back(), 60.0);
 }
 
-TEST(Twin, RefusesWhatDoesNotFitTheRigNamingTheRun) {
+TEST(SyntheticData, NamesTheRunThatDoesNotFitTheRig) {
   const auto refusal = [](const PlannedRun& run, const replay::DeclaredModel& rig) {
     return error_text([&] { (void)simulate_experiment(one(run), rig, {}, 1); });
   };

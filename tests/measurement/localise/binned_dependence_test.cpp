@@ -27,7 +27,7 @@ TEST(BinnedDependence, ExplainsNothingOfNoise) {
   }
 }
 
-TEST(BinnedDependence, ExplainsWhatFollowsTheVariable) {
+TEST(BinnedDependence, ExplainsAFunctionOfTheVariable) {
   Normal normal(1);
   std::vector<double> variable, torque;
   for (int i = 0; i < 4000; ++i) {
@@ -45,7 +45,7 @@ TEST(BinnedDependence, ExplainsWhatFollowsTheVariable) {
   }
 }
 
-TEST(BinnedDependence, GivesEachOfAFewValuesItsBin) {
+TEST(BinnedDependence, HasOneBinPerValueIfThereAreFew) {
   const std::vector<double> variable{1, 1, 3, 3, 1, 1, 3, 3};
   const std::vector<double> torque{5, 5, 9, 9, 5, 5, 9, 9};
   const Dependence found = binned_dependence("x", variable, torque, blocks_of(8, 4));
@@ -54,7 +54,7 @@ TEST(BinnedDependence, GivesEachOfAFewValuesItsBin) {
   EXPECT_EQ(found.explained, 1.0);
 }
 
-TEST(BinnedDependence, BridgesBinsThatAHalfDoesNotHave) {
+TEST(BinnedDependence, InterpolatesBinsThatAreEmptyInOneHalf) {
   // A straight line over a variable that rises with the blocks: every bin is in one half only.
   std::vector<double> variable, torque;
   for (int i = 0; i < 400; ++i) {

@@ -79,7 +79,7 @@ actuator::Model model_of(const Rig& rig) {
        .tip = {}});
 }
 
-// Classical Runge-Kutta, ten steps a sample, input held over the sample, from rest.
+// Classical Runge-Kutta, ten steps per sample, input held over the sample, from rest.
 MeasuredMotion measured(const Rig& rig, const actuator::Model& model, const Command& command, const Hidden& hidden,
                         bool bending, std::uint64_t seed, double duration = 6.0, double sigma = 0.3 * degree) {
   Normal normal(seed);
@@ -166,7 +166,7 @@ Hidden equally(const std::function<double(const Moment&)>& torque) {
   };
 }
 
-TEST(ResidualTorque, OfAModelThatLacksNothingIsNoise) {
+TEST(ResidualTorque, OfACompleteModelIsNoise) {
   for (const bool bending : {true, false}) {
     const ResidualTorque found = found_in(2, bending, nothing);
     EXPECT_GT(found.noise_floor, 0.0);
@@ -227,7 +227,7 @@ TEST(ResidualTorque, OfADriftFollowsTheTime) {
   for (std::size_t b = 0; b < time.at.size(); ++b) EXPECT_NEAR(time.residual[b], 2.5e-4 * time.at[b], 1e-4);
 }
 
-TEST(ResidualTorque, OfAShakenBaseIsALine) {
+TEST(ResidualTorque, OfAShakenBaseIsASpectralLine) {
   const ResidualTorque found =
       found_in(1, true, equally([](const Moment& m) { return 5e-4 * std::sin(2.0 * pi * 7.0 * m.time + 0.5); }));
   ASSERT_TRUE(found.frequency);
@@ -248,7 +248,7 @@ TEST(ResidualTorque, OfABendingAngleIsSharedAmongTheJoints) {
   EXPECT_NEAR(found.dependences.front().residual.front(), 4e-4, 1.2e-4);
 }
 
-TEST(ResidualTorque, NamesTheJointWhereEachIsMeasured) {
+TEST(ResidualTorque, NamesTheJointIfEachIsMeasured) {
   const ResidualTorque found = found_in(2, false, [](const Moment& m) {
     return Vector{0.0, -6e-4 * std::tanh(m.rate[1] / 0.02)};
   });
@@ -279,7 +279,7 @@ TEST(ResidualTorque, LeavesOutTheEdgesOfWindows) {
   EXPECT_LT(found.rms, 1.5 * found.noise_floor + 8e-5);
 }
 
-TEST(ResidualTorque, OfNoMotionIsNothing) {
+TEST(ResidualTorque, WithoutMotionIsZero) {
   const Rig rig{.joints = 1};
   const actuator::Model model = model_of(rig);
   EXPECT_EQ(residual_torque({}, model).rms, 0.0);
@@ -287,7 +287,7 @@ TEST(ResidualTorque, OfNoMotionIsNothing) {
   EXPECT_EQ(residual_torque(brief, model).rms, 0.0);
 }
 
-TEST(ResidualTorque, RefusesWhatDoesNotFit) {
+TEST(ResidualTorque, RefusesSizesThatDoNotMatch) {
   const Rig rig{.joints = 1};
   const actuator::Model model = model_of(rig);
   const MeasuredMotion good = measured(rig, model, sine(0.01, 1.0), nothing, true, 1, 0.2);

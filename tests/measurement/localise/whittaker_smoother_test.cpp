@@ -19,7 +19,7 @@ std::vector<double> uneven(int count, std::uint64_t seed) {
   return times;
 }
 
-TEST(Smoother, LetsParabolasPass) {
+TEST(WhittakerSmoother, LetsParabolasPass) {
   const std::vector<double> times = uneven(300, 1);
   std::vector<double> values;
   for (const double t : times) values.push_back(0.3 - 2.0 * t + 5.0 * t * t);
@@ -30,7 +30,7 @@ TEST(Smoother, LetsParabolasPass) {
   for (std::size_t i = 1; i + 1 < times.size(); ++i) EXPECT_NEAR(slopes.first[i], -2.0 + 10.0 * times[i], 1e-4);
 }
 
-TEST(Smoother, HasTheGainItSays) {
+TEST(WhittakerSmoother, HasTheDocumentedGain) {
   constexpr int count = 4000;
   constexpr double interval = 0.002;
   for (const double frequency : {3.0, 8.0, 12.0}) {
@@ -52,7 +52,7 @@ TEST(Smoother, HasTheGainItSays) {
   }
 }
 
-TEST(Smoother, ChoosesNearlyTheLeastError) {
+TEST(WhittakerSmoother, ChoosesNearlyTheLeastError) {
   constexpr double sigma = 0.005;
   Normal normal(2);
   std::vector<double> times, truth, values;

@@ -58,7 +58,7 @@ Ratio ratio_to_truth(const std::function<double(double)>& motion) {
   return {sum / records, std::sqrt(squares / records)};
 }
 
-// 1200 samples: 2.0 % at best. 1.5 times that leaves room for the choice of the window and for forty records.
+// 1200 samples: 2.0 % at best. 1.5 times that allows for the choice of the window and for forty records.
 constexpr double spread_of_one = 0.032;
 
 TEST(Noise, IsFoundUnderASineOfTenHertz) {
@@ -84,13 +84,13 @@ double step_response(double t) {
   return 1.0 - std::exp(-0.08 * phase) * (std::cos(phase) + 0.08 * std::sin(phase));
 }
 
-TEST(Noise, IsFoundUnderAStepThatRings) {
+TEST(Noise, IsFoundUnderAStepThatOscillates) {
   const Ratio ratio = ratio_to_truth(step_response);
   EXPECT_NEAR(ratio.mean, 1.0, 0.012);
   EXPECT_LT(ratio.spread, spread_of_one);
 }
 
-TEST(Noise, DoesNotMindImpacts) {
+TEST(Noise, IsRobustAgainstImpacts) {
   // A bounce on a stop: the speed jumps ten times in the record.
   const Ratio ratio = ratio_to_truth([](double t) { return std::abs(0.7 * std::sin(2.0 * pi * 2.1 * t)); });
   EXPECT_NEAR(ratio.mean, 1.0, 0.015);
@@ -125,7 +125,7 @@ TEST(Noise, IsNeverBelowTheQuantisation) {
   EXPECT_NEAR(estimated(moving) / (1e-6 / std::sqrt(12.0)), 1.0, 0.08);
 }
 
-TEST(Noise, TakesWhatIsGiven) {
+TEST(Noise, IsTheGivenOneIfThereIsOne) {
   data::Run run = record(
       evenly(500.0, 100), [](double) { return 0.0; }, 1.0, 0.0, 1);
   run.sigma = 0.25;
@@ -162,7 +162,7 @@ TEST(Noise, OfABenchComesFromNeighboursAtTheSameCurrent) {
   EXPECT_THAT(noise_of(bench(1), bench(1).channels.front()).source, HasSubstr("differences of order"));
 }
 
-TEST(Noise, OfAHandfulOfSamplesIsAssumedAndSaysSo) {
+TEST(Noise, OfVeryFewSamplesIsAssumed) {
   data::Run run{.name = "gauge.csv", .kind = data::RunKind::blocked_force};
   run.inputs = {{0.5}, {1.0}};
   run.channels = {{.name = "force_N", .values = {0.5, 1.0}}};
@@ -171,7 +171,7 @@ TEST(Noise, OfAHandfulOfSamplesIsAssumedAndSaysSo) {
   EXPECT_GT(level.sigma, 0.0);
 }
 
-TEST(Noise, OfAStraightBenchIsNotItsSpacing) {
+TEST(Noise, OfEvenlySpacedReadingsIsNotTheirSpacing) {
   Normal normal(5);
   data::Run run{.name = "gauge.csv", .kind = data::RunKind::joint_stiffness};
   data::Run rounded = run;
@@ -189,7 +189,7 @@ TEST(Noise, OfAStraightBenchIsNotItsSpacing) {
   EXPECT_NEAR(estimated(rounded) / (1e-4 / std::sqrt(12.0)), 1.0, 0.7);
 }
 
-TEST(Noise, OfASensorThatNeverMovesIsAUnitStill) {
+TEST(Noise, OfAConstantReadingIsStillPositive) {
   const data::Run run = record(
       evenly(500.0, 100), [](double) { return 0.0; }, 0.0, 0.0, 1);
   EXPECT_GT(estimated(run), 0.0);

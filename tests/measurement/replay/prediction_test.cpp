@@ -17,7 +17,7 @@ using actuator::Model;
 constexpr double loss = 0.15;          // of the force, per square ampere
 constexpr double time_constant = 0.2;  // s
 
-// The finger whose magnets warm up, cold or hot (0, 1) when a run starts.
+// The finger whose magnets warm up, cold (0) or warm (1) at the start of a run.
 Model warming_finger(double warm_start) {
   actuator::ModelSpec spec = actuator::assemble_or_throw(actuator::paper_finger()).model.nominal_spec();
   spec.effects = {
@@ -25,7 +25,7 @@ Model warming_finger(double warm_start) {
   return Model(spec);
 }
 
-// A second at 1 A, and its bending angle.
+// One second at 1 A, with its bending angle.
 data::Run held(data::Start start) {
   data::Run run{.name = "held.csv",
                 .kind = data::RunKind::transient,
@@ -46,7 +46,7 @@ struct Ends {
   double first{}, last{};
 };
 
-// From where the finger rests at the run's start, rad.
+// Simulated from the equilibrium at the start of the run, rad.
 Ends ends_of(const Model& model, data::Start how) {
   const DeclaredModel declared{};
   const data::Run run = held(how);
@@ -59,9 +59,9 @@ Ends ends_of(const Model& model, data::Start how) {
   return {.first = predicted->values[0], .last = predicted->values[predicted->values.size() - 1]};
 }
 
-// The force falls to 1 - 0.15 of itself with a time constant a fifth of the run. A start that settled the heat stands
-// still whatever the choice says.
-TEST(Prediction, AColdStartSagsAndAWarmOneStands) {
+// The force falls by 15 % with a time constant of a fifth of the run. With the heat settled at the start there would be
+// no motion, whatever the choice.
+TEST(Prediction, FallsAfterAColdStartAndRestsAfterAWarmOne) {
   for (const data::Start how : {data::Start::at_rest, data::Start::measured, data::Start::free}) {
     const Ends cold = ends_of(warming_finger(0.0), how);
     EXPECT_LT(cold.last, 0.95 * cold.first);
@@ -71,7 +71,7 @@ TEST(Prediction, AColdStartSagsAndAWarmOneStands) {
   }
 }
 
-TEST(Prediction, AWindowThatGoesOnTakesOverTheHeat) {
+TEST(Prediction, ContinuesTheHeatInTheNextWindow) {
   const Model model = warming_finger(0.0);
   const DeclaredModel declared{};
   data::Run run = held(data::Start::free);

@@ -50,7 +50,7 @@ HIDDEN = {
     "CLI/": "cli",
     "glog/": "cli",
     "hwy/": "magnetics",
-    "boost/": "magnetics winding thermal actuator simulation sizing measurement formats/actuator",
+    "boost/": "magnetics winding thermal actuator simulation sizing measurement",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

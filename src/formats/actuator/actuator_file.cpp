@@ -5,7 +5,6 @@
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/actuator/actuator_reader.hpp"
-#include "formats/actuator/design_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -16,10 +15,11 @@ enum class Format { design, lumped_model };
 
 ActuatorFile read_actuator_file(const Document& document, const actuator::EffectCatalogue& effects) {
   ActuatorContent read = read_actuator_content(document, effects);
-  if (auto* design = std::get_if<actuator::Design>(&read.content))
-    return {.name = std::move(read.name), .content = std::move(*design)};
+  if (auto* content = std::get_if<DesignContent>(&read.content))
+    return {.name = std::move(read.name), .content = std::move(content->design)};
+  const auto& [model, magnetics] = std::get<LumpedModelContent>(read.content);
   try {
-    return {.name = std::move(read.name), .content = actuator::Model(spec_of(std::get<LumpedModel>(read.content)))};
+    return {.name = std::move(read.name), .content = actuator::Model(actuator::spec_of(model, magnetics))};
   } catch (const std::invalid_argument& mistake) {
     throw document.root().error_without_value(mistake.what());
   }

@@ -3,9 +3,9 @@
 #include <string>
 #include <variant>
 
-#include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/text/json/document.hpp"
+#include "formats/actuator/design_reader.hpp"
 #include "formats/actuator/lumped_model_reader.hpp"
 
 namespace coilwright::formats {
@@ -13,7 +13,7 @@ namespace coilwright::formats {
 /// An actuator file in terms of its own numbers.
 struct ActuatorContent {
   std::string name;
-  std::variant<actuator::Design, LumpedModel> content;
+  std::variant<DesignContent, LumpedModelContent> content;
 };
 
 /// Its effects are of `known`.

@@ -90,16 +90,9 @@ actuator::ModelChoices read_choices(const Node& node) {
 
 actuator::Measured read_measured(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    return actuator::Measured{.coil_outer_radius = in.optional_quantity("coil_outer_radius_mm", measurement),
-                              .coil_length = in.optional_quantity("coil_length_mm", measurement),
-                              .joint_stiffness = in.optional_quantity("joint_stiffness_Nmm_rad", measurement),
-                              .joint_damping = in.optional_quantity("joint_damping_Nmms_rad", measurement),
-                              .axis_offset = in.optional_quantity("axis_offset_mm", measurement),
-                              .magnet_segment_mass = in.optional_quantity("magnet_segment_mass_g", measurement),
-                              .tip_segment_mass = in.optional_quantity("tip_segment_mass_g", measurement),
-                              .tip_com = in.optional_quantity("tip_com_mm", measurement),
-                              .coil_resistance = in.optional_quantity("coil_resistance_Ohm", measurement),
-                              .continuous_current = in.optional_quantity("continuous_current_A", measurement)};
+    actuator::Measured measured;
+    for (const MeasuredKey& each : measured_keys) measured.*each.member = in.optional_quantity(each.key, measurement);
+    return measured;
   });
 }
 
@@ -129,8 +122,9 @@ actuator::Configuration read_configuration(const Node& node) {
       {{"A", Configuration::A}, {"B", Configuration::B}, {"C", Configuration::C}, {"D", Configuration::D}});
 }
 
-Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
-  Design design;
+DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
+  DesignContent content;
+  Design& design = content.design;
   design.layout = read_layout(in);
   for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
   if (const auto choices = in.find("model")) design.choices = read_choices(*choices);
@@ -143,7 +137,8 @@ Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
   design.effects = read_effects(in, known);
   if (measured) {
     try {
-      design.calibration = actuator::calibrate(design, read_measured(*measured));
+      content.measured = read_measured(*measured);
+      design.calibration = actuator::calibrate(design, content.measured);
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const InputError&) {
@@ -152,7 +147,7 @@ Design read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
       throw measured->error_without_value(mistake.what());
     }
   }
-  return design;
+  return content;
 }
 
 }  // namespace coilwright::formats

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -7,8 +12,32 @@
 
 namespace coilwright::formats {
 
+/// A key of "measured".
+struct MeasuredKey {
+  std::string_view key;  ///< its unit at its end
+  std::optional<double> actuator::Measured::*member{};
+};
+inline constexpr std::array measured_keys = {
+    MeasuredKey{"coil_outer_radius_mm", &actuator::Measured::coil_outer_radius},
+    MeasuredKey{"coil_length_mm", &actuator::Measured::coil_length},
+    MeasuredKey{"joint_stiffness_Nmm_rad", &actuator::Measured::joint_stiffness},
+    MeasuredKey{"joint_damping_Nmms_rad", &actuator::Measured::joint_damping},
+    MeasuredKey{"axis_offset_mm", &actuator::Measured::axis_offset},
+    MeasuredKey{"magnet_segment_mass_g", &actuator::Measured::magnet_segment_mass},
+    MeasuredKey{"tip_segment_mass_g", &actuator::Measured::tip_segment_mass},
+    MeasuredKey{"tip_com_mm", &actuator::Measured::tip_com},
+    MeasuredKey{"coil_resistance_Ohm", &actuator::Measured::coil_resistance},
+    MeasuredKey{"continuous_current_A", &actuator::Measured::continuous_current},
+};
+
+/// What an `actuator/1` file says.
+struct DesignContent {
+  actuator::Design design;      ///< calibrated by what was measured
+  actuator::Measured measured;  ///< empty where the file has no "measured"
+};
+
 /// The keys of `actuator/1` but format and name; its effects are of `known`.
-[[nodiscard]] actuator::Design read_design(text::ObjectReader& in, const actuator::EffectCatalogue& known);
+[[nodiscard]] DesignContent read_design(text::ObjectReader& in, const actuator::EffectCatalogue& known);
 
 /// One of "A" to "D".
 [[nodiscard]] actuator::Configuration read_configuration(const text::Node& node);

@@ -11,32 +11,29 @@ using magnetics::ThickCoil;
 
 namespace {
 
-// Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows or takes for ever.
-constexpr Rule dimension = positive.and_also(Rule::at_most(1e6));  // mm
-constexpr Rule remanence = positive.and_also(Rule::at_most(100));  // T
-constexpr Rule turns = Rule::between(1, 10'000);                   // layers, or turns in a layer
+constexpr Rule turns = Rule::between(1, 10'000);  // layers, or turns in a layer
 
 }  // namespace
 
-CylinderMagnet read_magnet(const Node& node) {
+CylinderMagnet::Spec read_magnet(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    return CylinderMagnet({.radius = in.quantity("radius_mm", dimension),
-                           .length = in.quantity("length_mm", dimension),
-                           .remanence = in.quantity("remanence_T", remanence)});
+    const auto spec = read_numbers(in, magnet_keys);
+    (void)CylinderMagnet(spec);
+    return spec;
   });
 }
 
-ThickCoil read_coil(const Node& node, CurrentDistribution winding) {
+ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
   return read_object(node, [winding](ObjectReader& in) {
-    const double inner = in.number("inner_radius_mm", dimension);
-    const Node outer = in.at("outer_radius_mm");
-    if (outer.number(dimension) <= inner) throw outer.error(fmt::format("must exceed inner_radius_mm ({})", inner));
-    return ThickCoil({.inner_radius = in.quantity("inner_radius_mm"),
-                      .outer_radius = outer.quantity(),
-                      .length = in.quantity("length_mm", dimension),
-                      .turns_radial = in.integer("turns_radial", turns),
-                      .turns_axial = in.integer("turns_axial", turns),
-                      .winding = winding});
+    auto spec = read_numbers(in, coil_keys);
+    if (spec.outer_radius <= spec.inner_radius)
+      throw in.at("outer_radius_mm")
+          .error(fmt::format("must exceed inner_radius_mm ({})", in.number("inner_radius_mm")));
+    spec.turns_radial = in.integer("turns_radial", turns);
+    spec.turns_axial = in.integer("turns_axial", turns);
+    spec.winding = winding;
+    (void)ThickCoil(spec);
+    return spec;
   });
 }
 

@@ -1,16 +1,36 @@
 #pragma once
 
+#include <array>
+
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "formats/actuator/part_numbers.hpp"
 
 namespace coilwright::formats {
 
-/// {"radius_mm", "length_mm", "remanence_T"}
-[[nodiscard]] magnetics::CylinderMagnet read_magnet(const text::Node& node);
+/// Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows or takes for ever.
+inline constexpr text::Rule part_dimension = text::positive.and_also(text::Rule::at_most(1e6));  // mm
+inline constexpr text::Rule part_remanence = text::positive.and_also(text::Rule::at_most(100));  // T
 
-/// {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"}
-[[nodiscard]] magnetics::ThickCoil read_coil(const text::Node& node, magnetics::CurrentDistribution winding);
+inline constexpr std::array magnet_keys = {
+    PartKey<magnetics::CylinderMagnet::Spec>{"radius_mm", part_dimension, &magnetics::CylinderMagnet::Spec::radius},
+    PartKey<magnetics::CylinderMagnet::Spec>{"length_mm", part_dimension, &magnetics::CylinderMagnet::Spec::length},
+    PartKey<magnetics::CylinderMagnet::Spec>{"remanence_T", part_remanence,
+                                             &magnetics::CylinderMagnet::Spec::remanence},
+};
+inline constexpr std::array coil_keys = {
+    PartKey<magnetics::ThickCoil::Spec>{"inner_radius_mm", part_dimension, &magnetics::ThickCoil::Spec::inner_radius},
+    PartKey<magnetics::ThickCoil::Spec>{"outer_radius_mm", part_dimension, &magnetics::ThickCoil::Spec::outer_radius},
+    PartKey<magnetics::ThickCoil::Spec>{"length_mm", part_dimension, &magnetics::ThickCoil::Spec::length},
+};
+
+/// {"radius_mm", "length_mm", "remanence_T"}, of which a CylinderMagnet can be made.
+[[nodiscard]] magnetics::CylinderMagnet::Spec read_magnet(const text::Node& node);
+
+/// {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"}, of which a ThickCoil can be
+/// made.
+[[nodiscard]] magnetics::ThickCoil::Spec read_coil(const text::Node& node, magnetics::CurrentDistribution winding);
 
 /// "winding", one of paper_shells, layer_centres, uniform; uniform when it is not there.
 [[nodiscard]] magnetics::CurrentDistribution read_winding(text::ObjectReader& in);

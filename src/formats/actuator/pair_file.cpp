@@ -38,7 +38,7 @@ Pose read_pose(const Node& node) {
 
 TwoMagnets read_two_magnets(ObjectReader& in) {
   const auto magnets = in.elements("magnets", Length::exactly(2));
-  return {.first = read_magnet(magnets[0]), .second = read_magnet(magnets[1])};
+  return {.first = CylinderMagnet(read_magnet(magnets[0])), .second = CylinderMagnet(read_magnet(magnets[1]))};
 }
 
 TwoCoils read_two_coils(ObjectReader& in) {
@@ -47,16 +47,16 @@ TwoCoils read_two_coils(ObjectReader& in) {
   const bool one_each = in.one_of({"current_A", "currents_A"}) == "currents_A";
   const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), current)
                                  : std::vector<double>(2, in.quantity("current_A", current));
-  return {.first = read_coil(coils[0], winding),
+  return {.first = ThickCoil(read_coil(coils[0], winding)),
           .first_current = currents[0],
-          .second = read_coil(coils[1], winding),
+          .second = ThickCoil(read_coil(coils[1], winding)),
           .second_current = currents[1]};
 }
 
 CoilAndMagnet read_coil_and_magnet(ObjectReader& in) {
-  return {.coil = read_coil(in.at("coil"), read_winding(in)),
+  return {.coil = ThickCoil(read_coil(in.at("coil"), read_winding(in))),
           .current = in.quantity("current_A", current),
-          .magnet = read_magnet(in.at("magnet"))};
+          .magnet = CylinderMagnet(read_magnet(in.at("magnet")))};
 }
 
 std::variant<CoilAndMagnet, TwoCoils, TwoMagnets> read_bodies(ObjectReader& in) {

@@ -39,8 +39,8 @@ InputError CalibrateNames::cannot_move(std::size_t i, const std::string& why) co
   return error(i, "must lead to a number that a fit can move: " + why);
 }
 
-std::optional<EffectNumber> CalibrateNames::effect_number(std::size_t i, std::span<const std::string> steps,
-                                                          const std::vector<actuator::Effect>& effects) const {
+std::optional<measurement::replay::EffectNumber> CalibrateNames::effect_number(
+    std::size_t i, std::span<const std::string> steps, const std::vector<actuator::Effect>& effects) const {
   if (steps.front() != "effects") return std::nullopt;
   if (steps.size() != 4 || steps[2] != "parameters") throw leads_nowhere(i);
   const auto index = array_index(steps[1]);
@@ -49,7 +49,8 @@ std::optional<EffectNumber> CalibrateNames::effect_number(std::size_t i, std::sp
   const auto found = std::ranges::find(parameters, steps[3], &actuator::EffectParameter::key);
   if (found == parameters.end()) throw leads_nowhere(i);
   if (!found->choices.empty()) throw cannot_move(i, "this one is a choice");
-  return EffectNumber{.effect = *index, .parameter = static_cast<std::size_t>(found - parameters.begin())};
+  return measurement::replay::EffectNumber{.effect = *index,
+                                           .parameter = static_cast<std::size_t>(found - parameters.begin())};
 }
 
 measurement::replay::CalibrationParameter calibration_parameter(std::string name, std::string_view key, double declared,
@@ -75,18 +76,6 @@ measurement::replay::CalibrationParameter calibration_parameter(const std::strin
           .lower = known.lower,
           .upper = known.upper,
           .scale = declared != 0.0 ? std::abs(declared) : units::to_memory(1.0, known.key)};
-}
-
-std::vector<actuator::Effect> joined(std::vector<actuator::Effect> declared,
-                                     const std::vector<actuator::Effect>& added) {
-  for (const actuator::Effect& effect : added) {
-    const auto same = std::ranges::find(declared, effect.kind, &actuator::Effect::kind);
-    if (same == declared.end())
-      declared.push_back(effect);
-    else
-      *same = effect;
-  }
-  return declared;
 }
 
 }  // namespace coilwright::formats

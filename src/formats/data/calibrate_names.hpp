@@ -9,16 +9,11 @@
 #include <vector>
 
 #include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/measurement/replay/calibration_target.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/rule.hpp"
 
 namespace coilwright::formats {
-
-/// A number of an effect that the file declares, by a pointer of four steps: /effects/0/parameters/torque_Nmm.
-struct EffectNumber {
-  std::size_t effect{};
-  std::size_t parameter{};
-};
 
 /// The names of one data set, gone through from the first to the last.
 class CalibrateNames {
@@ -40,10 +35,10 @@ class CalibrateNames {
   /// `why` ends "must lead to a number that a fit can move: ".
   [[nodiscard]] text::InputError cannot_move(std::size_t i, const std::string& why) const;
 
-  /// The number of an effect that `steps` lead to; nothing where they do not lead into "effects". Throws where they
-  /// lead there and to nothing that can be calibrated.
-  [[nodiscard]] std::optional<EffectNumber> effect_number(std::size_t i, std::span<const std::string> steps,
-                                                          const std::vector<actuator::Effect>& effects) const;
+  /// The number of an effect that `steps` lead to, by four steps (/effects/0/parameters/torque_Nmm); nothing where they
+  /// do not lead into "effects". Throws where they lead there and to nothing that can be calibrated.
+  [[nodiscard]] std::optional<measurement::replay::EffectNumber> effect_number(
+      std::size_t i, std::span<const std::string> steps, const std::vector<actuator::Effect>& effects) const;
 
  private:
   Calibrate calibrate_;
@@ -61,9 +56,5 @@ class CalibrateNames {
 [[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,
                                                                               const actuator::Effect& effect,
                                                                               std::size_t parameter);
-
-/// The effects of the file and those that are added; one of a kind that is there already takes its place.
-[[nodiscard]] std::vector<actuator::Effect> joined(std::vector<actuator::Effect> declared,
-                                                   const std::vector<actuator::Effect>& added);
 
 }  // namespace coilwright::formats

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "coilwright/text/json/object_reader.hpp"
+
+namespace coilwright::formats {
+
+/// A number of a part as a file writes it: shared by the reader and by the names of numbers that may be calibrated.
+template <class Part>
+struct PartKey {
+  std::string_view key;  ///< its unit at its end
+  text::Rule rule;       ///< in that unit
+  double Part::*member{};
+  std::optional<double> otherwise{};  ///< SI, where the key may be absent
+};
+
+/// The part whose numbers are `keys`.
+template <class Part, std::size_t Count>
+[[nodiscard]] Part read_numbers(text::ObjectReader& in, const std::array<PartKey<Part>, Count>& keys, Part part = {}) {
+  for (const PartKey<Part>& each : keys)
+    part.*each.member =
+        each.otherwise ? in.quantity_or(each.key, *each.otherwise, each.rule) : in.quantity(each.key, each.rule);
+  return part;
+}
+
+}  // namespace coilwright::formats

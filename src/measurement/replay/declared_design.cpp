@@ -1,0 +1,146 @@
+#include "coilwright/measurement/replay/declared_design.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "coilwright/actuator/assemble.hpp"
+#include "measurement/replay/lru_memo.hpp"
+
+namespace coilwright::measurement::replay {
+namespace {
+
+using actuator::Design;
+using actuator::Hinge;
+using actuator::ModelSpec;
+
+// Gravity and the tilt of the base change the chain alone.
+bool only_hangs_otherwise(const DesignParameter& number) {
+  return number.parameter == actuator::find_parameter("gravity_m_s2") ||
+         number.parameter == actuator::find_parameter("base_tilt_deg");
+}
+
+bool needs_reassembly(const DesignTarget& target) {
+  if (const auto* number = std::get_if<DesignParameter>(&target)) return !only_hangs_otherwise(*number);
+  return std::holds_alternative<MeasuredNumber>(target);
+}
+
+}  // namespace
+
+class DeclaredDesign::State {
+ public:
+  State(Design design, actuator::Measured measured, ModelSpec assembled,
+        std::vector<CalibratableNumber<DesignTarget>> numbers)
+      : design_(std::move(design)), measured_(std::move(measured)), numbers_(std::move(numbers)) {
+    std::vector<double> declared;
+    for (const auto& number : numbers_)
+      if (needs_reassembly(number.target)) declared.push_back(number.parameter.declared);
+    (void)assembled_.get(declared, [&] { return std::move(assembled); });
+  }
+
+  [[nodiscard]] std::vector<CalibrationParameter> parameters() const {
+    std::vector<CalibrationParameter> all;
+    for (const auto& number : numbers_) all.push_back(number.parameter);
+    return all;
+  }
+
+  [[nodiscard]] ModelSpec spec_at(std::span<const double> values) {
+    const Design design = without_hinges(values);
+    ModelSpec spec = *assembled_at(design, values);
+    spec.chain = spec.chain.under_gravity(design.surroundings.gravity, design.surroundings.base_tilt);
+    spec.effects = design.effects;
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      if (const auto* number = std::get_if<HingesNumber>(&numbers_[i].target))
+        for (Hinge& hinge : spec.hinges) hinge.*number->member = values[i];
+    return spec;
+  }
+
+  [[nodiscard]] Design design_at(std::span<const double> values) {
+    Design design = without_hinges(values);
+    const std::shared_ptr<const ModelSpec> spec = assembled_at(design, values);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const auto* number = std::get_if<HingesNumber>(&numbers_[i].target);
+      if (number == nullptr) continue;
+      double& factor =
+          number->member == &Hinge::stiffness ? design.calibration.joint_stiffness : design.calibration.joint_damping;
+      factor *= values[i] / spec->hinges.front().*number->member;
+    }
+    return design;
+  }
+
+ private:
+  // The design with all values but those of its hinges.
+  Design without_hinges(std::span<const double> values) {
+    if (values.size() != numbers_.size())
+      throw std::invalid_argument(
+          fmt::format("calibration must have {} values; got {}", numbers_.size(), values.size()));
+    Design design = calibrated_at(values);
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      if (const auto* number = std::get_if<DesignParameter>(&numbers_[i].target))
+        number->parameter->set(design, values[i]);
+      if (const auto* number = std::get_if<EffectNumber>(&numbers_[i].target))
+        design.effects[number->effect].values[number->parameter] = values[i];
+    }
+    return design;
+  }
+
+  // The declared design, calibrated by other measured values.
+  Design calibrated_at(std::span<const double> values) {
+    actuator::Measured measured = measured_;
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const auto* number = std::get_if<MeasuredNumber>(&numbers_[i].target);
+      if (number == nullptr) continue;
+      measured.*number->member = values[i];
+      moved.push_back(values[i]);
+    }
+    Design design = design_;
+    if (!moved.empty()) design.calibration = *calibrations_.get(moved, [&] { return calibration_by(measured); });
+    return design;
+  }
+
+  [[nodiscard]] actuator::Calibration calibration_by(const actuator::Measured& measured) const {
+    try {
+      return actuator::calibrate(design_, measured);
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& reason) {
+      throw std::invalid_argument(reason.what());
+    }
+  }
+
+  std::shared_ptr<const ModelSpec> assembled_at(const Design& design, std::span<const double> values) {
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      if (needs_reassembly(numbers_[i].target)) moved.push_back(values[i]);
+    return assembled_.get(moved, [&] { return actuator::assemble_or_throw(design).model.nominal_spec(); });
+  }
+
+  Design design_;
+  actuator::Measured measured_;
+  std::vector<CalibratableNumber<DesignTarget>> numbers_;
+  LruMemo<actuator::Calibration> calibrations_;
+  LruMemo<ModelSpec> assembled_;
+};
+
+DeclaredDesign::DeclaredDesign(Design design, actuator::Measured measured, ModelSpec assembled,
+                               std::vector<CalibratableNumber<DesignTarget>> numbers)
+    : state_(
+          std::make_shared<State>(std::move(design), std::move(measured), std::move(assembled), std::move(numbers))) {}
+
+std::vector<CalibrationParameter> DeclaredDesign::parameters() const {
+  return state_->parameters();
+}
+
+ModelSpec DeclaredDesign::spec_at(std::span<const double> values) const {
+  return state_->spec_at(values);
+}
+
+Design DeclaredDesign::design_at(std::span<const double> values) const {
+  return state_->design_at(values);
+}
+
+}  // namespace coilwright::measurement::replay

@@ -18,6 +18,7 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/residual_table.hpp"
+#include "coilwright/measurement/corrected_model.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/phase_table.hpp"
@@ -87,19 +88,6 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
   }
 }
 
-std::vector<double> values_of(const std::vector<measurement::compare::Estimate>& estimates) {
-  std::vector<double> values;
-  for (const measurement::compare::Estimate& each : estimates) values.push_back(each.value);
-  return values;
-}
-
-std::vector<Effect> effects_of(const Diagnosis& diagnosis) {
-  std::vector<Effect> effects;
-  for (const measurement::AddedEffect& each : diagnosis.effects)
-    effects.push_back({.kind = each.kind, .values = values_of(each.parameters)});
-  return effects;
-}
-
 const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
   if (const auto* design = std::get_if<actuator::Design>(&file.content)) return design->effects;
   return std::get<actuator::Model>(file.content).nominal_spec().effects;
@@ -107,9 +95,9 @@ const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
 
 // The updated actuator, checked where it will be used: its text is read back and must have every effect.
 std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
-  const std::vector<Effect> added = effects_of(diagnosis);
+  const std::vector<Effect> added = measurement::effects_of(diagnosis);
   const std::string text =
-      formats::to_json(declared.updated(values_of(diagnosis.calibration), added), declared.name).text();
+      formats::to_json(declared.updated(measurement::calibration_of(diagnosis), added), declared.name).text();
   const formats::ActuatorFile back = formats::parse_actuator(text, actuator_name);
   for (const Effect& effect : added) {
     bool there = false;

@@ -7,33 +7,15 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <variant>
 
+#include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 
 namespace coilwright::simulation {
 namespace {
 
-// A design at an operating point, with what a view of it refers to.
-struct Evaluated {
-  actuator::Design design;
-  actuator::Assembly assembly;
-  OperatingPoint point;
-  Performance performance;
-
-  [[nodiscard]] DesignView view() const {
-    return {.design = design, .assembly = assembly, .point = point, .performance = performance};
-  }
-};
-
-Evaluated evaluate(const actuator::Design& design, const OperatingPoint& point) {
-  actuator::Assembly assembly = actuator::assemble_or_throw(design);
-  auto performance = std::get<Performance>(performance_of(design, assembly, point));
-  return {.design = design, .assembly = std::move(assembly), .point = point, .performance = std::move(performance)};
-}
-
 // The default finger at 0.9 of the ampacity of its wire.
-Evaluated prototype() {
+EvaluatedDesign prototype() {
   const actuator::Design design;
   return evaluate(design, {.current = 0.9 * winding::gauge(design.coil.wire_gauge).chassis_ampacity, .duty = 0.4});
 }
@@ -70,18 +52,18 @@ TEST(Quantities, ThatMayHaveNoValueSayWhy) {
   actuator::Design hot;
   hot.surroundings.coil_limit = 20.0;  // below the ambient 25: no current at all may be held
   for (const double current : {0.0, 5.0}) {
-    const Evaluated design = evaluate(hot, {.current = current});
+    const EvaluatedDesign design = evaluate(hot, {.current = current});
     for (const ResultQuantity& quantity : standard_quantities())
       EXPECT_TRUE(quantity.value(design.view()) || !quantity.absence.empty()) << quantity.name;
   }
-  const Evaluated still = evaluate(hot, {.current = 0.0});
+  const EvaluatedDesign still = evaluate(hot, {.current = 0.0});
   EXPECT_EQ(standard_quantities().at("rise_time_s").value(still.view()), std::nullopt);
   EXPECT_EQ(standard_quantities().at("thermal_load").value(still.view()), std::nullopt);
 }
 
 TEST(Quantities, ScaleIsWithinTenfoldOfThePrototype) {
   // Scales weigh limits of zero against each other; an order of magnitude is all they must get right.
-  const Evaluated base = prototype();
+  const EvaluatedDesign base = prototype();
   for (const ResultQuantity& quantity : standard_quantities()) {
     const std::optional<double> value = quantity.value(base.view());
     ASSERT_TRUE(value.has_value()) << quantity.name;
@@ -91,7 +73,7 @@ TEST(Quantities, ScaleIsWithinTenfoldOfThePrototype) {
 
 // What `evaluate` says of a lumped model is what it would say of a design that moves alike.
 TEST(Quantities, OfALumpedModelAreThoseOfADesign) {
-  const Evaluated base = prototype();
+  const EvaluatedDesign base = prototype();
   int lumped = 0;
   for (const ResultQuantity& quantity : standard_quantities()) {
     if (!quantity.value_of_lumped) continue;
@@ -108,7 +90,7 @@ TEST(QuantityTable, TakesAQuantityOfAUsersOwn) {
   ASSERT_EQ(table.size(), standard_quantities().size() + 1);
   EXPECT_EQ(table[table.size() - 1].name, "grasp_force_per_mass_N_kg");
   EXPECT_EQ(standard_quantities().find("grasp_force_per_mass_N_kg"), nullptr);  // a value: the default stays as it is
-  const Evaluated base = prototype();
+  const EvaluatedDesign base = prototype();
   const double force = table.at("grasp_force_N").value(base.view()).value();
   const double mass = table.at("mass_g").value(base.view()).value();
   EXPECT_NEAR(table.at("grasp_force_per_mass_N_kg").value(base.view()).value(), force / mass * 1e3, 1e-12 * 1e3);

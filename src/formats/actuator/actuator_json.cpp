@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
@@ -92,7 +93,7 @@ Json copy_of(const text::Node& node) {
 Json lumped_json(const UpdatedLumpedModel& lumped) {
   Json out = Json::object();
   for (const text::Node& member : lumped.document.root().members())
-    if (member.key() != "effects") out.set(member.key(), copy_of(member));
+    if (member.key() != "effects" && member.key() != text::schema_key) out.set(member.key(), copy_of(member));
   if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
   return out;
 }

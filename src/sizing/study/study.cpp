@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "sizing/problem/design_space.hpp"
@@ -76,6 +77,12 @@ struct ValueAt {
 };
 
 }  // namespace
+
+ParameterVariable parameter_variable(std::string_view name, std::variant<Interval, Choice> range) {
+  const actuator::Parameter* parameter = actuator::find_parameter(name);
+  if (parameter == nullptr) throw std::invalid_argument(fmt::format("no parameter of a design is called \"{}\"", name));
+  return {.parameter = parameter, .range = std::move(range)};
+}
 
 std::string name_of(const StudyVariable& variable) {
   return std::visit(NameOf{}, variable);

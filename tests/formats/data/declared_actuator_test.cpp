@@ -167,6 +167,11 @@ TEST(DeclaredLumpedModel, KeepsTheRatiosOfUnlikeJoints) {
   EXPECT_DOUBLE_EQ(spec.hinges[1].damping, 3.4e-3);
 }
 
+TEST(DeclaredLumpedModel, LeavesTheSchemaOfItsFileBehind) {
+  const DeclaredActuator actuator = declared(R"({"$schema": "lumped-model.schema.json", )" + lumped.substr(1), {});
+  EXPECT_EQ(to_json(actuator.updated({}, {}), "x").text(), to_json(declared(lumped, {}).updated({}, {}), "x").text());
+}
+
 TEST(DeclaredLumpedModel, SaysWhyNumbersMakeNoModel) {
   const DeclaredActuator actuator = declared(lumped, {"/magnetics/1/angle_deg/1"});
   EXPECT_THROW((void)actuator.model.build(std::vector{1.0}), std::invalid_argument);  // beyond the next angle

@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include "error_text.hpp"
 #include "sizing/small_study.hpp"
 
 namespace coilwright::sizing {
 namespace {
 
 ParameterVariable gap(double lower, double upper, double step) {
-  return {.parameter = actuator::find_parameter("gap_mm"),
-          .range = Interval{.lower = lower, .upper = upper, .step = step}};
+  return parameter_variable("gap_mm", Interval{.lower = lower, .upper = upper, .step = step});
+}
+
+TEST(StudyVariable, IsMadeFromTheNameOfAParameter) {
+  EXPECT_EQ(gap(0.7, 1.3, 0.2).parameter, actuator::find_parameter("gap_mm"));
+  EXPECT_EQ(error_text([] { (void)parameter_variable("gap_m", Choice{.values = {0.7}}); }),
+            "no parameter of a design is called \"gap_m\"");
 }
 
 TEST(StudyVariable, CountsItsValues) {

@@ -7,22 +7,13 @@
 #include <variant>
 #include <vector>
 
+#include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::sizing {
 
 /// A study's design at one point of its search space, with its performance.
-struct EvaluatedDesign {
-  actuator::Design design;
-  actuator::Assembly assembly;
-  simulation::OperatingPoint point;
-  simulation::Performance performance;
-
-  /// A view of this object, which must outlive it.
-  [[nodiscard]] simulation::DesignView view() const {
-    return {.design = design, .assembly = assembly, .point = point, .performance = performance};
-  }
-};
+using simulation::EvaluatedDesign;
 
 /// Why a study's design cannot be evaluated.
 struct NotEvaluated {

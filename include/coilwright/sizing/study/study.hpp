@@ -43,6 +43,9 @@ struct ConfigurationVariable {
 };
 using StudyVariable = std::variant<ParameterVariable, CurrentVariable, ConfigurationVariable>;
 
+/// A variable that moves one of actuator::parameters(). Throws std::invalid_argument where none has that name.
+[[nodiscard]] ParameterVariable parameter_variable(std::string_view name, std::variant<Interval, Choice> range);
+
 /// The name of a variable as files write it: "gap_mm", "current_A", "configuration".
 [[nodiscard]] std::string name_of(const StudyVariable& variable);
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "coilwright/simulation/quantity.hpp"
+
+namespace coilwright::simulation {
+
+/// A design at an operating point with everything that is known of it. It refers to nothing outside itself.
+struct EvaluatedDesign {
+  actuator::Design design;
+  actuator::Assembly assembly;
+  OperatingPoint point;
+  Performance performance;
+
+  /// What the functions of a QuantityTable take: `table.at("mass_g").value(evaluated.view())`. Valid as long as this
+  /// object.
+  [[nodiscard]] DesignView view() const& {
+    return {.design = design, .assembly = assembly, .point = point, .performance = performance};
+  }
+  DesignView view() const&& = delete;
+};
+
+/// Assembles a design and computes its performance at an operating point. Pure: the same input gives the same bits.
+/// Throws std::invalid_argument with the first rule that the design breaks or for a duty outside 0 to 1, and
+/// std::runtime_error with the reason where it has no performance.
+[[nodiscard]] EvaluatedDesign evaluate(actuator::Design design, const OperatingPoint& point);
+
+}  // namespace coilwright::simulation

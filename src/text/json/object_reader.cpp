@@ -120,7 +120,9 @@ void ObjectReader::literal(std::string_view key, std::string_view expected) {
 
 void ObjectReader::finish() const {
   for (const std::string& key : node_.keys()) {
-    if (!asked_for_.contains(key)) throw unknown(key);
+    if (asked_for_.contains(key)) continue;
+    if (key != schema_key || !node_.pointer().empty()) throw unknown(key);
+    (void)node_.find(key)->text();
   }
 }
 

@@ -56,6 +56,19 @@ TEST(ObjectReader, RefusesAnUnknownKeyAndSuggestsTheOneThatWasMeant) {
             "x.json: /coil/colour: unknown key; the keys here are \"pitch_mm\", \"radius_mm\", \"shape\", \"turns\"");
 }
 
+TEST(ObjectReader, AcceptsTheSchemaOfAnEditorAtTheRootOnly) {
+  const auto refusal_of_document = [](std::string_view text) {
+    const Document document = parse_json(text, "x.json");
+    return testing::error_of([&] { (void)read_coil(document.root()); });
+  };
+  const Document document = parse_json(R"({"$schema": "coil.json", "radius_mm": 9.9, "turns": 14})", "x.json");
+  EXPECT_EQ(read_coil(document.root()).turns, 14);
+  EXPECT_EQ(refusal_of_document(R"({"$schema": 3, "radius_mm": 9.9, "turns": 14})"),
+            "x.json: /$schema: must be a text; got 3");
+  EXPECT_EQ(refusal(R"({"$schema": "coil.json", "radius_mm": 9.9, "turns": 14})"),
+            "x.json: /coil/$schema: unknown key; the keys here are \"pitch_mm\", \"radius_mm\", \"shape\", \"turns\"");
+}
+
 TEST(ObjectReader, RefusesAWrongUnit) {
   EXPECT_EQ(refusal(R"({"radius_m": 9.9, "turns": 14})"),
             "x.json: /coil/radius_m: unknown key; did you mean \"radius_mm\"?");

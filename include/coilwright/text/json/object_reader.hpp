@@ -14,6 +14,9 @@
 
 namespace coilwright::text {
 
+/// The key that tells an editor which JSON Schema a document follows. No reader uses it, and no writer writes it.
+inline constexpr std::string_view schema_key = "$schema";
+
 /// Reads the keys of one JSON object, each asked for once, and at the end refuses the ones nobody asked for.
 ///
 ///     const auto coil = read_object(node, [](ObjectReader& in) {
@@ -107,7 +110,8 @@ class ObjectReader {
   /// The object itself: for errors of the reader's own, and for keys that are names (then claim them with at()).
   [[nodiscard]] const Node& node() const noexcept { return node_; }
 
-  /// Throws InputError at the first key that was never asked for, suggesting the one that was probably meant.
+  /// Throws InputError at the first key that was never asked for, suggesting the one that was probably meant. A text
+  /// under `schema_key` is accepted at the root of a document.
   void finish() const;
 
  private:

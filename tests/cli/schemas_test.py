@@ -1,0 +1,354 @@
+"""configs/schemas: what ships follows them, what they refuse the program refuses too, and their names and bounds are the
+program's."""
+
+import copy
+import json
+import re
+import shutil
+import unittest
+import warnings
+
+import jsonschema
+
+from program import CONFIGS, DATA, PAPER_FINGER, ProgramTest, run
+
+ROOT = CONFIGS.parent
+SCHEMAS = {path.name: json.loads(path.read_text()) for path in sorted((CONFIGS / "schemas").glob("*.schema.json"))}
+FORMATS = {"actuator/1": "actuator", "lumped-model/1": "lumped-model", "study/1": "study",
+           "measured-data/1": "measured-data", "experiment/1": "experiment"}
+# An unknown name after --set is told once the file has been read, and before anything is computed.
+READ_ONLY = ["--current", "0.5", "--set", "nothing=1"]
+NOTHING_FEASIBLE = 3
+WAS_READ = re.compile(r"nothing=1: is not a number of a design|is a lumped model: --set changes designs only")
+
+
+def validator(name):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # since 4.18, beyond Debian's
+        resolver = jsonschema.RefResolver(f"file:///{name}.schema.json", SCHEMAS[f"{name}.schema.json"],
+                                          store={f"file:///{file}": schema for file, schema in SCHEMAS.items()})
+        return jsonschema.Draft202012Validator(SCHEMAS[f"{name}.schema.json"], resolver=resolver)
+
+
+VALIDATORS = {file.removesuffix(".schema.json"): validator(file.removesuffix(".schema.json")) for file in SCHEMAS}
+
+
+def schema_of(document):
+    return FORMATS.get(document.get("format"), "pair")
+
+
+def faults(document, name=None):
+    return [f"/{'/'.join(map(str, error.absolute_path))}: {error.message[:200]}"
+            for error in VALIDATORS[name or schema_of(document)].iter_errors(document)]
+
+
+def data_file(name):
+    return json.loads((DATA / "formats" / name).read_text())
+
+
+def changed(document, pointer, value):
+    """A copy with another value at a JSON pointer; None removes the key."""
+    out = copy.deepcopy(document)
+    *parents, last = [int(step) if step.isdigit() else step for step in pointer.split("/")[1:]]
+    at = out
+    for step in parents:
+        at = at[step]
+    if value is None:
+        del at[last]
+    else:
+        at[last] = value
+    return out
+
+
+def resolved(schema, file):
+    """The schema behind a $ref, and the file that it is in."""
+    while "$ref" in schema:
+        target, _, pointer = schema["$ref"].partition("#")
+        file = target or file
+        schema = {**schema, **SCHEMAS[file]}
+        del schema["$ref"]
+        if pointer:
+            schema = SCHEMAS[file]
+            for step in pointer.split("/")[1:]:
+                schema = schema[step]
+    return schema, file
+
+
+def number_rules(schema, document, file, pointer=""):
+    """Pointer and schema of every number of a document."""
+    schema, file = resolved(schema, file)
+    if isinstance(document, dict):
+        for key, value in document.items():
+            if key in schema.get("properties", {}):
+                yield from number_rules(schema["properties"][key], value, file, f"{pointer}/{key}")
+    elif isinstance(document, list):
+        for index, value in enumerate(document):
+            yield from number_rules(schema.get("items", {}), value, file, f"{pointer}/{index}")
+    elif isinstance(document, (int, float)) and not isinstance(document, bool):
+        yield pointer, schema
+
+
+def outside(rule):
+    """Numbers next to the bounds that are not allowed."""
+    for key, sign in (("minimum", -1), ("maximum", 1)):
+        if key in rule:
+            yield rule[key] + sign * max(1e-6 * abs(rule[key]), 1e-12)
+    for key in ("exclusiveMinimum", "exclusiveMaximum"):
+        if key in rule:
+            yield rule[key]
+    if rule.get("type") == "integer":
+        yield rule["minimum"] + 0.5
+    if "enum" in rule:
+        yield max(rule["enum"]) + 0.5
+
+
+def inside(rule):
+    """The bounds that are allowed."""
+    yield from (rule[key] for key in ("minimum", "maximum") if key in rule)
+    yield from rule.get("enum", [])
+
+
+class Schemas(unittest.TestCase):
+    def test_are_schemas(self):
+        for name, schema in SCHEMAS.items():
+            with self.subTest(name):
+                jsonschema.Draft202012Validator.check_schema(schema)
+                self.assertTrue(schema["title"] and schema["description"])
+
+    def test_describe_every_number(self):
+        # Of a number or a choice an editor shows the description.
+        def numbers(schema, file, path):
+            for key, value in schema.get("properties", {}).items():
+                if isinstance(value, dict):
+                    yield f"{path}/{key}", value, file
+                    yield from numbers(value, file, f"{path}/{key}")
+            if isinstance(schema.get("items"), dict):
+                yield from numbers(schema["items"], file, path)
+            for option in schema.get("oneOf", []):
+                yield from numbers(option, file, path)
+
+        for file in ("actuator.schema.json", "effects.schema.json", "lumped-model.schema.json"):
+            for path, schema, where in numbers(SCHEMAS[file], file, file):
+                target = resolved(schema, where)[0]
+                if target.get("type") in ("number", "integer"):
+                    self.assertTrue(schema.get("description") or target.get("description"), path)
+
+    def test_accept_all_that_ships(self):
+        files = [path for folder in ("configs", "studies", "tests/data", "results/reference")
+                 for path in sorted((ROOT / folder).rglob("*.json"))
+                 if "schemas" not in path.parts and path.name not in ("answer.json", "result.json", "reference.json")]
+        met = set()
+        for path in files:
+            document = json.loads(path.read_text())
+            if document.get("format") not in FORMATS and path.parent != DATA / "formats":
+                continue  # a result, or figures to compare with
+            with self.subTest(path.relative_to(ROOT)):
+                self.assertEqual(faults(document), [])
+                met.add(schema_of(document))
+        self.assertEqual(met | {"effects"}, set(VALIDATORS))
+
+    def test_accept_the_examples_of_the_documents(self):
+        examples = [text for page in ("formats.md", "formats-experiment.md")
+                    for text in re.findall(r"```json \w+\n(.*?)```", (ROOT / "docs" / page).read_text(), re.DOTALL)]
+        self.assertGreaterEqual(len(examples), 7)
+        for text in examples:
+            self.assertEqual(faults(json.loads(text)), [])
+
+
+class SchemasAndProgram(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(DATA / "formats" / "dataset", self.folder, dirs_exist_ok=True)
+        for file in (DATA / "formats" / "actuator.json", DATA / "formats" / "lumped_model.json",
+                     DATA / "formats" / "input.csv", CONFIGS / "actuators" / "finger.json"):
+            shutil.copy(file, self.folder)
+
+    def refusal(self, schema, document):
+        """What the program says of a file that it does not take; empty if it takes it."""
+        command = {"actuator": ["evaluate", "input.json", *READ_ONLY],
+                   "lumped-model": ["evaluate", "input.json", *READ_ONLY],
+                   "pair": ["force", "input.json"],
+                   "study": ["pareto", "input.json", "--out", "out", "--max-evaluations", "3"],
+                   "measured-data": ["diagnose", "input.json", "--actuator", "finger.json", "--out", "out"],
+                   "experiment": ["twin", "lumped_model.json", "--experiment", "input.json", "--out", "out"]}[schema]
+        self.write("input.json", json.dumps(document))
+        result = run(*command, cwd=self.folder)
+        if result.returncode in (0, NOTHING_FEASIBLE) or WAS_READ.search(result.stderr):
+            return ""
+        self.assertEqual(result.returncode, 2, result.stderr)
+        return result.stderr
+
+    def test_refuse_the_same(self):
+        bases = {name: data_file(f"{name}.json") for name in ("actuator", "lumped_model", "pair", "two_coils",
+                                                              "two_magnets", "study", "experiment")}
+        bases["experiment"]["runs"][2]["start_angles_deg"] = [9, 3]  # of the two joints of lumped_model.json
+        bases["dataset"] = data_file("dataset/dataset.json")
+        table = [
+            ("actuator", "/colour", "red"), ("actuator", "/format", "actuator/2"), ("actuator", "/format", 1),
+            ("actuator", "/layout", None), ("actuator", "/layout/0", "iron"), ("actuator", "/layout", ["coil"]),
+            ("actuator", "/layout", ["coil", "coil"]), ("actuator", "/polarity/1", 2), ("actuator", "/configuration", "B"),
+            ("actuator", "/polarity/1", "1"), ("actuator", "/coil", 3), ("actuator", "/coil/turns_radial", 14.5),
+            ("actuator", "/coil/radius_mm", 3), ("actuator", "/coil/wire_gauge_AWG", 41),
+            ("actuator", "/magnet/length_m", 0.006), ("actuator", "/body/gap_mm", "0.9"), ("actuator", "/body/gap_mm", 0),
+            ("actuator", "/body/shore_hardness_A", 19), ("actuator", "/surroundings/ambient_degC", -300),
+            ("actuator", "/model/winding", "shells"), ("actuator", "/measured/mass_g", 3),
+            ("actuator", "/calibration", {}), ("actuator", "/name", 3), ("actuator", "/$schema", 3),
+            ("actuator", "/effects", {}), ("actuator", "/effects", [{"id": "friction"}]),
+            ("actuator", "/effects", [{"id": "dry_friction"}]),
+            ("actuator", "/effects", [{"id": "dry_friction", "parameters": {"torque_Nmm": -1}}]),
+            ("actuator", "/effects", [{"id": "dry_friction", "parameters": {"torque_Nm": 1}}]),
+            ("actuator", "/effects", [{"id": "dry_friction", "parameters": {"torque_Nmm": 1}, "note": ""}]),
+            ("actuator", "/effects", [{"parameters": {"torque_Nmm": 1}}]),
+            ("lumped_model", "/links", []), ("lumped_model", "/links/0/mass_kg", 0), ("lumped_model", "/links/0/mass_kg", None),
+            ("lumped_model", "/links/0/mass_g", 3), ("lumped_model", "/joints", None),
+            ("lumped_model", "/joints/0/stiffness_Nm_rad", -1), ("lumped_model", "/joints/0/contact/stiffness_Nm_rad", 0),
+            ("lumped_model", "/joints/0/contact/closing_angle_deg", None), ("lumped_model", "/gravity_m_s2", -9.81),
+            ("lumped_model", "/magnetics/1/torque_Nmm_A", None), ("lumped_model", "/magnetics/1/angle_deg", [0, 1, 2]),
+            ("lumped_model", "/magnetics/1/angle_rad", [0, 1, 2, 3]), ("lumped_model", "/magnetics/0", {}),
+            ("lumped_model", "/magnetics/1/coil", {}),
+            ("pair", "/poses", []), ("pair", "/poses", None), ("pair", "/magnet", None), ("pair", "/magnet/remanence_T", 101),
+            ("pair", "/coil/turns_axial", 0), ("pair", "/currents_A", [1, 2]), ("pair", "/current_A", None),
+            ("pair", "/current_A", 2e6), ("pair", "/winding", "round"), ("pair", "/poses/0/axis", [0, 0]),
+            ("pair", "/poses/0/position_mm/1", "0"), ("pair", "/magnets", []), ("pair", "/format", "pair/1"),
+            ("two_coils", "/current_A", 1), ("two_coils", "/currents_A", [1]), ("two_coils", "/currents_A", None),
+            ("two_coils", "/coils/1", None), ("two_magnets", "/current_A", 1), ("two_magnets", "/magnets/0/radius_mm", -4),
+            ("study", "/name", None), ("study", "/actuator", 3), ("study", "/variables", {}), ("study", "/variables/gap", {}),
+            ("study", "/variables/gap_mm/values", [1]), ("study", "/variables/gap_mm/lower", -1),
+            ("study", "/variables/gap_mm/upper", None), ("study", "/variables/gap_mm/step", 0),
+            ("study", "/variables/turns_radial/lower", 5.5), ("study", "/variables/wire_gauge_AWG/values", []),
+            ("study", "/variables/wire_gauge_AWG/values", [26, 26]), ("study", "/variables/wire_gauge_AWG/values/0", 19),
+            ("study", "/variables/configuration/values", ["E"]), ("study", "/variables/configuration/values", ["A", "A"]),
+            ("study", "/variables/current_A", {"lower": 0, "upper": 1}), ("study", "/operating_point", None),
+            ("study", "/operating_point/current_A", 1), ("study", "/operating_point/duty", 1.5),
+            ("study", "/operating_point/share_of_current_limit", 0), ("study", "/objectives", []),
+            ("study", "/objectives/0", {}), ("study", "/objectives/0/maximise", "speed"),
+            ("study", "/objectives/0/minimise", "mass_g"), ("study", "/constraints/0/quantity", "mass_kg"),
+            ("study", "/constraints/0/at_most", None), ("study", "/constraints/0/at_least", 1),
+            ("study", "/constraints/0/at_most", "66"), ("study", "/search/algorithm", "newton"),
+            ("study", "/search/seed", -1), ("study", "/search/seed", 1.5), ("study", "/search/max_evaluations", 0),
+            ("experiment", "/name", None), ("experiment", "/runs", []), ("experiment", "/sampling_rate_Hz", None),
+            ("experiment", "/sampling_rate_Hz", 0), ("experiment", "/measure", ["angle_deg"]), ("experiment", "/measure", []),
+            ("experiment", "/noise/angle_rad", 0.1), ("experiment", "/noise/angle_deg", -0.1),
+            ("experiment", "/runs/0/file", "a.txt"), ("experiment", "/runs/0/file", "sub/a.csv"),
+            ("experiment", "/runs/0/role", "test"), ("experiment", "/runs/0/kind", "motion"),
+            ("experiment", "/runs/0/duration_s", None), ("experiment", "/runs/0/duration_s", 0),
+            ("experiment", "/runs/0/input", None), ("experiment", "/runs/0/input/sine", {}),
+            ("experiment", "/runs/0/input/step/after_A", None), ("experiment", "/runs/0/input/step/after_V", 1),
+            ("experiment", "/runs/0/input/step/at_s", -1), ("experiment", "/runs/0/drive", "voltage"),
+            ("experiment", "/runs/0/coil", 0), ("experiment", "/runs/0/joint", 1), ("experiment", "/runs/1/coil", 1),
+            ("experiment", "/runs/0/start_angles_deg", [9]), ("experiment", "/runs/2/start_angles_deg", [200]),
+            ("experiment", "/runs/3/currents_A", None), ("experiment", "/runs/3/angles_deg", []),
+            ("experiment", "/runs/3/input", {}), ("experiment", "/runs/3/measure", ["theta1_deg"]),
+            ("dataset", "/runs", []), ("dataset", "/runs/0/file", ""), ("dataset", "/runs/0/kind", "step"),
+            ("dataset", "/runs/0/role", None), ("dataset", "/runs/0/role", "test"), ("dataset", "/runs/0/drive", "pressure"),
+            ("dataset", "/runs/0/start", "anywhere"), ("dataset", "/runs/0/window_s", 0), ("dataset", "/runs/0/sigma", 0),
+            ("dataset", "/runs/0/note", "x"), ("dataset", "/calibrate", ["stiffness"]),
+            ("dataset", "/calibrate", ["joint_stiffness", "joint_stiffness"]), ("dataset", "/description", "x"),
+            ("dataset", "/format", None),
+        ]
+        for name, base in bases.items():
+            with self.subTest(name):
+                self.assertEqual(faults(base), [])
+                if name != "dataset":  # whose diagnosis would take its time
+                    self.assertEqual(self.refusal(schema_of(base), base), "")
+                    self.assertEqual(self.refusal(schema_of(base), {"$schema": "x.json", **base}), "")
+        for name, pointer, value in table:
+            with self.subTest(f"{name} {pointer} {value}"):
+                schema = schema_of(bases[name])
+                document = changed(bases[name], pointer, value)
+                self.assertNotEqual(faults(document, schema), [])
+                self.assertNotEqual(self.refusal(schema, document), "")
+
+    def assert_same_bounds(self, schema, document, within=""):
+        """Every number of a document at and beyond the bounds that its schema gives."""
+        self.assertEqual(faults(document, schema), [])
+        file = f"{schema}.schema.json"
+        for pointer, rule in number_rules(SCHEMAS[file], document, file):
+            if not pointer.startswith(within):
+                continue
+            for value in outside(rule):
+                with self.subTest(f"{pointer} {value}"):
+                    self.assertNotEqual(faults(changed(document, pointer, value), schema), [])
+                    self.assertIn(f" {pointer}: must be ", self.refusal(schema, changed(document, pointer, value)))
+            for value in inside(rule):
+                with self.subTest(f"{pointer} {value}"):
+                    self.assertEqual(faults(changed(document, pointer, value), schema), [])
+                    # What cannot be built is refused too, but not this number.
+                    self.assertNotIn(f" {pointer}: ", self.refusal(schema, changed(document, pointer, value)))
+
+    def test_bound_the_numbers_of_an_actuator_alike(self):
+        measured = data_file("actuator.json")
+        measured["measured"] = {key: 1 for key in SCHEMAS["actuator.schema.json"]["properties"]["measured"]["properties"]}
+        self.assert_same_bounds("actuator", measured, "/measured")
+        sections = ("coil", "magnet", "body", "surroundings", "calibration")
+        properties = SCHEMAS["actuator.schema.json"]["properties"]
+        self.assert_same_bounds("actuator", {
+            "format": "actuator/1", "configuration": "B",
+            **{section: {key: rule["default"] for key, rule in properties[section]["properties"].items()}
+               for section in sections}})
+
+    def test_bound_the_numbers_of_effects_alike(self):
+        # Of a model that can have every effect, for it knows of none.
+        base = json.loads(PAPER_FINGER.read_text())
+        for effect in SCHEMAS["effects.schema.json"]["items"]["oneOf"]:
+            rules = effect["properties"]["parameters"].get("properties", {})
+            values = {key: 1 if "enum" in rule else max(1, resolved(rule, "effects.schema.json")[0]["minimum"])
+                      for key, rule in rules.items()}
+            base["effects"] = [{"id": effect["title"], "parameters": values}]
+            self.assertEqual(faults(base), [])
+            for key, rule in rules.items():
+                rule = resolved(rule, "effects.schema.json")[0]
+                pointer = f"/effects/0/parameters/{key}"
+                for value in outside(rule):
+                    with self.subTest(f"{effect['title']} {key} {value}"):
+                        self.assertNotEqual(faults(changed(base, pointer, value)), [])
+                        self.assertIn(f" {pointer}: must be ", self.refusal("actuator", changed(base, pointer, value)))
+                for value in inside(rule):
+                    with self.subTest(f"{effect['title']} {key} {value}"):
+                        self.assertEqual(faults(changed(base, pointer, value)), [])
+                        self.assertEqual(self.refusal("actuator", changed(base, pointer, value)), "")
+
+    def test_bound_the_numbers_of_other_files_alike(self):
+        self.assert_same_bounds("lumped-model", data_file("lumped_model.json"))
+        self.assert_same_bounds("pair", data_file("pair.json"))
+
+    def test_know_every_section_of_an_actuator(self):
+        # The sections that `size` writes are complete.
+        self.write("plain.json", '{"format": "actuator/1", "configuration": "B"}')
+        self.write("study.json", json.dumps(
+            {"format": "study/1", "name": "x", "actuator": "plain.json", "operating_point": {"current_A": 0.5},
+             "variables": {"turns_axial": {"values": [30]}}, "objectives": [{"minimise": "mass_g"}]}))
+        self.assertEqual(run("size", "study.json", "--out", "out", cwd=self.folder).returncode, 0)
+        written = self.result("out/actuator.json")
+        properties = SCHEMAS["actuator.schema.json"]["properties"]
+        for section in ("coil", "magnet", "body", "surroundings", "model", "calibration"):
+            self.assertEqual({key: rule["default"] for key, rule in properties[section]["properties"].items()},
+                             written[section])
+
+    def test_know_every_effect(self):
+        listed = re.findall(r"^  EFFECT\((\w+)\)", (ROOT / "src/actuator/effects/standard_effects.cpp").read_text(), re.M)
+        self.assertEqual([effect["title"] for effect in SCHEMAS["effects.schema.json"]["items"]["oneOf"]], listed)
+
+    def test_know_every_quantity(self):
+        result = run("evaluate", PAPER_FINGER, "--current", "1", "--json")
+        printed = [key for key, value in json.loads(result.stdout).items() if not isinstance(value, (list, dict))]
+        self.assertEqual(SCHEMAS["study.schema.json"]["$defs"]["quantity"]["enum"], printed)
+
+    def test_know_every_variable_and_algorithm_of_a_study(self):
+        study = data_file("study.json")
+        rows = re.findall(r"^\| `(\w+)` \| [^|`]+ \| `(\w+)` \|", (ROOT / "docs/formats.md").read_text(), re.M)
+        factors = SCHEMAS["actuator.schema.json"]["properties"]["calibration"]["properties"]
+        names = {"configuration", "current_A", *(name for _, name in rows), *factors}
+        variables = SCHEMAS["study.schema.json"]["properties"]["variables"]["properties"]
+        self.assertEqual(set(variables), names)
+        for name in sorted(names - {"configuration", "current_A"}):
+            # Far above every number there is: told of the bound, and not of the name.
+            refusal = self.refusal("study", changed(study, "/variables", {name: {"values": [1e9]}}))
+            self.assertIn(f" /variables/{name}/values/0: must be ", refusal)
+        refusal = self.refusal("study", changed(study, "/search/algorithm", "newton"))
+        algorithms = SCHEMAS["study.schema.json"]["properties"]["search"]["properties"]["algorithm"]["enum"]
+        self.assertIn(f"must be one of {', '.join(algorithms)}; got", refusal)
+
+
+if __name__ == "__main__":
+    unittest.main()

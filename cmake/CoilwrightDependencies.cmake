@@ -1,16 +1,12 @@
 # Everything comes from the system's packages; scripts/setup.sh installs it.
-find_package(NLopt 2.7 CONFIG REQUIRED)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Boost 1.74 CONFIG REQUIRED)
-find_package(nlohmann_json 3.11 REQUIRED)
-find_package(TBB 2021 REQUIRED)
-find_package(fmt 9 REQUIRED)
-find_package(hwy 1.0.3 CONFIG REQUIRED)
-find_package(CLI11 2.1 REQUIRED)
-find_package(Ceres 2.1 CONFIG REQUIRED)
-find_package(glog 0.4 REQUIRED)
-find_package(LibCsv REQUIRED)
+include(CoilwrightPackages)
+foreach(package IN LISTS coilwright_packages)
+  find_package(${coilwright_find_${package}} REQUIRED)
+endforeach()
 
+# Of the program and the tests alone.
+find_package(CLI11 2.1 REQUIRED)
+find_package(glog 0.4 REQUIRED)
 if(COILWRIGHT_TESTS)
   find_package(GTest 1.12 REQUIRED)
 endif()

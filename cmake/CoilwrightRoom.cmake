@@ -16,7 +16,14 @@ function(coilwright_room name)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
   coilwright_warnings(${target})
   coilwright_precompile(${target})
-  install(TARGETS ${target} EXPORT coilwright-targets)
+  coilwright_component(${name})
+endfunction()
+
+# coilwright_component(<name>): the library coilwright_<name> is a component of the installed package. It links only
+# components that were added before.
+function(coilwright_component name)
+  set_property(GLOBAL APPEND PROPERTY COILWRIGHT_COMPONENTS ${name})
+  install(TARGETS coilwright_${name} EXPORT coilwright-${name})
 endfunction()
 
 # Warnings are ours, never a consumer's: private, and errors only where COILWRIGHT_WERROR says so (CI).

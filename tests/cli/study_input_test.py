@@ -41,7 +41,10 @@ class StudyInput(ProgramTest):
              '; got text "peak_speed"'),
             ({"objectives": [{"maximise": "mass_kg"}]}, "/objectives/0/maximise: " + QUANTITY_RULE +
              '; did you mean "mass_g"?; got text "mass_kg"'),
-            ({"objectives": [{"maximize": "mass_g"}]}, '/objectives/0: needs one of "maximise", "minimise"'),
+            ({"objectives": [{"maximum": "mass_g"}]},
+             '/objectives/0: needs one of "maximise", "minimise", "maximize", "minimize"'),
+            ({"objectives": [{"maximise": "mass_g", "minimize": "mass_g"}]},
+             '/objectives/0/minimize: cannot stand beside "maximise"'),
             ({"objectives": [{"maximise": 3}]}, "/objectives/0/maximise: must be a text; got 3"),
             (variable("gap_m", lower=1, upper=2), '/variables/gap_m: is not a variable of a design; did you mean '
              '"gap_mm"?'),

@@ -111,9 +111,10 @@ std::vector<StudyVariable> read_variables(const Node& node) {
 
 StudyObjective read_objective(const Node& node, const QuantityTable& quantities) {
   return read_object(node, [&quantities](ObjectReader& in) {
-    const std::string sense = in.one_of({"maximise", "minimise"});
+    // British as everything is written, and American as many people type it.
+    const std::string sense = in.one_of({"maximise", "minimise", "maximize", "minimize"});
     return StudyObjective{.quantity = read_quantity(in.at(sense), quantities),
-                          .sense = sense == "maximise" ? Sense::maximise : Sense::minimise};
+                          .sense = sense.starts_with("max") ? Sense::maximise : Sense::minimise};
   });
 }
 

@@ -54,6 +54,19 @@ TEST_F(StudyFile, IsReadWithTheActuatorBesideIt) {
   EXPECT_EQ(study.search.seed, 9007199254740992u);
 }
 
+TEST_F(StudyFile, TakesAmericanSpellingOfTheSense) {
+  std::string american = text;
+  for (const auto* word : {"maximise", "minimise"}) {
+    const std::size_t at = american.find(word);
+    ASSERT_NE(at, std::string::npos);
+    american[at + 6] = 'z';
+  }
+  const Study study = parse(american);
+  ASSERT_EQ(study.objectives.size(), 2u);
+  EXPECT_EQ(study.objectives[0].sense, Sense::maximise);
+  EXPECT_EQ(study.objectives[1].sense, Sense::minimise);
+}
+
 TEST_F(StudyFile, KeepsItsVariablesInTheOrderWritten) {
   const Study study = parse(text);
   ASSERT_EQ(study.variables.size(), 5u);

@@ -20,6 +20,7 @@ class DeclaredDesign {
   DeclaredDesign(actuator::Design design, actuator::Measured measured, actuator::ModelSpec assembled,
                  std::vector<CalibratableNumber<DesignTarget>> numbers);
 
+  /// What a fit must know of the numbers, in their order.
   [[nodiscard]] std::vector<CalibrationParameter> parameters() const;
 
   /// The model with those values (SI, one per number). Throws std::invalid_argument where they make no model.

@@ -17,6 +17,7 @@ class DeclaredLumpedModel {
   DeclaredLumpedModel(actuator::LumpedModel model, actuator::LumpedMagnetics magnetics,
                       std::vector<CalibratableNumber<LumpedTarget>> numbers);
 
+  /// What a fit must know of the numbers, in their order.
   [[nodiscard]] std::vector<CalibrationParameter> parameters() const;
 
   /// The model with those values (SI, one per number). Throws std::invalid_argument where they make no model.

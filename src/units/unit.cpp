@@ -60,6 +60,7 @@ constexpr std::array table = {
     Unit{"Nm_A", "torque per current"},
     Unit{"Nmm_A", "torque per current", 1, 1e3},
     Unit{"N_A", "force per current"},
+    Unit{"N_kg", "force per mass"},
     Unit{"Nm_rad", "angular stiffness"},
     Unit{"Nmm_rad", "angular stiffness", 1, 1e3},
     Unit{"Nm_deg", "angular stiffness", 180, pi},

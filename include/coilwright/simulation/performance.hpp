@@ -7,15 +7,12 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/simulation/modes.hpp"
 
 namespace coilwright::simulation {
 
-/// How an actuator is driven.
-struct OperatingPoint {
-  double current{};   ///< in every coil while on, A; finite
-  double duty = 1.0;  ///< fraction of the time that it is on, 0 to 1, for heat only; periods short beside thermal ones
-};
+using actuator::OperatingPoint;
 
 /// How a model moves and pulls at one current.
 struct MotionSummary {

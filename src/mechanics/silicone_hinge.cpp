@@ -21,6 +21,24 @@ double young_modulus_from_shore_a(double shore_a) {
   return 1e6 * 0.0981 * (56.0 + 7.62336 * shore_a) / (0.137505 * (254.0 - 2.54 * shore_a));
 }
 
+double ligament_stiffness(const Ligament& ligament, const Rubber& rubber) {
+  check_positive(ligament.width, "width");
+  check_positive(ligament.height, "height");
+  if (!std::isfinite(ligament.slot_width) || ligament.slot_width < 0.0)
+    throw std::invalid_argument(fmt::format("slot_width must be finite and >= 0; got {}", ligament.slot_width));
+  check_positive(rubber.young_modulus, "young_modulus");
+  if (!(rubber.poisson_ratio >= 0.0 && rubber.poisson_ratio <= 0.5))
+    throw std::invalid_argument(fmt::format("poisson_ratio must lie in 0 to 0.5; got {}", rubber.poisson_ratio));
+  // Compliance of the slit, of the beam that a slot adds, and what the two have in common.
+  constexpr double slit = 15.8;
+  constexpr double shared = 0.503;
+  constexpr double reach = 0.22;
+  const double slot = ligament.slot_width / ligament.height;
+  const double compliance = slit + 12.0 * slot - shared * (1.0 - std::exp(-slot / reach));
+  const double plane_strain_modulus = rubber.young_modulus / (1.0 - rubber.poisson_ratio * rubber.poisson_ratio);
+  return plane_strain_modulus * ligament.width * ligament.height * ligament.height / compliance;
+}
+
 double hinge_stiffness(const HingeStrip& strip, double young_modulus) {
   check_positive(strip.width, "width");
   check_positive(strip.height, "height");

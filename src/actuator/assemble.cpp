@@ -47,16 +47,18 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
   const double modulus = mechanics::young_modulus_from_shore_a(design.body.shore_hardness);
   const double strip = mechanics::hinge_stiffness(
       {.width = size.width, .height = design.body.bottom_layer, .length = design.body.hinge_length}, modulus);
-  const double wall = mechanics::wall_stiffness(
-      {.width = size.width, .height = size.face_height, .thickness = design.body.gap, .young_modulus = modulus});
   const int n = chain.joints();
   const mechanics::JointVector mobility = chain.joint_mobility();
-  const double closing_angle = design.choices.faces == ContactChoice::walls ? 0.0 : -size.closing_angle;
+  const bool walls = design.choices.faces == ContactChoice::walls;
   std::vector<Hinge> hinges(n);
   for (int j = 0; j < n; ++j) {
+    const double wall = mechanics::wall_stiffness({.width = size.width,
+                                                   .height = face_height_of_joint(design, size, j),
+                                                   .thickness = gap_of_joint(design, j),
+                                                   .young_modulus = modulus});
     hinges[j] = {.stiffness = design.calibration.joint_stiffness * strip,
                  .damping = design.calibration.joint_damping * strip * design.body.loss_time,
-                 .contact = {.closing_angle = closing_angle,
+                 .contact = {.closing_angle = walls ? 0.0 : -closing_angle_of_joint(design, size, j),
                              .stiffness = wall,
                              .damping = mechanics::contact_damping(wall, mobility[j])}};
   }

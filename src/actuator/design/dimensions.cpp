@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 #include "coilwright/winding/packing.hpp"
@@ -191,6 +192,26 @@ Dimensions dimensions(const Design& design) {
   out.face_height = out.axis_offset + std::min(out.coil_outer_radius, design.magnet.radius);
   out.closing_angle = body.gap / out.face_height;
   return out;
+}
+
+double gap_of_joint(const Design& design, int joint) {
+  const auto wall = [&](int component) {
+    const bool magnet = design.layout[static_cast<std::size_t>(component)].kind == ComponentKind::magnet;
+    return magnet ? 1.0 - coil_wall_share : coil_wall_share;
+  };
+  return (wall(joint) + wall(joint + 1)) * design.body.gap;
+}
+
+double face_height_of_joint(const Design& design, const Dimensions& dimensions, int joint) {
+  const auto radius = [&](int component) {
+    const bool magnet = design.layout[static_cast<std::size_t>(component)].kind == ComponentKind::magnet;
+    return magnet ? design.magnet.radius : dimensions.coil_outer_radius;
+  };
+  return dimensions.axis_offset + std::min(radius(joint), radius(joint + 1));
+}
+
+double closing_angle_of_joint(const Design& design, const Dimensions& dimensions, int joint) {
+  return gap_of_joint(design, joint) / face_height_of_joint(design, dimensions, joint);
 }
 
 }  // namespace coilwright::actuator

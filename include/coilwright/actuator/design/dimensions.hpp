@@ -36,14 +36,26 @@ struct Dimensions {
   double effective_length{};   ///< all components and the front part (l_e)
   double total_length{};       ///< with the rear part
   double face_height{};        ///< hinge line to the top of the smaller of coil and magnet
-  /// Joint angle, rad, > 0, by which a joint closes from 0 until coil and magnet touch there: gap over height, to first
-  /// order (the next term is below 0.1 % at 3 degrees).
+  /// Angle, rad, > 0, by which a joint between coil and magnet closes from 0 until they touch there: gap over height,
+  /// to first order (the next term is below 0.1 % at 3 degrees).
   double closing_angle{};
 };
 
 /// Precondition: construction_faults(design) is empty. Throws std::invalid_argument (naming the rule) where the winding
 /// is none.
 [[nodiscard]] Dimensions dimensions(const Design& design);
+
+/// Silicone between the two components that joint `joint` (0 is the base's) separates, with the joint straight, m: the
+/// walls of both. Between a coil and a magnet it is the design's gap, between two coils two coil walls, 2/3 of it.
+/// Precondition as above, and 0 <= joint < components - 1.
+[[nodiscard]] double gap_of_joint(const Design& design, int joint);
+
+/// Height of the faces that meet at that joint, hinge line to the top of the smaller of the two components, m.
+[[nodiscard]] double face_height_of_joint(const Design& design, const Dimensions& dimensions, int joint);
+
+/// Angle by which that joint closes from 0 until its two components touch at their top, rad, > 0; to first order as
+/// Dimensions::closing_angle, which it is between a coil and a magnet.
+[[nodiscard]] double closing_angle_of_joint(const Design& design, const Dimensions& dimensions, int joint);
 
 /// The coil of a design, its pitches scaled by the calibration. Precondition as above.
 [[nodiscard]] winding::Winding winding_of(const Design& design);

@@ -24,7 +24,7 @@ const simulation::ResultQuantity grip_per_mass = {
     .name = "grip_per_mass_N_kg",
     .meaning = "grasp force divided by the mass of the actuator",
     .scale = 15.0,
-    .value = [](const simulation::DesignView& d) { return d.performance.motion.grasp_force / d.performance.mass; }};
+    .value = [](const simulation::DesignView& d) { return d.performance.cold.grasp_force / d.performance.mass; }};
 
 // The study in code. From a file it is formats::read_study(path, table): the file may then ask for the quantity, too.
 sizing::Study study() {

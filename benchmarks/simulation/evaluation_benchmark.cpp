@@ -47,7 +47,7 @@ double evaluate(Design& design, int number) {
   design.body.gap = 0.9e-3 + 1e-7 * (number % 1000);
   const actuator::Assembly assembly = actuator::assemble_or_throw(design);
   const auto result = performance_of(design, assembly, {.current = 1.4});
-  return std::get<Performance>(result).motion.peak_bending_speed;
+  return std::get<Performance>(result).cold.peak_bending_speed;
 }
 
 void whole_evaluation(benchmark::State& state, magnetics::Fidelity torque, Configuration configuration) {

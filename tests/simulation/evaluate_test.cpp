@@ -16,8 +16,8 @@ TEST(Evaluate, GivesThePerformanceOfTheAssembledDesign) {
   const EvaluatedDesign evaluated = evaluate(design, point);
   const auto parts = performance_of(design, actuator::assemble_or_throw(design), point);
   const auto& expected = std::get<Performance>(parts);
-  EXPECT_EQ(evaluated.performance.motion.steady_angles, expected.motion.steady_angles);
-  EXPECT_EQ(evaluated.performance.heat.coil_temperature, expected.heat.coil_temperature);
+  EXPECT_EQ(evaluated.performance.cold.steady_angles, expected.cold.steady_angles);
+  EXPECT_EQ(evaluated.performance.free.heat.coil_temperature, expected.free.heat.coil_temperature);
   EXPECT_EQ(standard_quantities().at("mass_g").value(evaluated.view()), expected.mass * 1e3);
   EXPECT_EQ(evaluated.view().point.duty, 0.3);
 }

@@ -17,7 +17,7 @@ Performance at(const actuator::Design& design, double current) {
 // The model column of the review of the paper (tests/data/actuator_SOURCES.md): worked out from the corrected equations
 // with Table II, independently of this code. Every tolerance is half of the last digit that it gives.
 TEST(PaperFinger, HangsAndBendsAsTheReviewSays) {
-  const MotionSummary motion = at(actuator::paper_finger(), 1.4).motion;
+  const MotionSummary motion = at(actuator::paper_finger(), 1.4).cold;
   EXPECT_NEAR(motion.rest_angles[0] / degree, 13.52, 0.005);
   EXPECT_NEAR(motion.rest_angles[1] / degree, 7.55, 0.005);
   EXPECT_NEAR(motion.steady_angles[0] / degree, 32.24, 0.005);
@@ -27,19 +27,19 @@ TEST(PaperFinger, HangsAndBendsAsTheReviewSays) {
 
 TEST(PaperFinger, BendsLessAtLessCurrentAsTheReviewSays) {
   const actuator::Design design = actuator::paper_finger();
-  EXPECT_NEAR(at(design, 0.35).motion.steady_angles.sum() / degree, 38.29, 0.005);
-  EXPECT_NEAR(at(design, 0.7).motion.steady_angles.sum() / degree, 48.98, 0.005);
-  EXPECT_NEAR(at(design, 1.05).motion.steady_angles.sum() / degree, 57.04, 0.005);
+  EXPECT_NEAR(at(design, 0.35).cold.steady_angles.sum() / degree, 38.29, 0.005);
+  EXPECT_NEAR(at(design, 0.7).cold.steady_angles.sum() / degree, 48.98, 0.005);
+  EXPECT_NEAR(at(design, 1.05).cold.steady_angles.sum() / degree, 57.04, 0.005);
 }
 
 TEST(PaperFinger, IsAsFastAsTheReviewSays) {
-  const MotionSummary motion = at(actuator::paper_finger(), 1.4).motion;
+  const MotionSummary motion = at(actuator::paper_finger(), 1.4).cold;
   EXPECT_NEAR(motion.peak_bending_speed / degree, 1708.0, 0.5);
   EXPECT_NEAR(motion.peak_speed_time, 31e-3, 0.5e-3);
 }
 
 TEST(PaperFinger, GraspsAsTheReviewSays) {
-  const MotionSummary motion = at(actuator::paper_finger(), 1.4).motion;
+  const MotionSummary motion = at(actuator::paper_finger(), 1.4).cold;
   EXPECT_NEAR(motion.grasp_force, 1.12, 0.005);
   EXPECT_NEAR(motion.grasp_angles[0] / degree, -2.2, 0.05);
   EXPECT_NEAR(motion.contact_force_no_current, 0.142, 0.0005);
@@ -57,13 +57,13 @@ TEST(PaperFinger, PushesItsMagnetAsTheReviewSays) {
 TEST(PaperFinger, MovesByWhatEachConventionIsWorth) {
   actuator::Design design = actuator::paper_finger();
   design.choices.masses = actuator::SegmentMass::rigid_bodies;
-  EXPECT_NEAR(at(design, 1.4).motion.peak_bending_speed / degree, 1617.0, 0.5);
+  EXPECT_NEAR(at(design, 1.4).cold.peak_bending_speed / degree, 1617.0, 0.5);
   design.choices.torque = magnetics::Fidelity::exact;
   design.choices.winding = magnetics::CurrentDistribution::uniform;
-  EXPECT_NEAR(at(design, 1.4).motion.peak_bending_speed / degree, 1586.0, 0.5);
+  EXPECT_NEAR(at(design, 1.4).cold.peak_bending_speed / degree, 1586.0, 0.5);
   design = actuator::paper_finger();
   design.choices.faces = actuator::ContactChoice::walls;
-  EXPECT_NEAR(at(design, 1.4).motion.grasp_force, 1.284, 0.0005);
+  EXPECT_NEAR(at(design, 1.4).cold.grasp_force, 1.284, 0.0005);
 }
 
 }  // namespace

@@ -30,19 +30,19 @@ TEST(Performance, AddsUpItsElectricalSide) {
 TEST(Performance, HeatsToItsLimitsAtItsContinuousCurrent) {
   const Design design = actuator::paper_finger();
   const Performance p = at(design, {.current = 1.1});
-  EXPECT_NEAR(p.heat.continuous_current, 1.1, 1e-9);
-  EXPECT_NEAR(p.heat.coil_temperature.value(), 155.0, 1e-6);
-  EXPECT_NEAR(at(design, {.current = p.heat.magnet_continuous_current}).heat.magnet_temperature.value(), 80.0, 1e-6);
-  EXPECT_FALSE(at(design, {.current = 1.01 * p.heat.runaway_current}).heat.coil_temperature.has_value());
-  EXPECT_TRUE(at(design, {.current = 0.99 * p.heat.runaway_current}).heat.coil_temperature.has_value());
+  EXPECT_NEAR(p.free.heat.continuous_current, 1.1, 1e-9);
+  EXPECT_NEAR(p.free.heat.coil_temperature.value(), 155.0, 1e-6);
+  EXPECT_NEAR(at(design, {.current = p.free.heat.magnet_continuous_current}).free.heat.magnet_temperature.value(), 80.0, 1e-6);
+  EXPECT_FALSE(at(design, {.current = 1.01 * p.free.heat.runaway_current}).free.heat.coil_temperature.has_value());
+  EXPECT_TRUE(at(design, {.current = 0.99 * p.free.heat.runaway_current}).free.heat.coil_temperature.has_value());
 }
 
 TEST(Performance, CountsDutyForHeatOnly) {
   const Design design = actuator::paper_finger();
   const Performance half = at(design, {.current = 1.4, .duty = 0.5});
   const Performance steady = at(design, {.current = 1.4 * std::sqrt(0.5)});
-  EXPECT_NEAR(half.heat.coil_temperature.value(), steady.heat.coil_temperature.value(), 1e-9);
-  EXPECT_EQ(half.motion.peak_bending_speed, at(design, {.current = 1.4}).motion.peak_bending_speed);
+  EXPECT_NEAR(half.free.heat.coil_temperature.value(), steady.free.heat.coil_temperature.value(), 1e-9);
+  EXPECT_EQ(half.cold.peak_bending_speed, at(design, {.current = 1.4}).cold.peak_bending_speed);
 }
 
 TEST(Performance, SaysWhyThereIsNone) {
@@ -71,19 +71,19 @@ TEST(Performance, IsTheSameBitsEveryTime) {
   const Design design = actuator::paper_finger();
   const Performance first = at(design, {.current = 1.23});
   const Performance second = at(design, {.current = 1.23});
-  EXPECT_EQ(first.motion.peak_bending_speed, second.motion.peak_bending_speed);
-  EXPECT_EQ(first.motion.settling_time, second.motion.settling_time);
-  EXPECT_EQ(first.motion.grasp_force, second.motion.grasp_force);
-  EXPECT_EQ(first.heat.coil_temperature, second.heat.coil_temperature);
+  EXPECT_EQ(first.cold.peak_bending_speed, second.cold.peak_bending_speed);
+  EXPECT_EQ(first.cold.settling_time, second.cold.settling_time);
+  EXPECT_EQ(first.cold.grasp_force, second.cold.grasp_force);
+  EXPECT_EQ(first.free.heat.coil_temperature, second.free.heat.coil_temperature);
 }
 
 bool all_finite(const Performance& p) {
-  const MotionSummary& m = p.motion;
+  const MotionSummary& m = p.cold;
   bool finite = m.rest_angles.allFinite() && m.steady_angles.allFinite() && m.grasp_angles.allFinite() &&
                 std::isfinite(m.peak_bending_speed + m.peak_speed_time + m.overshoot + m.rise_time.value_or(0.0) +
                               m.settling_time.value_or(0.0) + m.grasp_force + m.contact_force_no_current) &&
-                std::isfinite(p.heat.coil_temperature.value_or(0.0) + p.heat.magnet_temperature.value_or(0.0) +
-                              p.heat.continuous_current + p.heat.magnet_continuous_current + p.heat.runaway_current) &&
+                std::isfinite(p.free.heat.coil_temperature.value_or(0.0) + p.free.heat.magnet_temperature.value_or(0.0) +
+                              p.free.heat.continuous_current + p.free.heat.magnet_continuous_current + p.free.heat.runaway_current) &&
                 std::isfinite(p.axial_force + p.mass + p.inductance + p.voltage + p.power + p.cost);
   for (const Mode& mode : m.modes) finite = finite && std::isfinite(mode.natural_frequency + mode.damping_ratio);
   return finite && !m.modes.empty() && m.grasp_force >= 0.0 && m.overshoot >= 0.0;

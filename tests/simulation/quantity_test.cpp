@@ -24,7 +24,7 @@ ResultQuantity specific_grasp_force() {
   return {.name = "grasp_force_per_mass_N_kg",
           .meaning = "grasp force divided by the mass of the actuator",
           .scale = 15.0,
-          .value = [](const DesignView& d) { return d.performance.motion.grasp_force / d.performance.mass; }};
+          .value = [](const DesignView& d) { return d.performance.cold.grasp_force / d.performance.mass; }};
 }
 
 std::string refusal_of(const ResultQuantity& quantity) {
@@ -78,7 +78,7 @@ TEST(Quantities, OfALumpedModelAreThoseOfADesign) {
   for (const ResultQuantity& quantity : standard_quantities()) {
     if (!quantity.value_of_lumped) continue;
     ++lumped;
-    EXPECT_EQ(quantity.value_of_lumped(base.performance.motion, base.point.current), quantity.value(base.view()))
+    EXPECT_EQ(quantity.value_of_lumped(base.performance.cold, base.point.current), quantity.value(base.view()))
         << quantity.name;
   }
   // Two angles, five numbers of the step, frequency and damping of a mode, two forces and the current.

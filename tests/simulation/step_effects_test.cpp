@@ -197,10 +197,10 @@ TEST(PerformanceEffects, TakeAGainAsMoreCurrent) {
   design.effects = {{&sample::force_gain, {1.5}}};
   const Performance gained = performance(0.8);
   EXPECT_NEAR(gained.axial_force, plain.axial_force, 1e-12);
-  EXPECT_NEAR(gained.motion.peak_bending_speed, plain.motion.peak_bending_speed, 1e-9);
-  EXPECT_NEAR(gained.motion.grasp_force, plain.motion.grasp_force, 1e-9);
+  EXPECT_NEAR(gained.cold.peak_bending_speed, plain.cold.peak_bending_speed, 1e-9);
+  EXPECT_NEAR(gained.cold.grasp_force, plain.cold.grasp_force, 1e-9);
   // Two ways of seeing when it has settled, the same time.
-  EXPECT_NEAR(*gained.motion.settling_time, *plain.motion.settling_time, 1e-9);
+  EXPECT_NEAR(*gained.cold.settling_time, *plain.cold.settling_time, 1e-9);
   EXPECT_NEAR(gained.voltage, plain.voltage / 1.5, 1e-12);
 }
 

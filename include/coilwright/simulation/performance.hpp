@@ -9,13 +9,14 @@
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/simulation/modes.hpp"
+#include "coilwright/thermal/network.hpp"
 
 namespace coilwright::simulation {
 
 using actuator::OperatingPoint;
 
-/// How a model moves and pulls at one current.
-struct MotionSummary {
+/// How a free finger moves at one current.
+struct FreeMotion {
   mechanics::JointVector rest_angles;    ///< hanging without current, rad
   mechanics::JointVector steady_angles;  ///< where a step from rest ends, rad
   double peak_bending_speed{};           ///< of that step, rad/s
@@ -24,25 +25,46 @@ struct MotionSummary {
   std::optional<double> rise_time;       ///< 10 to 90 %, s
   std::optional<double> settling_time;   ///< to 2 %, s
   std::vector<Mode> modes;               ///< at the steady angles, slowest first
-  double grasp_force{};                  ///< tip against a wall, straight finger, N
-  mechanics::JointVector grasp_angles;   ///< of the joints in that grasp, rad
-  double contact_force_no_current{};     ///< the same without current, N
 };
 
-/// What coils and magnets reach when the operating point is held.
+/// How a finger pulls whose tip is held.
+struct Grasp {
+  double grasp_force{};                 ///< tip against a wall, straight finger, N
+  mechanics::JointVector grasp_angles;  ///< of the joints in that grasp, rad
+  double contact_force_no_current{};    ///< the same without current, N
+};
+
+/// How a model moves and pulls at one current.
+struct MotionSummary : FreeMotion, Grasp {};
+
+/// What coils and magnets reach when the operating point is held in one pose.
 struct Heat {
   std::optional<double> coil_temperature;    ///< hottest coil, degC; nothing in a thermal runaway
   std::optional<double> magnet_temperature;  ///< hottest magnet, degC; likewise
+  thermal::NodeVector temperatures;          ///< of every component, base to tip, degC; empty in a thermal runaway
   double continuous_current{};               ///< largest steady current for the coils' limit, A
-  double magnet_continuous_current{};        ///< likewise for the magnets' limit with joints at 30 degrees, A
+  double magnet_continuous_current{};        ///< likewise for the magnets' limit, A
   double runaway_current{};                  ///< above it there is no steady state, A
+};
+
+/// The finger held free at the operating point.
+struct FreeCase {
+  Heat heat;                         ///< at its steady joint angles
+  std::optional<FreeMotion> motion;  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
+};
+
+/// The finger held against a wall at the operating point.
+struct GrippingCase {
+  Heat heat;                   ///< at the joint angles of the grasp
+  std::optional<Grasp> grasp;  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
 };
 
 /// All that is known of a design at an operating point.
 struct Performance {
-  MotionSummary motion;
-  Heat heat;
-  double axial_force{};      ///< of one coil on a magnet at the rest gap, N, positive for repulsion
+  MotionSummary cold;  ///< with everything at 20 degC, where remanence and resistance are stated
+  FreeCase free;
+  GrippingCase gripping;
+  double axial_force{};      ///< of one coil on a magnet at the rest gap, 20 degC, N, positive for repulsion
   double mass{};             ///< kg
   double coil_resistance{};  ///< one coil at 20 degC, ohm
   double inductance{};       ///< one coil, H
@@ -57,7 +79,8 @@ struct NoPerformance {
   std::string reason;
 };
 
-/// Motion of any model, also one that is given by its lumps alone.
+/// Motion of any model as it stands, also one that is given by its lumps alone: magnets have their remanence at 20
+/// degC.
 [[nodiscard]] std::variant<MotionSummary, NoPerformance> motion_of(const actuator::Model& model, double current);
 
 /// Everything of an assembled design. Pure: the same input gives the same bits. Throws std::invalid_argument for a duty

@@ -41,7 +41,7 @@ void add_joints_and_modes(Json& out, const MotionSummary& motion) {
 Json to_json(const simulation::DesignView& design, const QuantityTable& quantities) {
   Json out = Json::object();
   for (const ResultQuantity& quantity : quantities) out.set(quantity.name, number_or_null(quantity.value(design)));
-  add_joints_and_modes(out, design.performance.motion);
+  add_joints_and_modes(out, design.performance.cold);
   return out;
 }
 

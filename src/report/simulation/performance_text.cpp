@@ -43,7 +43,7 @@ std::string to_text(const simulation::DesignView& design, const QuantityTable& q
   std::string text;
   for (const ResultQuantity& quantity : quantities)
     text += value_line(quantity.name, quantity.value(design), quantity.meaning);
-  return text + joint_lines(design.performance.motion);
+  return text + joint_lines(design.performance.cold);
 }
 
 std::string to_text(const MotionSummary& motion, double current, const QuantityTable& quantities) {

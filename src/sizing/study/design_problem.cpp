@@ -70,10 +70,11 @@ DesignResult evaluate_design(actuator::Design design, const Current& current, do
 NotEvaluated without(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
   const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
   std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
-  const simulation::Heat& heat = design.performance.heat;
-  if (heat.coil_temperature) return {.reason = std::move(reason), .infeasibility = 1.0};
+  const simulation::Heat& free = design.performance.free.heat;
+  const simulation::Heat& gripping = design.performance.gripping.heat;
+  if (free.coil_temperature && gripping.coil_temperature) return {.reason = std::move(reason), .infeasibility = 1.0};
   const double rms = std::abs(design.point.current) * std::sqrt(design.point.duty);
-  return {.reason = std::move(reason), .infeasibility = rms / heat.runaway_current};
+  return {.reason = std::move(reason), .infeasibility = rms / std::min(free.runaway_current, gripping.runaway_current)};
 }
 
 Evaluation failed(const NotEvaluated& why) {

@@ -56,7 +56,7 @@ TEST(DesignProblem, TakesAnObjectiveOfAUsersOwn) {
                                     .scale = 15.0,
                                     .value =
                                         [](const simulation::DesignView& d) {
-                                          return d.performance.motion.grasp_force / d.performance.mass;
+                                          return d.performance.cold.grasp_force / d.performance.mass;
                                         }},
                        .sense = Sense::maximise}};
   const DesignProblem problem(study);
@@ -64,7 +64,7 @@ TEST(DesignProblem, TakesAnObjectiveOfAUsersOwn) {
   const auto design = std::get<EvaluatedDesign>(problem.evaluate(point));
   EXPECT_EQ(problem.problem().objectives[0].name, "grasp_force_per_mass_N_kg");
   EXPECT_EQ(problem.problem().evaluate(point).objectives,
-            (std::vector{design.performance.motion.grasp_force / design.performance.mass}));
+            (std::vector{design.performance.cold.grasp_force / design.performance.mass}));
 }
 
 TEST(DesignProblem, NeedNotOutliveTheProblemItGives) {

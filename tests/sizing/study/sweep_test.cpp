@@ -45,7 +45,7 @@ TEST(Sweep, GivesEveryQuantityOfADesign) {
       {.name = "grasp_force_per_mass_N_kg",
        .meaning = "grasp force divided by the mass of the actuator",
        .scale = 15.0,
-       .value = [](const simulation::DesignView& d) { return d.performance.motion.grasp_force / d.performance.mass; }});
+       .value = [](const simulation::DesignView& d) { return d.performance.cold.grasp_force / d.performance.mass; }});
   const DesignProblem problem(study);
   const simulation::QuantityTable& quantities = problem.study().quantities;
   const SweptDesign design = all_of(problem, 1)[17];

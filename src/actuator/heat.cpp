@@ -1,6 +1,10 @@
 #include "coilwright/actuator/heat.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "actuator/heat_chain.hpp"
 #include "coilwright/winding/copper.hpp"
@@ -12,9 +16,24 @@ double core_radius(const Design& design, const Dimensions& size, ComponentKind k
   return kind == ComponentKind::magnet ? design.magnet.radius : size.coil_outer_radius;
 }
 
+void check_angles(const Assembly& assembly, const mechanics::JointVector& angles) {
+  const int joints = assembly.model.joints();
+  if (angles.size() != joints)
+    throw std::invalid_argument(fmt::format("joint_angles: must have {} values; got {}", joints, angles.size()));
+  for (int j = 0; j < joints; ++j)
+    if (!std::isfinite(angles[j]))
+      throw std::invalid_argument(fmt::format("joint_angles[{}]: must be finite; got {}", j, angles[j]));
+}
+
 }  // namespace
 
-thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly, double joint_angle) {
+mechanics::JointVector joints_at(const Assembly& assembly, double joint_angle) {
+  return mechanics::JointVector::Constant(assembly.model.joints(), joint_angle);
+}
+
+thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly,
+                              const mechanics::JointVector& joint_angles) {
+  check_angles(assembly, joint_angles);
   const Dimensions& size = assembly.dimensions;
   thermal::HeatChain chain;
   chain.width = size.width;
@@ -39,14 +58,20 @@ thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly, do
     const double narrower =
         std::min(core_radius(design, size, kind), core_radius(design, size, design.layout[i - 1].kind));
     chain.gaps.push_back({.silicone = design.body.gap,
-                          .air = thermal::equivalent_air_gap(
-                              {.angle = joint_angle, .hinge_distance = size.axis_offset, .core_radius = narrower})});
+                          .air = thermal::equivalent_air_gap({.angle = std::max(0.0, joint_angles[i - 1]),
+                                                              .hinge_distance = size.axis_offset,
+                                                              .core_radius = narrower})});
   }
   return chain;
 }
 
 thermal::Network heat_network(const Design& design, const Assembly& assembly, double joint_angle) {
-  return thermal::build_network(heat_chain(design, assembly, joint_angle));
+  return heat_network(design, assembly, joints_at(assembly, joint_angle));
+}
+
+thermal::Network heat_network(const Design& design, const Assembly& assembly,
+                              const mechanics::JointVector& joint_angles) {
+  return thermal::build_network(heat_chain(design, assembly, joint_angles));
 }
 
 }  // namespace coilwright::actuator

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/thermal/steady_state.hpp"
+#include "error_text.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -64,6 +66,32 @@ TEST(HeatNetwork, HeatsTheMagnetLessWhereJointsStandOpen) {
   EXPECT_NEAR(current(0.0, thermal::LimitedParts::magnets), 0.89, 5e-3);
   EXPECT_NEAR(current(30.0 * degree, thermal::LimitedParts::magnets), 1.44, 5e-3);
   EXPECT_NEAR(current(60.0 * degree, thermal::LimitedParts::magnets), 1.60, 5e-3);
+}
+
+// Each joint opens its own way: the one that is closed passes what it passes when all are.
+TEST(HeatNetwork, TakesEachJointAtItsOwnAngle) {
+  const Design design = paper_finger();
+  const Assembly a = assemble_or_throw(design);
+  mechanics::JointVector angles(2);
+  angles << -0.02, 0.5;
+  const thermal::NodeMatrix own = heat_network(design, a, angles).conductance();
+  const thermal::NodeMatrix closed = heat_network(design, a, 0.0).conductance();
+  const thermal::NodeMatrix open = heat_network(design, a, 0.5).conductance();
+  EXPECT_EQ(own(0, 1), closed(0, 1));
+  EXPECT_EQ(own(1, 2), open(1, 2));
+  EXPECT_LT(closed(0, 1), open(0, 1));  // both negative
+}
+
+TEST(HeatNetwork, WantsAnAngleForEachJoint) {
+  const Design design = paper_finger();
+  const Assembly a = assemble_or_throw(design);
+  const auto text = [&](const mechanics::JointVector& angles) {
+    return error_text([&] { (void)heat_network(design, a, angles); });
+  };
+  EXPECT_EQ(text(mechanics::JointVector::Zero(3)), "joint_angles: must have 2 values; got 3");
+  mechanics::JointVector angles(2);
+  angles << 0.1, std::nan("");
+  EXPECT_EQ(text(angles), "joint_angles[1]: must be finite; got nan");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
+#include "coilwright/mechanics/joint_vector.hpp"
 #include "coilwright/thermal/network.hpp"
 
 namespace coilwright::actuator {
@@ -18,5 +19,11 @@ inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 18
 /// `joint_angle` of every joint in rad, >= 0.
 [[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly,
                                             double joint_angle = thermal_joint_angle);
+
+/// The same with each joint at its own angle, rad, base to tip: those of the case at hand (a finger that moves freely,
+/// a finger that grips). Where a joint is pressed closed, its angle below 0 counts as 0. Throws std::invalid_argument
+/// unless there is a finite angle for each joint.
+[[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly,
+                                            const mechanics::JointVector& joint_angles);
 
 }  // namespace coilwright::actuator

@@ -3,14 +3,22 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "actuator_input.hpp"
+#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/simulation/choice_effects.hpp"
+#include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "coilwright/text/input_error.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
 
@@ -19,8 +27,8 @@ namespace {
 
 struct Options {
   ActuatorOptions actuator;
-  double current{};
-  double duty = 1.0;
+  std::optional<double> current{};
+  std::optional<double> duty{};
   bool json{false};
 };
 
@@ -28,24 +36,48 @@ std::runtime_error no_performance(const std::string& file, const simulation::NoP
   return std::runtime_error(fmt::format("{}: {}", file, why.reason));
 }
 
-void evaluate(const actuator::Design& design, const Options& options) {
+text::InputError no_current(const Options& options) {
+  return text::InputError(
+      {.file = options.actuator.file, .rule = "has no operating_point: give a current with --current"});
+}
+
+// The file's own operating point, where it has one, under what the command line says.
+simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, const Options& options) {
+  simulation::OperatingPoint point = file.operating_point.value_or(simulation::OperatingPoint{});
+  if (!options.current && !file.operating_point) throw no_current(options);
+  point.current = options.current.value_or(point.current);
+  point.duty = options.duty.value_or(point.duty);
+  return point;
+}
+
+void evaluate(const actuator::Design& design, const formats::ActuatorFile& file, const Options& options) {
+  const simulation::OperatingPoint point = operating_point(file, options);
   const actuator::Assembly assembly = assemble(design, options.actuator);
-  const simulation::OperatingPoint point{.current = options.current, .duty = options.duty};
   const auto result = simulation::performance_of(design, assembly, point);
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
-  std::cout << (options.json ? formats::to_json(view).text() : report::to_text(view));
+  const std::vector<simulation::PartLimit> limits = simulation::part_limits(view);
+  const std::vector<simulation::ChoiceEffect> effects = simulation::choice_effects(design, point);
+  if (options.json) {
+    text::Json out = formats::to_json(view);
+    out.set("operating_point", formats::to_json(point));
+    out.set("part_limits", formats::to_json(limits)).set("assumptions", formats::to_json(effects));
+    std::cout << out.text();
+  } else {
+    std::cout << report::to_text(view) << report::to_text(limits) << report::to_text(view, effects);
+  }
 }
 
-void evaluate(const actuator::Model& model, const Options& options) {
-  const auto result = simulation::motion_of(model, options.current);
+void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const Options& options) {
+  if (!options.current) throw no_current(options);
+  const auto result = simulation::motion_of(model, *options.current);
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
-  std::cout << (options.json ? formats::to_json(motion, options.current).text()
-                             : report::to_text(motion, options.current));
+  std::cout << (options.json ? formats::to_json(motion, *options.current).text()
+                             : report::to_text(motion, *options.current));
 }
 
 }  // namespace
@@ -54,12 +86,15 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("evaluate", "Compute what an actuator does at one current");
   add_actuator_options(*command, options->actuator);
-  command->add_option("--current", options->current, "Current in every coil, A; a positive current bends the actuator")
-      ->required()
+  command
+      ->add_option("--current", options->current,
+                   "Current in every coil, A; a positive current bends the actuator. Default: that of the\n"
+                   "operating_point of ACTUATOR.json, which size writes")
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   command
-      ->add_option("--duty", options->duty,
-                   "Fraction of the time for which the current is on, 0 to 1; affects only heat (default 1)")
+      ->add_option(
+          "--duty", options->duty,
+          "Fraction of the time for which the current is on, 0 to 1; affects only heat. Default: likewise, or 1")
       ->check(number_rule(text::Rule::between(0.0, 1.0)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
@@ -70,7 +105,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
       "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --set gap_mm=1.2 --set turns_axial=26");
   command->callback([options] {
     const formats::ActuatorFile file = read_actuator(options->actuator);
-    std::visit([&](const auto& content) { evaluate(content, *options); }, file.content);
+    std::visit([&](const auto& content) { evaluate(content, file, *options); }, file.content);
   });
 }
 

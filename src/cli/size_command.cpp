@@ -26,15 +26,15 @@ using sizing::EvaluatedDesign;
 
 // The answer is checked where it will be used: the text of actuator.json is read back, evaluated at the operating point
 // found, and held against every limit.
-void check_written_design(const std::string& text, const EvaluatedDesign& best, const sizing::Study& study) {
+void check_written_design(const std::string& text, const sizing::Study& study) {
   const formats::ActuatorFile file = formats::parse_actuator(text, "actuator.json");
   const auto& design = std::get<actuator::Design>(file.content);
   const actuator::Assembly assembly = actuator::assemble_or_throw(design);
-  const auto result = simulation::performance_of(design, assembly, best.point);
+  const auto result = simulation::performance_of(design, assembly, file.operating_point.value());
   if (const auto* none = std::get_if<simulation::NoPerformance>(&result)) throw std::logic_error(none->reason);
   const simulation::DesignView view{.design = design,
                                     .assembly = assembly,
-                                    .point = best.point,
+                                    .point = *file.operating_point,
                                     .performance = std::get<simulation::Performance>(result)};
   for (const sizing::Limit& limit : study.limits) {
     const std::optional<double> value = limit.quantity.value(view);
@@ -44,10 +44,12 @@ void check_written_design(const std::string& text, const EvaluatedDesign& best, 
   }
 }
 
-std::string actuator_text(const DesignProblem& problem, const sizing::SearchResult& result) {
+std::string actuator_text(const DesignProblem& problem, const formats::SizeReport& answer) {
   const std::string& study = problem.study().name;
-  const std::string name = result.feasible ? study : study + " (least infeasible)";
-  return formats::to_json(problem.design_at(result.best->point), name).text();
+  const std::string name = answer.result.feasible ? study : study + " (least infeasible)";
+  std::optional<simulation::OperatingPoint> point;
+  if (const auto* evaluated = std::get_if<EvaluatedDesign>(answer.best)) point = evaluated->point;
+  return formats::to_json(problem.design_at(answer.result.best->point), name, point).text();
 }
 
 void write_results(text::OutputFolder& folder, const DesignProblem& problem, const formats::SizeReport& answer) {
@@ -56,11 +58,20 @@ void write_results(text::OutputFolder& folder, const DesignProblem& problem, con
   if (!answer.result.best) {
     folder.remove("actuator.json");
   } else {
-    const std::string text = actuator_text(problem, answer.result);
-    if (answer.result.feasible) check_written_design(text, std::get<EvaluatedDesign>(*answer.best), problem.study());
+    const std::string text = actuator_text(problem, answer);
+    if (answer.result.feasible) check_written_design(text, problem.study());
     folder.write("actuator.json", text);
   }
   folder.commit();
+}
+
+// Only of an answer: what keeps no limit anyway rests on more than a choice.
+std::vector<sizing::AssumptionEffect> assumptions_of(const DesignProblem& problem, const sizing::SearchResult& result,
+                                                     const Interruption& interruption) {
+  if (!result.feasible) return {};
+  sizing::SearchOptions search = problem.study().search;
+  search.stop = interruption.token();
+  return sizing::assumption_effects(problem, *result.best, {.search = search});
 }
 
 ExitCode run_size(const StudyOptions& options) {
@@ -85,7 +96,8 @@ ExitCode run_size(const StudyOptions& options) {
                                    .result = result,
                                    .best = best ? &*best : nullptr,
                                    .base = base,
-                                   .base_seen = base_seen};
+                                   .base_seen = base_seen,
+                                   .assumptions = assumptions_of(problem, result, interruption)};
   write_results(folder, problem, answer);
   std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
   if (interruption.requested()) return ExitCode::interrupted;

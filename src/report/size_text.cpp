@@ -10,6 +10,7 @@
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/units/unit.hpp"
+#include "report/assumptions_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
 #include "report/text_table.hpp"
@@ -146,6 +147,7 @@ std::string to_text(const formats::SizeReport& report) {
     if (report.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
         text += "\nAll quantities of this design\n" + to_text(evaluated->view(), report.study.quantities);
+    text += assumptions_text(report);
   }
   text += fmt::format("\nThe search ended because {}. It evaluated {} designs", meaning_of(result.stop_reason),
                       result.search_evaluations);

@@ -16,7 +16,9 @@ enum class Format { design, lumped_model };
 ActuatorFile read_actuator_file(const Document& document, const actuator::EffectCatalogue& effects) {
   ActuatorContent read = read_actuator_content(document, effects);
   if (auto* content = std::get_if<DesignContent>(&read.content))
-    return {.name = std::move(read.name), .content = std::move(content->design)};
+    return {.name = std::move(read.name),
+            .content = std::move(content->design),
+            .operating_point = content->operating_point};
   const auto& [model, magnetics] = std::get<LumpedModelContent>(read.content);
   try {
     return {.name = std::move(read.name), .content = actuator::Model(actuator::spec_of(model, magnetics))};

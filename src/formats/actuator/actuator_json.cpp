@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -113,7 +114,7 @@ Json to_json(std::span<const Effect> effects) {
   return out;
 }
 
-Json to_json(const Design& design, const std::string& name) {
+Json to_json(const Design& design, const std::string& name, const std::optional<OperatingPoint>& operating_point) {
   Json out = Json::object({{"format", "actuator/1"},
                            {"name", name},
                            {"layout", layout_json(design.layout)},
@@ -125,6 +126,7 @@ Json to_json(const Design& design, const std::string& name) {
                            {"model", choices_json(design.choices)},
                            {"calibration", section_json(design, "calibration")}});
   if (!design.effects.empty()) out.set("effects", to_json(design.effects));
+  if (operating_point) out.set("operating_point", to_json(*operating_point));
   return out;
 }
 

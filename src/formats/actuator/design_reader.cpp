@@ -9,6 +9,7 @@
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 #include "formats/actuator/effects_reader.hpp"
+#include "formats/actuator/operating_point_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -135,6 +136,7 @@ DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& kno
     throw in.node().error_without_value(R"(gives "measured" and "calibration"; only one of them may be there)");
   read_section(in, "calibration", design);
   design.effects = read_effects(in, known);
+  if (const auto point = in.find("operating_point")) content.operating_point = read_operating_point(*point);
   if (measured) {
     try {
       content.measured = read_measured(*measured);

@@ -8,6 +8,7 @@
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
@@ -32,8 +33,9 @@ inline constexpr std::array measured_keys = {
 
 /// What an `actuator/1` file says.
 struct DesignContent {
-  actuator::Design design;      ///< calibrated by what was measured
-  actuator::Measured measured;  ///< empty where the file has no "measured"
+  actuator::Design design;                                    ///< calibrated by what was measured
+  actuator::Measured measured;                                ///< empty where the file has no "measured"
+  std::optional<actuator::OperatingPoint> operating_point{};  ///< for which it was sized
 };
 
 /// The keys of `actuator/1` but format and name; its effects are of `known`.

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/formats/study/design_json.hpp"
@@ -76,10 +78,6 @@ Json step_json(const Study& study, const VariableStep& step) {
                        {"violates", std::move(violates)}});
 }
 
-Json operating_json(const simulation::OperatingPoint& point) {
-  return Json::object({{"current_A", point.current}, {"duty", point.duty}});
-}
-
 Json base_json(const SizeReport& report) {
   if (!report.base_seen.failure.empty()) return Json::object({{"reason", report.base_seen.failure}});
   return Json::object({{"current_A", std::get<EvaluatedDesign>(report.base).point.current},
@@ -104,6 +102,37 @@ Json range_ends_json(const SizeReport& report) {
   return out;
 }
 
+Json worst_json(const std::optional<WorstMargin>& worst) {
+  if (!worst) return nullptr;
+  return Json::object({{"limit", worst->limit}, {"relative_margin", worst->margin}});
+}
+
+Json assumption_json(const Study& study, const AssumptionEffect& effect) {
+  Json out = to_json(effect.choice);
+  const bool evaluated = effect.evaluation.failure.empty();
+  out.set("objectives", objectives_json(study, effect.evaluation));
+  if (!evaluated) out.set("reason", effect.evaluation.failure);
+  out.set("feasible", is_feasible(effect.evaluation)).set("worst_margin", worst_json(effect.worst));
+  out.set("changes_design", effect.changes_design);
+  out.set("other_best", effect.other_best
+                            ? Json::object({{"variables", variables_json(study, effect.other_best->point)},
+                                            {"objectives", objectives_json(study, effect.other_best->evaluation)}})
+                            : Json(nullptr));
+  return out;
+}
+
+Json assumptions_json(const SizeReport& report) {
+  Json out = Json::array();
+  for (const AssumptionEffect& effect : report.assumptions) out.add(assumption_json(report.study, effect));
+  return out;
+}
+
+Json measure_first(const SizeReport& report) {
+  if (!report.result.best) return nullptr;
+  const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions);
+  return first == nullptr ? Json(nullptr) : Json(first->choice.settled_by);
+}
+
 }  // namespace
 
 Json to_json(const SizeReport& report) {
@@ -124,7 +153,8 @@ Json to_json(const SizeReport& report) {
   out.set("best", best_json(report)).set("violated", std::move(violated)).set("base", base_json(report));
   out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(report));
   out.set("steps", std::move(steps));
-  out.set("operating_point", evaluated ? operating_json(evaluated->point) : Json(nullptr));
+  out.set("assumptions", assumptions_json(report)).set("measure_first", measure_first(report));
+  out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
   out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
   return out;
 }

@@ -13,6 +13,7 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "formats/actuator/design_reader.hpp"
+#include "formats/actuator/operating_point_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -22,7 +23,6 @@ using namespace sizing;
 
 // Bounds far beyond any hardware and any search, and near enough that nothing overflows.
 constexpr std::size_t most_values = 1'000'000;  // of one variable
-constexpr Rule current_rule = Rule::between(-1e6, 1e6);
 constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
 constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 
@@ -87,8 +87,9 @@ ConfigurationVariable read_configurations(const Node& node) {
 StudyVariable read_variable(const Node& node, const std::string& name) {
   if (name == "configuration") return read_configurations(node);
   if (name == "current_A")
-    return read_object(
-        node, [](ObjectReader& in) { return CurrentVariable{read_range(in, current_rule, VariableKind::continuous)}; });
+    return read_object(node, [](ObjectReader& in) {
+      return CurrentVariable{read_range(in, current_rule(), VariableKind::continuous)};
+    });
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   if (parameter == nullptr) {
     std::vector<std::string> names{"configuration", "current_A"};
@@ -187,25 +188,19 @@ bool varies_current(const Study& study) {
                              [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
 }
 
-struct Operation {
-  std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
-  double duty = 1.0;
-};
-
-Operation read_operating_point(const Node& node, const Study& study) {
-  return read_object(node, [&](ObjectReader& in) {
-    Operation out{.current = VariedCurrent{}, .duty = in.number_or("duty", 1.0, Rule::between(0.0, 1.0))};
-    if (varies_current(study)) {
-      for (const std::string_view key : {"current_A", "share_of_current_limit"})
-        if (const auto fixed = in.find(key))
-          throw fixed->error_without_value("sets the current, which is a variable of this study too");
-    } else if (in.one_of({"current_A", "share_of_current_limit"}) == "current_A") {
-      out.current = FixedCurrent{in.number("current_A", current_rule)};
-    } else {
-      out.current = ShareOfLimit{in.number("share_of_current_limit", largest_share)};
-    }
-    return out;
-  });
+void read_operation(const Node& node, Study& study) {
+  ObjectReader in(node);
+  read_operating_conditions(in, study.operating);
+  if (varies_current(study)) {
+    for (const std::string_view key : {"current_A", "share_of_current_limit"})
+      if (const auto fixed = in.find(key))
+        throw fixed->error_without_value("sets the current, which is a variable of this study too");
+  } else if (in.one_of({"current_A", "share_of_current_limit"}) == "current_A") {
+    study.current = FixedCurrent{in.number("current_A", current_rule())};
+  } else {
+    study.current = ShareOfLimit{in.number("share_of_current_limit", largest_share)};
+  }
+  in.finish();
 }
 
 Study read_study_file(const Document& document, const QuantityTable& quantities,
@@ -219,11 +214,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.variables = read_variables(in.at("variables"));
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
-    if (operation) {
-      const Operation point = read_operating_point(*operation, study);
-      study.current = point.current;
-      study.duty = point.duty;
-    }
+    if (operation) read_operation(*operation, study);
     study.objectives = read_objectives(in.at("objectives"), quantities);
     if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, quantities);
     if (const auto search = in.find("search")) study.search = read_search(*search);

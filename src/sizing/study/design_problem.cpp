@@ -38,11 +38,11 @@ NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
 
 // `current` is asked for only once the design is known to have a wire that exists.
 template <class Current>
-DesignResult evaluate_buildable(actuator::Design design, const Current& current, double duty) {
+DesignResult evaluate_buildable(actuator::Design design, const Current& current, actuator::OperatingPoint operating) {
   std::variant<actuator::Assembly, actuator::ConstructionFaults> assembled = actuator::assemble(design);
   if (const auto* faults = std::get_if<actuator::ConstructionFaults>(&assembled)) return not_buildable(*faults);
   actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
-  const simulation::OperatingPoint operating{.current = current(design), .duty = duty};
+  operating.current = current(design);
   std::variant<simulation::Performance, simulation::NoPerformance> performance =
       simulation::performance_of(design, assembly, operating);
   if (const auto* none = std::get_if<simulation::NoPerformance>(&performance))
@@ -56,9 +56,10 @@ DesignResult evaluate_buildable(actuator::Design design, const Current& current,
 // A design far outside all hardware may break a rule of the physics rooms that assemble() does not name, or an
 // interpolation may fail. Then that design cannot be evaluated, and the search goes on.
 template <class Current>
-DesignResult evaluate_design(actuator::Design design, const Current& current, double duty) {
+DesignResult evaluate_design(actuator::Design design, const Current& current,
+                             const actuator::OperatingPoint& operating) {
   try {
-    return evaluate_buildable(std::move(design), current, duty);
+    return evaluate_buildable(std::move(design), current, operating);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& failure) {
@@ -112,14 +113,14 @@ actuator::Design DesignProblem::design_at(std::span<const double> point) const {
 DesignResult DesignProblem::evaluate(std::span<const double> point) const {
   return evaluate_design(
       design_at(point), [&](const actuator::Design& design) { return current_of(study(), design, point); },
-      study().duty);
+      study().operating);
 }
 
 DesignResult DesignProblem::evaluate_base() const {
   const auto current = [this](const actuator::Design& design) {
     return current_of(study(), design).value_or(winding::gauge(design.coil.wire_gauge).chassis_ampacity);
   };
-  return evaluate_design(study().base, current, study().duty);
+  return evaluate_design(study().base, current, study().operating);
 }
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {

@@ -48,7 +48,7 @@ TEST_F(StudyFile, IsReadWithTheActuatorBesideIt) {
   EXPECT_EQ(study.name, "all kinds");
   EXPECT_EQ(study.base.coil.turns_axial, 23);
   EXPECT_EQ(std::get<ShareOfLimit>(study.current).share, 0.8);
-  EXPECT_EQ(study.duty, 0.3);
+  EXPECT_EQ(study.operating.duty, 0.3);
   EXPECT_EQ(study.search.algorithm, Algorithm::cobyla);
   EXPECT_EQ(study.search.max_evaluations, 321u);
   EXPECT_EQ(study.search.seed, 9007199254740992u);
@@ -110,7 +110,7 @@ TEST_F(StudyFile, MayVaryTheCurrentAndSayNothingElseOfIt) {
   const Study study = parse(R"({"format": "study/1", "name": "current", "actuator": "sub/finger.json",
       "variables": {"current_A": {"lower": -0.4, "upper": 1.2}}, "objectives": [{"maximise": "stroke_deg"}]})");
   EXPECT_TRUE(std::holds_alternative<VariedCurrent>(study.current));
-  EXPECT_EQ(study.duty, 1.0);
+  EXPECT_EQ(study.operating.duty, 1.0);
   EXPECT_EQ(study.search.max_evaluations, SearchOptions{}.max_evaluations);
 }
 

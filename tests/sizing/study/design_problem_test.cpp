@@ -98,7 +98,7 @@ TEST(DesignProblem, SaysWhichQuantityADesignLacks) {
   Study study = small_study();
   study.variables = {CurrentVariable{.range = Choice{.values = {0.0, 0.9, 4.0, 5.0}}}};
   study.current = VariedCurrent{};
-  study.duty = 1.0;
+  study.operating.duty = 1.0;
   study.objectives = {{.quantity = testing::quantity("rise_time_s"), .sense = Sense::minimise}};
   study.limits = {{.quantity = testing::quantity("coil_temperature_degC"), .value = 120.0}};
   const DesignProblem problem(study);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -8,13 +9,15 @@
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/actuator/model/model.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 
 namespace coilwright::formats {
 
 /// What an actuator file describes.
 struct ActuatorFile {
   std::string name;
-  std::variant<actuator::Design, actuator::Model> content;  ///< `actuator/1` or `lumped-model/1`
+  std::variant<actuator::Design, actuator::Model> content;    ///< `actuator/1` or `lumped-model/1`
+  std::optional<actuator::OperatingPoint> operating_point{};  ///< of a design: for which it was sized
 };
 
 /// Reads an actuator: a design (`"format": "actuator/1"`) or a lumped model (`"format": "lumped-model/1"`). Keys, units

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -7,6 +8,7 @@
 
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -25,8 +27,9 @@ using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 [[nodiscard]] text::Json to_json(std::span<const actuator::Effect> effects);
 
 /// A design as an `actuator/1` file, with every value, its calibration factors and its effects: read back, it is the
-/// same design.
-[[nodiscard]] text::Json to_json(const actuator::Design& design, const std::string& name);
+/// same design. With an operating point, that is what `evaluate` takes where it is told no other.
+[[nodiscard]] text::Json to_json(const actuator::Design& design, const std::string& name,
+                                 const std::optional<actuator::OperatingPoint>& operating_point = std::nullopt);
 
 /// An actuator after a diagnosis, complete: a design under `name`; a lumped model as its file was, with the new numbers
 /// and all effects.

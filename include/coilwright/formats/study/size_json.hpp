@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coilwright/sizing/search/search.hpp"
+#include "coilwright/sizing/study/assumption_effects.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -17,6 +18,7 @@ struct SizeReport {
   const sizing::DesignResult* best{};   ///< `result.best` evaluated again; nullptr if nothing was evaluated
   const sizing::DesignResult& base;     ///< the actuator that the study starts from
   const sizing::Evaluation& base_seen;  ///< what the search would be told of it
+  std::vector<sizing::AssumptionEffect> assumptions{};  ///< of a feasible answer; empty where none was looked at
 };
 
 /// The limit or variable of a study that a result names; it must be there.

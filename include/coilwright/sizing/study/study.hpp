@@ -8,6 +8,7 @@
 
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/sizing/problem/problem.hpp"
@@ -104,7 +105,7 @@ struct Study {
   std::string name;
   actuator::Design base;  ///< actuator with its calibration; variables are set on a copy of it
   std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
-  double duty = 1.0;  ///< fraction of the time that the current is on, 0 to 1
+  actuator::OperatingPoint operating{};  ///< how it is driven and used; of its current `current` decides
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coilwright/actuator/modelling_choices.hpp"
+#include "coilwright/sizing/problem/archive.hpp"
+#include "coilwright/sizing/problem/options.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+
+namespace coilwright::sizing {
+
+/// The limit that a design keeps with the least margin, or breaks by most.
+struct WorstMargin {
+  std::string limit;  ///< "mass_g <= 70"
+  double margin{};    ///< distance from the limit over scale_of(limit); negative where it is broken
+};
+
+/// The worst limit of an evaluation of `study`; nothing without limits or for a design that was not evaluated.
+[[nodiscard]] std::optional<WorstMargin> worst_margin(const Study& study, const Evaluation& evaluation);
+
+/// What becomes of the answer of a study if one modelling choice is made otherwise.
+struct AssumptionEffect {
+  actuator::OtherChoice choice;      ///< its design is the answer's own
+  Evaluation evaluation;             ///< of the answer under the other choice
+  std::optional<WorstMargin> worst;  ///< of that
+  std::optional<Record> other_best;  ///< the best feasible design that a short search under it found; nothing if none
+  bool changes_design{};             ///< whether that one would be chosen instead
+};
+
+/// How much a search under another choice must gain before it counts as another answer, relative to the objective.
+inline constexpr double gain_of_another_design = 0.01;
+
+/// How the other choices are searched.
+struct AssumptionOptions {
+  std::size_t evaluations = 300;  ///< of the search under each other choice; 0 for none
+  SearchOptions search{};         ///< its seed, threads and stop token are used
+};
+
+/// The answer `best` of a study with one objective under every other modelling choice, and whether another design would
+/// then be better: where the answer breaks a limit, or a search that starts from it gains more than
+/// `gain_of_another_design`. Empty entries are left out when the search is stopped. Pure but for the clock of a stop.
+[[nodiscard]] std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, const Record& best,
+                                                               const AssumptionOptions& options);
+
+/// The effect that changes the answer most: one that breaks a limit before one that changes the objective, the larger
+/// change first; nullptr where none changes it by more than gain_of_another_design.
+[[nodiscard]] const AssumptionEffect* decisive(const Study& study, const Record& best,
+                                               const std::vector<AssumptionEffect>& effects);
+
+}  // namespace coilwright::sizing

@@ -1,0 +1,72 @@
+#include "report/assumptions_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "report/design_text.hpp"
+#include "report/text_table.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace sizing;
+
+std::string objective_change(double value, double promised) {
+  if (promised == 0.0) return short_number(value);
+  return fmt::format("{} ({:+.1f} %)", short_number(value), 100.0 * (value - promised) / std::abs(promised));
+}
+
+std::string margin_phrase(const AssumptionEffect& effect) {
+  if (!effect.worst) return "";
+  const double percent = 100.0 * effect.worst->margin;
+  if (effect.worst->margin < 0.0) return fmt::format("; BREAKS {} by {:.3g} %", effect.worst->limit, -percent);
+  return fmt::format("; keeps every limit, {} with {:.3g} % to spare", effect.worst->limit, percent);
+}
+
+// The variables in which two designs differ.
+std::string difference(const Study& study, const Record& from, const Record& to) {
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < from.point.size(); ++i)
+    if (from.point[i] != to.point[i])
+      changes.push_back(fmt::format("{} {} instead of {}", name_of(study.variables[i]),
+                                    value_text(study.variables[i], to.point[i]),
+                                    value_text(study.variables[i], from.point[i])));
+  return fmt::format("{}", fmt::join(changes, ", "));
+}
+
+std::string effect_text(const formats::SizeReport& report, const AssumptionEffect& effect) {
+  const std::string_view objective = report.study.objectives.front().quantity.name;
+  const Record& best = *report.result.best;
+  std::string text = fmt::format("  {}, taken as: {}\n    if it is: {}\n", effect.choice.subject, effect.choice.taken,
+                                 effect.choice.otherwise);
+  if (!effect.evaluation.failure.empty())
+    text += fmt::format("      this design cannot be evaluated: {}\n", effect.evaluation.failure);
+  else
+    text += fmt::format("      {} {}{}\n", objective,
+                        objective_change(effect.evaluation.objectives.front(), best.evaluation.objectives.front()),
+                        margin_phrase(effect));
+  if (effect.changes_design)
+    text += fmt::format("      another design is then better: {} {} with {}\n", objective,
+                        short_number(effect.other_best->evaluation.objectives.front()),
+                        difference(report.study, best, *effect.other_best));
+  return text + fmt::format("    settled by: {}\n", effect.choice.settled_by);
+}
+
+}  // namespace
+
+std::string assumptions_text(const formats::SizeReport& report) {
+  if (report.assumptions.empty()) return {};
+  std::string text = "\nWhat this answer rests on: modelling choices that no measurement of this design has settled\n";
+  for (const AssumptionEffect& effect : report.assumptions) text += effect_text(report, effect);
+  if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
+    return text + fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
+                              first->choice.subject);
+  return text + fmt::format("No other choice changes the objective by more than {:.3g} % or breaks a limit.\n",
+                            100.0 * gain_of_another_design);
+}
+
+}  // namespace coilwright::report

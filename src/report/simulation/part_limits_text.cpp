@@ -1,0 +1,74 @@
+#include "coilwright/report/simulation/part_limits_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace coilwright::report {
+namespace {
+
+using simulation::ChoiceEffect;
+using simulation::DesignView;
+using simulation::EvaluatedDesign;
+using simulation::NoPerformance;
+using simulation::PartLimit;
+
+// The figures for which an actuator is usually built.
+constexpr std::array main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg", "grasp_force_N", "damping_ratio"};
+
+std::string figure_text(std::string_view name, const DesignView& taken, const DesignView& other) {
+  const simulation::ResultQuantity& quantity = simulation::standard_quantities().at(name);
+  const std::optional<double> value = quantity.value(other);
+  if (!value) return fmt::format("{} none", name);
+  const std::optional<double> reference = quantity.value(taken);
+  if (!reference || *reference == 0.0) return fmt::format("{} {:.4g}", name, *value);
+  return fmt::format("{} {:.4g} ({:+.1f} %)", name, *value, 100.0 * (*value - *reference) / std::abs(*reference));
+}
+
+std::string worst_limit_text(const DesignView& design) {
+  const std::vector<PartLimit> limits = simulation::part_limits(design);
+  const auto worst = std::ranges::min_element(limits, {}, &PartLimit::margin);
+  if (!worst->value) return fmt::format("BROKEN: {} has no steady value", worst->quantity);
+  return fmt::format("{}{} {:.4g}, {} {:.4g}", worst->is_broken() ? "BROKEN: " : "least margin: ", worst->quantity,
+                     *worst->value, worst->at_most ? "at most" : "at least", worst->limit);
+}
+
+std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
+  std::string text = fmt::format("  {}, taken as: {}\n    if it is: {}\n", effect.choice.subject, effect.choice.taken,
+                                 effect.choice.otherwise);
+  if (const auto* why = std::get_if<NoPerformance>(&effect.result)) {
+    text += fmt::format("      cannot be evaluated: {}\n", why->reason);
+  } else {
+    const EvaluatedDesign& other = std::get<EvaluatedDesign>(effect.result);
+    text += "     ";
+    for (const std::string_view name : main_figures) text += fmt::format(" {};", figure_text(name, taken, other.view()));
+    text += fmt::format("\n      {}\n", worst_limit_text(other.view()));
+  }
+  return text + fmt::format("    settled by: {}\n", effect.choice.settled_by);
+}
+
+}  // namespace
+
+std::string to_text(std::span<const PartLimit> limits) {
+  std::string text = "\nLimits of the parts at this operating point\n";
+  for (const PartLimit& limit : limits) {
+    const std::string value = limit.value ? fmt::format("{:.5g}", *limit.value) : "none (thermal runaway)";
+    text +=
+        fmt::format("  {:<28} {:>10}  {} {:.5g}  {}\n", limit.quantity, value, limit.at_most ? "at most" : "at least",
+                    limit.limit, limit.is_broken() ? fmt::format("BROKEN: {}", limit.consequence) : "kept");
+  }
+  return text;
+}
+
+std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
+  std::string text = "\nWhat these figures rest on: modelling choices that no measurement of this design has settled\n";
+  for (const ChoiceEffect& effect : effects) text += effect_text(taken, effect);
+  return text;
+}
+
+}  // namespace coilwright::report

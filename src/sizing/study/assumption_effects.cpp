@@ -1,0 +1,86 @@
+#include "coilwright/sizing/study/assumption_effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "coilwright/sizing/search/search.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+// How much better `value` is than `reference`, over the reference's magnitude.
+double gain(const StudyObjective& objective, double value, double reference) {
+  const double change = objective.sense == Sense::maximise ? value - reference : reference - value;
+  return change / std::max(std::abs(reference), 1e-12 * objective.quantity.scale);
+}
+
+DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& choice) {
+  Study study = problem.study();
+  study.base = choice.design;
+  return DesignProblem(std::move(study));
+}
+
+std::optional<Record> other_best(const DesignProblem& other, const AssumptionOptions& options) {
+  if (options.evaluations == 0) return std::nullopt;
+  SearchOptions search_options = options.search;
+  search_options.algorithm = Algorithm::automatic;
+  search_options.max_evaluations = options.evaluations;
+  search_options.afterwards = Afterwards::nothing;
+  search_options.progress = {};
+  SearchResult found = search(other.problem(), search_options);
+  if (!found.feasible) return std::nullopt;
+  return std::move(found.best);
+}
+
+}  // namespace
+
+std::optional<WorstMargin> worst_margin(const Study& study, const Evaluation& evaluation) {
+  if (!evaluation.failure.empty() || study.limits.empty()) return std::nullopt;
+  const auto worst = std::ranges::max_element(evaluation.constraints);
+  const auto index = static_cast<std::size_t>(worst - evaluation.constraints.begin());
+  return WorstMargin{.limit = name_of(study.limits[index]), .margin = -*worst + 0.0};
+}
+
+std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, const Record& best,
+                                                 const AssumptionOptions& options) {
+  const Study& study = problem.study();
+  const StudyObjective& objective = study.objectives.front();
+  std::vector<AssumptionEffect> out;
+  for (actuator::OtherChoice& choice : actuator::other_choices(study.base)) {
+    if (options.search.stop.stop_requested()) break;
+    const DesignProblem other = under(problem, choice);
+    AssumptionEffect effect;
+    effect.evaluation = other.assess(other.evaluate(best.point));
+    effect.worst = worst_margin(study, effect.evaluation);
+    effect.other_best = other_best(other, options);
+    if (effect.other_best && effect.other_best->point != best.point) {
+      const double reached = effect.other_best->evaluation.objectives.front();
+      effect.changes_design = !is_feasible(effect.evaluation) ||
+                              gain(objective, reached, effect.evaluation.objectives.front()) > gain_of_another_design;
+    }
+    choice.design = other.design_at(best.point);
+    effect.choice = std::move(choice);
+    out.push_back(std::move(effect));
+  }
+  return out;
+}
+
+const AssumptionEffect* decisive(const Study& study, const Record& best, const std::vector<AssumptionEffect>& effects) {
+  const StudyObjective& objective = study.objectives.front();
+  const double promised = best.evaluation.objectives.front();
+  // Broken limits first, then by what is lost or gained of the objective.
+  const auto weight = [&](const AssumptionEffect& effect) {
+    const double broken = is_feasible(effect.evaluation) ? 0.0 : 1.0;
+    const double change = effect.evaluation.objectives.empty()
+                              ? 1.0
+                              : std::abs(gain(objective, effect.evaluation.objectives.front(), promised));
+    return std::pair(broken, change);
+  };
+  const auto most = std::ranges::max_element(effects, {}, weight);
+  if (most == effects.end()) return nullptr;
+  const auto [broken, change] = weight(*most);
+  return broken > 0.0 || change > gain_of_another_design ? &*most : nullptr;
+}
+
+}  // namespace coilwright::sizing

@@ -25,7 +25,37 @@ class Evaluate(ProgramTest):
     def evaluate(self, *arguments):
         result = run("evaluate", *arguments, "--json", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        return json.loads(result.stdout)
+        got = json.loads(result.stdout)
+        for key in ("operating_point", "part_limits", "assumptions"):
+            got.pop(key, None)
+        return got
+
+    def test_marks_the_limits_that_are_broken_and_says_what_the_figures_rest_on(self):
+        result = run("evaluate", PAPER_FINGER, "--current", "1.4", "--json", cwd=self.folder)
+        limits = {limit["quantity"]: limit for limit in json.loads(result.stdout)["part_limits"]}
+        coil = next(limit for name, limit in limits.items() if name.startswith("coil_"))
+        self.assertTrue(coil["broken"])
+        self.assertGreater(coil["value"], coil["at_most"])
+        text = run("evaluate", PAPER_FINGER, "--current", "1.4", cwd=self.folder).stdout
+        self.assertRegex(text, r"\n  coil_\w+ +[0-9.]+  at most 155  BROKEN: the enamel of the wire fails\n")
+        assumptions = json.loads(result.stdout)["assumptions"]
+        for each in assumptions:
+            self.assertIn(f"  {each['subject']}, taken as: {each['taken']}\n", text)
+            self.assertIn(f"    if it is: {each['otherwise']}\n", text)
+        self.assertGreaterEqual(len(assumptions), 1)
+        cool = run("evaluate", PAPER_FINGER, "--current", "0.5", cwd=self.folder).stdout
+        self.assertNotIn("BROKEN", cool.split("What these figures rest on")[0])
+
+    def test_takes_the_operating_point_of_the_file_where_it_is_told_none(self):
+        sized = json.loads(PAPER_FINGER.read_text())
+        sized["operating_point"] = {"current_A": 0.8, "duty": 0.5}
+        self.write("sized.json", json.dumps(sized))
+        self.assertEqual(self.evaluate("sized.json"), self.evaluate(PAPER_FINGER, "--current", "0.8", "--duty", "0.5"))
+        self.assertEqual(self.evaluate("sized.json", "--current", "0.6"),
+                         self.evaluate(PAPER_FINGER, "--current", "0.6", "--duty", "0.5"))
+        self.write("plain.json", PAPER_FINGER.read_text())
+        self.assert_refused(["evaluate", "plain.json"],
+                            "plain.json: has no operating_point: give a current with --current")
 
     def test_gives_every_key_that_is_promised(self):
         got = self.evaluate(PAPER_FINGER, "--current", "1.4")
@@ -45,7 +75,7 @@ class Evaluate(ProgramTest):
             self.assertAlmostEqual(got[key], value, delta=delta, msg=key)
         # The table says so in words, with fewer digits.
         lines = run("evaluate", PAPER_FINGER, "--current", "1.4").stdout.splitlines()
-        printed = {line.split()[0]: line.split()[1] for line in lines}
+        printed = {line.split()[0]: line.split()[1] for line in lines[:lines.index("")]}
         for key in PROMISED:
             if key != "joint_angles_deg":
                 self.assertAlmostEqual(float(printed[key]), got[key], delta=1e-5 * abs(got[key]), msg=key)  # six digits
@@ -109,7 +139,6 @@ class Evaluate(ProgramTest):
             (["--current", "nan"], '--current: must be a finite number; got "nan"'),
             (["--current", "1e999"], '--current: must be a finite number; got "1e999"'),
             (["--current", "1.4A"], '--current: must be a finite number; got "1.4A"'),
-            ([], "--current is required"),
             (["--current", "1", "--duty", "1.5"], '--duty: must be from 0 to 1; got "1.5"'),
         ):
             with self.subTest(message):

@@ -67,6 +67,7 @@ std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, c
 }
 
 const AssumptionEffect* decisive(const Study& study, const Record& best, const std::vector<AssumptionEffect>& effects) {
+  if (effects.empty()) return nullptr;
   const StudyObjective& objective = study.objectives.front();
   const double promised = best.evaluation.objectives.front();
   // Broken limits first, then by what is lost or gained of the objective.
@@ -78,7 +79,6 @@ const AssumptionEffect* decisive(const Study& study, const Record& best, const s
     return std::pair(broken, change);
   };
   const auto most = std::ranges::max_element(effects, {}, weight);
-  if (most == effects.end()) return nullptr;
   const auto [broken, change] = weight(*most);
   return broken > 0.0 || change > gain_of_another_design ? &*most : nullptr;
 }

@@ -11,6 +11,7 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/same_bits.hpp"
+#include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -93,6 +94,27 @@ TEST(ActuatorJson, ReadsBackAsTheSameEffectsWhateverTheirNumbers) {
       EXPECT_EQ(back.effects[i].values, design.effects[i].values) << back.effects[i].kind->id();
     }
   }
+}
+
+TEST(ActuatorJson, CarriesTheOperatingPointForWhichItWasSized) {
+  const actuator::OperatingPoint point{.current = 1.35, .duty = 0.45};
+  const ActuatorFile file = parse_actuator(to_json(Design{}, "x", point).text(), "x");
+  ASSERT_TRUE(file.operating_point);
+  EXPECT_EQ(file.operating_point->current, 1.35);
+  EXPECT_EQ(file.operating_point->duty, 0.45);
+  EXPECT_FALSE(parse_actuator(to_json(Design{}, "x").text(), "x").operating_point);
+}
+
+TEST(ActuatorJson, RefusesAnOperatingPointByItsPlace) {
+  const auto error = [](const std::string& point) {
+    return text::testing::error_of([&] {
+      (void)parse_actuator(R"({"format": "actuator/1", "configuration": "B", "operating_point": )" + point + "}", "x");
+    });
+  };
+  EXPECT_EQ(error(R"({"duty": 0.5})"), "x: /operating_point/current_A: is missing");
+  EXPECT_EQ(error(R"({"current_A": 1, "duty": 1.5})"), "x: /operating_point/duty: must be from 0 to 1; got 1.5");
+  EXPECT_EQ(error(R"({"current_A": 1, "current_limit": 2})").substr(0, 46),
+            "x: /operating_point/current_limit: unknown key");
 }
 
 TEST(ActuatorJson, NamesNoEffectsWhereThereAreNone) {

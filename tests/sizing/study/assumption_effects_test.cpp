@@ -1,0 +1,89 @@
+#include "coilwright/sizing/study/assumption_effects.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coilwright/sizing/search/search.hpp"
+#include "sizing/small_study.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+using testing::quantity;
+using testing::small_study;
+
+Study with_one_objective() {
+  Study study = small_study();
+  study.objectives.resize(1);
+  return study;
+}
+
+Record answer_of(const DesignProblem& problem) {
+  return search(problem.problem(), {.max_evaluations = 36, .threads = 1, .afterwards = Afterwards::nothing})
+      .best.value();
+}
+
+TEST(WorstMargin, IsThatOfTheLimitWithTheLeastToSpare) {
+  const Study study = with_one_objective();  // mass_g <= 66, steady_angle_deg >= 20
+  EXPECT_EQ(worst_margin(study, {.objectives = {1.0}, .constraints = {-0.25, -0.5}})->limit, "mass_g <= 66");
+  EXPECT_DOUBLE_EQ(worst_margin(study, {.objectives = {1.0}, .constraints = {-0.25, 0.125}})->margin, -0.125);
+  EXPECT_FALSE(worst_margin(study, {.failure = "it folds"}));
+}
+
+TEST(AssumptionEffects, AreThoseOfTheAnswerItself) {
+  const DesignProblem problem(with_one_objective());
+  const Record best = answer_of(problem);
+  const auto effects = assumption_effects(problem, best, {.evaluations = 0});
+  ASSERT_EQ(effects.size(), actuator::other_choices(problem.study().base).size());
+  for (const AssumptionEffect& effect : effects) {
+    Study other = problem.study();
+    other.base = effect.choice.design;
+    // The design of the effect is the answer's, so a study that starts there evaluates it as its own actuator.
+    const DesignProblem reference(other);
+    const Evaluation expected = reference.assess(reference.evaluate(best.point));
+    EXPECT_EQ(effect.evaluation.objectives, expected.objectives);
+    EXPECT_EQ(effect.evaluation.constraints, expected.constraints);
+    EXPECT_FALSE(effect.other_best);
+    EXPECT_FALSE(effect.changes_design);
+  }
+}
+
+// 36 designs: a search with as many evaluations finds the best under the other choice, which cannot be worse than the
+// answer there.
+TEST(AssumptionEffects, SearchUnderTheOtherChoice) {
+  const DesignProblem problem(with_one_objective());
+  const Record best = answer_of(problem);
+  for (const AssumptionEffect& effect : assumption_effects(problem, best, {.evaluations = 36})) {
+    ASSERT_TRUE(effect.other_best) << effect.choice.subject;
+    EXPECT_TRUE(is_feasible(effect.other_best->evaluation));
+    if (is_feasible(effect.evaluation)) {
+      EXPECT_GE(effect.other_best->evaluation.objectives[0], effect.evaluation.objectives[0]);
+      const bool gains = effect.other_best->evaluation.objectives[0] >
+                         (1.0 + gain_of_another_design) * effect.evaluation.objectives[0];
+      EXPECT_EQ(effect.changes_design, gains && effect.other_best->point != best.point);
+    } else {
+      EXPECT_TRUE(effect.changes_design);
+    }
+  }
+}
+
+AssumptionEffect with_outcome(std::string_view subject, double objective, double constraint) {
+  AssumptionEffect effect;
+  effect.choice.subject = subject;
+  effect.evaluation = {.objectives = {objective}, .constraints = {constraint, -1.0}};
+  return effect;
+}
+
+TEST(Decisive, IsABrokenLimitBeforeALargeChangeBeforeASmallOne) {
+  const Study study = with_one_objective();
+  const Record best{.point = {}, .evaluation = {.objectives = {1000.0}, .constraints = {-0.1, -1.0}}};
+  const std::vector<AssumptionEffect> effects = {with_outcome("small", 990.0, -0.1), with_outcome("large", 600.0, -0.1),
+                                                 with_outcome("broken", 999.0, 0.05)};
+  EXPECT_EQ(decisive(study, best, effects)->choice.subject, "broken");
+  const std::vector<AssumptionEffect> kept(effects.begin(), effects.begin() + 2);
+  EXPECT_EQ(decisive(study, best, kept)->choice.subject, "large");
+  EXPECT_EQ(decisive(study, best, {with_outcome("nothing", 995.0, -0.1)}), nullptr);
+  EXPECT_EQ(decisive(study, best, {}), nullptr);
+}
+
+}  // namespace
+}  // namespace coilwright::sizing

@@ -37,14 +37,31 @@ struct Range {
   double upper{};
 };
 
-// Distances between the centres of two components that are not neighbours. Closing joints bring them at most a tenth
-// nearer than a straight chain does; opening takes two centres across a joint to at most twice their distance from it.
+// Distances between the centres of two components that are not neighbours, `length` long together. Closing joints
+// bring them at most a tenth nearer than a straight chain does, and never nearer than they touch (thin parts between
+// long ones); opening takes two centres across a joint to at most twice their distance from it.
 // The range goes on to ten radii, where the force is a dipole's within 3 %.
-Range distances(const Design& design, const Dimensions& size, double straight) {
+Range distances(const Design& design, const Dimensions& size, double straight, double length) {
   const double half = std::max(size.coil_half_pitch, size.magnet_half_pitch);
   const double joints = static_cast<double>(design.layout.size()) - 1.0;
   const double opened = 2.0 * joints * std::hypot(size.axis_offset, half);
-  return {.lower = 0.9 * straight, .upper = std::max(opened, 10.0 * size.body_radius)};
+  return {.lower = std::max(0.9 * straight, 0.5 * length), .upper = std::max(opened, 10.0 * size.body_radius)};
+}
+
+// Angle by which a joint closes until a part that reaches `height` above the hinge line, its wall `own` thick, meets
+// the face of the other part, whose wall is `other`: sin(angle - atan(own / height)) is other over the corner's
+// distance.
+double meeting_angle(double height, double own, double other) {
+  return std::atan2(own, height) + std::asin(std::min(1.0, other / std::hypot(own, height)));
+}
+
+// Where the parts of a hinge pair touch. `closing_angle` is the same to first order in gap over height, and inside the
+// copper by up to 0.1 mm for wide gaps.
+double touching_angle(const Design& design, const Dimensions& size) {
+  const double coil_wall = size.coil_half_pitch - 0.5 * size.coil_length;
+  const double magnet_wall = size.magnet_half_pitch - 0.5 * design.magnet.length;
+  return std::min(meeting_angle(size.axis_offset + design.magnet.radius, magnet_wall, coil_wall),
+                  meeting_angle(size.axis_offset + size.coil_outer_radius, coil_wall, magnet_wall));
 }
 
 }  // namespace
@@ -61,14 +78,16 @@ double PairCurves::rest_force_per_ampere() const {
 
 std::shared_ptr<const HingePairParts> PairCurves::hinge_parts() {
   if (!hinge_parts_)
-    hinge_parts_ = std::make_shared<const HingePairParts>(HingePairParts::Spec{
-        .coil = coil(),
-        .magnet = magnet_of(design_),
-        .geometry = {.coil_offset = size_.coil_half_pitch,
-                     .magnet_offset = size_.magnet_half_pitch,
-                     .axis_offset = size_.axis_offset},
-        .fidelity = design_.choices.torque,
-        .range = {.lower = -size_.closing_angle, .upper = widest_angle, .tolerance = curve_tolerance}});
+    hinge_parts_ = std::make_shared<const HingePairParts>(
+        HingePairParts::Spec{.coil = coil(),
+                             .magnet = magnet_of(design_),
+                             .geometry = {.coil_offset = size_.coil_half_pitch,
+                                          .magnet_offset = size_.magnet_half_pitch,
+                                          .axis_offset = size_.axis_offset},
+                             .fidelity = design_.choices.torque,
+                             .range = {.lower = -std::min(size_.closing_angle, touching_angle(design_, size_)),
+                                       .upper = widest_angle,
+                                       .tolerance = curve_tolerance}});
   return hinge_parts_;
 }
 
@@ -80,7 +99,7 @@ std::shared_ptr<const magnetics::Curve> PairCurves::hinge_torque() {
 const AxialCurves& PairCurves::coil_magnet() {
   if (!coil_magnet_.force) {
     const double straight = size_.coil_half_pitch * 3.0 + size_.magnet_half_pitch;
-    const Range range = distances(design_, size_, straight);
+    const Range range = distances(design_, size_, straight, size_.coil_length + design_.magnet.length);
     coil_magnet_ = axial_curves(
         magnetics::force_curve(thick_coil(design_, size_), magnet_of(design_),
                                {.lower = range.lower, .upper = range.upper, .tolerance = curve_tolerance}));
@@ -91,7 +110,7 @@ const AxialCurves& PairCurves::coil_magnet() {
 const AxialCurves& PairCurves::magnet_magnet() {
   if (!magnet_magnet_.force) {
     const double straight = 2.0 * (size_.coil_half_pitch + size_.magnet_half_pitch);
-    const Range range = distances(design_, size_, straight);
+    const Range range = distances(design_, size_, straight, 2.0 * design_.magnet.length);
     magnet_magnet_ = axial_curves(
         magnetics::force_curve(magnet_of(design_), magnet_of(design_),
                                {.lower = range.lower, .upper = range.upper, .tolerance = curve_tolerance}));

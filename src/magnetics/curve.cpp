@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "coilwright/magnetics/axial_force.hpp"
@@ -11,7 +12,9 @@ namespace coilwright::magnetics {
 namespace {
 
 constexpr int first_intervals = 12;
-constexpr int max_intervals = 192;
+constexpr int max_intervals = 96;
+/// Series with a decay below this share of what the next doubling needs are doubled all the same: halving costs more.
+constexpr double nearly = 10.0;
 
 /// cos(pi m / max_intervals) for a whole turn, symmetric to the bit; every smaller number of intervals divides it.
 const std::array<double, 2 * max_intervals>& cosines() {
@@ -28,6 +31,9 @@ const std::array<double, 2 * max_intervals>& cosines() {
 double chebyshev_point(int j, int n) {
   return cosines()[static_cast<std::size_t>(j * (max_intervals / n))];
 }
+
+/// A panel that needed this many is next to a singularity; its decay may mislead.
+constexpr int suspicious_intervals = 48;
 
 using Samples = std::array<double, max_intervals + 1>;
 
@@ -46,19 +52,27 @@ void chebyshev_series(const Samples& values, int n, Samples& series) {
   }
 }
 
+double largest_of(const Samples& series, int from, int count) {
+  double most = 0.0;
+  for (int k = from; k < from + count; ++k) most = std::max(most, std::abs(series[k]));
+  return most;
+}
+
 /// Bound on what the series leaves out. An interpolant errs by at most twice the sum of the missing coefficients
-/// (Trefethen, Approximation Theory and Approximation Practice, th. 4.2), which fall geometrically for a smooth
-/// function: at the rate seen between the middle and the end of the series.
+/// (Trefethen, Approximation Theory and Approximation Practice, th. 4.2). They fall geometrically for a smooth function
+/// and like a power next to a weak singularity; which of the two is not known, so the larger sum is taken, each with
+/// the decay seen between the middle and the end of the series. Where nothing decays (noise) it is n times the last.
 double truncation_bound(const Samples& series, int n) {
-  const auto largest = [&](int from, int count) {
-    double most = 0.0;
-    for (int k = from; k < from + count; ++k) most = std::max(most, std::abs(series[k]));
-    return most;
-  };
-  const double end = largest(n - 2, 3);
-  const double middle = largest(n / 2 - 1, 3);
-  const double rate = end < middle ? std::pow(end / middle, 2.0 / n) : 1.0;
-  return rate < 0.98 ? 2.0 * end * rate / (1.0 - rate) : 100.0 * end;
+  const double end = largest_of(series, n - 2, 3);
+  const double middle = largest_of(series, n / 2 - 1, 3);
+  double terms = n;
+  if (end < 0.5 * middle) {
+    const double gain = std::max(end / middle, 1e-300);
+    const double rate = std::pow(gain, 2.0 / n);
+    const double power = -std::log2(gain);
+    terms = std::min(terms, std::max(rate / (1.0 - rate), n / (power - 1.0)));
+  }
+  return 2.0 * terms * end;
 }
 
 /// Linear maps from the values at the Chebyshev roots of a piece.
@@ -91,7 +105,83 @@ struct PieceMaps {
   }
 };
 
+/// Whether twice the points would bring `bound` down to about `wanted`, by the decay from the middle to the end.
+bool doubling_helps(const Samples& series, int n, double bound, double wanted) {
+  if (2 * n > max_intervals) return false;
+  if (n == first_intervals) return true;  // too few to tell
+  const double middle = largest_of(series, n / 2 - 1, 3);
+  const double gain = largest_of(series, n - 2, 3) / middle;
+  return bound * gain * gain <= nearly * wanted;
+}
+
+constexpr int piece_points = 10;
+constexpr int piece_checks = 2;  // at the ends of a piece, where its polynomial errs most
+using PieceValues = std::array<double, piece_points + piece_checks>;
+
+/// A panel's series, in x = slope * log(distance) + shift.
+struct LogarithmicSeries {
+  std::span<const double> series;
+  double slope;
+  double shift;
+
+  [[nodiscard]] PieceValues at(const PieceValues& distances) const {
+    constexpr int count = piece_points + piece_checks;
+    PieceValues x;
+    for (int j = 0; j < count; ++j) x[j] = slope * std::log(distances[j]) + shift;
+    // Clenshaw's recurrence for all points at once.
+    PieceValues b1{};
+    PieceValues b2{};
+    for (std::size_t k = series.size() - 1; k > 0; --k)
+      for (int j = 0; j < count; ++j) {
+        const double b = series[k] + 2.0 * x[j] * b1[j] - b2[j];
+        b2[j] = b1[j];
+        b1[j] = b;
+      }
+    for (int j = 0; j < count; ++j) b1[j] = series[0] + x[j] * b1[j] - b2[j];
+    return b1;
+  }
+};
+
+/// Polynomial of a piece and a bound on the error that it adds.
+struct PiecePolynomial {
+  std::array<double, piece_points> powers{};
+  double error;
+};
+
+PiecePolynomial interpolate(const LogarithmicSeries& series, double from, double to) {
+  static const PieceMaps<piece_points> maps;
+  PieceValues distances;
+  for (int j = 0; j < piece_points; ++j) distances[j] = 0.5 * (from + to) + 0.5 * (to - from) * maps.root[j];
+  distances[piece_points] = from;
+  distances[piece_points + 1] = to;
+  const PieceValues values = series.at(distances);
+  PiecePolynomial out{};
+  double highest = 0.0;
+  double next = 0.0;
+  for (int j = 0; j < piece_points; ++j) {
+    for (int i = 0; i < piece_points; ++i) out.powers[i] += maps.to_powers[j][i] * values[j];
+    highest += maps.to_last[j] * values[j];
+    next += maps.to_last_but_one[j] * values[j];
+  }
+  double first = 0.0;
+  double last = 0.0;
+  for (int i = 0; i < piece_points; ++i) {
+    first += i % 2 == 0 ? out.powers[i] : -out.powers[i];
+    last += out.powers[i];
+  }
+  out.error = 2.0 * std::max({std::abs(highest) + std::abs(next), std::abs(first - values[piece_points]),
+                              std::abs(last - values[piece_points + 1])});
+  return out;
+}
+
 }  // namespace
+
+struct Curve::Panel {
+  double from;  // logarithm of the distance
+  double to;
+  int intervals;
+  std::array<double, max_intervals + 1> series;
+};
 
 Curve::Curve(BatchFunction function, const Spec& spec)
     : lower_(spec.lower),
@@ -103,13 +193,17 @@ Curve::Curve(BatchFunction function, const Spec& spec)
   require(spec.tolerance >= 1e-13 && spec.tolerance < 1.0, "curve tolerance", ">= 1e-13 and < 1", spec.tolerance);
   require(std::isfinite(spec.boundary_layer_width) && spec.boundary_layer_width >= 0.0, "curve boundary_layer_width",
           "finite and >= 0", spec.boundary_layer_width);
+  std::vector<Panel> panels;
+  resolve(function, spec.tolerance, panels);
+  cut(panels, 0.5 * spec.tolerance * scale_);
+}
 
-  const double from = std::log(lower_ - origin_);
-  const double to = std::log(upper_ - origin_);
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
+/// Doubles the points of a panel until its bound is below half the tolerance or more of them would not help; returns
+/// the bound.
+double Curve::refine(const BatchFunction& function, double tolerance, Panel& panel) {
+  const double middle = 0.5 * (panel.from + panel.to);
+  const double half = 0.5 * (panel.to - panel.from);
   Samples values;
-  Samples series;
   Samples points;
   Samples fresh;
   for (int n = first_intervals;; n *= 2) {
@@ -128,76 +222,102 @@ Curve::Curve(BatchFunction function, const Spec& spec)
       values[j] = fresh[i];
       scale_ = std::max(scale_, std::abs(fresh[i]));
     }
-    chebyshev_series(values, n, series);
-    error_bound_ = truncation_bound(series, n);
-    if (error_bound_ <= 0.5 * spec.tolerance * scale_) {
-      cut({series.data(), static_cast<std::size_t>(n) + 1}, 0.5 * spec.tolerance * scale_);
-      return;
+    chebyshev_series(values, n, panel.series);
+    panel.intervals = n;
+    const double bound = truncation_bound(panel.series, n);
+    const double wanted = 0.5 * tolerance * scale_;
+    if (bound > wanted && doubling_helps(panel.series, n, bound, wanted)) continue;
+    return n < suspicious_intervals ? bound : std::max(bound, 2.0 * miss_near_lower_end(function, panel));
+  }
+}
+
+/// Error of a panel's series half-way between its two lowest points, where the next singularity mostly is.
+double Curve::miss_near_lower_end(const BatchFunction& function, const Panel& panel) {
+  const int n = panel.intervals;
+  const double x = std::cos(std::numbers::pi * (n - 0.5) / n);
+  const double distance = std::exp(0.5 * (panel.from + panel.to) + 0.5 * (panel.to - panel.from) * x);
+  const double point = std::clamp(origin_ + distance, lower_, upper_);
+  double value = 0.0;
+  function({&point, 1}, {&value, 1});
+  ++evaluations_;
+  double b1 = 0.0;
+  double b2 = 0.0;
+  for (int k = n; k > 0; --k) {
+    const double b = panel.series[k] + 2.0 * x * b1 - b2;
+    b2 = b1;
+    b1 = b;
+  }
+  return std::abs(panel.series[0] + x * b1 - b2 - value);
+}
+
+void Curve::resolve(const BatchFunction& function, double tolerance, std::vector<Panel>& panels) {
+  struct Part {
+    double from;
+    double to;
+  };
+  std::vector<Part> left{{std::log(lower_ - origin_), std::log(upper_ - origin_)}};
+  while (!left.empty()) {
+    Panel panel{.from = left.back().from, .to = left.back().to, .intervals = 0, .series = {}};
+    left.pop_back();
+    const double bound = refine(function, tolerance, panel);
+    if (bound <= 0.5 * tolerance * scale_) {
+      error_bound_ = std::max(error_bound_, bound);
+      panels.push_back(panel);
+      continue;
     }
-    if (2 * n > max_intervals)
+    if (evaluations_ > max_evaluations)
       throw std::domain_error(
-          fmt::format("curve over [{}, {}]: tolerance {} not reached with {} points; error about {}", lower_, upper_,
-                      spec.tolerance, n + 1, error_bound_ / scale_));
+          fmt::format("curve over [{}, {}]: tolerance {} not reached with {} points; error about {} near {}", lower_,
+                      upper_, tolerance, evaluations_, bound / scale_, origin_ + std::exp(panel.from)));
+    const double middle = 0.5 * (panel.from + panel.to);
+    left.push_back({middle, panel.to});
+    left.push_back({panel.from, middle});
   }
 }
 
-/// Interpolates the series between two distances from the origin; returns a bound on the error that adds.
-double Curve::set_piece(Piece& piece, double from, double to, std::span<const double> series) const {
-  constexpr int points = degree + 1;
-  static const PieceMaps<points> maps;
-  const double first = std::log(lower_ - origin_);
-  const double last = std::log(upper_ - origin_);
-  piece.centre = 0.5 * (from + to);
-  piece.scale = 2.0 / (to - from);
-  std::array<double, points> x;
-  for (int j = 0; j < points; ++j)
-    x[j] = (2.0 * std::log(piece.centre + 0.5 * (to - from) * maps.root[j]) - first - last) / (last - first);
-  // Clenshaw's recurrence for all points at once.
-  std::array<double, points> b1{};
-  std::array<double, points> b2{};
-  for (std::size_t k = series.size() - 1; k > 0; --k)
-    for (int j = 0; j < points; ++j) {
-      const double b = series[k] + 2.0 * x[j] * b1[j] - b2[j];
-      b2[j] = b1[j];
-      b1[j] = b;
-    }
-  piece.powers.fill(0.0);
-  double highest = 0.0;
-  double next = 0.0;
-  for (int j = 0; j < points; ++j) {
-    const double value = series[0] + x[j] * b1[j] - b2[j];
-    for (int i = 0; i < points; ++i) piece.powers[i] += maps.to_powers[j][i] * value;
-    highest += maps.to_last[j] * value;
-    next += maps.to_last_but_one[j] * value;
-  }
-  return 2.0 * (std::abs(highest) + std::abs(next));
-}
-
-void Curve::cut(std::span<const double> series, double tolerance) {
-  const double from = lower_ - origin_;
-  const double to = upper_ - origin_;
+/// Pieces from the lower end on, each as long as its polynomial allows.
+void Curve::cut(const std::vector<Panel>& panels, double tolerance) {
+  constexpr double longer = 1.7;
+  constexpr double shorter = 0.6;
   double worst = 0.0;
-  // One bit of the mantissa more halves every piece.
-  for (shift_ = 51; shift_ > 40; --shift_) {
-    first_ = std::bit_cast<std::uint64_t>(from) >> shift_;
-    const std::uint64_t count = (std::bit_cast<std::uint64_t>(to) >> shift_) - first_ + 1;
-    if (count > max_pieces) break;
-    worst = 0.0;
-    for (std::uint64_t i = 0; i < count && worst <= tolerance; ++i) {
-      const double start = std::bit_cast<double>((first_ + i) << shift_);
-      const double end = std::bit_cast<double>((first_ + i + 1) << shift_);
-      const double begin = std::max(start, from);
-      // A last piece of no width holds only the upper end itself.
-      const double finish = std::max(std::min(end, to), begin + 1e-3 * (end - start));
-      worst = std::max(worst, set_piece(pieces_[i], begin, finish, series));
-    }
-    if (worst <= tolerance) {
-      error_bound_ += worst;
-      return;
+  double width = 0.5 * (lower_ - origin_);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Panel& panel = panels[i];
+    double start = i == 0 ? lower_ - origin_ : pieces_.back().end;
+    const double last = i + 1 == panels.size() ? upper_ - origin_ : std::exp(panel.to);
+    const LogarithmicSeries series{{panel.series.data(), static_cast<std::size_t>(panel.intervals) + 1},
+                                   2.0 / (panel.to - panel.from),
+                                   -(panel.from + panel.to) / (panel.to - panel.from)};
+    while (start < last) {
+      double end = start + width < last ? start + width : last;
+      PiecePolynomial piece = interpolate(series, start, end);
+      for (; piece.error > tolerance && end - start > 1e-6 * (last - start); piece = interpolate(series, start, end))
+        end = start + shorter * (end - start);
+      worst = std::max(worst, piece.error);
+      pieces_.push_back(
+          {.end = end, .centre = 0.5 * (start + end), .scale = 2.0 / (end - start), .powers = piece.powers});
+      width = longer * (end - start);
+      start = end;
     }
   }
-  throw std::domain_error(fmt::format("curve over [{}, {}]: not smooth enough for {} pieces; error about {}", lower_,
-                                      upper_, max_pieces, worst / scale_));
+  error_bound_ += worst;
+  pieces_.back().end = std::numeric_limits<double>::infinity();
+  number_cells();
+}
+
+/// As many cells of equal mantissa bits as there is room for, each with the first piece that reaches into it.
+void Curve::number_cells() {
+  const auto from = std::bit_cast<std::uint64_t>(lower_ - origin_);
+  const auto to = std::bit_cast<std::uint64_t>(upper_ - origin_);
+  shift_ = 40;
+  while ((to >> shift_) - (from >> shift_) + 1 > max_cells) ++shift_;
+  first_ = from >> shift_;
+  std::uint16_t piece = 0;
+  for (std::uint64_t cell = 0; cell < max_cells; ++cell) {
+    const auto start = std::bit_cast<double>((first_ + cell) << shift_);
+    while (start > pieces_[piece].end) ++piece;
+    piece_of_cell_[cell] = piece;
+  }
 }
 
 namespace {

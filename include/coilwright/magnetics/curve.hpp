@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
@@ -36,9 +37,10 @@ class BatchFunction {
   void (*call_)(const void*, std::span<const double>, std::span<double>);
 };
 
-/// Smooth function of one variable over [lower, upper] as piecewise polynomials: nanoseconds to evaluate, value and
-/// derivative, no heap. Built through Chebyshev points in the logarithm of the distance from a point below `lower`,
-/// until the coefficients have fallen below the tolerance; cut into pieces whose width grows with that distance.
+/// Function of one variable over [lower, upper] as piecewise polynomials: nanoseconds to evaluate, value and
+/// derivative, without allocating. Built through Chebyshev points in the logarithm of the distance from a point below
+/// `lower`; the range is halved where the coefficients fall too slowly, so that a steep or weakly singular end costs
+/// points only there. Cut into pieces as long as each can be at the tolerance.
 class Curve {
  public:
   /// What to interpolate over, and how well.
@@ -49,6 +51,8 @@ class Curve {
     double boundary_layer_width{};  ///< > 0: how far below `lower` the function's variation is concentrated, in the
                                     ///< unit of x; 0 stands for upper - lower: no particular concentration
   };
+  /// Most evaluations of the function that a curve takes before it gives up.
+  static constexpr int max_evaluations = 1000;
   /// Value and slope at one place.
   struct Sample {
     double value;       ///< in the function's unit
@@ -56,7 +60,7 @@ class Curve {
   };
 
   /// Throws std::invalid_argument for a bad spec or when the function is not finite somewhere, std::domain_error when
-  /// the tolerance is not reached with the most points there is room for (the function is not smooth enough).
+  /// the tolerance is not reached with `max_evaluations` points (the function jumps, or is noisier than the tolerance).
   Curve(BatchFunction function, const Spec& spec);
 
   /// Value and derivative at x. Outside [lower, upper] the curve goes on as the straight line that continues it with
@@ -66,12 +70,14 @@ class Curve {
     // Written so that a NaN picks a piece too (and comes out as NaN): the number of the piece is an index.
     const double inside = x > lower_ ? (x < upper_ ? x : upper_) : lower_;
     const double distance = inside - origin_;
-    // Exponent and first bits of the distance number the piece: piece widths grow with the distance by themselves.
-    const auto number = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(distance) >> shift_) - first_);
-    const Piece& piece = pieces_[number];
-    const double t = (distance - piece.centre) * piece.scale;
+    // Exponent and first bits of the distance number a cell, which knows the first piece that reaches into it; mostly
+    // that is the one.
+    const auto cell = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(distance) >> shift_) - first_);
+    const Piece* piece = pieces_.data() + piece_of_cell_[cell];
+    while (distance > piece->end) ++piece;
+    const double t = (distance - piece->centre) * piece->scale;
     const double w = t * t;
-    const auto& c = piece.powers;
+    const auto& c = piece->powers;
     // Even and odd powers apart, each with its derivative by w: four short chains instead of one long one.
     double even = c[degree - 1];
     double even_slope = 0.0;
@@ -84,7 +90,7 @@ class Curve {
       odd_slope = odd_slope * w + odd;
       odd = odd * w + c[i + 1];
     }
-    const double slope = (odd + 2.0 * (t * even_slope + w * odd_slope)) * piece.scale;
+    const double slope = (odd + 2.0 * (t * even_slope + w * odd_slope)) * piece->scale;
     return {even + t * odd + slope * (x - inside), slope};
   }
   [[nodiscard]] double value(double x) const noexcept { return sample(x).value; }            ///< see sample
@@ -92,6 +98,8 @@ class Curve {
 
   [[nodiscard]] double lower() const noexcept { return lower_; }
   [[nodiscard]] double upper() const noexcept { return upper_; }
+  /// How far below `lower` the variation is concentrated, as given or chosen, in the unit of x.
+  [[nodiscard]] double boundary_layer_width() const noexcept { return lower_ - origin_; }
   /// Bound on |value(x) - f(x)| inside the range, in the function's unit, from the decay of the coefficients.
   [[nodiscard]] double error_bound() const noexcept { return error_bound_; }
   /// Largest magnitude met while building, in the function's unit.
@@ -101,15 +109,20 @@ class Curve {
 
  private:
   static constexpr int degree = 9;  // odd: as many even powers as odd ones
-  static constexpr int max_pieces = 40;
+  static constexpr std::size_t max_cells = 64;
+  struct Panel;  // part of the range with its Chebyshev series
   struct Piece {
+    double end;     // distance at which it ends; of the last one infinity
     double centre;  // of the distance
     double scale;   // 1 / half width
     std::array<double, degree + 1> powers;
   };
 
-  void cut(std::span<const double> series, double tolerance);
-  double set_piece(Piece& piece, double from, double to, std::span<const double> series) const;
+  void resolve(const BatchFunction& function, double tolerance, std::vector<Panel>& panels);
+  [[nodiscard]] double refine(const BatchFunction& function, double tolerance, Panel& panel);
+  [[nodiscard]] double miss_near_lower_end(const BatchFunction& function, const Panel& panel);
+  void cut(const std::vector<Panel>& panels, double tolerance);
+  void number_cells();
 
   double lower_;
   double upper_;
@@ -119,12 +132,13 @@ class Curve {
   int evaluations_ = 0;
   double error_bound_ = 0.0;
   double scale_ = 0.0;
-  std::array<Piece, max_pieces> pieces_;
+  std::vector<Piece> pieces_;
+  std::array<std::uint16_t, max_cells> piece_of_cell_{};
 };
 
 /// hinge_torque_per_ampere over the joint angle, rad -> N m/A. A boundary layer width of 0 is replaced by one that
 /// suits the hinge. With Fidelity::exact the range must not reach far into angles at which coil and magnet overlap: the
-/// torque of overlapping currents is not smooth, and the construction then gives up with std::domain_error.
+/// torque of overlapping currents is known to 0.5 % only, and the construction then gives up with std::domain_error.
 [[nodiscard]] Curve torque_curve(const ThickCoil& coil, const CylinderMagnet& magnet, const HingeGeometry& geometry,
                                  Fidelity fidelity, const Curve::Spec& spec);
 

@@ -65,13 +65,15 @@ std::vector<DistantPair> CoilRow::build() const {
       const PlacedCoil& second = coils_[k];
       const double distance = (straight_[k] - straight_[i]).norm();
       const double radius = std::max(first.coil.outer_radius(), second.coil.outer_radius());
-      // Closing joints bring two coils at most a tenth nearer. Opening each joint between them takes them apart by at
-      // most twice the joint's lever; ten radii on, the force is a dipole's within 3 %.
+      const double touching = 0.5 * (first.coil.length() + second.coil.length());
+      // Closing joints bring two coils at most a tenth nearer, and neighbours no nearer than they touch. Opening each
+      // joint between them takes them apart by at most twice the joint's lever; ten radii on, the force is a dipole's
+      // within 3 %.
       const int joints = second.centre.link - first.centre.link;
       const double lever = std::max(std::abs(first.centre.offset), std::abs(second.centre.offset));
       const Family candidate{.first = &first,
                              .second = &second,
-                             .lower = 0.9 * distance,
+                             .lower = std::min(std::max(0.9 * distance, touching), distance),
                              .upper = std::max(distance + 2.0 * joints * lever, 10.0 * radius),
                              .pairs = {}};
       family_of(families, candidate).pairs.push_back(pairs.size());

@@ -27,7 +27,7 @@ class CoilRow {
 
   [[nodiscard]] const std::vector<PlacedCoil>& coils() const noexcept { return coils_; }
   /// Every coil with every other, each force curve exact to 1e-6 of its largest value from 0.9 of the distance when
-  /// straight. Safe from any thread.
+  /// straight, for neighbours from where they would touch if that is more. Safe from any thread.
   [[nodiscard]] std::vector<DistantPair> pairs() const;
 
  private:

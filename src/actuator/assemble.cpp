@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "actuator/chain_of.hpp"
 #include "actuator/pair_curves.hpp"
+#include "coilwright/actuator/hinges.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
 
 namespace coilwright::actuator {
@@ -31,22 +33,10 @@ int coil_index(const Layout& layout, int i) {
                                         [](const Component& c) { return c.kind == ComponentKind::coil; }));
 }
 
-mechanics::PlanarChain chain_of(const Design& design, const std::vector<Segment>& segments) {
-  std::vector<mechanics::Link> links;
-  links.reserve(segments.size() - 1);
-  for (std::size_t i = 1; i < segments.size(); ++i)
-    links.push_back({.length = segments[i].length,
-                     .com_along = segments[i].com_along,
-                     .com_offset = segments[i].com_offset,
-                     .mass = segments[i].mass,
-                     .inertia = segments[i].inertia});
-  return mechanics::PlanarChain(links, design.surroundings.gravity, design.surroundings.base_tilt);
-}
-
 std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const mechanics::PlanarChain& chain) {
   const double modulus = mechanics::young_modulus_from_shore_a(design.body.shore_hardness);
-  const double strip = mechanics::hinge_stiffness(
-      {.width = size.width, .height = design.body.bottom_layer, .length = design.body.hinge_length}, modulus);
+  const double stiffness = hinge_stiffness(design, size);
+  const double damping = hinge_damping(design, size, first_mode_frequency(chain, stiffness));
   const int n = chain.joints();
   const mechanics::JointVector mobility = chain.joint_mobility();
   const bool walls = design.choices.faces == ContactChoice::walls;
@@ -56,8 +46,8 @@ std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const
                                                    .height = face_height_of_joint(design, size, j),
                                                    .thickness = gap_of_joint(design, j),
                                                    .young_modulus = modulus});
-    hinges[j] = {.stiffness = design.calibration.joint_stiffness * strip,
-                 .damping = design.calibration.joint_damping * strip * design.body.loss_time,
+    hinges[j] = {.stiffness = stiffness,
+                 .damping = damping,
                  .contact = {.closing_angle = walls ? 0.0 : -closing_angle_of_joint(design, size, j),
                              .stiffness = wall,
                              .damping = mechanics::contact_damping(wall, mobility[j])}};
@@ -170,6 +160,18 @@ Assembly with_effects(Assembly assembly, const std::vector<Effect>& effects) {
 }
 
 }  // namespace
+
+mechanics::PlanarChain chain_of(const Design& design, const std::vector<Segment>& segments) {
+  std::vector<mechanics::Link> links;
+  links.reserve(segments.size() - 1);
+  for (std::size_t i = 1; i < segments.size(); ++i)
+    links.push_back({.length = segments[i].length,
+                     .com_along = segments[i].com_along,
+                     .com_offset = segments[i].com_offset,
+                     .mass = segments[i].mass,
+                     .inertia = segments[i].inertia});
+  return mechanics::PlanarChain(links, design.surroundings.gravity, design.surroundings.base_tilt);
+}
 
 double Assembly::mass() const {
   double sum = 0.0;

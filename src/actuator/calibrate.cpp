@@ -8,6 +8,7 @@
 #include "actuator/heat_chain.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
+#include "coilwright/actuator/hinges.hpp"
 #include "coilwright/winding/winding.hpp"
 
 namespace coilwright::actuator {
@@ -88,12 +89,9 @@ Calibration calibrate(Design design, const Measured& measured) {
     design.calibration.axis_offset = ratio(*measured.axis_offset, dimensions(design).axis_offset, "axis offset");
 
   const Assembly derived = assemble_or_throw(design);
-  const Hinge& hinge = derived.model.hinges().front();
-  if (measured.joint_stiffness)
-    design.calibration.joint_stiffness = ratio(*measured.joint_stiffness, hinge.stiffness, "joint stiffness");
-  if (measured.joint_damping)
-    design.calibration.joint_damping = ratio(*measured.joint_damping, hinge.damping, "joint damping");
   calibrate_masses(design, measured, derived);
+  if (measured.joint_stiffness || measured.joint_damping)
+    design = with_measured_hinge(design, measured.joint_stiffness, measured.joint_damping);
   if (measured.coil_resistance)
     design.calibration.coil_resistance = ratio(*measured.coil_resistance, derived.coil.resistance, "coil resistance");
   if (measured.continuous_current) {

@@ -55,6 +55,34 @@ TEST(Calibrate, LeavesWhatWasNotMeasuredAsDerived) {
   EXPECT_EQ(factors.heat_transfer, 1.0);
 }
 
+// Where no part of b is to be constant, or b is below the silicone's own part, the silicone has all of it.
+TEST(Calibrate, GivesTheSiliconeAllOfADampingThatLeavesNoRest) {
+  Design design = paper_geometry();
+  design.choices.damping = DampingLaw::proportional;
+  design.body.loss_time = 10.3e-3;
+  design.body.constant_damping = 0.0;
+  design.calibration = calibrate(design, {.joint_stiffness = 12.5e-3, .joint_damping = 1.29e-4});
+  expect_relative(design.calibration.joint_damping / design.calibration.joint_stiffness, 1.29e-4 / 12.5e-3 / 10.3e-3,
+                  "factor");
+  design.body.constant_damping = 0.08e-3;
+  design.calibration = calibrate(design, {.joint_stiffness = 12.5e-3, .joint_damping = 0.9e-4});
+  EXPECT_EQ(design.calibration.constant_damping, 0.0);
+  expect_relative(assemble_or_throw(design).model.hinges()[0].damping, 0.9e-4, "b");
+  design.body.loss_time = 0.0;
+  design.body.constant_damping = 0.0;
+  EXPECT_EQ(error_text([&] { (void)calibrate(design, {.joint_damping = 1.29e-4}); }),
+            "measured joint damping: the body has neither a loss nor a constant damping to scale");
+}
+
+TEST(Calibrate, NotesTheJointThatWasMeasured) {
+  EXPECT_FALSE(calibrate(paper_geometry(), {.axis_offset = 11.6e-3}).hinge.has_value());
+  const HingeReference joint = calibrate(paper_geometry(), paper_measured()).hinge.value();
+  expect_relative(joint.width, 22e-3, "width");
+  expect_relative(joint.bottom_layer, 2.5e-3, "bottom layer");
+  expect_relative(joint.stiffness, 12.5e-3, "k");
+  expect_relative(joint.damping, 1.29e-4, "b");
+}
+
 TEST(Calibrate, IgnoresTheCalibrationItFinds) {
   const Design raw = paper_geometry();
   const Design calibrated = paper_finger();
@@ -63,15 +91,16 @@ TEST(Calibrate, IgnoresTheCalibrationItFinds) {
   EXPECT_EQ(again.heat_transfer, calibrated.calibration.heat_transfer);
 }
 
-// The factors travel: a bottom layer 1.2 times as high is 1.2^3 times as stiff, measured factor included.
+// The factors travel: a bottom layer 1.2 times as high is 1.2^2 times as stiff, measured factor included. Of the
+// damping only the silicone's part follows.
 TEST(Calibrate, KeepsItsFactorsWhenAVariableMoves) {
   Design design = paper_finger();
   const Assembly before = assemble_or_throw(design);
   design.body.bottom_layer *= 1.2;
   const Assembly after = assemble_or_throw(design);
-  const double cube = 1.2 * 1.2 * 1.2;
-  expect_relative(after.model.hinges()[0].stiffness, cube * before.model.hinges()[0].stiffness, "k");
-  expect_relative(after.model.hinges()[1].damping, cube * before.model.hinges()[1].damping, "b");
+  expect_relative(after.model.hinges()[0].stiffness, 1.2 * 1.2 * before.model.hinges()[0].stiffness, "k");
+  EXPECT_GT(after.model.hinges()[1].damping, before.model.hinges()[1].damping);
+  EXPECT_LT(after.model.hinges()[1].damping, 1.2 * 1.2 * before.model.hinges()[1].damping);
   // h = R_m + 0.25 mm + h_b / 2, times a factor that is 1 to rounding here: 11.75 mm.
   expect_relative(after.dimensions.axis_offset, 11.75e-3, "h");
 }

@@ -40,6 +40,11 @@ class MisfitList {
         {fmt::format("{} must be > 0 and at most {:.6g} mm; got {:.6g} mm", name, longest * 1e3, value * 1e3),
          std::isfinite(outside) ? outside : 1.0});
   }
+  void require_not_negative(double value, const char* name, double unit, const char* unit_name) {
+    if (std::isfinite(value) && value >= 0.0) return;
+    const double excess = std::isfinite(value) ? 1.0 - value / unit : 1.0;
+    list_.push_back({fmt::format("{} must be finite and >= 0; got {:.6g}{}", name, value / unit, unit_name), excess});
+  }
   void require_finite(double value, const char* name, const char* unit_name) {
     if (!std::isfinite(value))
       list_.push_back({fmt::format("{} must be finite; got {} {}", name, value, unit_name), 1.0});
@@ -79,7 +84,12 @@ void check_sizes(const Design& design, MisfitList& list) {
   list.require_length(body.front_length, "front length");
   list.require_length(body.rear_length, "rear length");
   list.require_length(body.hinge_length, "hinge length");
-  list.require_positive(body.loss_time, "loss time", 1e-3, "ms");
+  list.require_not_negative(body.slot_width, "slot width", 1e-3, " mm");
+  if (!(body.poisson_ratio >= 0.0 && body.poisson_ratio <= 0.5))
+    list.add(fmt::format("Poisson's ratio must lie in 0 to 0.5; got {}", body.poisson_ratio), 1.0);
+  list.require_not_negative(body.loss_factor, "loss factor", 1.0, "");
+  list.require_not_negative(body.loss_time, "loss time", 1e-3, " ms");
+  list.require_not_negative(body.constant_damping, "constant damping", 1e-3, " N mm s/rad");
   list.require_positive(body.density, "silicone density", 1.0, "kg/m3");
   list.require_positive(body.heat_capacity, "silicone heat capacity", 1.0, "J/(kg K)");
   list.require_positive(body.conductivity, "silicone conductivity", 1.0, "W/(m K)");
@@ -102,6 +112,7 @@ void check_calibration(const Calibration& factors, MisfitList& list) {
   list.require_factor(factors.radial_pitch, "radial pitch");
   list.require_factor(factors.joint_stiffness, "joint stiffness");
   list.require_factor(factors.joint_damping, "joint damping");
+  list.require_not_negative(factors.constant_damping, "calibration factor of constant damping", 1.0, "");
   list.require_factor(factors.axis_offset, "axis offset");
   list.require_factor(factors.magnet_segment_mass, "magnet segment mass");
   list.require_factor(factors.coil_segment_mass, "coil segment mass");

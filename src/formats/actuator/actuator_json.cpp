@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -52,12 +53,41 @@ std::string_view word(magnetics::CurrentDistribution winding) {
   return "";
 }
 
+std::string_view word(HingeLaw hinge) {
+  switch (hinge) {
+    case HingeLaw::slit:
+      return "slit";
+    case HingeLaw::slot:
+      return "slot";
+    case HingeLaw::beam:
+      return "beam";
+  }
+  return "";
+}
+
 Json choices_json(const ModelChoices& choices) {
   return Json::object(
       {{"winding", word(choices.winding)},
        {"torque", choices.torque == magnetics::Fidelity::exact ? "exact" : "line_of_centres"},
        {"face_contact", choices.faces == ContactChoice::walls ? "walls" : "hard_parts"},
-       {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"}});
+       {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"},
+       {"hinge", word(choices.hinge)},
+       {"damping", choices.damping == DampingLaw::loss_factor ? "loss_factor" : "proportional"}});
+}
+
+Json calibration_json(const Design& design) {
+  Json out = section_json(design, "calibration");
+  const std::optional<HingeReference>& hinge = design.calibration.hinge;
+  if (!hinge) return out;
+  Json reference = Json::object();
+  const auto set = [&](const char* key, double value) { reference.set(key, units::from_memory(value, key)); };
+  set("width_mm", hinge->width);
+  set("bottom_layer_mm", hinge->bottom_layer);
+  set("joint_stiffness_Nmm_rad", hinge->stiffness);
+  set("joint_damping_Nmms_rad", hinge->damping);
+  set("first_mode_Hz", hinge->first_mode);
+  out.set("hinge_reference", std::move(reference));
+  return out;
 }
 
 // Whole numbers as a person writes them.
@@ -124,7 +154,7 @@ Json to_json(const Design& design, const std::string& name, const std::optional<
                            {"body", section_json(design, "body")},
                            {"surroundings", section_json(design, "surroundings")},
                            {"model", choices_json(design.choices)},
-                           {"calibration", section_json(design, "calibration")}});
+                           {"calibration", calibration_json(design)}});
   if (!design.effects.empty()) out.set("effects", to_json(design.effects));
   if (operating_point) out.set("operating_point", to_json(*operating_point));
   return out;

@@ -29,6 +29,33 @@ using actuator::Component;
 using actuator::ComponentKind;
 using actuator::Design;
 
+// Where k and b were measured, all of it or none.
+actuator::HingeReference read_hinge_reference(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    return actuator::HingeReference{.width = in.quantity("width_mm", measurement),
+                                    .bottom_layer = in.quantity("bottom_layer_mm", measurement),
+                                    .stiffness = in.quantity("joint_stiffness_Nmm_rad", measurement),
+                                    .damping = in.quantity("joint_damping_Nmms_rad", Rule::between(0.0, largest_number)),
+                                    .first_mode = in.quantity("first_mode_Hz", measurement)};
+  });
+}
+
+// Whether a file carries factors that were found under the hinge law of the first version, which wrote no law. What it
+// leaves out was another default then.
+bool calibrated_by_first_version(const Node& actuator) {
+  if (!actuator.find("calibration")) return false;
+  const auto choices = actuator.find("model");
+  return !choices || !choices->find("hinge");
+}
+
+void set_defaults_of_first_version(Design& design) {
+  design.choices.hinge = actuator::HingeLaw::beam;
+  design.choices.damping = actuator::DampingLaw::proportional;
+  design.choices.faces = actuator::ContactChoice::hard_parts;
+  design.body.loss_time = 10.3e-3;
+  design.body.constant_damping = 0.0;
+}
+
 void read_section(ObjectReader& in, std::string_view section, Design& design) {
   const auto node = in.find(section);
   if (!node) return;
@@ -42,6 +69,9 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
     else
       parameter.set(design, units::to_memory(value->number(rule_of(parameter)), parameter.key));
   }
+  if (section == "calibration")
+    if (const auto reference = keys.find("hinge_reference"))
+      design.calibration.hinge = read_hinge_reference(*reference);
   keys.finish();
 }
 
@@ -69,10 +99,9 @@ actuator::Layout read_layout(ObjectReader& in) {
   return layout;
 }
 
-actuator::ModelChoices read_choices(const Node& node) {
+actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoices& usual) {
   using namespace actuator;
-  return read_object(node, [](ObjectReader& in) {
-    const ModelChoices usual;
+  return read_object(node, [&usual](ObjectReader& in) {
     return ModelChoices{
         .winding = in.choice_or("winding", usual.winding,
                                 {{"paper_shells", magnetics::CurrentDistribution::paper_shells},
@@ -85,7 +114,12 @@ actuator::ModelChoices read_choices(const Node& node) {
                               {{"hard_parts", ContactChoice::hard_parts}, {"walls", ContactChoice::walls}}),
         .masses = in.choice_or(
             "segment_mass", usual.masses,
-            {{"on_axis_points", SegmentMass::on_axis_points}, {"rigid_bodies", SegmentMass::rigid_bodies}})};
+            {{"on_axis_points", SegmentMass::on_axis_points}, {"rigid_bodies", SegmentMass::rigid_bodies}}),
+        .hinge = in.choice_or("hinge", usual.hinge,
+                              {{"slit", HingeLaw::slit}, {"slot", HingeLaw::slot}, {"beam", HingeLaw::beam}}),
+        .damping =
+            in.choice_or("damping", usual.damping,
+                         {{"loss_factor", DampingLaw::loss_factor}, {"proportional", DampingLaw::proportional}})};
   });
 }
 
@@ -102,6 +136,7 @@ actuator::Measured read_measured(const Node& node) {
 Rule rule_of(const actuator::Parameter& parameter) {
   // What has a table, a relation or a lowest value of its own.
   if (parameter.name == "wire_gauge_AWG") return Rule::between(winding::thickest_gauge, winding::thinnest_gauge);
+  if (parameter.name == "poisson_ratio") return Rule::between(0.0, 0.5);
   if (parameter.name == "shore_hardness_A") return Rule::between(softest_shore, hardest_shore);
   if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));
   switch (parameter.rule) {
@@ -126,9 +161,10 @@ actuator::Configuration read_configuration(const Node& node) {
 DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
   DesignContent content;
   Design& design = content.design;
+  if (calibrated_by_first_version(in.node())) set_defaults_of_first_version(design);
   design.layout = read_layout(in);
   for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
-  if (const auto choices = in.find("model")) design.choices = read_choices(*choices);
+  if (const auto choices = in.find("model")) design.choices = read_choices(*choices, design.choices);
   if (const actuator::ConstructionFaults broken = actuator::construction_faults(design); !broken.empty())
     throw in.node().error_without_value(broken.front().rule);
   const auto measured = in.find("measured");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/hinges.hpp"
 #include "measurement/replay/lru_memo.hpp"
 
 namespace coilwright::measurement::replay {
@@ -61,14 +62,15 @@ class DeclaredDesign::State {
   [[nodiscard]] Design design_at(std::span<const double> values) {
     Design design = without_hinges(values);
     const std::shared_ptr<const ModelSpec> spec = assembled_at(design, values);
+    Hinge hinge = spec->hinges.front();
+    bool moved = false;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       const auto* number = std::get_if<HingesNumber>(&numbers_[i].target);
       if (number == nullptr) continue;
-      double& factor =
-          number->member == &Hinge::stiffness ? design.calibration.joint_stiffness : design.calibration.joint_damping;
-      factor *= values[i] / spec->hinges.front().*number->member;
+      hinge.*number->member = values[i];
+      moved = true;
     }
-    return design;
+    return moved ? actuator::with_measured_hinge(std::move(design), hinge.stiffness, hinge.damping) : design;
   }
 
  private:

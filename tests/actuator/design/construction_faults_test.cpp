@@ -50,7 +50,12 @@ TEST(ConstructionFaults, NameEverySizeThatIsNotPositive) {
   expect([](Design& d) { d.body.front_length = 0.0; }, "front length must be > 0 and at most 1000 mm; got 0 mm");
   expect([](Design& d) { d.body.rear_length = 0.0; }, "rear length must be > 0 and at most 1000 mm; got 0 mm");
   expect([](Design& d) { d.body.hinge_length = 0.0; }, "hinge length must be > 0 and at most 1000 mm; got 0 mm");
-  expect([](Design& d) { d.body.loss_time = -4e-3; }, "loss time must be finite and > 0; got -4 ms");
+  expect([](Design& d) { d.body.loss_time = -4e-3; }, "loss time must be finite and >= 0; got -4 ms");
+  expect([](Design& d) { d.body.slot_width = -0.2e-3; }, "slot width must be finite and >= 0; got -0.2 mm");
+  expect([](Design& d) { d.body.poisson_ratio = 0.52; }, "Poisson's ratio must lie in 0 to 0.5; got 0.52");
+  expect([](Design& d) { d.body.loss_factor = -0.1; }, "loss factor must be finite and >= 0; got -0.1");
+  expect([](Design& d) { d.body.constant_damping = infinity; },
+         "constant damping must be finite and >= 0; got inf N mm s/rad");
   expect([](Design& d) { d.body.density = 0.0; }, "silicone density must be finite and > 0; got 0 kg/m3");
   expect([](Design& d) { d.body.heat_capacity = 0.0; },
          "silicone heat capacity must be finite and > 0; got 0 J/(kg K)");
@@ -103,6 +108,8 @@ TEST(ConstructionFaults, NameEveryCalibrationFactorThatIsNone) {
   expect(&Calibration::radial_pitch, "radial pitch");
   expect(&Calibration::joint_stiffness, "joint stiffness");
   expect(&Calibration::joint_damping, "joint damping");
+  EXPECT_EQ(rules_after([](Design& d) { d.calibration.constant_damping = -0.5; }),
+            "calibration factor of constant damping must be finite and >= 0; got -0.5");
   expect(&Calibration::axis_offset, "axis offset");
   expect(&Calibration::magnet_segment_mass, "magnet segment mass");
   expect(&Calibration::coil_segment_mass, "coil segment mass");

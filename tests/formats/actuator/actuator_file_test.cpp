@@ -35,12 +35,15 @@ const std::string full_design = R"({
   "coil": {"inner_radius_mm": 3.1, "turns_radial": 14, "turns_axial": 29, "wire_gauge_AWG": 27},
   "magnet": {"radius_mm": 9.3, "length_mm": 5.7, "remanence_T": 1.31, "density_kg_m3": 7450,
              "temperature_limit_degC": 85},
-  "body": {"gap_mm": 0.95, "bottom_layer_mm": 2.4, "loss_time_ms": 9.7, "shore_hardness_A": 31},
+  "body": {"gap_mm": 0.95, "bottom_layer_mm": 2.4, "loss_time_ms": 9.7, "shore_hardness_A": 31,
+           "slot_width_mm": 0.7, "poisson_ratio": 0.48, "loss_factor": 0.11, "constant_damping_Nmms_rad": 0.06},
   "surroundings": {"gravity_m_s2": 9.79, "base_tilt_deg": 12, "ambient_degC": 22, "coil_limit_degC": 130,
                    "heat_transfer_W_m2K": 47},
   "model": {"winding": "layer_centres", "torque": "line_of_centres", "face_contact": "walls",
-            "segment_mass": "on_axis_points"},
-  "calibration": {"joint_damping_factor": 1.07, "tip_com_factor": 0.93}
+            "segment_mass": "on_axis_points", "hinge": "slot", "damping": "proportional"},
+  "calibration": {"joint_damping_factor": 1.07, "tip_com_factor": 0.93, "constant_damping_factor": 0.4,
+                  "hinge_reference": {"width_mm": 21, "bottom_layer_mm": 2.3, "joint_stiffness_Nmm_rad": 11.5,
+                                      "joint_damping_Nmms_rad": 0.12, "first_mode_Hz": 6.1}}
 })";
 
 TEST(ActuatorFile, PutsEveryKeyIntoItsPlaceInSi) {
@@ -65,6 +68,19 @@ TEST(ActuatorFile, PutsEveryKeyIntoItsPlaceInSi) {
   EXPECT_EQ(design.choices.torque, magnetics::Fidelity::line_of_centres);
   EXPECT_EQ(design.choices.faces, actuator::ContactChoice::walls);
   EXPECT_EQ(design.choices.masses, actuator::SegmentMass::on_axis_points);
+  EXPECT_DOUBLE_EQ(design.body.slot_width, 0.7e-3);
+  EXPECT_EQ(design.body.poisson_ratio, 0.48);
+  EXPECT_EQ(design.body.loss_factor, 0.11);
+  EXPECT_DOUBLE_EQ(design.body.constant_damping, 0.06e-3);
+  EXPECT_EQ(design.choices.hinge, actuator::HingeLaw::slot);
+  EXPECT_EQ(design.choices.damping, actuator::DampingLaw::proportional);
+  EXPECT_EQ(design.calibration.constant_damping, 0.4);
+  ASSERT_TRUE(design.calibration.hinge.has_value());
+  EXPECT_DOUBLE_EQ(design.calibration.hinge->width, 21e-3);
+  EXPECT_DOUBLE_EQ(design.calibration.hinge->bottom_layer, 2.3e-3);
+  EXPECT_DOUBLE_EQ(design.calibration.hinge->stiffness, 11.5e-3);
+  EXPECT_DOUBLE_EQ(design.calibration.hinge->damping, 0.12e-3);
+  EXPECT_EQ(design.calibration.hinge->first_mode, 6.1);
   EXPECT_EQ(design.calibration.joint_damping, 1.07);
   EXPECT_EQ(design.calibration.tip_com, 0.93);
 }
@@ -77,6 +93,28 @@ TEST(ActuatorFile, LeavesWhatIsAbsentAtItsDefault) {
   EXPECT_EQ(design.body.hinge_length, usual.body.hinge_length);
   EXPECT_EQ(design.choices.winding, usual.choices.winding);
   EXPECT_EQ(design.calibration.heat_transfer, 1.0);
+}
+
+// The actuator.json that version 0.1 wrote for fastest_finger, its numbers of the hinge as they were: k of a beam
+// of 2.4 mm, all of b proportional to it, worked out by hand from E = 1.05116 MPa.
+TEST(ActuatorFile, OfTheFirstVersionKeepsItsNumbers) {
+  const std::string written = R"({"format": "actuator/1", "configuration": "B",
+      "magnet": {"radius_mm": 8.5}, "coil": {"turns_radial": 14, "turns_axial": 10, "wire_gauge_AWG": 29},
+      "body": {"bottom_layer_mm": 1.6, "hinge_length_mm": 2.4, "loss_time_ms": 10.3},
+      "calibration": {"joint_stiffness_factor": 0.9963013666625398, "joint_damping_factor": 0.9982359324230494}})";
+  const actuator::Design design = design_of(written);
+  EXPECT_EQ(design.choices.hinge, actuator::HingeLaw::beam);
+  EXPECT_EQ(design.choices.damping, actuator::DampingLaw::proportional);
+  EXPECT_EQ(design.choices.faces, actuator::ContactChoice::hard_parts);
+  EXPECT_EQ(design.body.constant_damping, 0.0);
+  EXPECT_FALSE(design.calibration.hinge.has_value());
+  const actuator::Hinge hinge = actuator::assemble_or_throw(design).model.hinges().front();
+  const double beam = 1.05116e6 * 19e-3 * 1.6e-3 * 1.6e-3 * 1.6e-3 / (12.0 * 2.4e-3);  // 19 mm: 2 (8.5 + 1)
+  EXPECT_NEAR(hinge.stiffness, 0.9963013666625398 * beam, 1e-5 * beam);
+  EXPECT_NEAR(hinge.damping, 0.9982359324230494 * beam * 10.3e-3, 1e-5 * beam * 10.3e-3);
+  // What it left out was another default then.
+  const actuator::Design bare = design_of(changed(written, R"(, "loss_time_ms": 10.3)", ""));
+  EXPECT_DOUBLE_EQ(bare.body.loss_time, 10.3e-3);
 }
 
 TEST(ActuatorFile, TurnsMeasuredValuesIntoFactorsThatGiveThemBack) {
@@ -109,6 +147,12 @@ TEST(ActuatorFile, RefusesWordsAndMeasurementsThatDoNotExist) {
             R"(a.json: /: gives "measured" and "calibration"; only one of them may be there)");
   EXPECT_EQ(refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_com_mm": 1e9}})"),
             "a.json: /measured/tip_com_mm: must be > 0 and <= 1000000; got 1000000000");
+  EXPECT_EQ(refusal(changed(full_design, R"("hinge": "slot")", R"("hinge": "crack")")),
+            R"(a.json: /model/hinge: must be one of "slit", "slot", "beam"; got text "crack")");
+  EXPECT_EQ(refusal(changed(full_design, R"("poisson_ratio": 0.48)", R"("poisson_ratio": 0.51)")),
+            "a.json: /body/poisson_ratio: must be from 0 to 0.5; got 0.51");
+  EXPECT_EQ(refusal(changed(full_design, R"("width_mm": 21, )", "")),
+            "a.json: /calibration/hinge_reference/width_mm: is missing");
   EXPECT_EQ(refusal(changed(full_design, R"("tip_com_factor": 0.93)", R"("tip_com_factor": 0)")),
             "a.json: /calibration/tip_com_factor: must be > 0 and <= 1000000; got 0");
 }

@@ -7,6 +7,7 @@
 #include <random>
 #include <variant>
 
+#include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/units/unit.hpp"
@@ -37,6 +38,18 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsForEveryChoice) {
         }
 }
 
+TEST(ActuatorJson, ReadsBackAsTheSameBitsForEveryLawAndItsReference) {
+  for (const auto hinge : {actuator::HingeLaw::slit, actuator::HingeLaw::slot, actuator::HingeLaw::beam})
+    for (const auto damping : {actuator::DampingLaw::loss_factor, actuator::DampingLaw::proportional}) {
+      Design design;
+      design.choices.hinge = hinge;
+      design.choices.damping = damping;
+      design.calibration = actuator::calibrate(design, {.joint_stiffness = 12.7e-3, .joint_damping = 0.131e-3});
+      ASSERT_TRUE(design.calibration.hinge.has_value());
+      expect_same_bits(read_back(design), design);
+    }
+}
+
 TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
   // Numbers as a search finds them: what a study says in millimetres, divided by a thousand.
   std::mt19937_64 random(20240907);
@@ -50,6 +63,7 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
     design.coil.wire_gauge = 20 + i % 21;
     design.coil.inner_radius = 4.0 * factor(random) / 1e3;  // no bore too tight for the wire
     design.body.shore_hardness = 40.0 * factor(random);     // within Gent's relation
+    design.body.poisson_ratio = 0.35 * factor(random);      // up to 0.5
     const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");
     tilt.set(design, units::to_memory(17.0 * factor(random), tilt.key));
     expect_same_bits(read_back(design), design);

@@ -24,6 +24,15 @@ inline void expect_same_bits(const actuator::Design& a, const actuator::Design& 
   EXPECT_EQ(a.choices.torque, b.choices.torque);
   EXPECT_EQ(a.choices.faces, b.choices.faces);
   EXPECT_EQ(a.choices.masses, b.choices.masses);
+  EXPECT_EQ(a.choices.hinge, b.choices.hinge);
+  EXPECT_EQ(a.choices.damping, b.choices.damping);
+  ASSERT_EQ(a.calibration.hinge.has_value(), b.calibration.hinge.has_value());
+  if (!a.calibration.hinge) return;
+  EXPECT_EQ(a.calibration.hinge->width, b.calibration.hinge->width);
+  EXPECT_EQ(a.calibration.hinge->bottom_layer, b.calibration.hinge->bottom_layer);
+  EXPECT_EQ(a.calibration.hinge->stiffness, b.calibration.hinge->stiffness);
+  EXPECT_EQ(a.calibration.hinge->damping, b.calibration.hinge->damping);
+  EXPECT_EQ(a.calibration.hinge->first_mode, b.calibration.hinge->first_mode);
 }
 
 }  // namespace coilwright::testing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "coilwright/actuator/design/layout.hpp"
@@ -31,16 +32,22 @@ struct MagnetDesign {
 
 /// The silicone body around the parts. Cross-section and hinge line follow from it: see Dimensions.
 struct BodyDesign {
-  double gap = 0.9e-3;            ///< coil face to magnet face at angle 0, m: two silicone walls (the paper's d_0)
-  double bottom_layer = 2.5e-3;   ///< h_b, m: the hinge strip
-  double side_wall = 1.0e-3;      ///< left and right of the widest part, m
-  double bottom_wall = 0.25e-3;   ///< between the widest part and the bottom layer, m
-  double top_wall = 1.25e-3;      ///< above the widest part, m
-  double front_length = 8.6e-3;   ///< silicone beyond the last component, m
-  double rear_length = 20e-3;     ///< silicone behind the first component, held by the base, m
-  double hinge_length = 2.4e-3;   ///< length of the bottom layer that bends, m; calibrated on the prototype
-  double shore_hardness = 28.0;   ///< Shore A, 20 to 80 (Elastosil M 4601: 28)
-  double loss_time = 10.3e-3;     ///< damping over stiffness of a hinge, s; calibrated on the prototype
+  double gap = 0.9e-3;           ///< coil face to magnet face at angle 0, m: two silicone walls (the paper's d_0)
+  double bottom_layer = 2.5e-3;  ///< h_b, m: the hinge strip
+  double side_wall = 1.0e-3;     ///< left and right of the widest part, m
+  double bottom_wall = 0.25e-3;  ///< between the widest part and the bottom layer, m
+  double top_wall = 1.25e-3;     ///< above the widest part, m
+  double front_length = 8.6e-3;  ///< silicone beyond the last component, m
+  double rear_length = 20e-3;    ///< silicone behind the first component, held by the base, m
+  double slot_width = 0.9e-3;    ///< of the cut between two segments, along the finger, m; HingeLaw::slot alone
+  double hinge_length = 2.4e-3;  ///< length of the bottom layer that bends, m; HingeLaw::beam alone
+  double poisson_ratio = 0.5;    ///< 0 to 0.5; silicone's bulk modulus is a thousand times its E: 0.4998 and more
+  double shore_hardness = 28.0;  ///< Shore A, 20 to 80 (Elastosil M 4601: 28)
+  double loss_factor = 0.15;     ///< of the silicone at the finger's first mode; DampingLaw::loss_factor alone
+  double loss_time = 4.8e-3;     ///< damping over stiffness of the silicone, s; DampingLaw::proportional alone
+  /// Damping of a joint that does not follow its hinge (wires, faces that rub at the cut), N m s/rad; what the
+  /// prototype's 0.129 N mm s/rad leave beside 0.15.
+  double constant_damping = 0.069e-3;
   double density = 1130.0;        ///< kg/m^3
   double heat_capacity = 1300.0;  ///< J/(kg K), silicone rubber: 1050 to 1300 (makers' tables)
   double conductivity = 0.2;      ///< W/(m K), unfilled silicone rubber
@@ -48,12 +55,26 @@ struct BodyDesign {
 
 /// Where segments are allowed to meet when a joint closes.
 enum class ContactChoice {
-  /// Only the stiff parts stop a joint: the silicone walls give way until coil and magnet touch at their top. The
-  /// paper's
-  /// model has no contact at all; in its range this is the same, and it cannot run away at negative current.
+  /// Only the stiff parts stop a joint, as if there were no silicone before them: coil and magnet touch at their top.
+  /// The
+  /// paper's model has no contact at all; in its range this is the same, and it cannot run away at negative current.
   hard_parts,
-  /// The silicone walls are cut to touch at angle 0 and push back with their own stiffness from there.
+  /// The silicone walls are cut to touch at angle 0 and push back with their own stiffness from there. The prototype's
+  /// 79 N m/rad let two magnets of configuration C close them by 0.07 degrees.
   walls
+};
+
+/// How the bottom layer turns into a rotary spring.
+enum class HingeLaw {
+  slit,  ///< what a cut without width leaves: k goes with h_b squared; the paper divides its cast body by hand
+  slot,  ///< the same beside a cut of BodyDesign::slot_width
+  beam   ///< a strip of BodyDesign::hinge_length that was cast as such: h_b cubed. Files of 0.1 mean this
+};
+
+/// How the silicone's part of a joint's damping follows its hinge; the rest is BodyDesign::constant_damping.
+enum class DampingLaw {
+  loss_factor,  ///< b = loss_factor k / omega, omega of the finger's first mode: the same loss a cycle
+  proportional  ///< b = loss_time k
 };
 
 /// How segments carry their mass.
@@ -66,8 +87,10 @@ enum class SegmentMass {
 struct ModelChoices {
   magnetics::CurrentDistribution winding = magnetics::CurrentDistribution::uniform;
   magnetics::Fidelity torque = magnetics::Fidelity::exact;
-  ContactChoice faces = ContactChoice::hard_parts;
+  ContactChoice faces = ContactChoice::walls;
   SegmentMass masses = SegmentMass::rigid_bodies;
+  HingeLaw hinge = HingeLaw::slit;
+  DampingLaw damping = DampingLaw::loss_factor;
 };
 
 /// Where it works.
@@ -80,19 +103,32 @@ struct Surroundings {
   double heat_transfer = 51.5;
 };
 
+/// The joint on which k and b were measured, all measured or derived there. Another law of the hinge or of damping
+/// passes through it: see with_hinge_law(), with_damping().
+struct HingeReference {
+  double width{};         ///< of the cross-section, m
+  double bottom_layer{};  ///< h_b, m
+  double stiffness{};     ///< k, N m/rad
+  double damping{};       ///< b, N m s/rad
+  double first_mode{};    ///< of its finger, Hz: see first_mode_frequency()
+};
+
 /// Measured over derived, for what was measured on a built actuator; 1 where nothing was. The factors stay with the
 /// design when its variables move.
 struct Calibration {
   double axial_pitch = 1.0;          ///< of turns in a layer
   double radial_pitch = 1.0;         ///< of layers
   double joint_stiffness = 1.0;      ///< k
-  double joint_damping = 1.0;        ///< b
+  double joint_damping = 1.0;        ///< the silicone's part of b
+  double constant_damping = 1.0;     ///< the rest of b; >= 0
   double axis_offset = 1.0;          ///< h
   double magnet_segment_mass = 1.0;  ///< m_1
   double coil_segment_mass = 1.0;    ///< m_2, with a front part where it is the last
   double tip_com = 1.0;              ///< l_2
   double coil_resistance = 1.0;
   double heat_transfer = 1.0;  ///< surface heat transfer coefficient, on the prototype's
+  /// Where k and b were measured; nothing where nothing was, and in files of 0.1.
+  std::optional<HingeReference> hinge{};
 };
 
 /// A whole actuator.

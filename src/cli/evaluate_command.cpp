@@ -19,6 +19,7 @@
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
 
@@ -29,6 +30,8 @@ struct Options {
   ActuatorOptions actuator;
   std::optional<double> current{};
   std::optional<double> duty{};
+  std::optional<double> grasp_opening{};  // degrees
+  std::optional<double> grasp_height{};   // mm
   bool json{false};
 };
 
@@ -41,12 +44,20 @@ text::InputError no_current(const Options& options) {
       {.file = options.actuator.file, .rule = "has no operating_point: give a current with --current"});
 }
 
+actuator::GraspPoint grasp_point(const actuator::GraspPoint& usual, const Options& options) {
+  actuator::GraspPoint grasp = usual;
+  if (options.grasp_opening) grasp.opening = units::to_memory(*options.grasp_opening, "grasp_opening_deg");
+  if (options.grasp_height) grasp.height = units::to_memory(*options.grasp_height, "grasp_height_mm");
+  return grasp;
+}
+
 // The file's own operating point, where it has one, under what the command line says.
 simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, const Options& options) {
   simulation::OperatingPoint point = file.operating_point.value_or(simulation::OperatingPoint{});
   if (!options.current && !file.operating_point) throw no_current(options);
   point.current = options.current.value_or(point.current);
   point.duty = options.duty.value_or(point.duty);
+  point.grasp = grasp_point(point.grasp, options);
   return point;
 }
 
@@ -72,7 +83,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
 
 void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const Options& options) {
   if (!options.current) throw no_current(options);
-  const auto result = simulation::motion_of(model, *options.current);
+  const auto result = simulation::motion_of(model, *options.current, grasp_point({}, options));
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
@@ -96,6 +107,17 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
           "--duty", options->duty,
           "Fraction of the time for which the current is on, 0 to 1; affects only heat. Default: likewise, or 1")
       ->check(number_rule(text::Rule::between(0.0, 1.0)));
+  command
+      ->add_option(
+          "--grasp-opening-deg", options->grasp_opening,
+          "Bending angle at which the free actuator would just touch the wall that grasp forces are taken at.\n"
+          "Default: likewise, or 0: the straight actuator touches it")
+      ->check(number_rule(text::Rule::between(0.0, 360.0)));
+  command
+      ->add_option("--grasp-height-mm", options->grasp_height,
+                   "Where on the last segment it touches the wall, from that segment's joint. Default: likewise, or\n"
+                   "the tip")
+      ->check(number_rule(text::Rule::between(0.0, 1e6)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"

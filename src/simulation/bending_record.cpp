@@ -109,6 +109,19 @@ double BendingRecord::beyond(double end) const {
   return most;
 }
 
+double BendingRecord::largest() const {
+  double most = samples_.front().angle;
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const Sample& a = samples_[i - 1];
+    const Sample& b = samples_[i];
+    most = std::max(most, b.angle);
+    if (a.speed <= 0.0 || b.speed >= 0.0) continue;
+    const Arc arc(a, b);
+    most = std::max(most, arc.angle(arc.root(1, a.speed, b.speed)));
+  }
+  return most;
+}
+
 std::optional<double> BendingRecord::first_passage(double level) const {
   for (std::size_t i = 1; i < samples_.size(); ++i)
     if ((samples_[i - 1].angle - level) * (samples_[i].angle - level) <= 0.0)

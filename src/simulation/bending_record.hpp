@@ -23,6 +23,8 @@ class BendingRecord {
   [[nodiscard]] Peak fastest() const;
   /// Farthest that the motion goes beyond `end` on the side away from its start, rad; >= 0.
   [[nodiscard]] double beyond(double end) const;
+  /// Largest angle, the start's included, rad; signed.
+  [[nodiscard]] double largest() const;
   /// First time at which the angle is at `level`, s.
   [[nodiscard]] std::optional<double> first_passage(double level) const;
   /// Last time at which the angle is more than `band` from `end`, s; 0 if it never is.

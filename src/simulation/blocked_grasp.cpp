@@ -1,7 +1,10 @@
 #include "coilwright/simulation/blocked_grasp.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "coilwright/simulation/equilibrium.hpp"
 
@@ -18,17 +21,18 @@ constexpr double wall_tolerance = 1e-11;
 // Its equilibria are stable ones of the finger on the wall, and it lets go by itself where the finger leaves.
 struct Wall {
   const actuator::Model& model;
+  mechanics::LinkPoint contact;
   double position;   // x of the wall, m
   double stiffness;  // N/m
 
   [[nodiscard]] double penetration(const JointVector& angles) const {
-    return model.chain().position(model.tip(), angles).x() - position;
+    return model.chain().position(contact, angles).x() - position;
   }
   [[nodiscard]] double force(double known, const JointVector& angles) const {
     return std::max(0.0, known + stiffness * penetration(angles));
   }
   [[nodiscard]] JointVector slope(const JointVector& angles) const {
-    return model.chain().jacobian(model.tip(), angles).row(0).transpose();
+    return model.chain().jacobian(contact, angles).row(0).transpose();
   }
   // d2(tip x)/dtheta2 by central differences of its slope; step^2 / 6 relative.
   [[nodiscard]] JointMatrix curvature(const JointVector& angles) const {
@@ -64,17 +68,41 @@ StaticProblem pressed(const Wall& wall, const actuator::CoilCurrents& currents, 
           .torque_scale = torque_scale(wall.model)};
 }
 
+void check(double value, const char* name, const char* unit) {
+  if (!std::isfinite(value) || value < 0.0)
+    throw std::invalid_argument(fmt::format("{} must be finite and >= 0; got {} {}", name, value, unit));
+}
+
+mechanics::LinkPoint contact_of(const actuator::Model& model, const actuator::GraspPoint& grasp) {
+  mechanics::LinkPoint contact = model.tip();
+  if (!grasp.height) return contact;
+  check(*grasp.height, "grasp height", "m");
+  contact.along = *grasp.height;
+  return contact;
+}
+
+JointVector touching_pose(const actuator::Model& model, const actuator::GraspPoint& grasp) {
+  check(grasp.opening, "grasp opening", "rad");
+  return JointVector::Constant(model.joints(), grasp.opening / model.joints());
+}
+
 }  // namespace
 
-std::optional<BlockedGrasp> blocked_grasp(const actuator::Model& model, const actuator::CoilCurrents& currents) {
-  const JointVector straight = JointVector::Zero(model.joints());
-  Wall wall{.model = model, .position = model.chain().position(model.tip(), straight).x(), .stiffness = 0.0};
-  const double lever = wall.slope(straight).lpNorm<Eigen::Infinity>();
+double wall_position(const actuator::Model& model, const actuator::GraspPoint& grasp) {
+  return model.chain().position(contact_of(model, grasp), touching_pose(model, grasp)).x();
+}
+
+std::optional<BlockedGrasp> blocked_grasp(const actuator::Model& model, const actuator::CoilCurrents& currents,
+                                          const actuator::GraspPoint& grasp) {
+  const JointVector touching = touching_pose(model, grasp);
+  Wall wall{
+      .model = model, .contact = contact_of(model, grasp), .position = wall_position(model, grasp), .stiffness = 0.0};
+  const double lever = wall.slope(touching).lpNorm<Eigen::Infinity>();
   // A hundred times what the finger can bring to bear over a radian: each pass below takes two digits off the
   // penetration, and the first one stays shallow enough not to pass through the wall.
-  const double drive = model.static_residual(straight, currents).lpNorm<Eigen::Infinity>();
+  const double drive = model.static_residual(touching, currents).lpNorm<Eigen::Infinity>();
   wall.stiffness = 100.0 * std::max(torque_scale(model), 10.0 * drive) / (lever * lever);
-  JointVector angles = straight;
+  JointVector angles = touching;
   double force = 0.0;
   for (int pass = 0; pass < 50; ++pass) {
     const std::optional<JointVector> next = creep_to_equilibrium(pressed(wall, currents, force), angles);

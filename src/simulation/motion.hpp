@@ -17,7 +17,8 @@ namespace coilwright::simulation {
 [[nodiscard]] std::variant<FreeMotion, NoPerformance> free_motion_of(const actuator::Model& model, double current,
                                                                      const mechanics::JointVector& rest);
 
-/// Its tip against a wall under the current (A) and without.
-[[nodiscard]] std::variant<Grasp, NoPerformance> grasp_of(const actuator::Model& model, double current);
+/// Against the wall of `point` under the current (A) and without.
+[[nodiscard]] std::variant<Grasp, NoPerformance> grasp_of(const actuator::Model& model, double current,
+                                                          const actuator::GraspPoint& point);
 
 }  // namespace coilwright::simulation

@@ -23,7 +23,7 @@ double force_current(const actuator::Model& model, const mechanics::JointVector&
 
 std::variant<Performance, NoPerformance> performance_of(const Design& design, const Assembly& assembly,
                                                         const OperatingPoint& point) {
-  std::variant<MotionSummary, NoPerformance> motion = motion_of(assembly.model, point.current);
+  std::variant<MotionSummary, NoPerformance> motion = motion_of(assembly.model, point.current, point.grasp);
   if (const auto* reason = std::get_if<NoPerformance>(&motion)) return *reason;
   Performance out;
   out.cold = std::get<MotionSummary>(std::move(motion));

@@ -6,6 +6,7 @@
 
 #include "bending_record.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
+#include "joint_peak.hpp"
 #include "settling_detector.hpp"
 #include "settling_energy_criterion.hpp"
 #include "stepper.hpp"
@@ -61,9 +62,15 @@ class Destination {
   std::optional<SettlingDetector> detector_;  // instead, where effects act
 };
 
-StepResponse measure(const BendingRecord& record, double start, const JointVector& steady) {
+StepResponse measure(const BendingRecord& record, const JointPeak& joint_peak, double start,
+                     const JointVector& steady) {
   const BendingRecord::Peak peak = record.fastest();
-  StepResponse out{.steady_angles = steady, .peak_speed = peak.speed, .peak_speed_time = peak.time};
+  StepResponse out{.steady_angles = steady,
+                   .peak_speed = peak.speed,
+                   .peak_speed_time = peak.time,
+                   // A motion that creeps to its end is left before it is there.
+                   .peak_angle = std::max(record.largest(), steady.sum()),
+                   .peak_joint_angle = std::max(joint_peak.angle(), steady.lpNorm<Eigen::Infinity>())};
   const double end = steady.sum();
   const double change = end - start;
   if (std::abs(change) < smallest_change) return out;
@@ -98,15 +105,17 @@ std::optional<StepResponse> step_response(const actuator::Model& model, const ac
                 {.angles = rest, .rates = JointVector::Zero(n), .internal = model.settled(rest, model.all_coils(0.0))},
                 {.currents = currents, .applied = JointVector::Zero(n)});
   BendingRecord record(stepper.bending());
+  JointPeak joint_peak(stepper.now());
   for (int step = 0; step < most_steps && stepper.time() < limits.longest; ++step) {
     stepper.step();
     const State now = stepper.now();
     if (!now.angles.allFinite() || now.angles.lpNorm<Eigen::Infinity>() > std::numbers::pi) return std::nullopt;
     const double speed_before = record.last().speed;
     record.add(stepper.bending());
+    joint_peak.add(stepper, now);
     if (speed_before * record.last().speed < 0.0) destination.update(now.angles, stepper.time());
     if (const std::optional<JointVector> end = destination.reached(stepper.time(), now))
-      return measure(record, rest.sum(), *end);
+      return measure(record, joint_peak, rest.sum(), *end);
   }
   return std::nullopt;
 }

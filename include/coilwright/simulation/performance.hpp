@@ -21,6 +21,8 @@ struct FreeMotion {
   mechanics::JointVector steady_angles;  ///< where a step from rest ends, rad
   double peak_bending_speed{};           ///< of that step, rad/s
   double peak_speed_time{};              ///< s
+  double peak_angle{};                   ///< largest bending angle of that step, rad
+  double peak_joint_angle{};             ///< largest magnitude of any joint's angle in it, rad
   double overshoot{};                    ///< over the change of the bending angle
   std::optional<double> rise_time;       ///< 10 to 90 %, s
   std::optional<double> settling_time;   ///< to 2 %, s
@@ -29,7 +31,7 @@ struct FreeMotion {
 
 /// How a finger pulls whose tip is held.
 struct Grasp {
-  double grasp_force{};                 ///< tip against a wall, straight finger, N
+  double grasp_force{};                 ///< against the wall of the operating point, N
   mechanics::JointVector grasp_angles;  ///< of the joints in that grasp, rad
   double contact_force_no_current{};    ///< the same without current, N
 };
@@ -81,7 +83,9 @@ struct NoPerformance {
 
 /// Motion of any model as it stands, also one that is given by its lumps alone: magnets have their remanence at 20
 /// degC.
-[[nodiscard]] std::variant<MotionSummary, NoPerformance> motion_of(const actuator::Model& model, double current);
+/// Throws std::invalid_argument for a `grasp` that is none: see blocked_grasp().
+[[nodiscard]] std::variant<MotionSummary, NoPerformance> motion_of(const actuator::Model& model, double current,
+                                                                   const actuator::GraspPoint& grasp = {});
 
 /// Everything of an assembled design. Pure: the same input gives the same bits. Throws std::invalid_argument for a duty
 /// outside 0 to 1.

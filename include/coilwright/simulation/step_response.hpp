@@ -12,6 +12,8 @@ struct StepResponse {
   mechanics::JointVector steady_angles;   ///< the stable equilibrium that this very motion ends in, rad
   double peak_speed{};                    ///< largest |d(bending angle)/dt|, rad/s
   double peak_speed_time{};               ///< s
+  double peak_angle{};                    ///< largest bending angle on the way, rad, signed
+  double peak_joint_angle{};              ///< largest magnitude of any joint's angle on the way, rad
   double overshoot{};                     ///< beyond the steady angle, over the change from rest; >= 0
   std::optional<double> rise_time{};      ///< from 10 to 90 % of the change, s; nothing for a change below 1e-6 rad
   std::optional<double> settling_time{};  ///< last time outside 2 % of the change about the end, s; nothing likewise

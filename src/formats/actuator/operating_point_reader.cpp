@@ -10,6 +10,8 @@ Rule current_rule() {
 
 void read_operating_conditions(ObjectReader& in, actuator::OperatingPoint& point) {
   point.duty = in.number_or("duty", point.duty, Rule::between(0.0, 1.0));
+  point.grasp.opening = in.quantity_or("grasp_opening_deg", point.grasp.opening, Rule::between(0.0, 360.0));
+  if (const auto height = in.optional_quantity("grasp_height_mm", Rule::between(0.0, 1e6))) point.grasp.height = height;
 }
 
 actuator::OperatingPoint read_operating_point(const Node& node) {

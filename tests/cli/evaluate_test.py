@@ -157,9 +157,9 @@ class Evaluate(ProgramTest):
         with_nan = changed(lambda a: a["body"].update(gap_mm=float("nan")))
         for text, message in (
             (changed(lambda a: a["body"].update(gpa_mm=1)), '/body/gpa_mm: unknown key; the keys here are '
-             '"bottom_layer_mm", "bottom_wall_mm", "conductivity_W_mK", "density_kg_m3", "front_length_mm", "gap_mm", '
-             '"heat_capacity_J_kgK", "hinge_length_mm", "loss_time_ms", "rear_length_mm", "shore_hardness_A", '
-             '"side_wall_mm", "top_wall_mm"'),
+             '"bottom_layer_mm", "bottom_wall_mm", "conductivity_W_mK", "constant_damping_Nmms_rad", "density_kg_m3", '
+             '"front_length_mm", "gap_mm", "heat_capacity_J_kgK", "hinge_length_mm", "loss_factor", "loss_time_ms", '
+             '"poisson_ratio", "rear_length_mm", "shore_hardness_A", "side_wall_mm", "slot_width_mm", "top_wall_mm"'),
             (changed(lambda a: a["coil"].update(inner_radius_m=a["coil"].pop("inner_radius_mm"))),
              '/coil/inner_radius_m: unknown key; did you mean "inner_radius_mm"?'),
             (changed(lambda a: a.pop("configuration")), '/: needs one of "configuration", "layout"'),

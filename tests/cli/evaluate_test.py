@@ -80,6 +80,19 @@ class Evaluate(ProgramTest):
             if key != "joint_angles_deg":
                 self.assertAlmostEqual(float(printed[key]), got[key], delta=1e-5 * abs(got[key]), msg=key)  # six digits
 
+    def test_a_grasp_has_an_opening_and_a_height(self):
+        # The audit's 0.56 N at 30 degrees; the errata's 1.18 N for a contact 20 mm beyond the joint, not 21.2.
+        for options, force in ((["--grasp-opening-deg", "30"], 0.56), (["--grasp-height-mm", "20"], 1.18)):
+            got = self.evaluate(PAPER_FINGER, "--current", "1.4", *options)
+            self.assertAlmostEqual(got["grasp_force_N"], force, delta=0.005)
+        # A file's own operating point says the same.
+        actuator = json.loads(PAPER_FINGER.read_text())
+        actuator["operating_point"] = {"current_A": 1.4, "grasp_opening_deg": 30, "grasp_height_mm": 19}
+        self.write("gripping.json", json.dumps(actuator))
+        self.assertEqual(self.evaluate("gripping.json"),
+                         self.evaluate(PAPER_FINGER, "--current", "1.4", "--grasp-opening-deg", "30",
+                                       "--grasp-height-mm", "19"))
+
     def test_duty_changes_temperatures_only(self):
         held = self.evaluate(PAPER_FINGER, "--current", "1.05")
         pulsed = self.evaluate(PAPER_FINGER, "--current", "1.05", "--duty", "0.36")

@@ -111,11 +111,13 @@ TEST(ActuatorJson, ReadsBackAsTheSameEffectsWhateverTheirNumbers) {
 }
 
 TEST(ActuatorJson, CarriesTheOperatingPointForWhichItWasSized) {
-  const actuator::OperatingPoint point{.current = 1.35, .duty = 0.45};
+  const actuator::OperatingPoint point{.current = 1.35, .duty = 0.45, .grasp = {.opening = 0.37, .height = 18.3e-3}};
   const ActuatorFile file = parse_actuator(to_json(Design{}, "x", point).text(), "x");
   ASSERT_TRUE(file.operating_point);
   EXPECT_EQ(file.operating_point->current, 1.35);
   EXPECT_EQ(file.operating_point->duty, 0.45);
+  EXPECT_DOUBLE_EQ(file.operating_point->grasp.opening, 0.37);
+  EXPECT_DOUBLE_EQ(file.operating_point->grasp.height.value(), 18.3e-3);
   EXPECT_FALSE(parse_actuator(to_json(Design{}, "x").text(), "x").operating_point);
 }
 
@@ -127,6 +129,8 @@ TEST(ActuatorJson, RefusesAnOperatingPointByItsPlace) {
   };
   EXPECT_EQ(error(R"({"duty": 0.5})"), "x: /operating_point/current_A: is missing");
   EXPECT_EQ(error(R"({"current_A": 1, "duty": 1.5})"), "x: /operating_point/duty: must be from 0 to 1; got 1.5");
+  EXPECT_EQ(error(R"({"current_A": 1, "grasp_opening_deg": -5})"),
+            "x: /operating_point/grasp_opening_deg: must be from 0 to 360; got -5");
   EXPECT_EQ(error(R"({"current_A": 1, "current_limit": 2})").substr(0, 46),
             "x: /operating_point/current_limit: unknown key");
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include "temporary_folder.hpp"
@@ -17,7 +18,7 @@ using namespace sizing;
 
 const std::string text = R"({
   "format": "study/1", "name": "all kinds", "description": "of variables", "actuator": "sub/finger.json",
-  "operating_point": {"share_of_current_limit": 0.8, "duty": 0.3},
+  "operating_point": {"share_of_current_limit": 0.8, "duty": 0.3, "grasp_opening_deg": 30, "grasp_height_mm": 18},
   "variables": {
     "configuration": {"values": ["D", "A"]},
     "turns_radial": {"lower": 5, "upper": 17, "step": 3},
@@ -49,6 +50,8 @@ TEST_F(StudyFile, IsReadWithTheActuatorBesideIt) {
   EXPECT_EQ(study.base.coil.turns_axial, 23);
   EXPECT_EQ(std::get<ShareOfLimit>(study.current).share, 0.8);
   EXPECT_EQ(study.operating.duty, 0.3);
+  EXPECT_DOUBLE_EQ(study.operating.grasp.opening, std::numbers::pi / 6.0);
+  EXPECT_DOUBLE_EQ(study.operating.grasp.height.value(), 18e-3);
   EXPECT_EQ(study.search.algorithm, Algorithm::cobyla);
   EXPECT_EQ(study.search.max_evaluations, 321u);
   EXPECT_EQ(study.search.seed, 9007199254740992u);

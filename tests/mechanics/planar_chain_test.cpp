@@ -248,5 +248,29 @@ TEST(PlanarChain, RefusesWhatIsNotAChain) {
   expect_message([&] { PlanarChain chain(uneven_links(), -1.0); }, "gravity must be finite and >= 0; got -1");
 }
 
+// Against differences of the equation itself, with the chain tilted and every term at work.
+TEST(PlanarChain, HasTheSlopesThatItsEquationShows) {
+  const PlanarChain chain(uneven_links(), 9.81, 0.37);
+  const JointVector angles = joint_vector({0.41, -0.23, 0.68});
+  const JointVector rates = joint_vector({3.7, -5.1, 2.3});
+  const JointVector accelerations = joint_vector({240.0, -710.0, 390.0});
+  const auto torques = [&](const JointVector& at, const JointVector& moving) {
+    return JointVector(chain.mass_matrix(at) * accelerations + chain.velocity_torques(at, moving) +
+                       chain.gravity_torques(at));
+  };
+  const ChainSlopes slopes = chain.slopes(angles, rates, accelerations);
+  EXPECT_LT((slopes.by_acceleration - chain.mass_matrix(angles)).norm(), 1e-20);
+  constexpr double step = 1e-5;
+  for (int j = 0; j < 3; ++j) {
+    JointVector shift = JointVector::Zero(3);
+    shift[j] = step;
+    const JointVector by_angle = (torques(angles + shift, rates) - torques(angles - shift, rates)) / (2.0 * step);
+    const JointVector by_rate = (torques(angles, rates + shift) - torques(angles, rates - shift)) / (2.0 * step);
+    // Torques of 1e-2 N m: rounding 1e-18 over the step, and the step squared of their third slope.
+    EXPECT_LT((slopes.by_angle.col(j) - by_angle).norm(), 1e-11) << j;
+    EXPECT_LT((slopes.by_rate.col(j) - by_rate).norm(), 1e-11) << j;
+  }
+}
+
 }  // namespace
 }  // namespace coilwright::mechanics

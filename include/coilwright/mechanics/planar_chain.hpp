@@ -44,6 +44,14 @@ struct LinkFrame {
 /// The base (as link -1), then every link: frame of link i at index i + 1. Those of a shorter chain end earlier.
 using LinkFrames = std::array<LinkFrame, max_joints + 1>;
 
+/// Slopes of a chain's equation of motion M theta'' + c + g = tau about one motion: what small changes of
+/// accelerations, rates and angles ask for in further joint torque. (n, n) each; none but the first is symmetric.
+struct ChainSlopes {
+  JointMatrix by_acceleration;  ///< the mass matrix M, kg m^2
+  JointMatrix by_rate;          ///< dc/dtheta', N m s/rad
+  JointMatrix by_angle;         ///< d(M theta'' + c + g)/dtheta at these accelerations, N m/rad
+};
+
 /// n rigid links in a vertical plane, joined by hinges, hanging from a fixed base joint at the origin.
 ///
 /// Joint angles are relative, rad, all zero where the chain hangs along gravity (-y). A point at (along, offset) of a
@@ -84,6 +92,10 @@ class PlanarChain {
   /// theta'' = M^-1 (tau - c - g), rad/s^2, for joint torques tau (magnetics, springs, dampers, contact), N m.
   [[nodiscard]] JointVector accelerations(const JointVector& angles, const JointVector& rates,
                                           const JointVector& torques) const;
+
+  /// Slopes of M theta'' + c + g about a motion: analytic, for integrators that need a Jacobian.
+  [[nodiscard]] ChainSlopes slopes(const JointVector& angles, const JointVector& rates,
+                                   const JointVector& accelerations) const;
 
   /// Acceleration of each joint by a torque of its own while the others are free to give way: the diagonal of the
   /// inverse mass matrix of the straight chain, 1/(kg m^2), > 0. How stiff a contact or a regularisation may be on this

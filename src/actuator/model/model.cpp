@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -243,6 +244,19 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
                      internal_slopes.data(), torque);
   }
   accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
+}
+
+mechanics::ChainSlopes Model::slopes_without_contact(const JointVector& angles, const JointVector& rates,
+                                                     const JointVector& accelerations,
+                                                     const CoilCurrents& currents) const {
+  assert(terms_.empty());
+  mechanics::ChainSlopes slopes = spec_.chain.slopes(angles, rates, accelerations);
+  for (int j = 0; j < joints(); ++j) {
+    slopes.by_rate(j, j) += spec_.hinges[j].damping;
+    slopes.by_angle(j, j) += spec_.hinges[j].stiffness;
+  }
+  spec_.magnetics.add_stiffness(spec_.chain, angles, currents, slopes.by_angle);
+  return slopes;
 }
 
 JointVector Model::static_residual(const JointVector& angles, const CoilCurrents& currents,

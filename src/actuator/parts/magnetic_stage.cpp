@@ -11,6 +11,11 @@ using mechanics::JointVector;
 using mechanics::LinkFrame;
 using mechanics::PlanarChain;
 
+double strength_of(const DistantPair& pair, const CoilCurrents& currents) {
+  return pair.sense * (pair.coil < 0 ? 1.0 : currents[pair.coil]) *
+         (pair.second_coil < 0 ? 1.0 : currents[pair.second_coil]);
+}
+
 // dU/d(distance vector) and dU/d(angle of the second body).
 struct EnergySlope {
   Eigen::Vector2d distance;
@@ -36,6 +41,47 @@ EnergySlope energy_slope(const DistantPair& pair, const Eigen::Vector2d& between
           .second_angle = 0.5 * energy * (3.0 * az * b_slope.dot(unit) - b_slope.dot(a))};
 }
 
+// Second derivatives of U by the distance vector and the angle of the second body, the first body held; (3, 3),
+// symmetric.
+Eigen::Matrix3d energy_curvature(const DistantPair& pair, const Eigen::Vector2d& between, const LinkFrame& first,
+                                 const LinkFrame& second) {
+  const double z = between.norm();
+  const Eigen::Vector2d unit = between / z;
+  const magnetics::Curve::Sample force = pair.axial_force->sample(z);
+  const Eigen::Matrix2d along = unit * unit.transpose();
+  const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - along;
+  Eigen::Matrix3d out = Eigen::Matrix3d::Zero();
+  if (pair.orientation == DistantPair::Orientation::ignored) {
+    out.topLeftCorner<2, 2>() = -force.derivative * along - force.value / z * across;
+    return out;
+  }
+  // U = W(z) S with S = (3 (a.u)(b.u) - a.b) / 2 of the unit vector u, as in energy_slope; b' is b turned.
+  const double energy = pair.axial_energy->value(z);
+  const Eigen::Vector2d a = first.axis();
+  const Eigen::Vector2d b = second.axis();
+  const Eigen::Vector2d turned(second.cosine, second.sine);
+  const double az = a.dot(unit);
+  const auto shape = [&](const Eigen::Vector2d& axis) { return 0.5 * (3.0 * az * axis.dot(unit) - a.dot(axis)); };
+  const auto shape_slope = [&](const Eigen::Vector2d& axis) -> Eigen::Vector2d {
+    const double bz = axis.dot(unit);
+    return 1.5 / z * (bz * (a - az * unit) + az * (axis - bz * unit));
+  };
+  const double bz = b.dot(unit);
+  const Eigen::Vector2d mixed = bz * a + az * b;
+  const Eigen::Matrix2d shape_curvature =
+      1.5 / (z * z) *
+      (a * b.transpose() + b * a.transpose() - 2.0 * (mixed * unit.transpose() + unit * mixed.transpose()) +
+       az * bz * (8.0 * along - 2.0 * Eigen::Matrix2d::Identity()));
+  const Eigen::Vector2d slope = shape_slope(b);
+  out.topLeftCorner<2, 2>() = -force.derivative * shape(b) * along -
+                              force.value * (slope * unit.transpose() + unit * slope.transpose()) -
+                              force.value * shape(b) / z * across + energy * shape_curvature;
+  out.topRightCorner<2, 1>() = -force.value * shape(turned) * unit + energy * shape_slope(turned);
+  out.bottomLeftCorner<1, 2>() = out.topRightCorner<2, 1>().transpose();
+  out(2, 2) = -energy * shape(b);
+  return out;
+}
+
 }  // namespace
 
 MagneticStage::MagneticStage(std::vector<HingePair> hinge_pairs, std::vector<DistantPair> distant_pairs)
@@ -54,8 +100,7 @@ void MagneticStage::add_distant_torques(const PlanarChain& chain, const JointVec
   const mechanics::LinkFrames frames = chain.frames(angles);
   const auto frame = [&](int link) -> const LinkFrame& { return frames[static_cast<std::size_t>(link + 1)]; };
   for (const DistantPair& pair : distant_pairs_) {
-    const double strength = pair.sense * (pair.coil < 0 ? 1.0 : currents[pair.coil]) *
-                            (pair.second_coil < 0 ? 1.0 : currents[pair.second_coil]);
+    const double strength = strength_of(pair, currents);
     if (strength == 0.0) continue;
     const LinkFrame& first = frame(pair.first.link);
     const LinkFrame& second = frame(pair.second.link);
@@ -76,18 +121,35 @@ void MagneticStage::add_stiffness(const PlanarChain& chain, const JointVector& a
     stiffness(pair.joint, pair.joint) -=
         pair.sense * currents[pair.coil] * pair.torque_per_ampere->derivative(angles[pair.joint]);
   }
-  if (distant_pairs_.empty()) return;
-  constexpr double step = 1e-5;
-  const int n = chain.joints();
-  for (int j = 0; j < n; ++j) {
-    JointVector shifted = angles;
-    JointVector ahead = JointVector::Zero(n);
-    JointVector behind = JointVector::Zero(n);
-    shifted[j] = angles[j] + step;
-    add_distant_torques(chain, shifted, currents, ahead);
-    shifted[j] = angles[j] - step;
-    add_distant_torques(chain, shifted, currents, behind);
-    stiffness.col(j) -= (ahead - behind) / (2.0 * step);
+  if (!distant_pairs_.empty()) add_distant_stiffness(chain, angles, currents, stiffness);
+}
+
+// The second derivative of a pair's energy by two of the joints between its bodies. Each turns the second body about
+// itself, so that its centre moves across the arm from that joint; turning by both takes it towards the outer one.
+void MagneticStage::add_distant_stiffness(const PlanarChain& chain, const JointVector& angles,
+                                          const CoilCurrents& currents, JointMatrix& stiffness) const {
+  const mechanics::LinkFrames frames = chain.frames(angles);
+  const auto frame = [&](int link) -> const LinkFrame& { return frames[static_cast<std::size_t>(link + 1)]; };
+  for (const DistantPair& pair : distant_pairs_) {
+    const double strength = strength_of(pair, currents);
+    if (strength == 0.0) continue;
+    const LinkFrame& first = frame(pair.first.link);
+    const LinkFrame& second = frame(pair.second.link);
+    const Eigen::Vector2d centre = second.at(pair.second.along, pair.second.offset);
+    const Eigen::Vector2d between = centre - first.at(pair.first.along, pair.first.offset);
+    const Eigen::Vector2d slope = energy_slope(pair, between, first, second).distance;
+    const Eigen::Matrix3d curvature = energy_curvature(pair, between, first, second);
+    for (int k = pair.first.link + 1; k <= pair.second.link; ++k) {
+      const Eigen::Vector2d outer = centre - frame(k).joint;
+      const Eigen::Vector3d pulled = curvature * Eigen::Vector3d(-outer.y(), outer.x(), 1.0);
+      const double turned = slope.dot(outer);
+      for (int j = pair.first.link + 1; j <= k; ++j) {
+        const Eigen::Vector2d inner = centre - frame(j).joint;
+        const double by_both = strength * (inner.x() * pulled.y() - inner.y() * pulled.x() + pulled.z() - turned);
+        stiffness(j, k) += by_both;
+        if (j != k) stiffness(k, j) += by_both;
+      }
+    }
   }
 }
 

@@ -85,6 +85,15 @@ class Model {
                   std::span<const double> internal, const CoilCurrents& command, const mechanics::JointVector& applied,
                   mechanics::JointVector& accelerations, std::span<double> internal_slopes) const;
 
+  /// Slopes of the equation of motion about one motion under constant effective currents (A), so that
+  /// by_acceleration a = -by_rate w - by_angle t for small changes t of the angles, w of the rates and a of the
+  /// accelerations. Analytic. Without the face contacts, which are no smooth function: whoever follows a motion knows
+  /// which of them push. For a model without terms (has_terms()).
+  [[nodiscard]] mechanics::ChainSlopes slopes_without_contact(const mechanics::JointVector& angles,
+                                                              const mechanics::JointVector& rates,
+                                                              const mechanics::JointVector& accelerations,
+                                                              const CoilCurrents& currents) const;
+
   /// Torque left over at rest, N m: zero in an equilibrium.
   [[nodiscard]] mechanics::JointVector static_residual(const mechanics::JointVector& angles,
                                                        const CoilCurrents& currents,

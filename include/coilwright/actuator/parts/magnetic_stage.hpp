@@ -55,8 +55,7 @@ class MagneticStage {
   void add_torques(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
                    const CoilCurrents& currents, mechanics::JointVector& torques) const;
 
-  /// Adds -d(torque)/d(angle), (n, n), N m/rad, to `stiffness`: analytic for hinge pairs, central differences (step
-  /// 1e-5 rad, truncation 1e-10 relative) for distant ones.
+  /// Adds -d(torque)/d(angle), (n, n), N m/rad, to `stiffness`: analytic.
   void add_stiffness(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
                      const CoilCurrents& currents, mechanics::JointMatrix& stiffness) const;
 
@@ -66,6 +65,8 @@ class MagneticStage {
  private:
   void add_distant_torques(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
                            const CoilCurrents& currents, mechanics::JointVector& torques) const;
+  void add_distant_stiffness(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
+                             const CoilCurrents& currents, mechanics::JointMatrix& stiffness) const;
 
   std::vector<HingePair> hinge_pairs_;
   std::vector<DistantPair> distant_pairs_;

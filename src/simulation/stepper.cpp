@@ -20,6 +20,21 @@ PackedState pack(const State& state) {
 // Of a drive's state and in its unit: nearer than this to where it ends is there. Below the error of a step.
 constexpr double drive_tolerance = 1e-10;
 
+// Of a step, over the time in which pressed faces ring by a radian: shorter steps are left to the explicit pair, which
+// is stable up to about 2.5. Between 0.05 and 1 the time for sixty random designs does not change by more than 7 %.
+constexpr double stiff_step = 0.5;
+
+// Where `changed` first becomes true, to a billionth of the way from `before`, where it is not, to `after`, where it
+// is.
+template <typename Changed>
+double bisected(double before, double after, const Changed& changed) {
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (before + after);
+    (changed(middle) ? after : before) = middle;
+  }
+  return after;
+}
+
 }  // namespace
 
 double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState& values, const PackedState& slopes,
@@ -34,7 +49,12 @@ double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState
 }
 
 Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
-    : model_(model), controlled_(ErrorChecker(tolerance, model.joints())) {}
+    : model_(model),
+      controlled_(ErrorChecker(tolerance, model.joints())),
+      tolerance_(tolerance),
+      squared_contact_frequencies_(model.chain().joint_mobility()) {
+  for (int j = 0; j < model.joints(); ++j) squared_contact_frequencies_[j] *= model.hinges()[j].contact.stiffness;
+}
 
 void Stepper::derive(const PackedState& values, PackedState& slopes) const {
   const int n = model_.joints();
@@ -92,6 +112,13 @@ void Stepper::step() {
   std::swap(values_, previous_values_);
   std::swap(slopes_, previous_slopes_);
   previous_time_ = time_;
+  const double frequency = contact_changed_ || model_.has_terms() ? 0.0 : contact_frequency();
+  contact_changed_ = false;
+  last_was_stiff_ = false;
+  if (frequency == 0.0 || !step_stiffly(frequency)) step_explicitly();
+}
+
+void Stepper::step_explicitly() {
   advance();
   const double contact = first_contact();
   // A change of the faces' contact in the first or last thousandth of a step is as good as at its end.
@@ -100,7 +127,102 @@ void Stepper::step() {
     next_step_ = contact - previous_time_;
     time_ = previous_time_;
     advance();
+    contact_changed_ = true;
   }
+}
+
+// An upper bound of the frequency at which the joints ring whose faces push, rad/s: the trace of M^-1 K of the stops.
+double Stepper::contact_frequency() const {
+  const int n = model_.joints();
+  double sum = 0.0;
+  for (int j = 0; j < n; ++j)
+    if (model_.hinges()[j].contact.torque(previous_values_[j], previous_values_[n + j]) > 0.0)
+      sum += squared_contact_frequencies_[j];
+  return std::sqrt(sum);
+}
+
+// Of the step just tried, over what is allowed. A pressed joint hardly moves: its errors count as much as they do in
+// the motion of the whole, whose largest angle and rate set the scale.
+double Stepper::stiff_error(double step) const {
+  const int n = model_.joints();
+  const MotionVector& end = rosenbrock_.end();
+  const MotionVector& error = rosenbrock_.error();
+  const Eigen::Map<const Eigen::VectorXd> slopes(previous_slopes_.data(), 2 * n);
+  const auto part = [&](int first) {
+    const double size =
+        end.segment(first, n).lpNorm<Eigen::Infinity>() + step * slopes.segment(first, n).lpNorm<Eigen::Infinity>();
+    return error.segment(first, n).lpNorm<Eigen::Infinity>() / (tolerance_.absolute + tolerance_.relative * size);
+  };
+  return std::max(part(0), part(n));
+}
+
+// Share of the step just tried at which a joint's faces have begun or ceased to push, if they ever do: its end, or a
+// place inside where they are likeliest to touch or to lose touch for a moment.
+std::optional<double> Stepper::changed_share(const FrozenContact& contact, int joint, double step) const {
+  if (contact.changed(joint, rosenbrock_.end())) return 1.0;
+  double inside = 0.5;
+  if (!contact.pushing(joint)) {
+    const int n = model_.joints();
+    const double angle = std::min(previous_values_[joint], rosenbrock_.end()[joint]);
+    const double before = previous_values_[n + joint];
+    const double after = rosenbrock_.end()[n + joint];
+    // An angle that falls and rises again lies above the tangents at both ends, give or take what bends them.
+    const double closing = model_.hinges()[joint].contact.closing_angle;
+    if (before >= 0.0 || after <= 0.0 || angle + step * std::max(before, -after) > closing) return std::nullopt;
+    inside = bisected(0.0, 1.0, [&](double share) { return rosenbrock_.at(share)[n + joint] > 0.0; });
+  }
+  if (contact.changed(joint, rosenbrock_.at(inside))) return inside;
+  return std::nullopt;
+}
+
+// Share of the step at which the first of the joints' faces begin or cease to push; 1 if none do.
+double Stepper::first_change(const FrozenContact& contact, double step) const {
+  double first = 1.0;
+  for (int j = 0; j < model_.joints(); ++j) {
+    const std::optional<double> share = changed_share(contact, j, step);
+    if (!share) continue;
+    const double here = bisected(0.0, *share, [&](double at) { return contact.changed(j, rosenbrock_.at(at)); });
+    first = std::min(first, here);
+  }
+  return first;
+}
+
+// One step of the Rosenbrock method; it ends where the first faces begin or cease to push. False, with nothing done,
+// where the motion asks for steps so short that the explicit pair may as well take them.
+bool Stepper::step_stiffly(double frequency) {
+  const Eigen::Index size = 2 * model_.joints();
+  const MotionVector start = Eigen::Map<const Eigen::VectorXd>(previous_values_.data(), size);
+  const MotionVector derived = Eigen::Map<const Eigen::VectorXd>(previous_slopes_.data(), size);
+  const FrozenContact contact(model_, input_.currents, input_.applied, start);
+  const mechanics::ChainSlopes slopes = contact.slopes(start, derived);
+  const auto take = [&](double step) {
+    rosenbrock_.take(start, derived, slopes, step, [&](const MotionVector& at) { return contact.derive(at); });
+  };
+  double step = next_step_;
+  for (bool accepted = false; !accepted;) {
+    if (!(step * frequency > stiff_step)) return false;
+    take(step);
+    const double error = stiff_error(step);
+    accepted = error <= 1.0;
+    const double change = 0.9 * std::pow(error, -1.0 / RosenbrockStep::method.order);
+    next_step_ = step * (std::isfinite(error) ? std::clamp(change, 0.2, 5.0) : 0.2);
+    if (!accepted) step = next_step_;
+  }
+  const double share = first_change(contact, step);
+  if (share < 1.0) {
+    // What has changed rings at first: the explicit pair takes the next step.
+    contact_changed_ = true;
+    next_step_ = std::min(next_step_, 1.0 / std::sqrt(squared_contact_frequencies_.sum()));
+    if (share < 1e-3) return false;
+    step *= share;
+    take(step);
+  }
+  last_was_stiff_ = true;
+  time_ = previous_time_ + step;
+  values_.assign(rosenbrock_.end().data(), rosenbrock_.end().data() + size);
+  slopes_.resize(values_.size());
+  derive(values_, slopes_);
+  return true;
 }
 
 double Stepper::first_contact() const {
@@ -109,14 +231,7 @@ double Stepper::first_contact() const {
     const double closing = model_.hinges()[j].contact.closing_angle;
     const bool pressed = previous_values_[j] < closing;
     if (pressed == (values_[j] < closing)) continue;
-    double before = previous_time_;
-    double after = first;
-    for (int i = 0; i < 30; ++i) {
-      const double middle = 0.5 * (before + after);
-      const bool same = (at(middle).angles[j] < closing) == pressed;
-      (same ? before : after) = middle;
-    }
-    first = after;
+    first = bisected(previous_time_, first, [&](double time) { return (at(time).angles[j] < closing) != pressed; });
   }
   return first;
 }
@@ -131,6 +246,11 @@ void Stepper::advance() {
 }
 
 State Stepper::at(double time) const {
+  if (last_was_stiff_) {
+    const int n = model_.joints();
+    const MotionVector values = rosenbrock_.at((time - previous_time_) / (time_ - previous_time_));
+    return {.angles = values.head(n), .rates = values.tail(n), .internal = {}};
+  }
   PackedState values(values_.size());
   controlled_.stepper().calc_state(time, values, previous_values_, previous_slopes_, previous_time_, values_, slopes_,
                                    time_);

@@ -6,9 +6,12 @@
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/type_traits/integral_constant.hpp>
+#include <optional>
 
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/state.hpp"
+#include "frozen_contact.hpp"
+#include "rosenbrock_step.hpp"
 
 namespace coilwright::simulation {
 
@@ -23,7 +26,8 @@ struct boost::numeric::odeint::is_resizeable<coilwright::simulation::PackedState
 
 namespace coilwright::simulation {
 
-/// The model's equation of motion under a constant input, in steps of Dormand and Prince's 5(4) pair (Boost.Odeint).
+/// The model's equation of motion under a constant input, in steps of Dormand and Prince's 5(4) pair (Boost.Odeint),
+/// and of a Rosenbrock method while faces are pressed together that would ring faster than the motion changes.
 class Stepper {
  public:
   struct Input {
@@ -53,7 +57,7 @@ class Stepper {
   void step();
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] double previous_time() const { return previous_time_; }
-  /// State anywhere in the last step: the pair's own continuous extension, of fourth order.
+  /// State anywhere in the last step: the method's own continuous extension, of fourth order.
   [[nodiscard]] State at(double time) const;
   /// State at the end of the last step.
   [[nodiscard]] State now() const { return unpack(values_); }
@@ -78,6 +82,12 @@ class Stepper {
   };
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Pair, ErrorChecker>;
 
+  void step_explicitly();
+  [[nodiscard]] bool step_stiffly(double frequency);
+  [[nodiscard]] double contact_frequency() const;
+  [[nodiscard]] double stiff_error(double step) const;
+  [[nodiscard]] std::optional<double> changed_share(const FrozenContact& contact, int joint, double step) const;
+  [[nodiscard]] double first_change(const FrozenContact& contact, double step) const;
   void advance();
   void approach_drive_end();
   void rest_drive();
@@ -97,6 +107,11 @@ class Stepper {
   PackedState slopes_;
   PackedState previous_values_;
   PackedState previous_slopes_;
+  Tolerance tolerance_;
+  mechanics::JointVector squared_contact_frequencies_;  // of each joint alone while its faces push, 1/s^2
+  RosenbrockStep rosenbrock_;
+  bool last_was_stiff_ = false;
+  bool contact_changed_ = false;  // at the end of the last step
 };
 
 }  // namespace coilwright::simulation

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -43,6 +44,8 @@ double Stepper::ErrorChecker::error(algebra_type& /*algebra*/, const PackedState
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double floor = i < internal_begin_ ? tolerance_.absolute : tolerance_.internal;
     const double allowed = floor + tolerance_.relative * (std::abs(values[i]) + std::abs(step) * std::abs(slopes[i]));
+    // A step so long that the equation overflowed inside it says nothing: it is too long, unless it began like that.
+    if (!std::isfinite(errors[i]) && std::isfinite(allowed)) return std::numeric_limits<double>::infinity();
     largest = std::max(largest, std::abs(errors[i]) / allowed);
   }
   return largest;

@@ -167,5 +167,41 @@ TEST(SimulateEffects, IsBitForBitTheSameWithAnEffectThatDoesNothing) {
   }
 }
 
+// -c theta'^3 at every joint.
+class CubicDrag : public actuator::EffectTerm {
+ public:
+  CubicDrag(std::span<const double> values, const actuator::ModelSpec& spec)
+      : coefficient_(values[0]), joints_(spec.chain.joints()) {}
+  void add_torques(const Kinematics& motion, const actuator::CoilCurrents& /*strength*/, InternalStateView /*own*/,
+                   JointVector& torques) const override {
+    for (int j = 0; j < joints_; ++j) torques[j] -= coefficient_ * std::pow(motion.rates[j], 3);
+  }
+
+ private:
+  double coefficient_;
+  int joints_;
+};
+const sample::Kind cubic_drag =
+    sample::kind_of<CubicDrag>("sample_cubic_drag", actuator::Stage::hinge, {sample::number("coefficient")});
+
+// After a rest the first trial step into a motion is far too long, and overflows in such a term. It is to be taken
+// shorter, not to be believed.
+TEST(SimulateEffects, FollowsAStrongDragThatOverflowsInATrialStep) {
+  for (const double coefficient : {2e-7, 1e-4, 1e-3, 1e-2}) {  // N m s^3/rad^3
+    Model::Spec spec = finger(actuator::Configuration::B).model.nominal_spec();
+    spec.effects = {{&cubic_drag, {coefficient}}};
+    const Model model(std::move(spec));
+    const State start{.angles = rest_of(model), .rates = straight(model)};
+    ModelInput input;
+    input.times = {0.0, 20.0, 20.1};
+    input.currents = {model.all_coils(0.0), model.all_coils(1.4), model.all_coils(1.4)};
+    const State end = simulate(model, input, start).back();
+    State state = start;
+    for (int i = 0; i < 20000; ++i) state = rk4_step(model, model.all_coils(1.4), state, 5e-6);
+    EXPECT_LT((end.angles - state.angles).lpNorm<Eigen::Infinity>(), 1e-6) << coefficient;
+    EXPECT_LT((end.rates - state.rates).lpNorm<Eigen::Infinity>(), 1e-4) << coefficient;
+  }
+}
+
 }  // namespace
 }  // namespace coilwright::simulation

@@ -35,8 +35,12 @@ CoilCurrents uneven_currents(int n) {
 }
 
 TEST(Model, HasTheStiffnessThatItsResidualShows) {
-  for (const Configuration configuration : {Configuration::B, Configuration::C, Configuration::D}) {
-    const Assembly a = finger(configuration);
+  Design oriented = paper_finger();  // distant pairs with the directions of their dipoles
+  oriented.layout = layout_of(Configuration::D);
+  oriented.choices.winding = magnetics::CurrentDistribution::uniform;
+  oriented.choices.torque = magnetics::Fidelity::exact;
+  for (const Assembly& a :
+       {finger(Configuration::B), finger(Configuration::C), finger(Configuration::D), assemble_or_throw(oriented)}) {
     const int n = a.model.joints();
     const CoilCurrents currents = uneven_currents(a.coils);
     JointVector angles = uneven(n);

@@ -27,10 +27,11 @@ mechanics::LinkPoint centre(const Design& design, const Dimensions& size, int i)
   return {.link = i - 1, .along = i == 0 ? -half : half, .offset = size.axis_offset};
 }
 
-// Index of component i among the coils before it.
-int coil_index(const Layout& layout, int i) {
-  return static_cast<int>(std::count_if(layout.begin(), layout.begin() + i,
-                                        [](const Component& c) { return c.kind == ComponentKind::coil; }));
+// Index of component i among those of its kind.
+int index_of(const Layout& layout, int i) {
+  const ComponentKind kind = layout[static_cast<std::size_t>(i)].kind;
+  return static_cast<int>(
+      std::count_if(layout.begin(), layout.begin() + i, [kind](const Component& c) { return c.kind == kind; }));
 }
 
 std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const mechanics::PlanarChain& chain) {
@@ -87,19 +88,22 @@ MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCur
       const double sense = near.polarity * far.polarity;
       if (k == i + 1) {
         hinge_pairs.push_back({.joint = i,
-                               .coil = coil_index(design.layout, near_coil ? i : k),
+                               .coil = index_of(design.layout, near_coil ? i : k),
                                .sense = sense,
                                .torque_per_ampere = curves.hinge_torque(),
-                               .parts = curves.hinge_parts()});
+                               .parts = curves.hinge_parts(),
+                               .magnet = index_of(design.layout, near_coil ? k : i)});
         continue;
       }
       const bool magnets = !near_coil && !far_coil;
       const AxialCurves& axial = magnets ? curves.magnet_magnet() : curves.coil_magnet();
       distant_pairs.push_back({.first = centre(design, size, i),
                                .second = centre(design, size, k),
-                               .coil = magnets ? -1 : coil_index(design.layout, near_coil ? i : k),
+                               .coil = magnets ? -1 : index_of(design.layout, near_coil ? i : k),
                                // Positive current sets a coil's moment against a magnet's.
                                .sense = magnets ? sense : -sense,
+                               .magnet = index_of(design.layout, near_coil ? k : i),
+                               .second_magnet = magnets ? index_of(design.layout, k) : -1,
                                .orientation = orientation_of(design),
                                .axial_force = axial.force,
                                .axial_energy = axial.energy});

@@ -18,9 +18,11 @@ constexpr double prototype_magnet_volume = std::numbers::pi * 10e-3 * 10e-3 * 6e
 
 Cost cost_of(const Design& design, const Assembly& assembly) {
   const double magnet_volume = std::numbers::pi * design.magnet.radius * design.magnet.radius * design.magnet.length;
+  // The prototype's magnets are N52, which the table's prices are over.
+  const double price_ratio = design.magnet.grade == nullptr ? 1.0 : design.magnet.grade->price_ratio;
   return {.silicone_and_moulds = 2.5,
           .coils = 1.0 * assembly.coils * assembly.coil.copper_mass / prototype_copper_mass(),
-          .magnets = 3.0 * assembly.magnets * magnet_volume / prototype_magnet_volume,
+          .magnets = 3.0 * assembly.magnets * price_ratio * magnet_volume / prototype_magnet_volume,
           .wires = 0.5};
 }
 

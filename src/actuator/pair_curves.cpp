@@ -29,7 +29,7 @@ magnetics::ThickCoil thick_coil(const Design& design, const Dimensions& size) {
 
 magnetics::CylinderMagnet magnet_of(const Design& design) {
   return magnetics::CylinderMagnet(
-      {.radius = design.magnet.radius, .length = design.magnet.length, .remanence = design.magnet.remanence});
+      {.radius = design.magnet.radius, .length = design.magnet.length, .remanence = design.magnet.polarisation()});
 }
 
 struct Range {
@@ -68,6 +68,10 @@ double touching_angle(const Design& design, const Dimensions& size) {
 
 magnetics::ThickCoil PairCurves::coil() const {
   return thick_coil(design_, size_);
+}
+
+magnetics::CylinderMagnet PairCurves::magnet() const {
+  return magnet_of(design_);
 }
 
 double PairCurves::rest_force_per_ampere() const {

@@ -7,6 +7,7 @@
 #include "coilwright/actuator/design/dimensions.hpp"
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/magnetics/curve.hpp"
+#include "coilwright/magnetics/cylinder_magnet.hpp"
 
 namespace coilwright::actuator {
 
@@ -17,6 +18,7 @@ class PairCurves {
   PairCurves(const Design& design, const Dimensions& size) : design_(design), size_(size) {}
 
   [[nodiscard]] magnetics::ThickCoil coil() const;
+  [[nodiscard]] magnetics::CylinderMagnet magnet() const;
   [[nodiscard]] std::shared_ptr<const magnetics::Curve> hinge_torque();
   [[nodiscard]] std::shared_ptr<const HingePairParts> hinge_parts();
   [[nodiscard]] const AxialCurves& coil_magnet();

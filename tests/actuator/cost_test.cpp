@@ -29,5 +29,14 @@ TEST(Cost, GrowsWithCopperAndMagnetVolume) {
   EXPECT_DOUBLE_EQ(cost.magnets, 2.0 * 3.0 * 1.5);
 }
 
+// N42 is four steps below N52: 3 / 1.075^4.
+TEST(Cost, FollowsThePriceOfTheGrade) {
+  Design design = paper_finger();
+  design.magnet.grade = magnetics::find_magnet_grade("N52");
+  EXPECT_DOUBLE_EQ(cost_of(design, assemble_or_throw(design)).magnets, 3.0);
+  design.magnet.grade = magnetics::find_magnet_grade("N42");
+  EXPECT_NEAR(cost_of(design, assemble_or_throw(design)).magnets, 2.2464, 5e-5);
+}
+
 }  // namespace
 }  // namespace coilwright::actuator

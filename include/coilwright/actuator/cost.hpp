@@ -9,8 +9,8 @@ namespace coilwright::actuator {
 struct Cost {
   double silicone_and_moulds{};  ///< 5 a gripper: 2.50 a finger; not scaled, the moulds dominate
   double coils{};                ///< 4 a gripper of four coils: 1.00 each, scaled with copper mass
-  double magnets{};              ///< 6 a gripper of two magnets: 3.00 each, scaled with volume
-  double wires{};                ///< 1 a gripper: 0.50 a finger
+  double magnets{};  ///< 6 a gripper of two magnets: 3.00 each (N52), scaled with volume and the grade's price
+  double wires{};    ///< 1 a gripper: 0.50 a finger
 
   /// Sum of all parts, US$.
   [[nodiscard]] double total() const { return silicone_and_moulds + coils + magnets + wires; }

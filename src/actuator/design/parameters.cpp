@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace coilwright::actuator {
 namespace {
@@ -39,11 +41,40 @@ constexpr Parameter number(std::string_view section, std::string_view key, std::
 
 using enum ParameterRule;
 
+// "none", then every grade of the table.
+std::span<const std::string_view> grade_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> out{"none"};
+    for (const magnetics::MagnetGrade& grade : magnetics::magnet_grades()) out.push_back(grade.name);
+    return out;
+  }();
+  return names;
+}
+
+double get_grade(const Design& design) {
+  const magnetics::MagnetGrade* grade = design.magnet.grade;
+  return grade == nullptr ? 0.0 : static_cast<double>(grade - magnetics::magnet_grades().data() + 1);
+}
+
+void set_grade(Design& design, double value) {
+  const auto index = static_cast<std::size_t>(std::lround(value));
+  design.magnet.make_of(index == 0 ? nullptr : &magnetics::magnet_grades()[index - 1]);
+}
+
 constexpr std::array table = {
     number<&Design::coil, &CoilDesign::inner_radius>("coil", "inner_radius_mm", "coil_inner_radius_mm", positive),
     number<&Design::coil, &CoilDesign::turns_radial>("coil", "turns_radial", "turns_radial", at_least_one),
     number<&Design::coil, &CoilDesign::turns_axial>("coil", "turns_axial", "turns_axial", at_least_one),
     number<&Design::coil, &CoilDesign::wire_gauge>("coil", "wire_gauge_AWG", "wire_gauge_AWG", any),
+    // Before the numbers that it brings along, so that a file's own count.
+    Parameter{.section = "magnet",
+              .key = "grade",
+              .name = "magnet_grade",
+              .whole = true,
+              .rule = any,
+              .get = &get_grade,
+              .set = &set_grade,
+              .name_list = &grade_names},
     number<&Design::magnet, &MagnetDesign::radius>("magnet", "radius_mm", "magnet_radius_mm", positive),
     number<&Design::magnet, &MagnetDesign::length>("magnet", "length_mm", "magnet_length_mm", positive),
     number<&Design::magnet, &MagnetDesign::remanence>("magnet", "remanence_T", "remanence_T", positive),
@@ -101,6 +132,13 @@ constexpr std::array table = {
 
 std::span<const Parameter> parameters() {
   return table;
+}
+
+std::optional<double> value_named(const Parameter& parameter, std::string_view name) {
+  const std::span<const std::string_view> names = parameter.names();
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<double>(found - names.begin());
 }
 
 const Parameter* find_parameter(std::string_view name) {

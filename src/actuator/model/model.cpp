@@ -164,6 +164,12 @@ Model Model::with_slow_states_held(const InternalStates& internal) const {
   return out;
 }
 
+Model Model::with_magnet_strengths(std::span<const double> strengths) const {
+  Spec spec = nominal_spec();
+  spec.magnetics = spec.magnetics.with_magnet_strengths(strengths);
+  return Model(std::move(spec));
+}
+
 CoilCurrents Model::strength(const CoilCurrents& command, const double* states, double* slopes) const {
   CoilCurrents currents = command;
   for (const Term& term : terms(Stage::drive, Stage::drive)) term.effect->drive(own(term, states, slopes), currents);

@@ -1,6 +1,7 @@
 #include "coilwright/actuator/parts/magnetic_stage.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace coilwright::actuator {
@@ -86,6 +87,14 @@ Eigen::Matrix3d energy_curvature(const DistantPair& pair, const Eigen::Vector2d&
 
 MagneticStage::MagneticStage(std::vector<HingePair> hinge_pairs, std::vector<DistantPair> distant_pairs)
     : hinge_pairs_(std::move(hinge_pairs)), distant_pairs_(std::move(distant_pairs)) {}
+
+MagneticStage MagneticStage::with_magnet_strengths(std::span<const double> strengths) const {
+  const auto strength = [&](int magnet) { return magnet < 0 ? 1.0 : strengths[static_cast<std::size_t>(magnet)]; };
+  MagneticStage out = *this;
+  for (HingePair& pair : out.hinge_pairs_) pair.sense *= strength(pair.magnet);
+  for (DistantPair& pair : out.distant_pairs_) pair.sense *= strength(pair.magnet) * strength(pair.second_magnet);
+  return out;
+}
 
 void MagneticStage::add_torques(const PlanarChain& chain, const JointVector& angles, const CoilCurrents& currents,
                                 JointVector& torques) const {

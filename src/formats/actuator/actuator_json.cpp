@@ -24,6 +24,10 @@ Json section_json(const Design& design, std::string_view section) {
   for (const Parameter& parameter : parameters()) {
     if (parameter.section != section) continue;
     const double value = units::from_memory(parameter.get(design), parameter.key);
+    if (!parameter.names().empty()) {
+      out.set(std::string(parameter.key), parameter.names()[static_cast<std::size_t>(value)]);
+      continue;
+    }
     out.set(std::string(parameter.key), parameter.whole ? Json(static_cast<int>(value)) : Json(value));
   }
   return out;

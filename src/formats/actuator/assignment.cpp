@@ -1,6 +1,7 @@
 #include "coilwright/formats/actuator/assignment.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,12 @@ actuator::Design with_assignment(actuator::Design design, std::string_view text)
     std::vector<std::string> names{"configuration"};
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
     throw argument_error(text, "is not a number of a design" + did_you_mean(assignment.name, names));
+  }
+  if (!parameter->names().empty()) {
+    const std::optional<double> named = actuator::value_named(*parameter, assignment.value);
+    if (!named) throw argument_error(text, name_rule(*parameter, assignment.value));
+    parameter->set(design, *named);
+    return design;
   }
   parameter->set(design, units::to_memory(value_of(text, assignment.value, *parameter), parameter->key));
   return design;

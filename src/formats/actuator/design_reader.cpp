@@ -1,11 +1,16 @@
 #include "formats/actuator/design_reader.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <vector>
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
+#include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 #include "formats/actuator/effects_reader.hpp"
@@ -64,7 +69,9 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
     if (parameter.section != section) continue;
     const auto value = keys.find(parameter.key);
     if (!value) continue;
-    if (parameter.whole)
+    if (!parameter.names().empty())
+      parameter.set(design, read_name(*value, parameter));
+    else if (parameter.whole)
       parameter.set(design, value->integer<int>(rule_of(parameter)));
     else
       parameter.set(design, units::to_memory(value->number(rule_of(parameter)), parameter.key));
@@ -132,6 +139,17 @@ actuator::Measured read_measured(const Node& node) {
 }
 
 }  // namespace
+
+std::string name_rule(const actuator::Parameter& parameter, std::string_view text) {
+  const std::vector<std::string> names(parameter.names().begin(), parameter.names().end());
+  return fmt::format("must be one of \"{}\"", fmt::join(names, "\", \"")) + did_you_mean(text, names);
+}
+
+double read_name(const Node& node, const actuator::Parameter& parameter) {
+  const std::string& text = node.text();
+  if (const std::optional<double> value = actuator::value_named(parameter, text)) return *value;
+  throw node.error(name_rule(parameter, text));
+}
 
 Rule rule_of(const actuator::Parameter& parameter) {
   // What has a table, a relation or a lowest value of its own.

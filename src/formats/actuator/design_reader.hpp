@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "coilwright/actuator/calibrate.hpp"
@@ -43,6 +44,12 @@ struct DesignContent {
 
 /// One of "A" to "D".
 [[nodiscard]] actuator::Configuration read_configuration(const text::Node& node);
+
+/// The value of a parameter that has names, from one of them.
+[[nodiscard]] double read_name(const text::Node& node, const actuator::Parameter& parameter);
+
+/// What a text must be that is to name a value of it: `must be one of "none", "N35", ...`, with the nearest.
+[[nodiscard]] std::string name_rule(const actuator::Parameter& parameter, std::string_view text);
 
 /// The rule of a parameter of a Design in the terms of an input file.
 [[nodiscard]] text::Rule rule_of(const actuator::Parameter& parameter);

@@ -18,7 +18,7 @@ using sizing::Study;
 Json value_json(const sizing::StudyVariable& variable, double coordinate) {
   const sizing::VariableValue value = value_at(variable, coordinate);
   const auto* parameter = std::get_if<sizing::ParameterVariable>(&variable);
-  if (parameter != nullptr && parameter->parameter->whole)
+  if (parameter != nullptr && parameter->parameter->whole && parameter->parameter->names().empty())
     return static_cast<std::int64_t>(std::llround(std::get<double>(value)));
   return std::visit([](const auto& each) { return Json(each); }, value);
 }

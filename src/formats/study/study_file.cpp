@@ -84,6 +84,19 @@ ConfigurationVariable read_configurations(const Node& node) {
   });
 }
 
+// {"values": ["N42", "N52"]}.
+ParameterVariable read_named(const Node& node, const actuator::Parameter& parameter) {
+  return read_object(node, [&parameter](ObjectReader& in) {
+    Choice choice;
+    for (const Node& word : in.elements("values", Length::at_least(1))) {
+      const double value = read_name(word, parameter);
+      if (std::ranges::count(choice.values, value) > 0) throw word.error("must not be there twice");
+      choice.values.push_back(value);
+    }
+    return ParameterVariable{.parameter = &parameter, .range = std::move(choice)};
+  });
+}
+
 StudyVariable read_variable(const Node& node, const std::string& name) {
   if (name == "configuration") return read_configurations(node);
   if (name == "current_A")
@@ -96,6 +109,7 @@ StudyVariable read_variable(const Node& node, const std::string& name) {
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
     throw node.error_without_value("is not a variable of a design" + did_you_mean(name, names));
   }
+  if (!parameter->names().empty()) return read_named(node, *parameter);
   return read_object(node, [parameter](ObjectReader& in) {
     const VariableKind kind = parameter->whole ? VariableKind::integer : VariableKind::continuous;
     return ParameterVariable{.parameter = parameter, .range = read_range(in, rule_of(*parameter), kind)};

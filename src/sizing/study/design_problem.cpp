@@ -101,7 +101,7 @@ actuator::Design DesignProblem::design_at(std::span<const double> point) const {
   actuator::Design design = study().base;
   for (std::size_t i = 0; i < study().variables.size(); ++i) {
     if (const auto* number = std::get_if<ParameterVariable>(&study().variables[i])) {
-      const double value = std::get<double>(value_at(study().variables[i], point[i]));
+      const double value = number_at(*number, point[i]);
       number->parameter->set(design, units::to_memory(value, number->parameter->key));
     } else if (const auto* layout = std::get_if<ConfigurationVariable>(&study().variables[i])) {
       design.layout = actuator::layout_of(layout->values[static_cast<std::size_t>(std::lround(point[i]))]);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -32,6 +34,11 @@ Variable numeric_variable(std::string name, const std::variant<Interval, Choice>
 
 struct AsSearchVariable {
   Variable operator()(const ParameterVariable& variable) const {
+    if (!variable.parameter->names().empty())  // materials have no order, as configurations have none
+      return {.name = std::string(variable.parameter->name),
+              .kind = VariableKind::categorical,
+              .lower = 0.0,
+              .upper = static_cast<double>(std::get<Choice>(variable.range).values.size()) - 1.0};
     return numeric_variable(std::string(variable.parameter->name), variable.range,
                             variable.parameter->whole ? VariableKind::integer : VariableKind::continuous);
   }
@@ -69,7 +76,12 @@ double number_at(const std::variant<Interval, Choice>& range, double coordinate)
 
 struct ValueAt {
   double coordinate;
-  VariableValue operator()(const ParameterVariable& variable) const { return number_at(variable.range, coordinate); }
+  VariableValue operator()(const ParameterVariable& variable) const {
+    const double number = number_at(variable.range, coordinate);
+    const std::span<const std::string_view> names = variable.parameter->names();
+    if (names.empty()) return number;
+    return names[index_of(number)];
+  }
   VariableValue operator()(const CurrentVariable& variable) const { return number_at(variable.range, coordinate); }
   VariableValue operator()(const ConfigurationVariable& variable) const {
     return actuator::name_of(variable.values[index_of(coordinate)]);
@@ -81,6 +93,15 @@ struct ValueAt {
 ParameterVariable parameter_variable(std::string_view name, std::variant<Interval, Choice> range) {
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   if (parameter == nullptr) throw std::invalid_argument(fmt::format("no parameter of a design is called \"{}\"", name));
+  const std::size_t names = parameter->names().size();
+  if (names > 0) {
+    const Choice* choice = std::get_if<Choice>(&range);
+    const auto known = [names](double index) {
+      return index >= 0.0 && index < static_cast<double>(names) && index == std::floor(index);
+    };
+    if (choice == nullptr || !std::ranges::all_of(choice->values, known))
+      throw std::invalid_argument(fmt::format("{} has names: give a list of their indices, 0 to {}", name, names - 1));
+  }
   return {.parameter = parameter, .range = std::move(range)};
 }
 
@@ -101,6 +122,10 @@ std::optional<std::size_t> value_count(const StudyVariable& variable) {
 
 VariableValue value_at(const StudyVariable& variable, double coordinate) {
   return std::visit(ValueAt{coordinate}, variable);
+}
+
+double number_at(const ParameterVariable& variable, double coordinate) {
+  return number_at(variable.range, coordinate);
 }
 
 std::string name_of(const Limit& limit) {

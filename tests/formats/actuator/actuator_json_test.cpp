@@ -70,6 +70,27 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
   }
 }
 
+TEST(ActuatorJson, CallsTheGradeOfAMagnetByItsName) {
+  Design design;
+  EXPECT_NE(to_json(design, "plain").text().find("\"grade\": \"none\""), std::string::npos);
+  design.magnet.make_of(magnetics::find_magnet_grade("N45SH"));
+  design.magnet.remanence = 1.33;  // measured
+  EXPECT_NE(to_json(design, "plain").text().find("\"grade\": \"N45SH\""), std::string::npos);
+  expect_same_bits(read_back(design), design);
+}
+
+TEST(ActuatorJson, ReadsTheNumbersOfAGradeUnlessTheFileHasItsOwn) {
+  const auto magnet = [](const std::string& keys) {
+    const ActuatorFile file =
+        parse_actuator(R"({"format": "actuator/1", "configuration": "B", "magnet": {)" + keys + "}}", "finger.json");
+    return std::get<Design>(file.content).magnet;
+  };
+  EXPECT_EQ(magnet(R"("radius_mm": 9)").grade, nullptr);
+  EXPECT_EQ(magnet(R"("grade": "N42SH")").remanence, 1.315);
+  EXPECT_EQ(magnet(R"("grade": "N42SH")").temperature_limit, 150.0);
+  EXPECT_EQ(magnet(R"("remanence_T": 1.29, "grade": "N42SH")").remanence, 1.29);
+}
+
 TEST(ActuatorJson, SaysMillimetresAsAPersonWouldWriteThem) {
   Design design;
   design.body.gap = 0.9e-3;

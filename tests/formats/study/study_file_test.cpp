@@ -1,6 +1,8 @@
 // What a study becomes. What is refused, and how, is in tests/cli/study_input_test.py, text by text.
 #include "coilwright/formats/study/study_file.hpp"
 
+#include "coilwright/sizing/study/design_problem.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -107,6 +109,30 @@ TEST_F(StudyFile, NamesQuantitiesOfTheTableItIsGiven) {
   EXPECT_EQ(study.limits[1].quantity.meaning, "width divided by height of the cross-section");
   EXPECT_EQ(study.quantities.size(), table.size());
   EXPECT_THROW((void)parse(own), text::InputError);  // the default has no such row
+}
+
+TEST_F(StudyFile, MayVaryAMaterialByItsName) {
+  const auto study = [this](const std::string& values) {
+    return parse(R"({"format": "study/1", "name": "grades", "actuator": "sub/finger.json",
+      "variables": {"magnet_grade": {"values": )" +
+                 values + R"(}, "magnet_length_mm": {"values": [4, 6]}},
+      "operating_point": {"current_A": 1}, "objectives": [{"maximise": "stroke_deg"}]})");
+  };
+  const Study grades = study(R"(["N52", "N42SH", "none"])");
+  EXPECT_EQ(search_variable(grades.variables[0]).kind, VariableKind::categorical);
+  EXPECT_EQ(std::get<std::string_view>(value_at(grades.variables[0], 1.0)), "N42SH");
+  const DesignProblem problem(grades);
+  const actuator::Design design = problem.design_at(std::vector{1.0, 0.0});
+  EXPECT_EQ(design.magnet.grade, magnetics::find_magnet_grade("N42SH"));
+  EXPECT_EQ(design.magnet.remanence, 1.315);  // the grade's own, whatever the file says
+  EXPECT_EQ(problem.design_at(std::vector{2.0, 0.0}).magnet.grade, nullptr);
+  EXPECT_EQ(problem.point_count(), 6u);
+  const auto message = [&](const std::string& values) { return text::testing::error_of([&] { (void)study(values); }); };
+  EXPECT_NE(message(R"(["N42HS"])").find(R"(/variables/magnet_grade/values/0: must be one of "none", "N35")"),
+            std::string::npos);
+  EXPECT_NE(message(R"(["N42HS"])").find(R"(did you mean "N42SH"?)"), std::string::npos);
+  EXPECT_NE(message(R"(["N42", "N42"])").find("/variables/magnet_grade/values/1: must not be there twice"),
+            std::string::npos);
 }
 
 TEST_F(StudyFile, MayVaryTheCurrentAndSayNothingElseOfIt) {

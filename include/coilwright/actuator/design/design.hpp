@@ -6,6 +6,7 @@
 #include "coilwright/actuator/design/layout.hpp"
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
+#include "coilwright/magnetics/magnet_grade.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 
 namespace coilwright::actuator {
@@ -28,6 +29,15 @@ struct MagnetDesign {
   double remanence = 1.44;          ///< T; N52: 1.43 to 1.48 (makers' tables)
   double density = 7500.0;          ///< kg/m^3, sintered NdFeB
   double temperature_limit = 80.0;  ///< degC; grades without a letter
+  /// What it is made of, a row of magnetics::magnet_grades(). nullptr: not known; then it has no recoil, does not
+  /// weaken in the heat, and nobody can say when it is demagnetised.
+  const magnetics::MagnetGrade* grade = nullptr;
+
+  /// Makes it of a grade (or of nullptr, which changes no number): remanence (typical), density and temperature limit
+  /// become the grade's. Set afterwards what was measured.
+  void make_of(const magnetics::MagnetGrade* material);
+  /// Polarisation in its own field at 20 degC, T: the remanence, less what recoil gives up.
+  [[nodiscard]] double polarisation() const;
 };
 
 /// The silicone body around the parts. Cross-section and hinge line follow from it: see Dimensions.

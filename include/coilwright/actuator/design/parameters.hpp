@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -15,14 +16,23 @@ struct Parameter {
   std::string_view section;  ///< object of the actuator file: "coil", "magnet", "body", "surroundings", "calibration"
   std::string_view key;      ///< key in that object, its unit (units::to_memory) at its end
   std::string_view name;     ///< name among all parameters, unit at its end: what a study's variable is called
-  bool whole{};              ///< a whole number
+  bool whole{};              ///< a whole number, or the index of a name
   ParameterRule rule{};
-  double (*get)(const Design&) = nullptr;  ///< SI
-  void (*set)(Design&, double) = nullptr;  ///< SI
+  double (*get)(const Design&) = nullptr;                      ///< SI
+  void (*set)(Design&, double) = nullptr;                      ///< SI
+  std::span<const std::string_view> (*name_list)() = nullptr;  ///< see names(); nullptr for a number
+
+  /// The names that files write where it is a choice among them, value by index. Empty for a number.
+  [[nodiscard]] std::span<const std::string_view> names() const {
+    return name_list == nullptr ? std::span<const std::string_view>() : name_list();
+  }
 };
 
 /// Every number of a Design, section by section.
 [[nodiscard]] std::span<const Parameter> parameters();
+
+/// The value of a parameter that has names for one of them; nothing for any other text.
+[[nodiscard]] std::optional<double> value_named(const Parameter& parameter, std::string_view name);
 
 /// The parameter of that name; nullptr if there is none.
 [[nodiscard]] const Parameter* find_parameter(std::string_view name);

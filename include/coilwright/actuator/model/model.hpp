@@ -56,6 +56,10 @@ class Model {
   /// they are no longer among the states of the result.
   [[nodiscard]] Model with_slow_states_held(const InternalStates& internal) const;
 
+  /// This model with magnets of other strengths, one per magnet (polarisation over that of its curves). States that
+  /// were held are free again.
+  [[nodiscard]] Model with_magnet_strengths(std::span<const double> strengths) const;
+
   /// Resistance of one coil at 20 degC, ohm; nothing for a lumped model.
   [[nodiscard]] std::optional<double> coil_resistance() const noexcept { return spec_.coil_resistance; }
   /// The currents that `voltages` (V, one a coil) drive at 20 degC, A: the nominal drive under a voltage. Quasi-static:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "coilwright/actuator/parts/coil_currents.hpp"
@@ -16,9 +17,10 @@ class HingePairParts;
 struct HingePair {
   int joint{};
   int coil{};
-  double sense = 1.0;                                         ///< product of the two polarities
+  double sense = 1.0;  ///< product of the two polarities and the magnet's strength
   std::shared_ptr<const magnetics::Curve> torque_per_ampere;  ///< of one joint angle, N m/A, opening positive
   std::shared_ptr<const HingePairParts> parts{};              ///< what it is made of; null where only a curve is known
+  int magnet = -1;                                            ///< index among the magnets; -1: not known
 };
 
 /// Two components with at least one joint and one component between them.
@@ -35,7 +37,10 @@ struct DistantPair {
   mechanics::LinkPoint second;
   int coil = -1;         ///< index of the coil whose current scales the pair; -1: two magnets, no current
   int second_coil = -1;  ///< index of a second coil whose current scales it too; -1: not a pair of coils
-  double sense = 1.0;    ///< +1 where like moments (both along the chain at unit current) face each other
+  double sense = 1.0;    ///< > 0 where like moments (both along the chain at unit current) face each other; magnitude:
+                         ///< the product of its magnets' strengths
+  int magnet = -1;       ///< index of its magnet among the magnets; -1: none, or not known
+  int second_magnet = -1;  ///< likewise of a second one
   Orientation orientation = Orientation::dipoles;
   std::shared_ptr<const magnetics::Curve>
       axial_force;  ///< of like moments on the second, N (per A, A^2), of the distance
@@ -58,6 +63,10 @@ class MagneticStage {
   /// Adds -d(torque)/d(angle), (n, n), N m/rad, to `stiffness`: analytic.
   void add_stiffness(const mechanics::PlanarChain& chain, const mechanics::JointVector& angles,
                      const CoilCurrents& currents, mechanics::JointMatrix& stiffness) const;
+
+  /// The same pairs with magnets of other strengths, one per magnet: its polarisation over that of the curves. Pairs
+  /// whose magnets are not known stay.
+  [[nodiscard]] MagneticStage with_magnet_strengths(std::span<const double> strengths) const;
 
   [[nodiscard]] const std::vector<HingePair>& hinge_pairs() const noexcept { return hinge_pairs_; }
   [[nodiscard]] const std::vector<DistantPair>& distant_pairs() const noexcept { return distant_pairs_; }

@@ -22,7 +22,8 @@ struct Interval {
   double step{};  ///< 0: every value, or every whole number
 };
 
-/// Values of a list, ascending, in the unit of the variable's name.
+/// Values of a list, ascending, in the unit of the variable's name; of a parameter that has names, their indices in any
+/// order.
 struct Choice {
   std::vector<double> values;
 };
@@ -44,7 +45,8 @@ struct ConfigurationVariable {
 };
 using StudyVariable = std::variant<ParameterVariable, CurrentVariable, ConfigurationVariable>;
 
-/// A variable that moves one of actuator::parameters(). Throws std::invalid_argument where none has that name.
+/// A variable that moves one of actuator::parameters(). Throws std::invalid_argument where none has that name, and for
+/// a range of one that has names and takes a choice of their indices.
 [[nodiscard]] ParameterVariable parameter_variable(std::string_view name, std::variant<Interval, Choice> range);
 
 /// The name of a variable as files write it: "gap_mm", "current_A", "configuration".
@@ -56,11 +58,15 @@ using StudyVariable = std::variant<ParameterVariable, CurrentVariable, Configura
 /// Number of values of a variable; empty for a continuous one.
 [[nodiscard]] std::optional<std::size_t> value_count(const StudyVariable& variable);
 
-/// A value of a variable as files write it: a number, or the letter of a configuration.
+/// A value of a variable as files write it: a number, the letter of a configuration, or one of a parameter's names.
 using VariableValue = std::variant<double, std::string_view>;
 
 /// The value at a coordinate of the search.
 [[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
+
+/// What Parameter::set takes at a coordinate of the search, but for the unit: a number in that of the variable's name,
+/// or the index of a name.
+[[nodiscard]] double number_at(const ParameterVariable& variable, double coordinate);
 
 /// A quantity to make small or large.
 struct StudyObjective {

@@ -1,0 +1,145 @@
+#include "coilwright/actuator/demagnetisation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "actuator/pair_curves.hpp"
+#include "coilwright/magnetics/constants.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+using magnetics::AxialField;
+using magnetics::FaceValues;
+
+// Centres of the components along the straight actuator, m.
+std::vector<double> centres(const Design& design, const Assembly& assembly) {
+  const Dimensions& size = assembly.dimensions;
+  std::vector<double> out;
+  double start = 0.0;
+  for (std::size_t i = 0; i < design.layout.size(); ++i) {
+    const double half = design.layout[i].kind == ComponentKind::magnet ? size.magnet_half_pitch : size.coil_half_pitch;
+    out.push_back(i == 0 ? -half : start + half);
+    if (i > 0) start += assembly.segments[i].length;
+  }
+  return out;
+}
+
+void add(AxialField& sum, const AxialField& field, double factor) {
+  sum.mean += factor * field.mean;
+  for (std::size_t p = 0; p < magnetics::face_points; ++p) sum.faces[p] += factor * field.faces[p];
+}
+
+// Seen from the other side: the faces change places.
+AxialField mirrored(AxialField field) {
+  std::ranges::rotate(field.faces, field.faces.begin() + magnetics::face_points / 2);
+  return field;
+}
+
+// Fields at the few distances that a design has, each computed once.
+template <class Compute>
+class ByDistance {
+ public:
+  explicit ByDistance(Compute compute) : compute_(std::move(compute)) {}
+
+  AxialField at(double distance) {
+    const double apart = std::abs(distance);
+    auto known = std::ranges::find_if(known_, [&](const Known& each) { return std::abs(each.apart - apart) < 1e-9; });
+    if (known == known_.end()) known = known_.insert(known_.end(), {apart, compute_(apart)});
+    return distance < 0.0 ? mirrored(known->field) : known->field;
+  }
+
+ private:
+  struct Known {
+    double apart;
+    AxialField field;
+  };
+  Compute compute_;
+  std::vector<Known> known_;
+};
+
+}  // namespace
+
+InnerFields::InnerFields(const Design& design, const Assembly& assembly)
+    : grade_{}, remanence_(design.magnet.remanence), factor_{}, face_factors_{}, components_(design.layout.size()) {
+  if (design.magnet.grade == nullptr) throw std::invalid_argument("magnets without a grade have no coercivity");
+  grade_ = *design.magnet.grade;
+  const magnetics::CylinderSize size{.radius = design.magnet.radius, .length = design.magnet.length};
+  factor_ = magnetics::demagnetisation_factor(size);
+  face_factors_ = magnetics::face_demagnetisation_factors(size);
+  PairCurves parts(design, assembly.dimensions);
+  const magnetics::ThickCoil coil = parts.coil();
+  const magnetics::CylinderMagnet magnet = parts.magnet();
+  ByDistance of_coil([&](double distance) { return magnetics::axial_field(coil, 1.0, size, distance); });
+  ByDistance of_magnet([&](double distance) { return magnetics::axial_field(magnet, size, distance); });
+  const std::vector<double> places = centres(design, assembly);
+  for (std::size_t i = 0; i < components_; ++i) {
+    const Component& own = design.layout[i];
+    if (own.kind != ComponentKind::magnet) continue;
+    Inside inside{.component = i, .coils = {}, .neighbours = {}};
+    for (std::size_t k = 0; k < components_; ++k) {
+      if (k == i) continue;
+      const Component& other = design.layout[k];
+      const double sense = own.polarity * other.polarity;
+      const double distance = places[i] - places[k];
+      // Positive current sets a coil's moment against a magnet's.
+      if (other.kind == ComponentKind::coil) {
+        add(inside.coils, of_coil.at(distance), -sense);
+      } else {
+        AxialField field{};
+        add(field, of_magnet.at(distance), sense);
+        inside.neighbours.push_back({.component = k, .field = field});
+      }
+    }
+    magnets_.push_back(std::move(inside));
+  }
+}
+
+Demagnetisation InnerFields::demagnetisation(std::span<const double> temperatures, double current) const {
+  if (temperatures.size() != components_)
+    throw std::invalid_argument(
+        fmt::format("temperatures: one per component, {} here; got {}", components_, temperatures.size()));
+  const double susceptibility = grade_.recoil_permeability - 1.0;
+  Demagnetisation worst{.margin = 1.0, .margin_worst_point = 1.0};
+  for (const Inside& magnet : magnets_) {
+    const double temperature = temperatures[magnet.component];
+    AxialField outside{};
+    for (const Neighbour& other : magnet.neighbours)
+      add(outside, other.field, grade_.remanence_ratio(temperatures[other.component]));
+    const double coils = -std::abs(current * magnet.coils.mean);
+    // M = Br / mu0 + chi H on the recoil line, with H = -N M + what comes from outside.
+    const double mean_outside = outside.mean + coils;
+    const double unloaded = remanence_ * grade_.remanence_ratio(temperature) / magnetics::vacuum_permeability;
+    const double magnetisation = (unloaded + susceptibility * mean_outside) / (1.0 + susceptibility * factor_);
+    const double coercivity = grade_.coercivity_at(temperature);
+    const auto margin = [&](double field) {
+      if (field >= 0.0) return 1.0;
+      return coercivity > 0.0 ? 1.0 + field / coercivity : -std::numeric_limits<double>::max();
+    };
+    worst.margin = std::min(worst.margin, margin(mean_outside - factor_ * magnetisation));
+    for (std::size_t p = 0; p < magnetics::face_points; ++p) {
+      const double field = outside.faces[p] - std::abs(current * magnet.coils.faces[p]);
+      worst.margin_worst_point = std::min(worst.margin_worst_point, margin(field - face_factors_[p] * magnetisation));
+    }
+  }
+  worst.margin_worst_point = std::min(worst.margin_worst_point, worst.margin);
+  return worst;
+}
+
+std::vector<double> magnet_strengths(const Design& design, std::span<const double> temperatures) {
+  if (temperatures.size() != design.layout.size())
+    throw std::invalid_argument(
+        fmt::format("temperatures: one per component, {} here; got {}", design.layout.size(), temperatures.size()));
+  std::vector<double> out;
+  for (std::size_t i = 0; i < design.layout.size(); ++i) {
+    if (design.layout[i].kind != ComponentKind::magnet) continue;
+    out.push_back(design.magnet.grade == nullptr ? 1.0 : design.magnet.grade->remanence_ratio(temperatures[i]));
+  }
+  return out;
+}
+
+}  // namespace coilwright::actuator

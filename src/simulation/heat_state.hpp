@@ -9,4 +9,9 @@ namespace coilwright::simulation {
 [[nodiscard]] Heat heat_of(const actuator::Design& design, const actuator::Assembly& assembly,
                            const OperatingPoint& point, const mechanics::JointVector& angles);
 
+/// Of every component in that state, base to tip, degC; empty in a thermal runaway. Throws as heat_of().
+[[nodiscard]] thermal::NodeVector steady_temperatures(const actuator::Design& design,
+                                                      const actuator::Assembly& assembly, const OperatingPoint& point,
+                                                      const mechanics::JointVector& angles);
+
 }  // namespace coilwright::simulation

@@ -12,7 +12,7 @@ double PartLimit::margin() const noexcept {
 
 std::vector<PartLimit> part_limits(const DesignView& design) {
   const auto value = [&](std::string_view name) { return standard_quantities().at(name).value(design); };
-  return {
+  std::vector<PartLimit> limits{
       {.quantity = "coil_temperature_degC",
        .value = value("coil_temperature_degC"),
        .limit = design.design.surroundings.coil_limit,
@@ -26,6 +26,13 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
        .limit = 1.0,
        .consequence = "the wire carries more than its chassis-wiring ampacity; heat decides whether it may"},
   };
+  if (design.design.magnet.grade != nullptr)
+    limits.push_back({.quantity = "demagnetisation_margin",
+                      .value = value("demagnetisation_margin"),
+                      .limit = 0.0,
+                      .at_most = false,
+                      .consequence = "the magnets lose most of their magnetisation for good"});
+  return limits;
 }
 
 }  // namespace coilwright::simulation

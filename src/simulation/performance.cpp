@@ -1,11 +1,12 @@
 #include "coilwright/simulation/performance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "coilwright/actuator/cost.hpp"
-#include "heat_state.hpp"
 #include "motion.hpp"
+#include "warm_state.hpp"
 
 namespace coilwright::simulation {
 namespace {
@@ -19,6 +20,22 @@ double force_current(const actuator::Model& model, const mechanics::JointVector&
   return held_at_rest(model, rest).strength(rest, model.all_coils(current))[0];
 }
 
+// The worse of the two cases; nothing where one runs away, or where the magnets' coercivity is not known.
+std::optional<actuator::Demagnetisation> demagnetisation_of(const Design& design, const Assembly& assembly,
+                                                            const OperatingPoint& point, const Performance& cases) {
+  const thermal::NodeVector& free = cases.free.heat.temperatures;
+  const thermal::NodeVector& gripping = cases.gripping.heat.temperatures;
+  if (!feels_heat(design) || free.size() == 0 || gripping.size() == 0) return std::nullopt;
+  const actuator::InnerFields fields(design, assembly);
+  const auto at = [&](const thermal::NodeVector& temperatures) {
+    return fields.demagnetisation({temperatures.data(), static_cast<std::size_t>(temperatures.size())}, point.current);
+  };
+  const actuator::Demagnetisation one = at(free);
+  const actuator::Demagnetisation other = at(gripping);
+  return actuator::Demagnetisation{.margin = std::min(one.margin, other.margin),
+                                   .margin_worst_point = std::min(one.margin_worst_point, other.margin_worst_point)};
+}
+
 }  // namespace
 
 std::variant<Performance, NoPerformance> performance_of(const Design& design, const Assembly& assembly,
@@ -27,8 +44,13 @@ std::variant<Performance, NoPerformance> performance_of(const Design& design, co
   if (const auto* reason = std::get_if<NoPerformance>(&motion)) return *reason;
   Performance out;
   out.cold = std::get<MotionSummary>(std::move(motion));
-  out.free = {.heat = heat_of(design, assembly, point, out.cold.steady_angles), .motion = out.cold};
-  out.gripping = {.heat = heat_of(design, assembly, point, out.cold.grasp_angles), .grasp = out.cold};
+  std::variant<FreeCase, NoPerformance> free = free_case(design, assembly, point, out.cold);
+  if (const auto* reason = std::get_if<NoPerformance>(&free)) return *reason;
+  out.free = std::get<FreeCase>(std::move(free));
+  std::variant<GrippingCase, NoPerformance> gripping = gripping_case(design, assembly, point, out.cold);
+  if (const auto* reason = std::get_if<NoPerformance>(&gripping)) return *reason;
+  out.gripping = std::get<GrippingCase>(std::move(gripping));
+  out.demagnetisation = demagnetisation_of(design, assembly, point, out);
   out.axial_force = force_current(assembly.model, out.cold.rest_angles, point.current) * assembly.rest_force_per_ampere;
   out.mass = assembly.mass();
   out.coil_resistance = assembly.coil.resistance;

@@ -14,6 +14,8 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 
 constexpr auto no_change = "the current does not change the bending angle";
 constexpr auto no_current_allowed = "the surroundings are as hot as a limit already";
+constexpr auto no_coercivity =
+    "the magnets have no grade and so no known coercivity, or the current is at or beyond that of a thermal runaway";
 constexpr auto runaway = "the current is at or beyond that of a thermal runaway";
 
 ResultQuantity of_design(std::string name, std::string meaning, double scale, ResultQuantity::Value value,
@@ -54,11 +56,32 @@ ResultQuantity of_grasp(std::string name, std::string meaning, double scale, dou
           .value_of_lumped = [value](const MotionSummary& motion, double) -> Value { return motion.*value; }};
 }
 
+// What it does with everything at 20 degC; a lumped model knows no other.
+ResultQuantity of_cold(std::string name, std::string meaning, double scale, double (*value)(const MotionSummary&)) {
+  return {.name = std::move(name),
+          .meaning = std::move(meaning),
+          .scale = scale,
+          .value = [value](const DesignView& d) -> Value { return value(d.performance.cold); },
+          .value_of_lumped = [value](const MotionSummary& motion, double) -> Value { return value(motion); }};
+}
+
+ResultQuantity of_design_cold(std::string name, std::string meaning, double scale,
+                              double (*value)(const MotionSummary&)) {
+  ResultQuantity out = of_cold(std::move(name), std::move(meaning), scale, value);
+  out.value_of_lumped = {};
+  return out;
+}
+
 // The hotter of the free finger and the gripping one; no value where one of them runs away.
 Value hotter(const Performance& performance, std::optional<double> Heat::*part) {
   const std::optional<double>& free = performance.free.heat.*part;
   const std::optional<double>& gripping = performance.gripping.heat.*part;
   return free && gripping ? Value(std::max(*free, *gripping)) : Value();
+}
+
+Value part_of(const Performance& performance, double actuator::Demagnetisation::*part) {
+  const std::optional<actuator::Demagnetisation>& found = performance.demagnetisation;
+  return found ? Value((*found).*part) : Value();
 }
 
 // The smaller current of the two.
@@ -71,8 +94,8 @@ std::vector<ResultQuantity> rows() {
   return {
       of_design("axial_force_N", "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
                 [](const DesignView& d) -> Value { return d.performance.axial_force; }),
-      of_motion("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
-                [](const FreeMotion& motion) -> Value { return motion.rest_angles.sum() * degrees; }),
+      of_cold("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
+              [](const MotionSummary& motion) { return motion.rest_angles.sum() * degrees; }),
       of_motion("steady_angle_deg", "bending angle at the end of a step from rest", 60.0,
                 [](const FreeMotion& motion) -> Value { return motion.steady_angles.sum() * degrees; }),
       of_design(
@@ -106,8 +129,22 @@ std::vector<ResultQuantity> rows() {
       of_grasp("grasp_force_N",
                "force against a wall at the grasp's opening and height; by default of the tip of the straight finger",
                1.0, &Grasp::grasp_force),
-      of_grasp("contact_force_no_current_N", "force against that wall without current", 0.1,
-               &Grasp::contact_force_no_current),
+      of_cold("contact_force_no_current_N", "force against that wall without current", 0.1,
+              [](const MotionSummary& motion) { return motion.contact_force_no_current; }),
+      of_design_cold("steady_angle_cold_deg", "the same as steady_angle_deg with everything at 20 degC", 60.0,
+                     [](const MotionSummary& motion) { return motion.steady_angles.sum() * degrees; }),
+      of_design_cold("peak_bending_speed_cold_deg_s", "the same as peak_bending_speed_deg_s with everything at 20 degC",
+                     1500.0, [](const MotionSummary& motion) { return motion.peak_bending_speed * degrees; }),
+      of_design_cold("grasp_force_cold_N", "the same as grasp_force_N with everything at 20 degC", 1.0,
+                     [](const MotionSummary& motion) { return motion.grasp_force; }),
+      of_design(
+          "demagnetisation_margin", "1 - mean field inside the worst magnet / its coercivity, at its temperature", 0.3,
+          [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin); },
+          no_coercivity),
+      of_design(
+          "demagnetisation_margin_worst_point", "the same of the worst point of any magnet", 0.3,
+          [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin_worst_point); },
+          no_coercivity),
       of_design("mass_g", "mass of the whole actuator without wires", 70.0,
                 [](const DesignView& d) -> Value { return d.performance.mass * 1e3; }),
       of_design("width_mm", "width of the cross-section", 22.0,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/demagnetisation.hpp"
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/simulation/modes.hpp"
@@ -66,6 +67,9 @@ struct Performance {
   MotionSummary cold;  ///< with everything at 20 degC, where remanence and resistance are stated
   FreeCase free;
   GrippingCase gripping;
+  /// Of the magnets in the hotter of the two cases, at the current while on; nothing where the magnets have no grade or
+  /// one case runs away.
+  std::optional<actuator::Demagnetisation> demagnetisation;
   double axial_force{};      ///< of one coil on a magnet at the rest gap, 20 degC, N, positive for repulsion
   double mass{};             ///< kg
   double coil_resistance{};  ///< one coil at 20 degC, ohm

@@ -10,28 +10,36 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using simulation::FreeMotion;
+using simulation::Grasp;
 using simulation::MotionSummary;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-std::vector<double> in_degrees(const mechanics::JointVector& angles) {
+// null where a thermal runaway leaves none.
+Json in_degrees(const mechanics::JointVector* angles) {
+  if (angles == nullptr) return nullptr;
   std::vector<double> out;
-  for (const double angle : angles) out.push_back(angle * degrees);
-  return out;
+  for (const double angle : *angles) out.push_back(angle * degrees);
+  return Json::numbers(out);
 }
 
 Json number_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-void add_joints_and_modes(Json& out, const MotionSummary& motion) {
-  out.set("joint_angles_deg", Json::numbers(in_degrees(motion.steady_angles)));
-  out.set("rest_joint_angles_deg", Json::numbers(in_degrees(motion.rest_angles)));
-  out.set("grasp_joint_angles_deg", Json::numbers(in_degrees(motion.grasp_angles)));
+void add_joints_and_modes(Json& out, const mechanics::JointVector& rest, const FreeMotion* motion, const Grasp* grasp) {
+  out.set("joint_angles_deg", in_degrees(motion == nullptr ? nullptr : &motion->steady_angles));
+  out.set("rest_joint_angles_deg", in_degrees(&rest));
+  out.set("grasp_joint_angles_deg", in_degrees(grasp == nullptr ? nullptr : &grasp->grasp_angles));
+  if (motion == nullptr) {
+    out.set("modes", nullptr);
+    return;
+  }
   Json modes = Json::array();
-  for (const simulation::Mode& mode : motion.modes)
+  for (const simulation::Mode& mode : motion->modes)
     modes.add(Json::object({{"natural_frequency_Hz", mode.natural_frequency}, {"damping_ratio", mode.damping_ratio}}));
   out.set("modes", std::move(modes));
 }
@@ -41,7 +49,9 @@ void add_joints_and_modes(Json& out, const MotionSummary& motion) {
 Json to_json(const simulation::DesignView& design, const QuantityTable& quantities) {
   Json out = Json::object();
   for (const ResultQuantity& quantity : quantities) out.set(quantity.name, number_or_null(quantity.value(design)));
-  add_joints_and_modes(out, design.performance.cold);
+  const simulation::Performance& found = design.performance;
+  add_joints_and_modes(out, found.cold.rest_angles, found.free.motion ? &*found.free.motion : nullptr,
+                       found.gripping.grasp ? &*found.gripping.grasp : nullptr);
   return out;
 }
 
@@ -49,7 +59,7 @@ Json to_json(const MotionSummary& motion, double current, const QuantityTable& q
   Json out = Json::object();
   for (const ResultQuantity& quantity : quantities)
     if (quantity.value_of_lumped) out.set(quantity.name, number_or_null(quantity.value_of_lumped(motion, current)));
-  add_joints_and_modes(out, motion);
+  add_joints_and_modes(out, motion.rest_angles, &motion, &motion);
   return out;
 }
 

@@ -9,24 +9,30 @@
 namespace coilwright::report {
 namespace {
 
+using simulation::FreeMotion;
+using simulation::Grasp;
 using simulation::MotionSummary;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-std::string joint_lines(const MotionSummary& motion) {
+std::string joint_lines(const mechanics::JointVector& rest, const FreeMotion* motion, const Grasp* grasp) {
   std::string text;
-  const auto line = [&text](std::string_view name, const mechanics::JointVector& angles) {
+  const auto line = [&text](std::string_view name, const mechanics::JointVector* angles) {
     text += fmt::format("{:<28}", name);
-    for (const double angle : angles) text += fmt::format(" {:.2f}", angle * degrees);
+    if (angles == nullptr)
+      text += " none";
+    else
+      for (const double angle : *angles) text += fmt::format(" {:.2f}", angle * degrees);
     text += '\n';
   };
-  line("joint_angles_deg", motion.steady_angles);
-  line("rest_joint_angles_deg", motion.rest_angles);
-  line("grasp_joint_angles_deg", motion.grasp_angles);
+  line("joint_angles_deg", motion == nullptr ? nullptr : &motion->steady_angles);
+  line("rest_joint_angles_deg", &rest);
+  line("grasp_joint_angles_deg", grasp == nullptr ? nullptr : &grasp->grasp_angles);
+  if (motion == nullptr) return text;
   text += fmt::format("{:<28}", "modes (Hz, damping ratio)");
-  for (const simulation::Mode& mode : motion.modes)
+  for (const simulation::Mode& mode : motion->modes)
     text += fmt::format(" {:.2f} {:.3f};", mode.natural_frequency, mode.damping_ratio);
   text.back() = '\n';
   return text;
@@ -43,7 +49,9 @@ std::string to_text(const simulation::DesignView& design, const QuantityTable& q
   std::string text;
   for (const ResultQuantity& quantity : quantities)
     text += value_line(quantity.name, quantity.value(design), quantity.meaning);
-  return text + joint_lines(design.performance.cold);
+  const simulation::Performance& found = design.performance;
+  return text + joint_lines(found.cold.rest_angles, found.free.motion ? &*found.free.motion : nullptr,
+                            found.gripping.grasp ? &*found.gripping.grasp : nullptr);
 }
 
 std::string to_text(const MotionSummary& motion, double current, const QuantityTable& quantities) {
@@ -51,7 +59,7 @@ std::string to_text(const MotionSummary& motion, double current, const QuantityT
   for (const ResultQuantity& quantity : quantities)
     if (quantity.value_of_lumped)
       text += value_line(quantity.name, quantity.value_of_lumped(motion, current), quantity.meaning);
-  return text + joint_lines(motion);
+  return text + joint_lines(motion.rest_angles, &motion, &motion);
 }
 
 }  // namespace coilwright::report

@@ -128,9 +128,9 @@ TEST_F(StudyFile, MayVaryAMaterialByItsName) {
   EXPECT_EQ(problem.design_at(std::vector{2.0, 0.0}).magnet.grade, nullptr);
   EXPECT_EQ(problem.point_count(), 6u);
   const auto message = [&](const std::string& values) { return text::testing::error_of([&] { (void)study(values); }); };
-  EXPECT_NE(message(R"(["N42HS"])").find(R"(/variables/magnet_grade/values/0: must be one of "none", "N35")"),
+  EXPECT_NE(message(R"(["N42 SH"])").find(R"(/variables/magnet_grade/values/0: must be one of "none", "N35")"),
             std::string::npos);
-  EXPECT_NE(message(R"(["N42HS"])").find(R"(did you mean "N42SH"?)"), std::string::npos);
+  EXPECT_NE(message(R"(["N42 SH"])").find(R"(did you mean "N42SH"?)"), std::string::npos);
   EXPECT_NE(message(R"(["N42", "N42"])").find("/variables/magnet_grade/values/1: must not be there twice"),
             std::string::npos);
 }

@@ -57,7 +57,7 @@ struct BodyDesign {
   double loss_time = 4.8e-3;     ///< damping over stiffness of the silicone, s; DampingLaw::proportional alone
   /// Damping of a joint that does not follow its hinge (wires, faces that rub at the cut), N m s/rad; what the
   /// prototype's 0.129 N mm s/rad leave beside 0.15.
-  double constant_damping = 0.069e-3;
+  double constant_damping = 0.0692e-3;
   double density = 1130.0;        ///< kg/m^3
   double heat_capacity = 1300.0;  ///< J/(kg K), silicone rubber: 1050 to 1300 (makers' tables)
   double conductivity = 0.2;      ///< W/(m K), unfilled silicone rubber

@@ -42,6 +42,7 @@ FOLDERS = {
 # counts as its source).
 HIDDEN = {
     "nlopt": "sizing",
+    "muParser": "sizing",
     "tbb/": "sizing measurement",
     "oneapi/": "sizing measurement",
     "ceres/": "measurement/fit",

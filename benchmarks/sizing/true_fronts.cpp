@@ -161,12 +161,21 @@ int main() {
   print("BNH", bnh_front(problems::bnh()));
   print("SRN", srn_front(problems::srn()));
   print("TNK", tnk_front(problems::tnk()));
-  const auto zdt1_design = [](double x) {
-    std::vector<double> design(30, 0.0);
-    design[0] = x;
-    return design;
+  // x1 runs over the front; all others have one value there, at which g is 1 (DTLZ2: the radius).
+  const auto others_at = [](double value, std::size_t dimension) {
+    return [value, dimension](double x) {
+      std::vector<double> design(dimension, value);
+      design[0] = x;
+      return design;
+    };
   };
-  print("ZDT1", kept(curve(0, 1, zdt1_design, problems::zdt1())));
+  const std::vector<Objectives> zdt1 = kept(curve(0, 1, others_at(0, 30), problems::zdt1()));
+  print("ZDT1", zdt1);
+  print("ZDT1_2000", zdt1);
+  print("ZDT2", kept(curve(0, 1, others_at(0, 30), problems::zdt2())));
+  print("ZDT3", kept(curve(0, 1, others_at(0, 30), problems::zdt3())));
+  print("ZDT6", kept(curve(0, 1, others_at(0, 10), problems::zdt6())));
+  print("DTLZ2", kept(curve(0, 1, others_at(0.5, 12), problems::dtlz2())));
   print("CRE25", kept(problems::enumerate_feasible(problems::cre25())));
   print("OSY", osy_front(problems::osy()));
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
 #include "coilwright/formats/study/front_json.hpp"
 #include "coilwright/report/front_text.hpp"
@@ -40,6 +41,7 @@ ExitCode run_pareto(const StudyOptions& options) {
   check_front(problem, result.front);
   formats::write_front(folder.open("front.csv"), study, result.front);
   formats::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
+  formats::write_convergence(folder.open("convergence.csv"), result.archive);
   folder.write("result.json", formats::to_json(study, result).text());
   folder.commit();
   std::cout << (options.json ? formats::to_json(study, result).text() : report::to_text(study, result));
@@ -56,9 +58,10 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
   add_search_options(*command, *options);
   command->footer(
       "Writes front.csv (one row for each design that no other design beats: variables, objectives, the margin of\n"
-      "every limit), evaluations.csv (every design that was evaluated) and result.json. If no design keeps all\n"
-      "limits, the least infeasible design is in result.json and the exit code is 3. Ctrl-C writes what was found\n"
-      "so far; the exit code is then 130.\n\n"
+      "every limit), evaluations.csv (every design that was evaluated, with every quantity), convergence.csv (the\n"
+      "hypervolume after so many evaluations) and result.json. If no design keeps all limits, the least infeasible\n"
+      "design is in result.json and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then\n"
+      "130.\n\n"
       "Example:\n"
       "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
   command->callback([options, &outcome] { outcome.code = run_pareto(*options); });

@@ -9,6 +9,7 @@
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
 #include "coilwright/report/size_text.hpp"
 #include "coilwright/sizing/search/search.hpp"
@@ -55,6 +56,7 @@ std::string actuator_text(const DesignProblem& problem, const formats::SizeRepor
 void write_results(text::OutputFolder& folder, const DesignProblem& problem, const formats::SizeReport& answer) {
   folder.write("result.json", formats::to_json(answer).text());
   formats::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
+  formats::write_convergence(folder.open("convergence.csv"), answer.result.archive);
   if (!answer.result.best) {
     folder.remove("actuator.json");
   } else {
@@ -114,9 +116,10 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
   add_search_options(*command, *options);
   command->footer(
       "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
-      "evaluate and simulate) and evaluations.csv (every design that was evaluated). If no design keeps all\n"
-      "limits, the least infeasible design is written and the exit code is 3. Ctrl-C writes what was found so\n"
-      "far; the exit code is then 130.\n\n"
+      "evaluate and simulate), evaluations.csv (every design that was evaluated, with every quantity) and\n"
+      "convergence.csv (the best value after so many evaluations). If no design keeps all limits, the least\n"
+      "infeasible design is written and the exit code is 3. Ctrl-C writes what was found so far; the exit code\n"
+      "is then 130.\n\n"
       "Example:\n"
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
   command->callback([options, &outcome] { outcome.code = run_size(*options); });

@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "coilwright/formats/study/design_columns.hpp"
-#include "coilwright/units/unit.hpp"
 #include "report/text_table.hpp"
 
 namespace coilwright::report {
@@ -51,7 +50,7 @@ std::string reasons_for_infeasibility(const Study& study, const Evaluation& eval
   for (const auto& [negative, i] : violated)
     texts.push_back(fmt::format("{} violated by {:.4g} {}", name_of(study.limits[i]),
                                 -formats::margin_of(study.limits[i], evaluation.constraints[i]),
-                                readable_unit(units::difference_unit(study.limits[i].quantity.name).suffix)));
+                                readable_unit(formats::difference_unit(study.limits[i].quantity))));
   for (std::string& text : texts) text.erase(text.find_last_not_of(' ') + 1);
   return fmt::format("{}", fmt::join(texts, ", "));
 }

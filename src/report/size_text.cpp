@@ -9,7 +9,6 @@
 
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
-#include "coilwright/units/unit.hpp"
 #include "report/assumptions_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
@@ -22,7 +21,7 @@ using namespace sizing;
 
 std::string in_unit(double change, const simulation::ResultQuantity& quantity) {
   if (change == 0.0) return "no change";
-  const std::string unit = readable_unit(units::difference_unit(quantity.name).suffix);
+  const std::string unit = readable_unit(formats::difference_unit(quantity));
   return signed_number(change) + (unit.empty() ? "" : " " + unit);
 }
 

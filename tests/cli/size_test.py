@@ -40,9 +40,16 @@ class Size(ProgramTest):
         write_study(self)
         self.size()
         rows, answer = self.table("out/evaluations.csv"), self.result("out/result.json")
-        self.assertEqual(list(rows[0]), ["turns_radial", "wire_gauge_AWG", "gap_mm", "status",
-                                         "peak_bending_speed_deg_s", "mass_max_margin_g", "thermal_load_max_margin",
-                                         "reason"])
+        columns = list(rows[0])
+        self.assertEqual(columns[:5], ["turns_radial", "wire_gauge_AWG", "gap_mm", "evaluation", "status"])
+        self.assertIn("peak_bending_speed_deg_s", columns)
+        self.assertEqual(columns[-3:], ["mass_max_margin_g", "thermal_load_max_margin", "reason"])
+        self.assertEqual(sorted(int(row["evaluation"]) for row in rows), list(range(1, len(rows) + 1)))
+        steps = self.table("out/convergence.csv")
+        self.assertEqual(list(steps[0]), ["evaluation", "best_peak_bending_speed_deg_s", "least_violation"])
+        self.assertEqual(float(steps[-1]["best_peak_bending_speed_deg_s"]),
+                         answer["best"]["objectives"]["peak_bending_speed_deg_s"])
+        self.assertEqual(int(steps[-1]["evaluation"]), len(rows))
         points = [tuple(float(row[key]) for key in ("turns_radial", "wire_gauge_AWG", "gap_mm")) for row in rows]
         self.assertEqual(len(set(points)), len(points))
         self.assertEqual(points, sorted(points))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -98,6 +99,55 @@ Problem zdt1() {
   return problem;
 }
 
+namespace {
+
+// Variables x1 to xn in [0, 1] and the two objectives of a ZDT or DTLZ problem.
+Problem in_unit_cube(int dimension, std::function<Evaluation(Point)> evaluate) {
+  Problem problem{.variables = {}, .objectives = two_minimised(), .constraints = {}, .evaluate = std::move(evaluate)};
+  for (int i = 1; i <= dimension; ++i)
+    problem.variables.push_back(real(std::string{"x"}.append(std::to_string(i)), 0, 1));
+  return problem;
+}
+
+double mean_of(Point values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+Problem zdt2() {
+  return in_unit_cube(30, [](Point x) {
+    const double g = 1 + 9 * mean_of(x.subspan(1));
+    return evaluated({x[0], g * (1 - square(x[0] / g))}, {});
+  });
+}
+
+Problem zdt3() {
+  return in_unit_cube(30, [](Point x) {
+    const double g = 1 + 9 * mean_of(x.subspan(1)), share = x[0] / g;
+    return evaluated({x[0], g * (1 - std::sqrt(share) - share * std::sin(10 * std::numbers::pi * x[0]))}, {});
+  });
+}
+
+Problem zdt6() {
+  return in_unit_cube(10, [](Point x) {
+    const double f1 = 1 - std::exp(-4 * x[0]) * std::pow(std::sin(6 * std::numbers::pi * x[0]), 6);
+    const double g = 1 + 9 * std::pow(mean_of(x.subspan(1)), 0.25);
+    return evaluated({f1, g * (1 - square(f1 / g))}, {});
+  });
+}
+
+Problem dtlz2() {
+  return in_unit_cube(12, [](Point x) {
+    double radius = 1;
+    for (const double value : x.subspan(1)) radius += square(value - 0.5);
+    const double angle = 0.5 * std::numbers::pi * x[0];
+    return evaluated({radius * std::cos(angle), radius * std::sin(angle)}, {});
+  });
+}
+
 Problem cre25() {
   return {.variables = {whole("x1", 12, 60), whole("x2", 12, 60), whole("x3", 12, 60), whole("x4", 12, 60)},
           .objectives = two_minimised(),
@@ -139,6 +189,11 @@ std::vector<FrontProblem> front_problems(const std::string& file) {
   add("SRN", srn(), 2000, 0.994);
   add("TNK", tnk(), 5000, 0.985);
   add("ZDT1", zdt1(), 5000, 0.99);
+  add("ZDT1_2000", zdt1(), 2000, 0.97);
+  add("ZDT2", zdt2(), 5000, 0.97);
+  add("ZDT3", zdt3(), 5000, 0.97);
+  add("ZDT6", zdt6(), 5000, 0.97);
+  add("DTLZ2", dtlz2(), 2000, 0.97);
   add("CRE25", cre25(), 5000, 0.999);
   add("OSY", osy(), 10000, 0.98);
   std::ifstream input{file};

@@ -20,13 +20,19 @@ struct FrontProblem {
 };
 
 /// Definitions: BNH, SRN, TNK, OSY as restated by Deb, Pratap, Meyarivan, "Constrained test problems for
-/// multi-objective evolutionary optimization", EMO 2001; ZDT1: Zitzler, Deb, Thiele, Evol. Comput. 8 (2000) 173; RE21
-/// and CRE25: Tanabe, Ishibuchi, Appl. Soft Comput. 89 (2020) 106078. Constraints are scaled to order 1, <= 0.
+/// multi-objective evolutionary optimization", EMO 2001; ZDT1, 2, 3 (30 variables) and 6 (10): Zitzler, Deb, Thiele,
+/// Evol. Comput. 8 (2000) 173; DTLZ2 with two objectives and 12 variables: Deb, Thiele, Laumanns, Zitzler, CEC 2002,
+/// 825; RE21 and CRE25: Tanabe, Ishibuchi, Appl. Soft Comput. 89 (2020) 106078. Constraints are scaled to order 1, <=
+/// 0.
 [[nodiscard]] Problem re21();
 [[nodiscard]] Problem bnh();
 [[nodiscard]] Problem srn();
 [[nodiscard]] Problem tnk();
 [[nodiscard]] Problem zdt1();
+[[nodiscard]] Problem zdt2();
+[[nodiscard]] Problem zdt3();
+[[nodiscard]] Problem zdt6();
+[[nodiscard]] Problem dtlz2();
 [[nodiscard]] Problem cre25();
 [[nodiscard]] Problem osy();
 

@@ -36,6 +36,7 @@ struct ResultQuantity {
   Value value;                    ///< never empty
   std::string absence{};          ///< why it may have no value, as the end of a sentence; empty if it always has one
   LumpedValue value_of_lumped{};  ///< empty for a quantity that needs a design
+  std::string unit{};             ///< the unit at the end of `name` where units::all_units() lacks it: "N_g"
 };
 
 /// Throws std::invalid_argument naming the quantity and the rule it breaks: a name or a meaning that is empty, a scale

@@ -19,10 +19,20 @@ std::string_view status_of(const Evaluation& evaluation) {
 }
 
 std::string margin_column(const Limit& limit) {
-  const auto split = units::split_unit(limit.quantity.name);
+  const std::string_view name = limit.quantity.name, own_unit = limit.quantity.unit;
   const std::string_view side = limit.side == Limit::Side::at_most ? "max" : "min";
-  if (!split) return fmt::format("{}_{}_margin", limit.quantity.name, side);
-  return fmt::format("{}_{}_margin_{}", split->quantity, side, units::difference_unit(limit.quantity.name).suffix);
+  std::string_view quantity = name;
+  if (!own_unit.empty()) {
+    quantity.remove_suffix(own_unit.size() + 1);
+  } else if (const auto split = units::split_unit(name)) {
+    quantity = split->quantity;
+  }
+  const std::string_view unit = difference_unit(limit.quantity);
+  return fmt::format("{}_{}_margin{}{}", quantity, side, unit.empty() ? "" : "_", unit);
+}
+
+std::string_view difference_unit(const simulation::ResultQuantity& quantity) {
+  return quantity.unit.empty() ? units::difference_unit(quantity.name).suffix : std::string_view(quantity.unit);
 }
 
 bool is_variable(const Study& study, std::string_view name) {
@@ -56,6 +66,19 @@ void add_objectives(const Study& study, const Evaluation& evaluation, Cells& cel
   for (std::size_t i = 0; i < study.objectives.size(); ++i) {
     if (is_variable(study, study.objectives[i].quantity.name)) continue;
     cells.push_back(evaluation.failure.empty() ? CsvCell(evaluation.objectives[i]) : CsvCell());
+  }
+}
+
+void add_quantity_names(const Study& study, std::vector<std::string>& names) {
+  for (const simulation::ResultQuantity& quantity : study.quantities)
+    if (!is_variable(study, quantity.name)) names.push_back(quantity.name);
+}
+
+void add_quantities(const Study& study, const Evaluation& evaluation, Cells& cells) {
+  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
+    if (is_variable(study, study.quantities[i].name)) continue;
+    const bool there = !evaluation.quantities.empty() && evaluation.quantities[i].has_value();
+    cells.push_back(there ? CsvCell(*evaluation.quantities[i]) : CsvCell());
   }
 }
 

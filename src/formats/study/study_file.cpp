@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/sizing/study/expression.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/text/spelling.hpp"
@@ -29,11 +30,42 @@ constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
-const ResultQuantity& read_quantity(const Node& node, const QuantityTable& quantities) {
-  if (const ResultQuantity* quantity = quantities.find(node.text())) return *quantity;
+std::string nearest_quantity(std::string_view name, const QuantityTable& quantities) {
   std::vector<std::string> names;
   for (const ResultQuantity& quantity : quantities) names.push_back(quantity.name);
-  throw node.error("must be a quantity that evaluate prints" + did_you_mean(node.text(), names));
+  return did_you_mean(name, names);
+}
+
+ResultQuantity read_expression(const Node& node, ObjectReader& in, const QuantityTable& quantities) {
+  const std::string text = node.text();
+  Expression expression{.text = text, .name = {}, .unit = {}};
+  try {
+    // First the expression alone: that its name is missing says nothing to a person who misspelt a quantity.
+    (void)expression_quantity({.text = text, .name = "any", .unit = "1"}, quantities);
+    expression.name = in.text("name");
+    expression.unit = in.text("unit");
+    expression.scale = in.number_or("scale", 0.0, positive);
+    ResultQuantity quantity = expression_quantity(expression, quantities);
+    const ResultQuantity* same = quantities.find(quantity.name);
+    if (same != nullptr && same->meaning != quantity.meaning)
+      throw in.at("name").error(fmt::format("makes a name that is taken (\"{}\")", quantity.name));
+    return quantity;
+  } catch (const UnknownSymbol& unknown) {
+    throw node.error(unknown.what() + nearest_quantity(unknown.symbol(), quantities));
+  } catch (const std::invalid_argument& mistake) {
+    throw node.error(mistake.what());
+  }
+}
+
+// A quantity by its name, or an expression of quantities, which comes with a name and a unit of its own and joins the
+// table.
+ResultQuantity read_quantity(const Node& node, ObjectReader& in, QuantityTable& quantities) {
+  const std::string text = node.text();
+  if (const ResultQuantity* quantity = quantities.find(text)) return *quantity;
+  if (is_name(text)) throw node.error("must be a quantity that evaluate prints" + nearest_quantity(text, quantities));
+  ResultQuantity quantity = read_expression(node, in, quantities);
+  if (quantities.find(quantity.name) == nullptr) quantities = quantities.with(quantity);
+  return quantity;
 }
 
 double read_value(const Node& node, const Rule& rule, VariableKind kind) {
@@ -124,16 +156,16 @@ std::vector<StudyVariable> read_variables(const Node& node) {
   return variables;
 }
 
-StudyObjective read_objective(const Node& node, const QuantityTable& quantities) {
+StudyObjective read_objective(const Node& node, QuantityTable& quantities) {
   return read_object(node, [&quantities](ObjectReader& in) {
     // British as everything is written, and American as many people type it.
     const std::string sense = in.one_of({"maximise", "minimise", "maximize", "minimize"});
-    return StudyObjective{.quantity = read_quantity(in.at(sense), quantities),
+    return StudyObjective{.quantity = read_quantity(in.at(sense), in, quantities),
                           .sense = sense.starts_with("max") ? Sense::maximise : Sense::minimise};
   });
 }
 
-std::vector<StudyObjective> read_objectives(const Node& node, const QuantityTable& quantities) {
+std::vector<StudyObjective> read_objectives(const Node& node, QuantityTable& quantities) {
   std::vector<StudyObjective> objectives;
   for (const Node& element : node.elements(Length::from_to(1, 3))) {
     objectives.push_back(read_objective(element, quantities));
@@ -145,9 +177,9 @@ std::vector<StudyObjective> read_objectives(const Node& node, const QuantityTabl
   return objectives;
 }
 
-Limit read_limit(const Node& node, const QuantityTable& quantities) {
+Limit read_limit(const Node& node, QuantityTable& quantities) {
   return read_object(node, [&quantities](ObjectReader& in) {
-    Limit limit{.quantity = read_quantity(in.at("quantity"), quantities)};
+    Limit limit{.quantity = read_quantity(in.at("quantity"), in, quantities)};
     const std::string side = in.one_of({"at_most", "at_least"});
     limit.side = side == "at_most" ? Limit::Side::at_most : Limit::Side::at_least;
     limit.value = in.number(side, limit_rule);
@@ -155,9 +187,9 @@ Limit read_limit(const Node& node, const QuantityTable& quantities) {
   });
 }
 
-std::vector<Limit> read_limits(const Node& node, const QuantityTable& quantities) {
+std::vector<Limit> read_limits(const Node& node, QuantityTable& quantities) {
   std::vector<Limit> limits;
-  for (const Node& element : node.elements(Length::from_to(0, 2 * quantities.size()))) {
+  for (const Node& element : node.elements(Length::from_to(0, 4 * quantities.size()))) {
     const Limit limit = read_limit(element, quantities);
     for (const Limit& other : limits) {
       if (other.quantity.name != limit.quantity.name) continue;
@@ -229,8 +261,8 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
     if (operation) read_operation(*operation, study);
-    study.objectives = read_objectives(in.at("objectives"), quantities);
-    if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, quantities);
+    study.objectives = read_objectives(in.at("objectives"), study.quantities);
+    if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, study.quantities);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base = read_base(in.at("actuator"), effects);
     return study;

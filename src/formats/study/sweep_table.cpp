@@ -1,6 +1,5 @@
 #include "coilwright/formats/study/sweep_table.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "coilwright/formats/study/design_columns.hpp"
@@ -16,8 +15,7 @@ using sizing::SweptDesign;
 void add_names(const Study& study, std::vector<std::string>& names) {
   add_variable_names(study, names);
   names.emplace_back("status");
-  for (const simulation::ResultQuantity& quantity : study.quantities)
-    if (!is_variable(study, quantity.name)) names.emplace_back(quantity.name);
+  add_quantity_names(study, names);
   add_margin_names(study, names);
   names.emplace_back("reason");
 }
@@ -25,11 +23,7 @@ void add_names(const Study& study, std::vector<std::string>& names) {
 void add_cells(const Study& study, const SweptDesign& design, Cells& cells) {
   add_variables(study, design.point, cells);
   cells.emplace_back(status_of(design.evaluation));
-  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
-    if (is_variable(study, study.quantities[i].name)) continue;
-    const bool there = !design.quantities.empty() && design.quantities[i] && std::isfinite(*design.quantities[i]);
-    cells.push_back(there ? CsvCell(*design.quantities[i]) : CsvCell());
-  }
+  add_quantities(study, design.evaluation, cells);
   add_margins(study, design.evaluation, cells);
   cells.emplace_back(design.evaluation.failure);
 }

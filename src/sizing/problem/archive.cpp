@@ -20,6 +20,7 @@ namespace {
 struct Slot {
   std::mutex evaluating;
   std::optional<Evaluation> evaluation;
+  std::size_t number = 0;
 };
 
 // A caller's point may be rounded: a difference of 1e-6 of a grid step, or of the range, is accepted.
@@ -49,7 +50,7 @@ struct Archive::Storage {
   Problem problem;
   mutable std::mutex guard;
   std::unordered_map<std::vector<double>, std::unique_ptr<Slot>, PointHash> slots;
-  std::size_t evaluated = 0;
+  std::size_t evaluated = 0, numbered = 0;
 };
 
 Archive::Archive(Problem problem) : storage_{std::make_unique<Storage>()} {
@@ -85,6 +86,14 @@ Evaluation Archive::evaluate(std::span<const double> point) {
   return *slot->evaluation;
 }
 
+void Archive::number(std::span<const double> point) {
+  const std::vector<double> key = legal_point(storage_->problem.variables, point);
+  const std::scoped_lock lock{storage_->guard};
+  const auto found = storage_->slots.find(key);
+  if (found == storage_->slots.end() || !found->second->evaluation || found->second->number > 0) return;
+  found->second->number = ++storage_->numbered;
+}
+
 std::optional<Evaluation> Archive::find(std::span<const double> point) const {
   const std::vector<double> key = legal_point(storage_->problem.variables, point);
   const std::scoped_lock lock{storage_->guard};
@@ -103,7 +112,9 @@ std::vector<Record> Archive::records() const {
     const std::scoped_lock lock{storage_->guard};
     result.reserve(storage_->evaluated);
     for (const auto& [point, slot] : storage_->slots) {
-      if (slot->evaluation) result.push_back({.point = point, .evaluation = *slot->evaluation});
+      if (slot->evaluation) {
+        result.push_back({.point = point, .evaluation = *slot->evaluation, .number = slot->number});
+      }
     }
   }
   std::ranges::sort(result, {}, &Record::point);

@@ -7,6 +7,23 @@
 namespace coilwright::sizing {
 namespace {
 
+// Twelve decimals after the first of the range: far above rounding, and far below what hardware or an objective could
+// tell apart. A difference quotient over 1e-6 of the range errs by a millionth of itself.
+constexpr double decimals = 12;
+// Above this many units of the last decimal, doubles are no finer than it.
+constexpr double most_units = 4e15;
+
+// `value` rounded to a decimal for a variable of that range. As a quotient of whole numbers it is the double nearest to
+// the decimal, so that 0.3 stays 0.3.
+double with_decimals_of(double value, double range) {
+  if (!(range > 0)) return value;
+  const double exponent = decimals - std::floor(std::log10(range));
+  const double unit = std::pow(10.0, std::abs(exponent));
+  if (exponent < 0) return std::round(value / unit) * unit;
+  const double units = value * unit;
+  return std::abs(units) < most_units ? std::round(units) / unit : value;
+}
+
 // 0 (not countable) if the product overflows, and from then on.
 std::uint64_t times(std::uint64_t count, double factor) {
   constexpr auto largest = static_cast<double>(std::numeric_limits<std::int64_t>::max());
@@ -26,9 +43,18 @@ double last_grid_index(const Variable& variable) {
 
 double nearest_legal(const Variable& variable, double value) {
   const double step = grid_step(variable);
-  if (step == 0) return std::clamp(value, variable.lower, variable.upper) + 0.0;  // + 0.0: one zero, not two
+  if (step == 0) {
+    const double rounded = with_decimals_of(value, variable.upper - variable.lower);
+    return std::clamp(rounded, variable.lower, variable.upper) + 0.0;  // + 0.0: one zero, not two
+  }
   const double index = std::clamp(std::round((value - variable.lower) / step), 0.0, last_grid_index(variable));
   return std::min(variable.lower + index * step, variable.upper) + 0.0;
+}
+
+std::vector<double> nearest_legal_point(const std::vector<Variable>& variables, std::span<const double> point) {
+  std::vector<double> legal(variables.size());
+  for (std::size_t i = 0; i < legal.size(); ++i) legal[i] = nearest_legal(variables[i], point[i]);
+  return legal;
 }
 
 DesignSpace::DesignSpace(const std::vector<Variable>& variables) : variables_{variables} {

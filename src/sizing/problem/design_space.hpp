@@ -60,7 +60,13 @@ class DesignSpace {
 /// Index of the last grid value of a variable with a grid.
 [[nodiscard]] double last_grid_index(const Variable& variable);
 
-/// The legal value nearest to `value`; the same bits whenever the grid index is the same.
+/// The legal value nearest to `value`: within the bounds, and on the grid. A variable without a grid takes its
+/// bounds and decimals with twelve digits after the first digit of its range, so that values that differ by rounding
+/// are one. The same bits whenever the index, or the decimal, is the same.
 [[nodiscard]] double nearest_legal(const Variable& variable, double value);
+
+/// The same for each variable; `point` has one value for each.
+[[nodiscard]] std::vector<double> nearest_legal_point(const std::vector<Variable>& variables,
+                                                      std::span<const double> point);
 
 }  // namespace coilwright::sizing

@@ -56,9 +56,10 @@ void require_unique(const std::vector<std::string>& names, const char* field) {
   }
 }
 
-Evaluation failed(std::string reason, double infeasibility) {
+Evaluation failed(std::string reason, double infeasibility, std::vector<std::optional<double>> quantities) {
   Evaluation evaluation;
   evaluation.failure = std::move(reason);
+  evaluation.quantities = std::move(quantities);
   evaluation.infeasibility = std::isfinite(infeasibility) ? std::max(infeasibility, 0.0) : 1.0;
   return evaluation;
 }
@@ -78,12 +79,21 @@ void validate_problem(const Problem& problem) {
   for (const Objective& objective : problem.objectives) names.push_back(objective.name);
   require_unique(names, "objectives");
   require_unique(problem.constraints, "constraints");
+  if (!problem.start.empty() && problem.start.size() != problem.variables.size()) {
+    reject("start", fmt::format("must have {} values or none", problem.variables.size()),
+           fmt::to_string(problem.start.size()));
+  }
+  for (const double value : problem.start) {
+    if (!std::isfinite(value)) reject("start", "must be finite", fmt::to_string(value));
+  }
   if (!problem.evaluate) reject("evaluate", "must be callable", "an empty function");
 }
 
 Evaluation evaluate_checked(const Problem& problem, std::span<const double> point) {
   Evaluation evaluation = problem.evaluate(point);
-  if (!evaluation.failure.empty()) return failed(std::move(evaluation.failure), evaluation.infeasibility);
+  if (!evaluation.failure.empty()) {
+    return failed(std::move(evaluation.failure), evaluation.infeasibility, std::move(evaluation.quantities));
+  }
   if (evaluation.objectives.size() != problem.objectives.size()) {
     throw std::logic_error(fmt::format("evaluate: must return {} objectives; got {}", problem.objectives.size(),
                                        evaluation.objectives.size()));
@@ -95,13 +105,15 @@ Evaluation evaluate_checked(const Problem& problem, std::span<const double> poin
   for (std::size_t i = 0; i < evaluation.objectives.size(); ++i) {
     const double value = evaluation.objectives[i];
     if (!std::isfinite(value)) {
-      return failed(fmt::format("objective '{}' is not finite ({})", problem.objectives[i].name, value), 1.0);
+      return failed(fmt::format("objective '{}' is not finite ({})", problem.objectives[i].name, value), 1.0,
+                    std::move(evaluation.quantities));
     }
   }
   for (std::size_t i = 0; i < evaluation.constraints.size(); ++i) {
     const double value = evaluation.constraints[i];
     if (!std::isfinite(value)) {
-      return failed(fmt::format("constraint '{}' is not finite ({})", problem.constraints[i], value), 1.0);
+      return failed(fmt::format("constraint '{}' is not finite ({})", problem.constraints[i], value), 1.0,
+                    std::move(evaluation.quantities));
     }
   }
   evaluation.infeasibility = 0;

@@ -56,7 +56,9 @@ std::vector<Record> Workers::evaluate(Archive& archive, const std::vector<std::v
   });
   std::vector<Record> records;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (evaluations[i]) records.push_back({.point = points[i], .evaluation = std::move(*evaluations[i])});
+    if (!evaluations[i]) continue;
+    archive.number(points[i]);
+    records.push_back({.point = points[i], .evaluation = std::move(*evaluations[i])});
   }
   return records;
 }

@@ -23,8 +23,8 @@ class Workers {
   /// throws the exception of the lowest index.
   void run(std::size_t count, const std::function<void(std::size_t)>& task);
 
-  /// Evaluates designs into `archive` and returns their records in the given order. After a request to stop it leaves
-  /// out the designs that are not begun.
+  /// Evaluates designs into `archive`, numbers them and returns their records, both in the given order. After a request
+  /// to stop it leaves out the designs that are not begun.
   [[nodiscard]] std::vector<Record> evaluate(Archive& archive, const std::vector<std::vector<double>>& points,
                                              const std::stop_token& stop);
 

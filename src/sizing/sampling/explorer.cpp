@@ -13,7 +13,8 @@ constexpr int max_attempts = 64;
 
 }  // namespace
 
-Explorer::Explorer(const DesignSpace& space, std::uint64_t seed) : space_{space}, random_{seed} {
+Explorer::Explorer(const DesignSpace& space, std::uint64_t seed)
+    : space_{space}, random_{seed}, probes_(space.dimension(), 2), promising_probes_(space.dimension(), 1) {
   if (space.dimension() == 0) return;
   sobol_.emplace(space.dimension());
   for (std::size_t axis = 0; axis < space.dimension(); ++axis) shift_.push_back(uniform(random_));
@@ -69,6 +70,33 @@ UnitPoint Explorer::recombined(const Samples& samples, const std::vector<std::si
   }
   child.unit = space_.snapped(child.unit);
   return child;
+}
+
+std::size_t Explorer::drawn_axis() {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < probes_.size(); ++axis) sum += promising_probes_[axis] / probes_[axis];
+  double drawn = uniform(random_) * sum;
+  for (std::size_t axis = 0; axis < probes_.size(); ++axis) {
+    drawn -= promising_probes_[axis] / probes_[axis];
+    if (drawn < 0) return axis;
+  }
+  return probes_.size() - 1;
+}
+
+std::optional<Explorer::Probe> Explorer::probe(const Samples& samples, const std::vector<std::size_t>& parents) {
+  for (int attempt = 0; attempt < max_attempts && !parents.empty() && space_.dimension() > 0; ++attempt) {
+    const Sample& base = samples[parents[below(parents.size())]];
+    Probe made{.point = {.unit = base.unit, .combination = base.combination}, .axis = drawn_axis()};
+    made.point.unit[made.axis] = uniform(random_);
+    made.point.unit = space_.snapped(made.point.unit);
+    if (!samples.knows(made.point.unit, made.point.combination)) return made;
+  }
+  return std::nullopt;
+}
+
+void Explorer::count_probe(std::size_t axis, bool promising) {
+  probes_[axis] += 1;
+  promising_probes_[axis] += promising ? 1 : 0;
 }
 
 std::optional<UnitPoint> Explorer::evolved_point(const Samples& samples, const std::vector<std::size_t>& parents) {

@@ -2,22 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace coilwright::sizing {
 namespace {
 
-double squared_distance_to_segment(std::span<const double> point, std::span<const double> a,
-                                   std::span<const double> b) {
+double squared_distance_to_segment(std::span<const double> point, std::span<const double> a, std::span<const double> b,
+                                   const std::vector<double>& weights) {
+  const auto w = [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; };
   double along = 0, length = 0;
   for (std::size_t i = 0; i < point.size(); ++i) {
-    along += (point[i] - a[i]) * (b[i] - a[i]);
-    length += (b[i] - a[i]) * (b[i] - a[i]);
+    along += w(i) * (point[i] - a[i]) * (b[i] - a[i]);
+    length += w(i) * (b[i] - a[i]) * (b[i] - a[i]);
   }
   const double fraction = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
   double sum = 0;
   for (std::size_t i = 0; i < point.size(); ++i) {
     const double difference = point[i] - a[i] - fraction * (b[i] - a[i]);
-    sum += difference * difference;
+    sum += w(i) * difference * difference;
   }
   return sum;
 }
@@ -93,12 +95,25 @@ void Samples::update_front(std::size_t added) {
   }
 }
 
+double Samples::excess(const Objectives& values) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t index : front_) {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const double range = frame_.nadir[k] - frame_.ideal[k];
+      largest = std::max(largest, (values[k] - samples_[index].values[k]) / range);
+    }
+    least = std::min(least, largest);
+  }
+  return least;
+}
+
 std::vector<std::size_t> Samples::nearest(const Neighbourhood& where, Wanted wanted) const {
   std::vector<std::pair<double, std::size_t>> found;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const Sample& sample = samples_[i];
     if (sample.combination != where.combination || sample.evaluated != (wanted == Wanted::evaluated)) continue;
-    double distance = squared_distance_to_segment(sample.unit, where.a, where.b);
+    double distance = squared_distance_to_segment(sample.unit, where.a, where.b, where.weights);
     if (where.weighted_axis)
       distance += 8 * std::pow(sample.unit[*where.weighted_axis] - where.a[*where.weighted_axis], 2);
     found.emplace_back(distance, i);

@@ -56,6 +56,10 @@ class Samples {
   [[nodiscard]] std::size_t objective_count() const { return objective_count_; }
   [[nodiscard]] std::size_t constraint_count() const { return limits_.size(); }
 
+  /// How far objectives lie behind the front: the least, over the designs of the front, of the largest difference of an
+  /// objective, relative to the front's range; negative in front of it.
+  [[nodiscard]] double excess(const Objectives& values) const;
+
   /// Whether the design at legal unit coordinates is known.
   [[nodiscard]] bool knows(std::span<const double> unit, std::uint64_t combination) const;
 
@@ -67,6 +71,7 @@ class Samples {
     std::span<const double> a, b;                ///< unit coordinates
     std::size_t count{};                         ///< largest number of samples
     double spacing{};                            ///< smallest `largest_difference` between two samples; 0: any
+    std::vector<double> weights{};               ///< of squared distances along each axis; empty: all 1
     std::optional<std::size_t> weighted_axis{};  ///< distances from `a` along this axis count three times
   };
   /// The samples nearest to a segment, nearest first; of equal distances the one of lower index.

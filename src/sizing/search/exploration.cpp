@@ -11,6 +11,11 @@
 namespace coilwright::sizing {
 namespace {
 
+// Of the designs bred on spaces without a grid, those that differ from their parent in one coordinate.
+constexpr double probe_share = 0.5;
+// A probe is promising if its objectives lie at most this part of the front's range behind the front.
+constexpr double promising_excess = 0.1;
+
 // The samples that differential evolution recombines: the front or, while it is small, the best samples by violation
 // and then by the sum of the normalised objectives.
 std::vector<std::size_t> parents_of(const Samples& samples) {
@@ -35,6 +40,11 @@ std::vector<std::size_t> parents_of(const Samples& samples) {
 
 }  // namespace
 
+void Exploration::learn(const Proposal& proposal, const Sample& sample) {
+  if (proposal.source != ProposalSource::evolution || proposal.index == 0) return;
+  explorer_.count_probe(proposal.index - 1, sample.feasible() && samples_.excess(sample.values) < promising_excess);
+}
+
 Exploration::Exploration(const Samples& samples, std::uint64_t seed, std::mt19937_64& random)
     : samples_{samples}, random_{random}, explorer_{samples.space(), seed} {}
 
@@ -46,14 +56,22 @@ ProposalBatch Exploration::filled(ProposalBatch batch, std::size_t size, double 
     const bool evolve = uniform(random_) < evolution_share && parents.size() >= 3;
     auto source = evolve ? ProposalSource::evolution : ProposalSource::sobol;
     std::optional<UnitPoint> point;
+    std::size_t index = 0;
     if (space.dimension() > 0 && misses < 32) {
-      point = evolve ? explorer_.evolved_point(samples_, parents) : explorer_.sobol_point(samples_);
+      if (evolve && !space.has_grid() && uniform(random_) < probe_share) {
+        if (std::optional<Explorer::Probe> made = explorer_.probe(samples_, parents)) {
+          point = std::move(made->point);
+          index = made->axis + 1;
+        }
+      } else {
+        point = evolve ? explorer_.evolved_point(samples_, parents) : explorer_.sobol_point(samples_);
+      }
     } else {
       source = ProposalSource::sobol;
       if (space.design_count() > 0) point = explorer_.next_of_grid(samples_);
       if (!point) exhausted_ = true;
     }
-    if (!point || !batch.add({.point = std::move(*point), .source = source, .index = 0})) ++misses;
+    if (!point || !batch.add({.point = std::move(*point), .source = source, .index = index})) ++misses;
   }
   return batch;
 }

@@ -20,6 +20,9 @@ class Exploration {
   /// `evolution_share`, otherwise Sobol points. Where both find only what is known, the next designs of the grid.
   [[nodiscard]] ProposalBatch filled(ProposalBatch batch, std::size_t size, double evolution_share);
 
+  /// Takes in what became of a proposal of `filled`.
+  void learn(const Proposal& proposal, const Sample& sample);
+
   /// At most `count` unknown designs in the order of the grid; none is left if it is empty.
   [[nodiscard]] ProposalBatch next_of_grid(std::size_t count);
 

@@ -118,7 +118,10 @@ void NloptSearch::round(const std::vector<std::pair<double, std::size_t>>& start
                                    context_.options.stop);
   });
   for (const std::vector<Record>& records : found) {
-    for (const Record& record : records) samples_.add(record);
+    for (const Record& record : records) {
+      context_.archive.number(record.point);
+      samples_.add(record);
+    }
   }
   report_progress(context_);
 }

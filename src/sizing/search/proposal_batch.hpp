@@ -15,7 +15,7 @@ namespace coilwright::sizing {
 struct Proposal {
   UnitPoint point;
   ProposalSource source{};
-  std::size_t index{};  ///< `SubproblemTask::index`; 0 for a source without subproblems
+  std::size_t index{};  ///< `SubproblemTask::index`; for a probe its axis + 1; otherwise 0
 };
 
 /// Proposals of one round, each design once.

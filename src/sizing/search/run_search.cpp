@@ -15,12 +15,16 @@ SearchRun run_search(const Problem& problem, const SearchOptions& options) {
   Archive archive{problem};
   Workers workers{options.threads};
   Samples samples{problem, std::vector<double>(problem.constraints.size(), 0.0)};
+  const DesignSpace& space = samples.space();
+  if (!problem.start.empty()) {
+    const std::vector<std::vector<double>> first{nearest_legal_point(problem.variables, problem.start)};
+    for (const Record& record : workers.evaluate(archive, first, options.stop)) samples.add(record);
+  }
   const SearchContext context{.archive = archive,
                               .samples = samples,
                               .workers = workers,
                               .options = options,
-                              .budget = options.max_evaluations};
-  const DesignSpace& space = samples.space();
+                              .budget = options.max_evaluations - archive.size()};
   const std::uint64_t designs = space.design_count();
   const bool enumerable = space.dimension() == 0 || (designs > 0 && designs <= options.max_evaluations);
   const bool with_models = samples.objective_count() > 1 || options.algorithm == Algorithm::automatic || enumerable;

@@ -11,9 +11,9 @@ struct SearchRun {
   StopReason stop_reason{};
 };
 
-/// Searches with the algorithm that `options` names. Spaces with no more designs than evaluations allowed are
-/// enumerated. Throws std::invalid_argument as `validate_problem` and if `max_evaluations` is 0, and what the problem
-/// throws.
+/// Evaluates the problem's start, if it has one, and searches with the algorithm that `options` names. Spaces with no
+/// more designs than evaluations allowed are enumerated. Throws std::invalid_argument as `validate_problem` and if
+/// `max_evaluations` is 0, and what the problem throws.
 [[nodiscard]] SearchRun run_search(const Problem& problem, const SearchOptions& options);
 
 }  // namespace coilwright::sizing

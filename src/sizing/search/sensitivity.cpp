@@ -109,7 +109,10 @@ void descend(Archive& archive, Samples& samples, const Record& best, std::size_t
     if (space.spacing(axis) == 0) descent.axes.push_back(static_cast<Eigen::Index>(axis));
   }
   if (descent.axes.empty()) return;
-  for (const Record& record : optimise_on_problem(archive, samples, descent, options.search.stop)) samples.add(record);
+  for (const Record& record : optimise_on_problem(archive, samples, descent, options.search.stop)) {
+    archive.number(record.point);
+    samples.add(record);
+  }
 }
 
 // Continues the search from all designs of the archive with other limits; the best design within them.

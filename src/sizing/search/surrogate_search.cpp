@@ -74,6 +74,7 @@ void SurrogateSearch::evaluate(const ProposalBatch& batch) {
   const std::vector<Record> records = context_.workers.evaluate(context_.archive, points, context_.options.stop);
   std::vector<double> gains;
   for (const Record& record : records) gains.push_back(samples_.add(record));
+  for (std::size_t i = 0; i < records.size(); ++i) exploration_.learn(proposals[i], samples_.as_sample(records[i]));
   made_ = context_.archive.size() - known_before_;
   gains_.learn(proposals, gains);
   for (std::size_t i = 0; i < gains.size(); ++i) {
@@ -186,7 +187,10 @@ void SurrogateSearch::round_on_problem(const std::vector<SubproblemTask>& tasks,
     if (task.source == ProposalSource::anchor) planner_.count_anchor(task.index, 0.0);
   }
   for (const std::vector<Record>& records : found) {
-    for (const Record& record : records) samples_.add(record);
+    for (const Record& record : records) {
+      context_.archive.number(record.point);
+      samples_.add(record);
+    }
   }
   made_ = context_.archive.size() - known_before_;
   if (left() > 0) {

@@ -78,9 +78,59 @@ NotEvaluated without(const simulation::ResultQuantity& quantity, const simulatio
   return {.reason = std::move(reason), .infeasibility = rms / std::min(free.runaway_current, gripping.runaway_current)};
 }
 
-Evaluation failed(const NotEvaluated& why) {
-  return {.objectives = {}, .constraints = {}, .failure = why.reason, .infeasibility = why.infeasibility};
+Evaluation failed(const NotEvaluated& why, std::vector<std::optional<double>> quantities) {
+  return {.objectives = {},
+          .constraints = {},
+          .failure = why.reason,
+          .infeasibility = why.infeasibility,
+          .quantities = std::move(quantities)};
 }
+
+std::vector<std::optional<double>> values_of(const simulation::QuantityTable& quantities,
+                                             const simulation::DesignView& design) {
+  std::vector<std::optional<double>> values;
+  values.reserve(quantities.size());
+  for (const simulation::ResultQuantity& quantity : quantities) {
+    values.push_back(quantity.value(design));
+    if (values.back() && !std::isfinite(*values.back())) values.back().reset();
+  }
+  return values;
+}
+
+// The coordinate of a number in the range of a variable: the number itself or, in a list, the index of the nearest.
+double coordinate_of(double value, const std::variant<Interval, Choice>& range) {
+  const Choice* choice = std::get_if<Choice>(&range);
+  if (choice == nullptr) return value;
+  const auto distance = [value](double each) { return std::abs(each - value); };
+  return static_cast<double>(std::ranges::min_element(choice->values, {}, distance) - choice->values.begin());
+}
+
+bool same_row(const actuator::Layout& a, const actuator::Layout& b) {
+  return std::ranges::equal(a, b, [](const actuator::Component& left, const actuator::Component& right) {
+    return left.kind == right.kind && left.polarity == right.polarity;
+  });
+}
+
+// The coordinate of the study's own actuator in one variable. Where the current varies the actuator is driven with the
+// chassis ampacity of its wire, as by evaluate_base().
+struct CoordinateOfBase {
+  const actuator::Design& base;
+
+  double operator()(const ParameterVariable& variable) const {
+    const double value = variable.parameter->get(base);
+    return coordinate_of(units::from_memory(value, variable.parameter->key), variable.range);
+  }
+  double operator()(const CurrentVariable& variable) const {
+    return coordinate_of(winding::gauge(base.coil.wire_gauge).chassis_ampacity, variable.range);
+  }
+  // The first of the list where the actuator's row of components is none of it.
+  double operator()(const ConfigurationVariable& variable) const {
+    const auto same = std::ranges::find_if(variable.values, [this](actuator::Configuration each) {
+      return same_row(actuator::layout_of(each), base.layout);
+    });
+    return same == variable.values.end() ? 0.0 : static_cast<double>(same - variable.values.begin());
+  }
+};
 
 }  // namespace
 
@@ -124,17 +174,18 @@ DesignResult DesignProblem::evaluate_base() const {
 }
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {
-  if (const auto* why = std::get_if<NotEvaluated>(&result)) return failed(*why);
+  if (const auto* why = std::get_if<NotEvaluated>(&result)) return failed(*why, {});
   const simulation::DesignView design = std::get<EvaluatedDesign>(result).view();
   Evaluation out;
+  out.quantities = values_of(study().quantities, design);
   for (const StudyObjective& objective : study().objectives) {
     const std::optional<double> value = objective.quantity.value(design);
-    if (!value || !std::isfinite(*value)) return failed(without(objective.quantity, design));
+    if (!value || !std::isfinite(*value)) return failed(without(objective.quantity, design), std::move(out.quantities));
     out.objectives.push_back(*value);
   }
   for (const Limit& limit : study().limits) {
     const std::optional<double> value = limit.quantity.value(design);
-    if (!value || !std::isfinite(*value)) return failed(without(limit.quantity, design));
+    if (!value || !std::isfinite(*value)) return failed(without(limit.quantity, design), std::move(out.quantities));
     out.constraints.push_back(-margin(limit, *value) / scale_of(limit));
   }
   return out;
@@ -149,6 +200,8 @@ Problem DesignProblem::problem() const {
   problem.evaluate = [design_problem = *this](std::span<const double> point) {
     return design_problem.assess(design_problem.evaluate(point));
   };
+  for (const StudyVariable& variable : study().variables)
+    problem.start.push_back(std::visit(CoordinateOfBase{study().base}, variable));
   return problem;
 }
 

@@ -14,15 +14,8 @@ namespace {
 constexpr std::size_t chunk = 512;
 
 SweptDesign evaluate(const DesignProblem& problem, std::size_t index) {
-  SweptDesign out{.index = index, .point = problem.point(index), .evaluation = {}, .quantities = {}};
-  const DesignResult result = problem.evaluate(out.point);
-  out.evaluation = problem.assess(result);
-  if (const auto* design = std::get_if<EvaluatedDesign>(&result)) {
-    const simulation::QuantityTable& quantities = problem.study().quantities;
-    out.quantities.reserve(quantities.size());
-    for (const simulation::ResultQuantity& quantity : quantities)
-      out.quantities.push_back(quantity.value(design->view()));
-  }
+  SweptDesign out{.index = index, .point = problem.point(index), .evaluation = {}};
+  out.evaluation = problem.assess(problem.evaluate(out.point));
   return out;
 }
 

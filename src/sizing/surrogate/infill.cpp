@@ -27,6 +27,9 @@ constexpr std::size_t random_starts = 40;
 // Pairs of grid steps are ranked up to this number of axes: 400 points, 2 ms.
 constexpr std::size_t max_axes_for_pairs = 10;
 
+// A coordinate this near to an end of its range, relative to the width of the model's box, may be meant to be there.
+constexpr double near_range_end = 0.1;
+
 using Point = std::vector<double>;
 
 std::vector<Eigen::Index> axes_where(const DesignSpace& space, bool (*wanted)(double spacing)) {
@@ -132,10 +135,64 @@ std::optional<Optimum> optimum_of(const LocalModel& model, const Goal& goal, std
   return best;
 }
 
+// The optimum with every coordinate that lies near an end of its range moved there, unless the model then loses more
+// than a small part of the progress.
+Optimum at_range_ends(const LocalModel& model, const DesignSpace& space, const Goal& goal, Optimum optimum) {
+  Eigen::VectorXd moved = optimum.point;
+  for (Eigen::Index axis = 0; axis < moved.size(); ++axis) {
+    const double ceiling = space.ceiling(static_cast<std::size_t>(axis));
+    const double near = near_range_end * (model.box().upper[axis] - model.box().lower[axis]);
+    if (moved[axis] < near) moved[axis] = 0;
+    if (moved[axis] > ceiling - near) moved[axis] = ceiling;
+  }
+  if (moved == optimum.point) return optimum;
+  const double merit = model.merit(moved);
+  if (merit > optimum.merit + 0.1 * std::max(0.0, goal.to_beat - optimum.merit)) return optimum;
+  return {.point = std::move(moved), .merit = merit};
+}
+
 bool near_known(const Samples& samples, const std::vector<std::size_t>& nodes, const Point& unit) {
   return std::ranges::any_of(nodes, [&](std::size_t i) {
     return (as_vector(samples[i].unit) - as_vector(unit)).cwiseAbs().maxCoeff() < same_design;
   });
+}
+
+// Between the sample that the region starts from and, of the designs of the front on the other side of the goal's
+// centre, the nearest in the variables, where a straight line between their objectives comes nearest to the centre. No
+// model is asked, so that a gap between two near designs closes even where objectives turn faster than a model can
+// follow.
+std::vector<UnitPoint> interpolated(const Samples& samples, const Goal& goal, const Region& region) {
+  const Sample& from = samples[region.from];
+  const std::size_t objectives = from.values.size();
+  const auto relative = [&](const Sample& sample, std::size_t i) {
+    return (sample.values[i] - goal.origin[i]) / goal.span[i] - 0.5;
+  };
+  std::optional<std::size_t> across;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::size_t index : samples.front()) {
+    const Sample& other = samples[index];
+    if (other.combination != from.combination) continue;
+    double product = 0;
+    for (std::size_t i = 0; i < objectives; ++i) product += relative(from, i) * relative(other, i);
+    if (product >= 0) continue;
+    const double distance = (as_vector(other.unit) - as_vector(from.unit)).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    across = index;
+  }
+  if (!across) return {};
+  const Sample& to = samples[*across];
+  double along = 0, length = 0;
+  for (std::size_t i = 0; i < objectives; ++i) {
+    const double step = relative(to, i) - relative(from, i);
+    along -= step * relative(from, i);
+    length += step * step;
+  }
+  const double fraction = std::clamp(length > 0 ? along / length : 0.5, 0.1, 0.9);
+  const Eigen::VectorXd between = as_vector(from.unit) + fraction * (as_vector(to.unit) - as_vector(from.unit));
+  UnitPoint point{.unit = samples.space().snapped(as_std(between)), .combination = from.combination};
+  if (std::sqrt(nearest) < same_design || samples.knows(point.unit, point.combination)) return {};
+  return {std::move(point)};
 }
 
 }  // namespace
@@ -143,13 +200,15 @@ bool near_known(const Samples& samples, const std::vector<std::size_t>& nodes, c
 std::vector<UnitPoint> infill(const Samples& samples, const Goal& goal, const Region& region) {
   const DesignSpace& space = samples.space();
   if (space.dimension() == 0) return {};
+  if (region.interpolated) return interpolated(samples, goal, region);
   const LocalModel model{samples, goal, region};
   if (!model.usable()) return {};
   std::vector<Eigen::Index> axes = axes_where(space, [](double) { return true; });
   if (region.level) std::erase(axes, static_cast<Eigen::Index>(region.level->axis));
   if (axes.empty()) return {};
-  const std::optional<Optimum> optimum = optimum_of(model, goal, starts_in(samples, model, region), axes);
+  std::optional<Optimum> optimum = optimum_of(model, goal, starts_in(samples, model, region), axes);
   if (!optimum) return {};
+  if (!space.has_grid()) optimum = at_range_ends(model, space, goal, *std::move(optimum));
   std::vector<RankedPoint> ranked;
   if (space.has_grid()) {
     ranked = rank_on_grid(samples, model, region, optimum->point);

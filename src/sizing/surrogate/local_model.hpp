@@ -36,8 +36,15 @@ class LocalModel {
   [[nodiscard]] Eigen::VectorXd minimise(const Eigen::VectorXd& start, const std::vector<Eigen::Index>& free) const;
 
  private:
+  struct NodesAndValues {
+    Eigen::MatrixXd nodes, values;  // a row for each node
+  };
+  [[nodiscard]] NodesAndValues nodes_and_values() const;
+  [[nodiscard]] std::vector<Eigen::Index> order_along(const Eigen::VectorXd& coordinate) const;
+  [[nodiscard]] std::vector<double> weights_of_axes() const;
   void fit_values();
   void set_box(double margin);
+  void narrow_box(double trust, const std::vector<double>& a, const std::vector<double>& b);
   void fit_failures(Samples::Neighbourhood where);
   [[nodiscard]] Linearisation linearised(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::Index objectives() const { return static_cast<Eigen::Index>(samples_.objective_count()); }
@@ -46,6 +53,7 @@ class LocalModel {
   const Goal& goal_;
   const Samples& samples_;
   std::vector<std::size_t> nodes_;
+  std::vector<double> axis_weights_;  // empty: all alike
   std::optional<Surrogate> values_, failure_;
   Box box_;
 };

@@ -21,6 +21,12 @@ double node_spacing_after(int failures) {
   return distances[static_cast<std::size_t>(failures) % distances.size()];
 }
 
+// How far from its segment a model is believed after so many failures.
+double trust_after(int failures) {
+  constexpr std::array<double, 4> reaches{0.3, 0.1, 0.03, 0.01};
+  return reaches[static_cast<std::size_t>(failures / 2) % reaches.size()];
+}
+
 }  // namespace
 
 Planner::Planner(const Samples& samples, std::mt19937_64& random)
@@ -78,12 +84,17 @@ Region Planner::gap_region(const Goal& goal, const UpperBound& bound) {
     }
   }
   const std::size_t from = definers[pick(definers.size())];
+  const bool grid = samples_.space().has_grid();
+  if (bound.failures % 3 == 1 && !grid) return {.from = from, .to = from, .interpolated = true};
   std::size_t to = definers[pick(definers.size())];
   for (const std::size_t other : definers) {
     if (other != from && samples_[other].combination == samples_[from].combination) to = other;
   }
   if (samples_[to].combination != samples_[from].combination) to = from;
   if (bound.failures == 0) return {.from = from, .to = to};
+  // A model that promised too much is believed less far, in turn with one of other nodes.
+  if (bound.failures % 2 == 1 && !grid)
+    return {.from = from, .to = to, .trust = trust_after(bound.failures), .seed = random_()};
   return {.from = from, .to = to, .margin = 1.0, .node_spacing = node_spacing_after(bound.failures), .seed = random_()};
 }
 

@@ -9,6 +9,12 @@ namespace {
 // Prior variance of the quadratic relative to that of the Matern term. Large, so that the quadratic explains what it
 // can.
 constexpr double quadratic_weight = 1000.0;
+// Prior variance of the coefficients where there are fewer nodes than a quadratic has: the trend takes what it can,
+// then the squares, and the bounded Matern term the rest. With equal weights the many products of two coordinates fit a
+// straight line too, and beyond the nodes such a model falls off by many times the range of the values.
+constexpr double undetermined_linear = 100;
+constexpr double undetermined_square = 0.003;
+constexpr double undetermined_cross = 1e-4;
 // Matern length in units of the box's half diagonal.
 constexpr double relative_length = 1.0;
 // Relative to the largest diagonal entry: keeps the matrix positive definite for nodes that nearly coincide (rounding
@@ -28,7 +34,7 @@ Matern matern(double squared_distance, double length) {
 
 }  // namespace
 
-Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values)
+Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values, const std::vector<double>& weights)
     : length_{relative_length * std::sqrt(static_cast<double>(nodes.cols()))} {
   const Eigen::VectorXd low = nodes.colwise().minCoeff().transpose(), high = nodes.colwise().maxCoeff().transpose();
   centre_ = 0.5 * (low + high);
@@ -39,17 +45,31 @@ Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values
   nodes_ = ((nodes.rowwise() - centre_.transpose()).array().rowwise() / half_width_.transpose().array())
                .matrix()
                .transpose();
+  stretch_ = Eigen::VectorXd::Ones(nodes_.rows());
+  if (!weights.empty()) {
+    const Eigen::Map<const Eigen::VectorXd> given(weights.data(), nodes_.rows());
+    stretch_ = given * (static_cast<double>(nodes_.rows()) / given.sum());
+  }
   mean_ = values.colwise().mean().transpose();
   range_ = (values.colwise().maxCoeff() - values.colwise().minCoeff()).transpose();
   range_ = (range_.array() > 0).select(range_, 1.0);
 
   const Eigen::Index count = nodes_.cols();
+  const Eigen::Index n = nodes_.rows();
+  if (count < (n + 1) * (n + 2) / 2) {
+    linear_ = undetermined_linear;
+    square_ = undetermined_square;
+    cross_ = undetermined_cross;
+  }
   Eigen::MatrixXd kernel(count, count);
   const Eigen::MatrixXd gram = nodes_.transpose() * nodes_;
+  const Eigen::MatrixXd stretched = nodes_.transpose() * stretch_.asDiagonal() * nodes_;
+  squares_ = nodes_.cwiseAbs2();
+  const Eigen::MatrixXd square_gram = squares_.transpose() * squares_;
   for (Eigen::Index j = 0; j < count; ++j) {
     for (Eigen::Index i = j; i < count; ++i) {
-      const double squared = std::max(0.0, gram(i, i) + gram(j, j) - 2 * gram(i, j));
-      const double quadratic = (1 + gram(i, j)) * (1 + gram(i, j));
+      const double squared = std::max(0.0, stretched(i, i) + stretched(j, j) - 2 * stretched(i, j));
+      const double quadratic = quadratic_kernel(gram(i, j), square_gram(i, j));
       kernel(i, j) = quadratic_weight * quadratic + matern(squared, length_).value;
     }
   }
@@ -60,6 +80,14 @@ Surrogate::Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values
   weights_ = factor.solve(scaled);
 }
 
+double Surrogate::squared_distance(Eigen::Index node, const Eigen::VectorXd& at) const {
+  return ((nodes_.col(node) - at).cwiseAbs2().cwiseProduct(stretch_)).sum();
+}
+
+double Surrogate::quadratic_kernel(double product, double squares) const {
+  return 1 + 2 * linear_ * product + cross_ * product * product + (square_ - cross_) * squares;
+}
+
 Eigen::VectorXd Surrogate::local(const Eigen::VectorXd& x) const {
   return (x - centre_).cwiseQuotient(half_width_);
 }
@@ -67,9 +95,10 @@ Eigen::VectorXd Surrogate::local(const Eigen::VectorXd& x) const {
 Eigen::VectorXd Surrogate::values(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd at = local(x);
   Eigen::VectorXd kernel(nodes_.cols());
+  const Eigen::VectorXd square = at.cwiseAbs2();
   for (Eigen::Index i = 0; i < nodes_.cols(); ++i) {
-    const double product = 1 + nodes_.col(i).dot(at);
-    kernel[i] = quadratic_weight * product * product + matern((nodes_.col(i) - at).squaredNorm(), length_).value;
+    kernel[i] = quadratic_weight * quadratic_kernel(nodes_.col(i).dot(at), squares_.col(i).dot(square)) +
+                matern(squared_distance(i, at), length_).value;
   }
   return mean_ + range_.cwiseProduct(weights_.transpose() * kernel);
 }
@@ -78,16 +107,23 @@ Linearisation Surrogate::linearised(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd at = local(x);
   const Eigen::Index count = nodes_.cols();
   Eigen::VectorXd kernel(count), along_node(count), along_x(count);
+  const Eigen::VectorXd square = at.cwiseAbs2();
   for (Eigen::Index i = 0; i < count; ++i) {
-    const double product = 1 + nodes_.col(i).dot(at);
-    const Matern term = matern((nodes_.col(i) - at).squaredNorm(), length_);
-    kernel[i] = quadratic_weight * product * product + term.value;
-    along_node[i] = 2 * quadratic_weight * product - term.slope_over_distance;
+    const double product = nodes_.col(i).dot(at);
+    const Matern term = matern(squared_distance(i, at), length_);
+    kernel[i] = quadratic_weight * quadratic_kernel(product, squares_.col(i).dot(square)) + term.value;
+    along_node[i] = 2 * quadratic_weight * (linear_ + cross_ * product);
     along_x[i] = term.slope_over_distance;
   }
-  // d kernel_i / d at = along_node_i * node_i + along_x_i * at
+  // d kernel_i / d at = along_node_i * node_i + along_x_i * stretch * (at - node_i)
   Eigen::MatrixXd slope = weights_.transpose() * along_node.asDiagonal() * nodes_.transpose();
-  slope.noalias() += (weights_.transpose() * along_x) * at.transpose();
+  Eigen::MatrixXd bend = (weights_.transpose() * along_x) * at.transpose();
+  bend.noalias() -= weights_.transpose() * along_x.asDiagonal() * nodes_.transpose();
+  slope.noalias() += bend * stretch_.asDiagonal();
+  if (square_ != cross_) {
+    slope.array() += (2 * quadratic_weight * (square_ - cross_)) *
+                     ((weights_.transpose() * squares_.transpose()).array().rowwise() * at.transpose().array());
+  }
   slope = range_.asDiagonal() * slope * half_width_.cwiseInverse().asDiagonal();
   return {.values = mean_ + range_.cwiseProduct(weights_.transpose() * kernel), .jacobian = std::move(slope)};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "sizing/nlopt/linearisation.hpp"
 
@@ -8,13 +9,14 @@ namespace coilwright::sizing {
 
 /// A smooth model of several quantities through a set of nodes: the mean of a Gaussian process whose kernel is a full
 /// quadratic plus a Matern-5/2 term. Where the nodes determine a quadratic, the model reproduces quadratics up to the
-/// nugget; with fewer nodes it takes the quadratic of least norm, and the Matern term follows the rest. Hyperparameters
-/// are fixed in local coordinates, in which the box of the nodes is [-1, 1] along every axis and values have mean 0 and
-/// range 1.
+/// nugget; with fewer nodes linear terms come first, then squares, then products, and the Matern term follows the rest.
+/// Hyperparameters are fixed in local coordinates, in which the box of the nodes is [-1, 1] along every axis and values
+/// have mean 0 and range 1.
 class Surrogate {
  public:
-  /// `nodes`: (k, n), k >= 1; `values`: (k, outputs).
-  Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values);
+  /// `nodes`: (k, n), k >= 1; `values`: (k, outputs). `weights` (n, or empty for equal ones) say along which axes the
+  /// Matern term may bend more: squared distances count so much.
+  Surrogate(const Eigen::MatrixXd& nodes, const Eigen::MatrixXd& values, const std::vector<double>& weights = {});
 
   /// Values at `x` (n): (outputs).
   [[nodiscard]] Eigen::VectorXd values(const Eigen::VectorXd& x) const;
@@ -24,12 +26,18 @@ class Surrogate {
 
  private:
   [[nodiscard]] Eigen::VectorXd local(const Eigen::VectorXd& x) const;
+  [[nodiscard]] double squared_distance(Eigen::Index node, const Eigen::VectorXd& at) const;
+  [[nodiscard]] double quadratic_kernel(double product, double squares) const;
 
   Eigen::VectorXd centre_, half_width_;
   Eigen::MatrixXd nodes_;    // (n, k), local
+  Eigen::MatrixXd squares_;  // of the nodes' coordinates
   Eigen::MatrixXd weights_;  // (k, outputs)
   Eigen::VectorXd mean_, range_;
+  Eigen::VectorXd stretch_;  // of squared distances along each axis, mean 1
   double length_;
+  double linear_ = 1, square_ = 1,
+         cross_ = 1;  // prior variances of coefficients, relative
 };
 
 }  // namespace coilwright::sizing

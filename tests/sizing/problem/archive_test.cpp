@@ -38,6 +38,33 @@ TEST(Archive, EvaluatesADesignOnceHoweverItsGridValueWasComputed) {
   EXPECT_FALSE(archive.find(std::vector<double>{-1.6, 1.75}).has_value());
 }
 
+// y has a range of 3 and no grid: rounding makes one design of both, a thousandth of a millionth two.
+TEST(Archive, EvaluatesADesignOnceHoweverItsContinuousValueWasRounded) {
+  std::atomic<int> calls = 0;
+  Archive archive{counted(calls)};
+  const Evaluation first = archive.evaluate(std::vector<double>{-1.5, 1.75});
+  for (const double y : {1.75 + 3e-15, 1.75 - 3e-15, 1.75 + 4e-13})
+    EXPECT_EQ(archive.evaluate(std::vector<double>{-1.5, y}), first);
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(archive.evaluate(std::vector<double>{-1.5, 1.75 + 1e-9}).failure, "");
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(archive.evaluate(std::vector<double>{-1.5, 1.0}), archive.evaluate(std::vector<double>{-1.5, 1 + 1e-15}));
+  (void)archive.evaluate(std::vector<double>{-1.5, 4.0});
+  EXPECT_EQ(archive.records().back().point[1], 4.0);  // the ends of a range are exact
+  EXPECT_EQ(calls, 4);
+}
+
+TEST(Archive, NumbersDesignsOnceInTheOrderItsCallerGives) {
+  std::atomic<int> calls = 0;
+  Archive archive{counted(calls)};
+  const std::vector<double> a{0, 2}, b{1, 2}, c{2, 2};
+  for (const auto& point : {a, b, c}) (void)archive.evaluate(point);
+  for (const auto& point : {c, a, c, std::vector<double>{3, 2}}) archive.number(point);
+  std::vector<std::size_t> numbers;
+  for (const Record& record : archive.records()) numbers.push_back(record.number);
+  EXPECT_EQ(numbers, (std::vector<std::size_t>{2, 0, 1}));
+}
+
 TEST(Archive, EvaluatesOnceWhenManyThreadsAskAtTheSameTime) {
   std::atomic<int> calls = 0;
   Archive archive{counted(calls)};

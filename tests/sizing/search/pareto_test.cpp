@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -20,12 +21,14 @@ std::vector<FrontProblem> published() {
   return testing::front_problems(COILWRIGHT_TEST_DATA "/sizing/front_problems.csv");
 }
 
-// The curve of ZDT1 is f2 = 1 - sqrt(f1): 0.1 * 1 + 2/3 over [0, 1] and 0.1 * 1.1 beyond.
-TEST(TrueFronts, OfZdt1IsWhatTheIntegralGives) {
+// The curve of ZDT1 is f2 = 1 - sqrt(f1): 0.1 * 1 + 2/3 over [0, 1] and 0.1 * 1.1 beyond; that of ZDT2 f2 = 1 - f1^2.
+// Of DTLZ2 a quarter of the unit disc is missing from the square of 1.1.
+TEST(TrueFronts, AreWhatTheIntegralsGive) {
   for (const FrontProblem& problem : published()) {
     // the file's staircase has a million steps
-    if (problem.name != "ZDT1") continue;
-    EXPECT_NEAR(problem.hypervolume, 0.1 + 2.0 / 3 + 0.11, 1e-6);
+    if (problem.name == "ZDT1") EXPECT_NEAR(problem.hypervolume, 0.1 + 2.0 / 3 + 0.11, 1e-6);
+    if (problem.name == "ZDT2") EXPECT_NEAR(problem.hypervolume, 0.1 + 1.0 / 3 + 0.11, 1e-6);
+    if (problem.name == "DTLZ2") EXPECT_NEAR(problem.hypervolume, 1.21 - std::numbers::pi / 4, 1e-6);
   }
 }
 
@@ -49,15 +52,25 @@ TEST(TrueFronts, HaveThePublishedCorners) {
 }
 
 // A quarter of each published budget; benchmarks/sizing prints the whole table over ten seeds. The bound is the target
-// of the full budget less 0.01. ZDT1 has 30 variables and a simplex of starts alone is a tenth of the budget: 0.9
-// there.
+// of the full budget less 0.01. Problems with 10 to 30 variables, where the starts alone are a tenth of the budget, are
+// in ComesNearFrontsOfManyVariables.
 TEST(Pareto, ComesNearPublishedFrontsInAQuarterOfTheirBudget) {
   for (const FrontProblem& problem : published()) {
+    if (problem.problem.variables.size() > 6) continue;
     const ParetoResult result = pareto(problem.problem, {.max_evaluations = problem.budget / 4, .seed = 3});
     EXPECT_EQ(result.evaluations, problem.budget / 4) << problem.name;
-    EXPECT_GE(hypervolume_ratio(problem, minimised(problem.problem, result.front)),
-              problem.name == "ZDT1" ? 0.9 : problem.target - 0.01)
+    EXPECT_GE(hypervolume_ratio(problem, minimised(problem.problem, result.front)), problem.target - 0.01)
         << problem.name;
+  }
+}
+
+// Half of the budget: before models knew trends and axes, all of it gave 0.93 to 0.98 of ZDT1 and 0.97 to 0.99 of
+// DTLZ2.
+TEST(Pareto, ComesNearFrontsOfManyVariables) {
+  for (const FrontProblem& problem : published()) {
+    if (problem.name != "ZDT1_2000" && problem.name != "DTLZ2") continue;
+    const ParetoResult result = pareto(problem.problem, {.max_evaluations = 1000, .seed = 3});
+    EXPECT_GE(hypervolume_ratio(problem, minimised(problem.problem, result.front)), 0.97) << problem.name;
   }
 }
 

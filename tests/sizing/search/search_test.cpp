@@ -35,6 +35,34 @@ TEST(Search, FindsThePublishedBestOfEngineeringProblems) {
   }
 }
 
+// Off the grid and beyond the bounds: the nearest legal design is the first, whatever searches.
+TEST(Search, EvaluatesTheStartOfAProblemFirst) {
+  Problem problem = one_objective(testing::winding_grid(testing::GridObjectives::two));
+  problem.start = {2.2, 99, 7.6, 10, 2.9, 1.1};
+  for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::cobyla, Algorithm::isres}) {
+    const SearchResult result =
+        search(problem, {.algorithm = algorithm, .max_evaluations = 40, .seed = 3, .afterwards = Afterwards::nothing});
+    const std::vector<Record> records = result.archive.records();
+    EXPECT_LE(records.size(), 40U);
+    const auto first = std::ranges::find(records, 1U, &Record::number);
+    ASSERT_NE(first, records.end());
+    EXPECT_EQ(first->point, (std::vector<double>{2, 37, 8, 10, 3, 1})) << name_of(algorithm);
+  }
+  problem.start.pop_back();
+  expect_error<std::invalid_argument>([&] { (void)search(problem, {}); }, "start: must have 6 values or none; got 5");
+}
+
+TEST(Search, NumbersEveryEvaluationOnce) {
+  const Problem problem = one_objective(testing::winding_grid(testing::GridObjectives::two));
+  for (const Algorithm algorithm : {Algorithm::automatic, Algorithm::cobyla}) {
+    const SearchResult result = search(problem, {.algorithm = algorithm, .max_evaluations = 150, .seed = 3});
+    std::vector<std::size_t> numbers;
+    for (const Record& record : result.archive.records()) numbers.push_back(record.number);
+    std::ranges::sort(numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i + 1) << name_of(algorithm);
+  }
+}
+
 TEST(Search, FindsTheBestOfAllDesignsOfAGrid) {
   const Problem problem = one_objective(testing::winding_grid(testing::GridObjectives::two));
   double best = 0;

@@ -48,6 +48,34 @@ TEST(DesignProblem, TellsTheSearchObjectivesAndScaledMargins) {
   EXPECT_NO_THROW(validate_problem(problem.problem()));
 }
 
+// small_study: configuration (B, A), gap 0.7 to 1.2 step 0.2, layers 13 to 14, gauge of the list 27, 28, 30.
+TEST(DesignProblem, StartsFromTheStudysOwnActuator) {
+  Study study = small_study();
+  study.base.layout = actuator::layout_of(actuator::Configuration::A);
+  study.base.coil.wire_gauge = 29;
+  actuator::find_parameter("gap_mm")->set(study.base, 0.00097);
+  actuator::find_parameter("turns_radial")->set(study.base, 20);
+  const Problem problem = DesignProblem(study).problem();
+  ASSERT_EQ(problem.start.size(), 4u);
+  EXPECT_EQ(problem.start[0], 1.0);
+  EXPECT_NEAR(problem.start[1], 0.97, 1e-15);
+  EXPECT_EQ(problem.start[2], 20.0);  // the search clamps it
+  EXPECT_EQ(problem.start[3], 1.0);   // 28 and 30 are as near: the first
+  study.base.layout = actuator::layout_of(actuator::Configuration::D);
+  EXPECT_EQ(DesignProblem(study).problem().start[0], 0.0);  // not in the list: its first
+}
+
+TEST(DesignProblem, KeepsEveryQuantityOfADesign) {
+  const DesignProblem problem(small_study());
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const auto design = std::get<EvaluatedDesign>(problem.evaluate(point));
+  const Evaluation seen = problem.problem().evaluate(point);
+  const simulation::QuantityTable& quantities = problem.study().quantities;
+  ASSERT_EQ(seen.quantities.size(), quantities.size());
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    EXPECT_EQ(seen.quantities[i], quantities[i].value(design.view())) << quantities[i].name;
+}
+
 // Neither an objective nor a limit need stand in any table.
 TEST(DesignProblem, TakesAnObjectiveOfAUsersOwn) {
   Study study = small_study();

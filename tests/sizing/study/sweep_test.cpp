@@ -50,9 +50,9 @@ TEST(Sweep, GivesEveryQuantityOfADesign) {
   const simulation::QuantityTable& quantities = problem.study().quantities;
   const SweptDesign design = all_of(problem, 1)[17];
   const auto evaluated = std::get<EvaluatedDesign>(problem.evaluate(design.point));
-  ASSERT_EQ(design.quantities.size(), quantities.size());
+  ASSERT_EQ(design.evaluation.quantities.size(), quantities.size());
   for (std::size_t i = 0; i < quantities.size(); ++i)
-    EXPECT_EQ(design.quantities[i], quantities[i].value(evaluated.view())) << quantities[i].name;
+    EXPECT_EQ(design.evaluation.quantities[i], quantities[i].value(evaluated.view())) << quantities[i].name;
 }
 
 TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {
@@ -62,7 +62,7 @@ TEST(Sweep, IsTheSameOnAnyNumberOfThreads) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].point, three[i].point);
     EXPECT_EQ(one[i].evaluation, three[i].evaluation);
-    EXPECT_TRUE(one[i].quantities.empty());
+    EXPECT_TRUE(one[i].evaluation.quantities.empty());
   }
 }
 

@@ -19,12 +19,19 @@ using Cells = std::vector<text::CsvCell>;
 /// Column of a limit's margin: "mass_max_margin_g" for mass_g <= 70, "steady_angle_min_margin_deg" for >=.
 [[nodiscard]] std::string margin_column(const sizing::Limit& limit);
 
+/// Suffix of the unit of a difference of two values of a quantity: "K" for degC; empty for a plain number.
+[[nodiscard]] std::string_view difference_unit(const simulation::ResultQuantity& quantity);
+
 void add_variable_names(const sizing::Study& study, std::vector<std::string>& names);
 void add_variables(const sizing::Study& study, std::span<const double> point, Cells& cells);
 
 /// Objectives that are not variables too (current_A may be both).
 void add_objective_names(const sizing::Study& study, std::vector<std::string>& names);
 void add_objectives(const sizing::Study& study, const sizing::Evaluation& evaluation, Cells& cells);
+
+/// Every quantity of the study's table that is not a variable too; empty where a design has no value.
+void add_quantity_names(const sizing::Study& study, std::vector<std::string>& names);
+void add_quantities(const sizing::Study& study, const sizing::Evaluation& evaluation, Cells& cells);
 
 /// Margins in the units of their quantities, negative where a limit is broken; empty for a failed design.
 void add_margin_names(const sizing::Study& study, std::vector<std::string>& names);

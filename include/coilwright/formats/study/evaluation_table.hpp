@@ -8,8 +8,9 @@
 
 namespace coilwright::formats {
 
-/// Every evaluated design as CSV, a row each in the order given: the variables as a study writes them, `status` (ok,
-/// infeasible, failed), the objectives, the margin of every limit in its quantity's unit, `reason` of a failed one.
+/// Every evaluated design as CSV, a row each in the order given: the variables as a study writes them, `evaluation`
+/// (its place in the order of evaluation, from 1), `status` (ok, infeasible, failed), every quantity of the study's
+/// table, objectives that the table lacks, the margin of every limit in its quantity's unit, `reason` of a failed one.
 void write_evaluations(std::ostream& out, const sizing::Study& study, std::span<const sizing::Record> records);
 
 /// A front as CSV, a row a design in the order given: the variables, the objectives, the margin of every limit.

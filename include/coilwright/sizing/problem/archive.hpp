@@ -15,12 +15,17 @@ namespace coilwright::sizing {
 struct Record {
   std::vector<double> point;  ///< variables, in the problem's order
   Evaluation evaluation;      ///< what came out
+  std::size_t number = 0;     ///< place in the order of evaluation, from 1; 0 without one (see Archive::number)
 
   friend bool operator==(const Record&, const Record&) = default;
 };
 
 /// Every design that a search evaluated, each once, including failed ones. Safe to use from several threads; what it
 /// returns does not depend on the order of evaluation.
+///
+/// The bits of a point are those of its nearest legal one (`nearest_legal`): a variable with a grid takes grid values,
+/// and a continuous one its bounds and decimals with twelve digits after the first digit of its range (a millionth of a
+/// millionth of it, or less). So two points that differ by rounding are one design.
 class Archive {
  public:
   /// Keeps a copy of `problem`. Throws as `validate_problem`.
@@ -36,6 +41,10 @@ class Archive {
   /// evaluation. Throws what the problem throws, and then records nothing; throws std::invalid_argument if the point
   /// has another number of values, lies outside the bounds or off the grid.
   Evaluation evaluate(std::span<const double> point);
+
+  /// Gives the design at an evaluated point the next number in the order of evaluation, unless it has one. Designs are
+  /// evaluated at the same time, so that only the caller knows an order that is the same on any number of threads.
+  void number(std::span<const double> point);
 
   /// The evaluation at `point`, if it was made.
   [[nodiscard]] std::optional<Evaluation> find(std::span<const double> point) const;

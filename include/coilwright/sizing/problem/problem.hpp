@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ struct Evaluation {
   std::string failure;              ///< why the design could not be evaluated; empty if it was
   /// For a failed design its distance from one that can be evaluated, in any measure of order 1; finite, >= 0.
   double infeasibility{};
+  /// Further numbers that the problem wants in its tables, empty where one does not exist; for a design of a study all
+  /// quantities of its table, and none if it has no performance. The search keeps them and does not look at them.
+  std::vector<std::optional<double>> quantities{};
 
   friend bool operator==(const Evaluation&, const Evaluation&) = default;
 };
@@ -53,6 +57,9 @@ struct Problem {
   /// Evaluates one design. Called from several threads at once; must be pure (same point, same bits). An exception
   /// reaches the caller of `search` or `pareto` after every running evaluation has ended.
   std::function<Evaluation(std::span<const double>)> evaluate;
+  /// The design that a search evaluates first, a value for each variable: its nearest legal point, clamped to the
+  /// bounds and on the grid. Empty: none.
+  std::vector<double> start{};
 };
 
 /// Throws std::invalid_argument naming the field, the rule and the value received, unless `problem` can be searched.

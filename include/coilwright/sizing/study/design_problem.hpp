@@ -38,7 +38,8 @@ class DesignProblem {
 
   [[nodiscard]] const Study& study() const noexcept { return state_->study; }
 
-  /// The problem to pass to search() or pareto(). It holds a copy of this object and so all that it needs.
+  /// The problem to pass to search() or pareto(). It holds a copy of this object and so all that it needs. Its start is
+  /// the study's own actuator; where the current varies, with the chassis ampacity of the actuator's own wire.
   [[nodiscard]] Problem problem() const;
 
   /// The design at a point: the study's base with the variables set to it.
@@ -51,8 +52,9 @@ class DesignProblem {
   /// chassis ampacity of the actuator's own wire.
   [[nodiscard]] DesignResult evaluate_base() const;
 
-  /// The objectives of a design and its constraints, each -margin / scale_of(limit), so that <= 0 keeps the limit; or
-  /// why there are none, also where a quantity that the study asks for has no value.
+  /// All quantities of the study's table, the objectives of a design and its constraints, each -margin /
+  /// scale_of(limit), so that <= 0 keeps the limit; or why there are none, also where a quantity that the study asks
+  /// for has no value.
   [[nodiscard]] Evaluation assess(const DesignResult& result) const;
 
   /// Number of points of a study whose variables are all lists, grids or whole numbers. Throws std::invalid_argument

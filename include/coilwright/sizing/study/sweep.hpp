@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -14,9 +13,7 @@ namespace coilwright::sizing {
 struct SweptDesign {
   std::size_t index{};        ///< as in DesignProblem::point
   std::vector<double> point;  ///< coordinates
-  Evaluation evaluation;      ///< objectives and constraints, or the reason why there are none
-  /// Values in the order of the study's table, empty where one does not exist. No element for a failed design.
-  std::vector<std::optional<double>> quantities;
+  Evaluation evaluation;      ///< quantities, objectives and constraints, or the reason why there are none
 };
 
 /// How a sweep runs. The result does not depend on it.

@@ -90,6 +90,16 @@ class StudyInput(ProgramTest):
             ({"operating_point": {"current_A": 1, "duty": 1.2}}, "/operating_point/duty: must be from 0 to 1; got 1.2"),
             ({"operating_point": {"share_of_current_limit": 0}},
              "/operating_point/share_of_current_limit: must be > 0 and <= 1000; got 0"),
+            ({"objectives": [{"maximise": "grasp_forc_N / mass_g", "name": "grip", "unit": "N/g"}]},
+             '/objectives/0/maximise: names "grasp_forc_N", which is no quantity; did you mean "grasp_force_N"?; '
+             'got text "grasp_forc_N / mass_g"'),
+            ({"objectives": [{"maximise": "grasp_force_N / mass_g", "name": "grip"}]}, "/objectives/0/unit: is missing"),
+            ({"objectives": [{"maximise": "grasp_force_N / (mass_g", "name": "grip", "unit": "N/g"}]},
+             "/objectives/0/maximise: must be an expression of quantities: Missing parenthesis; "
+             'got text "grasp_force_N / (mass_g"'),
+            (constraints({"quantity": "2 * 3", "name": "six", "unit": "1", "at_most": 7}),
+             "/constraints/0/quantity: must contain a quantity: this is the same number for every design; "
+             'got text "2 * 3"'),
             (constraints({"quantity": "mass_g"}), '/constraints/0: needs one of "at_most", "at_least"'),
             (constraints({"quantity": "mass_g", "at_most": 60, "at_least": 50}),
              '/constraints/0/at_least: cannot stand beside "at_most"'),

@@ -11,29 +11,35 @@ namespace {
 // The prototype finger: coil, magnet, coil.
 HeatChain finger() {
   const HeatSegment coil{.kind = NodeKind::coil,
-                         .length = 12.6e-3,
+                         .core_length = 12e-3,
                          .core_radius = 9.5e-3,
+                         .bore_radius = 3e-3,
+                         .core_conductivity = 0.55,
+                         .core_heat_capacity = 7.8,
+                         .wall = 0.3e-3,
                          .solid_end = 20e-3,
                          .resistance = 3.76,
-                         .heat_capacity = 12.0,
                          .temperature_limit = class_f_enamel_limit};
   HeatSegment tip = coil;
   tip.solid_end = 8.6e-3;
   const HeatSegment magnet{.kind = NodeKind::magnet,
-                           .length = 7.2e-3,
+                           .core_length = 6e-3,
                            .core_radius = 10e-3,
-                           .solid_end = 0.0,
-                           .resistance = 0.0,
-                           .heat_capacity = 9.4,
+                           .core_conductivity = 9.0,
+                           .core_heat_capacity = 6.5,
+                           .wall = 0.6e-3,
                            .temperature_limit = n_grade_magnet_limit};
   return {.width = 22e-3,
           .height = 24e-3,
-          .heat_transfer = 40.0,
+          .hinge_layer = 2.5e-3,
+          .axis_offset = 11.5e-3,
+          .heat_transfer = 50.0,
           .silicone_conductivity = 0.2,
+          .silicone_heat_capacity = 1.469e6,
           .ambient = 25.0,
           .temperature_coefficient = 3.93e-3,
           .segments = {coil, magnet, tip},
-          .gaps = {{.silicone = 0.9e-3}, {.silicone = 0.9e-3}}};
+          .joint_angles = {0.5, 0.5}};
 }
 
 void assemble_chain(benchmark::State& state) {

@@ -115,7 +115,8 @@ MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCur
 CoilElectrics electrics_of(const Design& design, const winding::Winding& coil) {
   return {.resistance = design.calibration.coil_resistance * coil.resistance(20.0),
           .inductance = coil.inductance(),
-          .current_limit = coil.wire().chassis_ampacity,
+          .current_limit = coil.wire().smooth_ampacity,
+          .table_limit = coil.wire().chassis_ampacity,
           .wire_length = coil.wire_length(),
           .copper_mass = coil.copper_mass()};
 }

@@ -98,7 +98,9 @@ Calibration calibrate(Design design, const Measured& measured) {
     const double current = *measured.continuous_current;
     check_positive(current, "continuous current");
     const Assembly calibrated = assemble_or_throw(design);
-    const thermal::HeatChain chain = heat_chain(design, calibrated, joints_at(calibrated, thermal_joint_angle));
+    const thermal::HeatChain chain =
+        heat_chain(design, calibrated,
+                   joints_at(calibrated, measured.continuous_current_joint_angle.value_or(thermal_joint_angle)));
     design.calibration.heat_transfer =
         thermal::calibrate_heat_transfer(chain, current) / design.surroundings.heat_transfer;
   }

@@ -4,16 +4,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "actuator/heat_chain.hpp"
+#include "coilwright/thermal/paths.hpp"
 #include "coilwright/winding/copper.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
 
 namespace coilwright::actuator {
 namespace {
 
-double core_radius(const Design& design, const Dimensions& size, ComponentKind kind) {
-  return kind == ComponentKind::magnet ? design.magnet.radius : size.coil_outer_radius;
+constexpr double copper_specific_heat = 385.0;  // J/(kg K), CRC Handbook
+constexpr double magnet_specific_heat = 460.0;  // J/(kg K), sintered NdFeB, makers' tables
+// Magnets, W/(m K): sintered NdFeB, makers' tables. Hardly a resistance beside silicone.
+constexpr double magnet_conductivity = 9.0;
+// Wires that touch conduct no better in the bound for cylinders apart; beyond this share it leaves its range.
+constexpr double most_copper = 0.9;
+
+double cylinder(double radius, double length) {
+  return std::numbers::pi * radius * radius * length;
+}
+
+thermal::HeatSegment magnet_part(const Design& design, const Dimensions& size) {
+  const MagnetDesign& magnet = design.magnet;
+  return {.kind = thermal::NodeKind::magnet,
+          .core_length = magnet.length,
+          .core_radius = magnet.radius,
+          .core_conductivity = magnet_conductivity,
+          .core_heat_capacity = magnet_specific_heat * magnet.density * cylinder(magnet.radius, magnet.length),
+          .wall = size.magnet_half_pitch - 0.5 * magnet.length,
+          .temperature_limit = magnet.temperature_limit};
+}
+
+// Between the wires and in the bore is silicone, or what conducts and stores as it does.
+thermal::HeatSegment coil_part(const Design& design, const Assembly& assembly) {
+  const Dimensions& size = assembly.dimensions;
+  const double bore = design.coil.inner_radius;
+  const double whole = cylinder(size.coil_outer_radius, size.coil_length);
+  const double ring = whole - cylinder(bore, size.coil_length);
+  const double wires =
+      design.coil.turns_radial * design.coil.turns_axial * winding::gauge(design.coil.wire_gauge).copper_section();
+  const double copper_share = std::min(most_copper, wires / ((size.coil_outer_radius - bore) * size.coil_length));
+  const double filler = design.body.density * design.body.heat_capacity * (whole - copper_share * ring);
+  return {.kind = thermal::NodeKind::coil,
+          .core_length = size.coil_length,
+          .core_radius = size.coil_outer_radius,
+          .bore_radius = bore,
+          .core_conductivity = thermal::across_wires(copper_share, design.body.conductivity),
+          .core_heat_capacity = copper_specific_heat * assembly.coil.copper_mass + filler,
+          .wall = size.coil_half_pitch - 0.5 * size.coil_length,
+          .resistance = assembly.coil.resistance,
+          .temperature_limit = design.surroundings.coil_limit};
 }
 
 void check_angles(const Assembly& assembly, const mechanics::JointVector& angles) {
@@ -42,25 +84,18 @@ thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly,
   chain.silicone_conductivity = design.body.conductivity;
   chain.ambient = design.surroundings.ambient;
   chain.temperature_coefficient = winding::copper_temperature_coefficient;
-  const int count = static_cast<int>(design.layout.size());
-  for (int i = 0; i < count; ++i) {
-    const ComponentKind kind = design.layout[i].kind;
-    const bool magnet = kind == ComponentKind::magnet;
-    chain.segments.push_back(
-        {.kind = magnet ? thermal::NodeKind::magnet : thermal::NodeKind::coil,
-         .length = 2.0 * (magnet ? size.magnet_half_pitch : size.coil_half_pitch),
-         .core_radius = core_radius(design, size, kind),
-         .solid_end = i == 0 ? design.body.rear_length : (i + 1 == count ? design.body.front_length : 0.0),
-         .resistance = magnet ? 0.0 : assembly.coil.resistance,
-         .heat_capacity = assembly.segments[i].heat_capacity,
-         .temperature_limit = magnet ? design.magnet.temperature_limit : design.surroundings.coil_limit});
-    if (i == 0) continue;
-    const double narrower =
-        std::min(core_radius(design, size, kind), core_radius(design, size, design.layout[i - 1].kind));
-    chain.gaps.push_back({.silicone = design.body.gap,
-                          .air = thermal::equivalent_air_gap({.angle = std::max(0.0, joint_angles[i - 1]),
-                                                              .hinge_distance = size.axis_offset,
-                                                              .core_radius = narrower})});
+  chain.hinge_layer = design.body.bottom_layer;
+  // Where the parts lie: a calibrated axis is that of the hinge torque.
+  chain.axis_offset = size.body_radius + design.body.bottom_wall + 0.5 * design.body.bottom_layer;
+  chain.silicone_heat_capacity = design.body.density * design.body.heat_capacity;
+  const std::size_t count = design.layout.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool magnet = design.layout[i].kind == ComponentKind::magnet;
+    thermal::HeatSegment segment = magnet ? magnet_part(design, size) : coil_part(design, assembly);
+    segment.solid_end = i == 0 ? design.body.rear_length : (i + 1 == count ? design.body.front_length : 0.0);
+    chain.segments.push_back(segment);
+    if (i > 0)
+      chain.joint_angles.push_back(std::clamp(joint_angles[static_cast<Eigen::Index>(i) - 1], 0.0, std::numbers::pi));
   }
   return chain;
 }
@@ -72,6 +107,21 @@ thermal::Network heat_network(const Design& design, const Assembly& assembly, do
 thermal::Network heat_network(const Design& design, const Assembly& assembly,
                               const mechanics::JointVector& joint_angles) {
   return thermal::build_network(heat_chain(design, assembly, joint_angles));
+}
+
+double still_air_film(const Design& design, const Assembly& assembly) {
+  const double ambient = design.surroundings.ambient;
+  return thermal::still_air_film(
+      {.height = assembly.dimensions.height,
+       .ambient = ambient,
+       .surface_temperature = 0.5 * (ambient + std::max(ambient, design.surroundings.coil_limit))});
+}
+
+thermal::Network still_air_network(const Design& design, const Assembly& assembly,
+                                   const mechanics::JointVector& joint_angles) {
+  thermal::HeatChain chain = heat_chain(design, assembly, joint_angles);
+  chain.heat_transfer = still_air_film(design, assembly);
+  return thermal::build_network(chain);
 }
 
 }  // namespace coilwright::actuator

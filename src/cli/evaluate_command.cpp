@@ -32,6 +32,9 @@ struct Options {
   std::optional<double> duty{};
   std::optional<double> grasp_opening{};  // degrees
   std::optional<double> grasp_height{};   // mm
+  std::optional<std::string> wiring{};
+  std::optional<double> supply_resistance{};
+  std::optional<double> supply_voltage{};
   bool json{false};
 };
 
@@ -58,6 +61,10 @@ simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, co
   point.current = options.current.value_or(point.current);
   point.duty = options.duty.value_or(point.duty);
   point.grasp = grasp_point(point.grasp, options);
+  if (options.wiring)
+    point.supply.wiring = *options.wiring == "series" ? actuator::Wiring::series : actuator::Wiring::parallel;
+  point.supply.resistance = options.supply_resistance.value_or(point.supply.resistance);
+  if (options.supply_voltage) point.supply.voltage = options.supply_voltage;
   return point;
 }
 
@@ -118,6 +125,18 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
                    "Where on the last segment it touches the wall, from that segment's joint. Default: likewise, or\n"
                    "the tip")
       ->check(number_rule(text::Rule::between(0.0, 1e6)));
+  command
+      ->add_option("--wiring", options->wiring,
+                   "How the coils hang on the supply: parallel or series. Default: likewise, or parallel")
+      ->check(CLI::IsMember({"parallel", "series"}));
+  command
+      ->add_option("--supply-resistance", options->supply_resistance,
+                   "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0")
+      ->check(number_rule(text::Rule::between(0.0, 1e6)));
+  command
+      ->add_option("--supply-voltage", options->supply_voltage,
+                   "Voltage of the supply without load, V; asks for the current that it drives at most")
+      ->check(number_rule(text::Rule::between(1e-6, 1e6)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"

@@ -1,18 +1,55 @@
 #include "heat_state.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/thermal/steady_state.hpp"
+#include "coilwright/thermal/transient.hpp"
+#include "electrics.hpp"
 
 namespace coilwright::simulation {
-
 namespace {
+
+double hottest(const thermal::Network& network, const thermal::NodeVector& temperatures, thermal::NodeKind kind) {
+  double temperature = network.ambient();
+  for (Eigen::Index i = 0; i < network.size(); ++i)
+    if (network.nodes()[static_cast<std::size_t>(i)].kind == kind) temperature = std::max(temperature, temperatures[i]);
+  return temperature;
+}
+
+thermal::NodeVector of_coils(const thermal::Network& network, const thermal::NodeVector& temperatures) {
+  thermal::NodeVector coils(network.size());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < network.size(); ++i)
+    if (network.nodes()[static_cast<std::size_t>(i)].kind == thermal::NodeKind::coil) coils[count++] = temperatures[i];
+  return coils.head(count);
+}
+
+// From the steady state of `holding` until a part is at its limit under `current`, A; nothing if it never is.
+std::optional<double> time_until_limit(const thermal::Network& network, const thermal::CurrentLimits& limits,
+                                       double holding, double current) {
+  const double allowed = std::min(limits.coils, limits.magnets);
+  if (current <= allowed) return std::nullopt;
+  if (holding >= allowed) return 0.0;
+  const auto reached = thermal::time_to_limit(network, {.holding_current = holding, .overload_current = current});
+  return reached ? std::optional<double>(reached->time) : std::nullopt;
+}
+
+// On and off about the mean: what a coil on its own takes up in the time that it is on. An upper bound.
+std::optional<double> ripple_of(const OperatingPoint& point, const thermal::Network& network, const Electrics& hot) {
+  if (!point.period) return std::nullopt;
+  const auto& nodes = network.nodes();
+  const auto coil = std::find_if(nodes.begin(), nodes.end(),
+                                 [](const thermal::Node& node) { return node.kind == thermal::NodeKind::coil; });
+  const double power = point.current * point.current * *hot.resistance;
+  return power * point.duty * (1.0 - point.duty) * *point.period / coil->heat_capacity;
+}
 
 // Every case takes its heat paths from here.
 thermal::Network network_of(const actuator::Design& design, const actuator::Assembly& assembly,
-                            const mechanics::JointVector& /*angles*/) {
-  return actuator::heat_network(design, assembly);
+                            const mechanics::JointVector& angles) {
+  return actuator::heat_network(design, assembly, angles);
 }
 
 thermal::SteadyState steady_state_of(const thermal::Network& network, const OperatingPoint& point) {
@@ -24,27 +61,32 @@ thermal::SteadyState steady_state_of(const thermal::Network& network, const Oper
 
 thermal::NodeVector steady_temperatures(const actuator::Design& design, const actuator::Assembly& assembly,
                                         const OperatingPoint& point, const mechanics::JointVector& angles) {
-  return steady_state_of(network_of(design, assembly, angles), point).temperatures;
+  const thermal::NodeVector all = steady_state_of(network_of(design, assembly, angles), point).temperatures;
+  return all.size() == 0 ? all : thermal::NodeVector(all.head(static_cast<Eigen::Index>(design.layout.size())));
 }
 
 Heat heat_of(const actuator::Design& design, const actuator::Assembly& assembly, const OperatingPoint& point,
-             const mechanics::JointVector& angles) {
-  const thermal::Network network = network_of(design, assembly, angles);
-  Heat heat;
-  heat.continuous_current = thermal::continuous_current(network, thermal::LimitedParts::coils).current;
-  heat.magnet_continuous_current = thermal::continuous_current(network, thermal::LimitedParts::magnets).current;
-  heat.runaway_current = thermal::runaway_current(network);
+             const mechanics::JointVector& joint_angles) {
+  const thermal::Network network = network_of(design, assembly, joint_angles);
+  const thermal::CurrentLimits limits = thermal::current_limits(network);
+  const thermal::CurrentLimits still =
+      thermal::current_limits(actuator::still_air_network(design, assembly, joint_angles));
+  const double mean_square = thermal::mean_square({.current = point.current, .duty = point.duty});
+  Heat heat{.continuous_current = limits.coils,
+            .magnet_continuous_current = limits.magnets,
+            .runaway_current = limits.runaway,
+            .still_air_current = std::min(still.coils, still.magnets)};
+  const double current = std::abs(point.current);
+  heat.time_to_limit = time_until_limit(network, limits, 0.0, current);
+  heat.time_to_limit_warm = time_until_limit(network, limits, std::sqrt(mean_square), current);
   const thermal::SteadyState state = steady_state_of(network, point);
   if (state.outcome == thermal::Outcome::runaway) return heat;
-  const auto hottest = [&](thermal::NodeKind kind) {
-    double temperature = network.ambient();
-    for (Eigen::Index i = 0; i < network.size(); ++i)
-      if (network.nodes()[i].kind == kind) temperature = std::max(temperature, state.temperatures[i]);
-    return temperature;
-  };
-  heat.coil_temperature = hottest(thermal::NodeKind::coil);
-  heat.magnet_temperature = hottest(thermal::NodeKind::magnet);
-  heat.temperatures = state.temperatures;
+  heat.coil_temperature = hottest(network, state.temperatures, thermal::NodeKind::coil);
+  heat.coil_hot_spot = hottest(network, state.hot_spots, thermal::NodeKind::coil);
+  heat.magnet_temperature = hottest(network, state.temperatures, thermal::NodeKind::magnet);
+  heat.temperatures = state.temperatures.head(static_cast<Eigen::Index>(design.layout.size()));
+  heat.electrics = electrics_at(assembly, point, of_coils(network, state.temperatures));
+  heat.ripple = ripple_of(point, network, heat.electrics);
   return heat;
 }
 

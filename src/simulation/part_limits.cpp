@@ -13,8 +13,8 @@ double PartLimit::margin() const noexcept {
 std::vector<PartLimit> part_limits(const DesignView& design) {
   const auto value = [&](std::string_view name) { return standard_quantities().at(name).value(design); };
   std::vector<PartLimit> limits{
-      {.quantity = "coil_temperature_degC",
-       .value = value("coil_temperature_degC"),
+      {.quantity = "coil_hot_spot_degC",
+       .value = value("coil_hot_spot_degC"),
        .limit = design.design.surroundings.coil_limit,
        .consequence = "the enamel of the wire fails"},
       {.quantity = "magnet_temperature_degC",

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coilwright/actuator/cost.hpp"
+#include "electrics.hpp"
 #include "motion.hpp"
 #include "warm_state.hpp"
 
@@ -55,9 +56,9 @@ std::variant<Performance, NoPerformance> performance_of(const Design& design, co
   out.mass = assembly.mass();
   out.coil_resistance = assembly.coil.resistance;
   out.inductance = assembly.coil.inductance;
-  out.voltage = std::abs(point.current) * out.coil_resistance;
-  out.power = assembly.coils * point.current * point.current * out.coil_resistance;
+  out.electrics_cold = electrics_at(assembly, point, thermal::NodeVector::Constant(assembly.coils, 20.0));
   out.current_limit = assembly.coil.current_limit;
+  out.table_limit = assembly.coil.table_limit;
   out.cost = actuator::cost_of(design, assembly).total();
   return out;
 }

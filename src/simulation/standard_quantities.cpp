@@ -72,21 +72,86 @@ ResultQuantity of_design_cold(std::string name, std::string meaning, double scal
   return out;
 }
 
-// The hotter of the free finger and the gripping one; no value where one of them runs away.
-Value hotter(const Performance& performance, std::optional<double> Heat::*part) {
-  const std::optional<double>& free = performance.free.heat.*part;
-  const std::optional<double>& gripping = performance.gripping.heat.*part;
-  return free && gripping ? Value(std::max(*free, *gripping)) : Value();
-}
-
 Value part_of(const Performance& performance, double actuator::Demagnetisation::*part) {
   const std::optional<actuator::Demagnetisation>& found = performance.demagnetisation;
   return found ? Value((*found).*part) : Value();
 }
 
-// The smaller current of the two.
-double smaller(const Performance& performance, double Heat::*current) {
-  return std::min(performance.free.heat.*current, performance.gripping.heat.*current);
+constexpr auto never = "the current may be held for good";
+constexpr auto no_period = "the operating point states no period";
+constexpr auto no_supply_voltage = "the operating point states no supply voltage";
+
+// The heats that count at the operating point: of the free finger, the gripping one, or both.
+std::vector<const Heat*> heats(const DesignView& d) {
+  const Heat* free = &d.performance.free.heat;
+  const Heat* gripping = &d.performance.gripping.heat;
+  switch (d.point.cases) {
+    case actuator::HeldCases::free:
+      return {free};
+    case actuator::HeldCases::gripping:
+      return {gripping};
+    case actuator::HeldCases::both:
+      break;
+  }
+  return {free, gripping};
+}
+
+// The larger value of the cases that count; no value where one of them runs away.
+Value hotter(const DesignView& d, std::optional<double> Heat::*part) {
+  Value worst;
+  for (const Heat* heat : heats(d)) {
+    const Value& value = heat->*part;
+    if (!value) return std::nullopt;
+    worst = std::max(worst.value_or(*value), *value);
+  }
+  return worst;
+}
+
+Value hotter(const DesignView& d, std::optional<double> Electrics::*part) {
+  Value worst;
+  for (const Heat* heat : heats(d)) {
+    const Value& value = heat->electrics.*part;
+    if (!value) return std::nullopt;
+    worst = std::max(worst.value_or(*value), *value);
+  }
+  return worst;
+}
+
+// The smaller value of the cases that have one.
+Value soonest(const DesignView& d, std::optional<double> Heat::*part) {
+  Value least;
+  for (const Heat* heat : heats(d))
+    if (const Value& value = heat->*part) least = std::min(least.value_or(*value), *value);
+  return least;
+}
+
+// The smaller current of the cases that count.
+double smaller(const DesignView& d, double Heat::*current) {
+  double least = heats(d).front()->*current;
+  for (const Heat* heat : heats(d)) least = std::min(least, heat->*current);
+  return least;
+}
+
+Value load(const OperatingPoint& point, double allowed) {
+  const double rms = std::abs(point.current) * std::sqrt(point.duty);
+  return allowed > 0.0 ? Value(rms / allowed) : Value();
+}
+
+Value load(const OperatingPoint& point, const Heat& heat) {
+  return load(point, std::min(heat.continuous_current, heat.magnet_continuous_current));
+}
+
+// Of the whole finger at the temperatures of its operating point.
+ResultQuantity of_electrics(std::string name, std::string meaning, double scale,
+                            std::optional<double> Electrics::*part) {
+  return of_design(
+      std::move(name), std::move(meaning), scale, [part](const DesignView& d) { return hotter(d, part); }, runaway);
+}
+
+ResultQuantity of_cold_electrics(std::string name, std::string meaning, double scale,
+                                 std::optional<double> Electrics::*part) {
+  return of_design(std::move(name), std::move(meaning), scale,
+                   [part](const DesignView& d) { return d.performance.electrics_cold.*part; });
 }
 
 // One row a quantity: its name with the unit, its meaning, an ordinary magnitude, and how to get it in that unit.
@@ -170,36 +235,88 @@ std::vector<ResultQuantity> rows() {
        .scale = 1.4,
        .value = [](const DesignView& d) -> Value { return d.point.current; },
        .value_of_lumped = [](const MotionSummary&, double current) -> Value { return current; }},
-      of_design("current_limit_A", "chassis-wiring ampacity of the wire gauge", 1.4,
+      of_design("current_limit_A", "ampacity of the wire gauge by a smooth law through the chassis-wiring table", 1.4,
                 [](const DesignView& d) -> Value { return d.performance.current_limit; }),
+      of_design("current_limit_table_A", "chassis-wiring ampacity of the wire gauge in the table", 1.4,
+                [](const DesignView& d) -> Value { return d.performance.table_limit; }),
       of_design("current_over_limit", "magnitude of the current divided by that ampacity", 1.0,
                 [](const DesignView& d) -> Value { return std::abs(d.point.current) / d.performance.current_limit; }),
       of_design("continuous_current_A", "current that, held indefinitely, brings the hottest coil to its limit", 1.1,
-                [](const DesignView& d) -> Value { return smaller(d.performance, &Heat::continuous_current); }),
+                [](const DesignView& d) -> Value { return smaller(d, &Heat::continuous_current); }),
       of_design("magnet_continuous_current_A",
                 "current that, held indefinitely, brings the hottest magnet to its limit", 1.1,
-                [](const DesignView& d) -> Value { return smaller(d.performance, &Heat::magnet_continuous_current); }),
+                [](const DesignView& d) -> Value { return smaller(d, &Heat::magnet_continuous_current); }),
       of_design("runaway_current_A", "current from which on there is no steady temperature", 1.9,
-                [](const DesignView& d) -> Value { return smaller(d.performance, &Heat::runaway_current); }),
+                [](const DesignView& d) -> Value { return smaller(d, &Heat::runaway_current); }),
       of_design(
-          "thermal_load", "rms current divided by the smaller continuous current of coils and magnets", 1.0,
+          "thermal_load",
+          "rms current divided by the smaller continuous current of coils and magnets, worse of free and gripping", 1.0,
           [](const DesignView& d) -> Value {
-            const double rms = std::abs(d.point.current) * std::sqrt(d.point.duty);
-            const double allowed = std::min(smaller(d.performance, &Heat::continuous_current),
-                                            smaller(d.performance, &Heat::magnet_continuous_current));
-            return allowed > 0.0 ? Value(rms / allowed) : Value();
+            return load(d.point,
+                        std::min(smaller(d, &Heat::continuous_current), smaller(d, &Heat::magnet_continuous_current)));
           },
           no_current_allowed),
       of_design(
-          "coil_temperature_degC", "steady temperature of the hottest coil at this current and duty", 100.0,
-          [](const DesignView& d) { return hotter(d.performance, &Heat::coil_temperature); }, runaway),
+          "thermal_load_free", "the same at the joint angles of the free finger", 1.0,
+          [](const DesignView& d) { return load(d.point, d.performance.free.heat); }, no_current_allowed),
+      of_design(
+          "thermal_load_gripping", "the same at the joint angles of the finger against a wall", 1.0,
+          [](const DesignView& d) { return load(d.point, d.performance.gripping.heat); }, no_current_allowed),
+      of_design(
+          "thermal_load_still_air", "thermal_load in still air, with a film coefficient from textbooks", 1.0,
+          [](const DesignView& d) { return load(d.point, smaller(d, &Heat::still_air_current)); }, no_current_allowed),
+      of_design(
+          "time_to_limit_s", "time from cold, current on, until the first coil or magnet is at its limit", 100.0,
+          [](const DesignView& d) { return soonest(d, &Heat::time_to_limit); }, never),
+      of_design(
+          "time_to_limit_warm_s", "the same from the steady state of the mean load, current and duty", 100.0,
+          [](const DesignView& d) { return soonest(d, &Heat::time_to_limit_warm); }, never),
+      of_design(
+          "coil_hot_spot_degC", "steady temperature of the hottest turn at this current and duty", 100.0,
+          [](const DesignView& d) { return hotter(d, &Heat::coil_hot_spot); }, runaway),
+      of_design(
+          "temperature_ripple_K", "rise and fall of a coil over a period of the duty cycle, at most", 1.0,
+          [](const DesignView& d) { return hotter(d, &Heat::ripple); }, no_period + std::string(", or ") + runaway),
+      of_design(
+          "coil_temperature_degC", "mean steady temperature of the hottest coil at this current and duty", 100.0,
+          [](const DesignView& d) { return hotter(d, &Heat::coil_temperature); }, runaway),
       of_design(
           "magnet_temperature_degC", "steady temperature of the hottest magnet at this current and duty", 100.0,
-          [](const DesignView& d) { return hotter(d.performance, &Heat::magnet_temperature); }, runaway),
-      of_design("voltage_V", "voltage across one coil at 20 degC", 5.0,
-                [](const DesignView& d) -> Value { return d.performance.voltage; }),
-      of_design("power_W", "power of all coils while they are on, at 20 degC", 10.0,
-                [](const DesignView& d) -> Value { return d.performance.power; }),
+          [](const DesignView& d) { return hotter(d, &Heat::magnet_temperature); }, runaway),
+      of_electrics("coil_resistance_hot_Ohm", "resistance of the hottest coil at its steady temperature", 6.0,
+                   &Electrics::resistance),
+      of_electrics("voltage_V", "voltage across the hottest coil at its steady temperature", 5.0, &Electrics::voltage),
+      of_cold_electrics("voltage_cold_V", "voltage across one coil at 20 degC", 5.0, &Electrics::voltage),
+      of_electrics("power_W", "power of all coils while they are on, at their steady temperatures", 10.0,
+                   &Electrics::power),
+      of_cold_electrics("power_cold_W", "power of all coils while they are on, at 20 degC", 10.0, &Electrics::power),
+      of_electrics("supply_voltage_V", "voltage that the supply needs without load, coils hot", 5.0,
+                   &Electrics::supply_voltage),
+      of_electrics("supply_current_A", "current that the supply delivers while the coils are on", 3.0,
+                   &Electrics::supply_current),
+      of_cold_electrics("supply_voltage_cold_V", "voltage that the supply needs without load, coils at 20 degC", 5.0,
+                        &Electrics::supply_voltage),
+      of_design(
+          "supply_current_cold_A", "current that a supply of supply_voltage_V delivers before the coils are warm", 3.0,
+          [](const DesignView& d) -> Value {
+            const Value hot = hotter(d, &Electrics::supply_voltage);
+            const Electrics& cold = d.performance.electrics_cold;
+            if (!hot) return std::nullopt;
+            return *hot > 0.0 ? Value(*cold.supply_current * *hot / *cold.supply_voltage) : Value(0.0);
+          },
+          runaway),
+      of_design(
+          "supply_driven_current_A", "current in every coil that the stated supply drives at most, coils hot", 1.4,
+          [](const DesignView& d) -> Value {
+            Value least;
+            for (const Heat* heat : heats(d)) {
+              const Value& value = heat->electrics.driven_current;
+              if (!value) return std::nullopt;
+              least = std::min(least.value_or(*value), *value);
+            }
+            return least;
+          },
+          no_supply_voltage + std::string(", or ") + runaway),
       of_design("cost_USD", "cost of coils, magnets, silicone, moulds and wires", 8.0,
                 [](const DesignView& d) -> Value { return d.performance.cost; }),
   };

@@ -1,113 +1,299 @@
 #include "coilwright/thermal/chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "check.hpp"
+#include "coilwright/thermal/paths.hpp"
 
 namespace coilwright::thermal {
 namespace {
 
-// Shape factor's constant for a cylinder centred in a square bar; with it, the bar's side is at least this many
-// diameters, or the core would stand out of the body.
-constexpr double square_bar = 1.08;
+// A round bar of this share of a square one's side has the same shape factor about a cylinder in its middle, 2 pi L /
+// ln(1.08 w / D) (Incropera and DeWitt, table 4.1).
+constexpr double round_bar = 0.54;
 
-double side_of(const HeatChain& chain) {
-  return std::sqrt(chain.width * chain.height);
-}
-double perimeter_of(const HeatChain& chain) {
-  return 2.0 * (chain.width + chain.height);
-}
-double section_of(const HeatChain& chain) {
-  return chain.width * chain.height;
-}
+// Between the faces of an open joint, W/(m2 K): 4 sigma T^3 / (2 / 0.9 - 1) at 80 degC, emissivity of silicone 0.9.
+constexpr double face_radiation = 8.2;
+
+// Of a square section with even heat: heat leaving per surface and kelvin of its mean above the surface, times the side
+// over the conductivity (mean 0.0351 q w^2 / k; Carslaw and Jaeger, section 5.3).
+constexpr double square_section = 7.1;
+
+// Gauss and Legendre, four points.
+constexpr std::array<double, 4> gauss_points{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+                                             0.8611363115940526};
+constexpr std::array<double, 4> gauss_weights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+                                              0.3478548451374538};
 
 void check_segment(const HeatChain& chain, std::size_t index) {
   const HeatSegment& segment = chain.segments[index];
   const auto field = [index](std::string_view member) { return Field{"segments", index, member}; };
-  require_positive(field("length"), segment.length);
+  require_positive(field("core_length"), segment.core_length);
   const double widest = 0.5 * std::min(chain.width, chain.height);
   if (!(segment.core_radius > 0.0 && segment.core_radius < widest)) {
     reject(field("core_radius"), fmt::format("> 0 and below {:.6g} m, half the body's smaller side", widest),
            segment.core_radius);
   }
+  require(segment.bore_radius >= 0.0 && segment.bore_radius < segment.core_radius, field("bore_radius"),
+          ">= 0 and below core_radius", segment.bore_radius);
+  const double below = chain.axis_offset + 0.5 * chain.hinge_layer;
+  require(segment.core_radius < below && segment.core_radius < chain.height - below, field("core_radius"),
+          "below the axis's distance from the bottom and from the top", segment.core_radius);
+  require_positive(field("core_conductivity"), segment.core_conductivity);
+  require_positive(field("core_heat_capacity"), segment.core_heat_capacity);
+  require_positive(field("wall"), segment.wall);
   require_not_negative(field("solid_end"), segment.solid_end);
-}
-
-void check_gap(const Gap& gap, std::size_t index) {
-  const auto field = [index](std::string_view member) { return Field{"gaps", index, member}; };
-  require_not_negative(field("silicone"), gap.silicone);
-  require_not_negative(field("air"), gap.air);
-  require(gap.silicone + gap.air > 0.0, field("silicone"), "> 0 where there is no air", gap.silicone);
 }
 
 void check(const HeatChain& chain) {
   require_positive({"width"}, chain.width);
   require_positive({"height"}, chain.height);
+  require(chain.hinge_layer > 0.0 && chain.hinge_layer < chain.height, {"hinge_layer"}, "> 0 and below the height",
+          chain.hinge_layer);
+  require(std::isfinite(chain.axis_offset) && chain.axis_offset > 0.0, {"axis_offset"}, "finite and > 0",
+          chain.axis_offset);
   require_positive({"heat_transfer"}, chain.heat_transfer);
   require_positive({"silicone_conductivity"}, chain.silicone_conductivity);
+  require_positive({"silicone_heat_capacity"}, chain.silicone_heat_capacity);
   require_positive({"air_conductivity"}, chain.air_conductivity);
   const std::size_t segments = chain.segments.size();
-  require_count({"segments"}, segments, 1, most_nodes);
-  require_count({"gaps"}, chain.gaps.size(), segments - 1, segments - 1);
+  require_count({"segments"}, segments, 1, most_nodes / 2 - 1);
+  require_count({"joint_angles"}, chain.joint_angles.size(), segments - 1, segments - 1);
   for (std::size_t i = 0; i < segments; ++i) check_segment(chain, i);
-  for (std::size_t i = 0; i < chain.gaps.size(); ++i) check_gap(chain.gaps[i], i);
+  for (std::size_t i = 0; i + 1 < segments; ++i)
+    require(chain.joint_angles[i] >= 0.0 && chain.joint_angles[i] <= std::numbers::pi, {"joint_angles", i},
+            "from 0 to pi rad", chain.joint_angles[i]);
 }
 
-double through_sides(const HeatChain& chain, const HeatSegment& segment) {
-  const double shape =
-      2.0 * std::numbers::pi * segment.length / std::log(square_bar * side_of(chain) / (2.0 * segment.core_radius));
-  const double inside = chain.silicone_conductivity * shape;
-  const double outside = chain.heat_transfer * perimeter_of(chain) * segment.length;
-  return inside * outside / (inside + outside);
+// Below it a joint is as good as closed, and air between its faces would conduct beyond all numbers, rad.
+constexpr double least_opening = 1e-9;
+
+double disc(double radius) {
+  return std::numbers::pi * radius * radius;
 }
 
-double through_fin(const HeatChain& chain, const HeatSegment& segment) {
-  if (segment.solid_end == 0.0) return 0.0;
-  const double section = section_of(chain);
-  const double decay =
-      std::sqrt(chain.heat_transfer * perimeter_of(chain) / (chain.silicone_conductivity * section));  // 1/m
-  const double tip = chain.heat_transfer / (decay * chain.silicone_conductivity);  // end face, dimensionless
-  const double body = std::tanh(decay * segment.solid_end);
-  return chain.silicone_conductivity * section * decay * (body + tip) / (1.0 + tip * body);
+// Times the conductivity: resistance by which heat spreads from a disc over a bar of that section, 1/m (isothermal disc
+// in a flux tube; Yovanovich and Marotta in Bejan and Kraus, Heat Transfer Handbook, chapter 4).
+double spreading(double radius, double section) {
+  const double e = std::min(1.0, radius / std::sqrt(section / std::numbers::pi));
+  const double cube = e * e * e;
+  return std::max(0.0, 1.0 - 1.40925 * e + 0.29591 * cube + 0.05254 * cube * e * e) / (4.0 * radius);
 }
 
-double through_gap(const HeatChain& chain, std::size_t index) {
-  const Gap& gap = chain.gaps[index];
-  const double radius = std::min(chain.segments[index].core_radius, chain.segments[index + 1].core_radius);
-  const double resistance = gap.silicone / chain.silicone_conductivity + gap.air / chain.air_conductivity;  // m2 K/W
-  return std::numbers::pi * radius * radius / resistance;
+// Geometry of one segment that several paths share.
+struct Box {
+  double length{};     // walls included, m
+  double core_face{};  // area by which the core faces its neighbours, m2
+  double rim{};        // the rest of the body's section, m2
+  RingConduction core{};
+};
+
+Box box_of(const HeatChain& chain, const HeatSegment& segment) {
+  Box box{.length = segment.core_length + 2.0 * segment.wall,
+          .core_face = disc(segment.core_radius) - disc(segment.bore_radius),
+          .rim = chain.width * chain.height - disc(segment.core_radius),
+          .core = ring_conduction({.inner_radius = segment.bore_radius,
+                                   .outer_radius = segment.core_radius,
+                                   .length = segment.core_length,
+                                   .conductivity = segment.core_conductivity})};
+  return box;
 }
+
+// What two linked places do to the nodes behind them once the places themselves are eliminated, W/K.
+struct Through {
+  double link{};
+  double first_to_ambient{};
+  double second_to_ambient{};
+};
+
+// Two faces of one joint, each with its conductance to the node behind it, with one to ambient and one to each other.
+Through through_faces(double first, double second, double across, double lost) {
+  const double a = first + lost;
+  const double b = second + lost;
+  const double determinant = a * b + across * (a + b);
+  return {.link = first * second * across / determinant,
+          .first_to_ambient = first * lost * (b + 2.0 * across) / determinant,
+          .second_to_ambient = second * lost * (a + 2.0 * across) / determinant};
+}
+
+class Builder {
+ public:
+  explicit Builder(const HeatChain& chain) : chain_{chain} {
+    spec_.ambient = chain.ambient;
+    spec_.temperature_coefficient = chain.temperature_coefficient;
+    for (const HeatSegment& segment : chain.segments) boxes_.push_back(box_of(chain, segment));
+    for (const HeatSegment& segment : chain.segments)
+      spec_.nodes.push_back({.kind = segment.kind,
+                             .heat_capacity = segment.core_heat_capacity,
+                             .resistance = segment.resistance,
+                             .temperature_limit = segment.temperature_limit});
+    for (std::size_t i = 0; i < boxes_.size(); ++i) add_jacket(i);
+    for (std::size_t j = 0; j < chain.joint_angles.size(); ++j) add_joint(j);
+    add_solid_end(0);
+    if (boxes_.size() > 1) add_solid_end(boxes_.size() - 1);
+    add_hot_spots();
+  }
+
+  [[nodiscard]] Network network() && { return Network(std::move(spec_)); }
+
+ private:
+  [[nodiscard]] std::size_t jacket(std::size_t i) const { return jacket_node(boxes_.size(), i); }
+
+  // From the middle of a core to its face of `area`, through the segment's wall, W/K.
+  [[nodiscard]] double core_to_face(std::size_t i, double area) const {
+    const double wall = chain_.silicone_conductivity * area / chain_.segments[i].wall;
+    const double core = boxes_[i].core.to_end * area / boxes_[i].core_face;
+    return core * wall / (core + wall);
+  }
+
+  [[nodiscard]] double jacket_to_face(std::size_t i, double area) const {
+    return chain_.silicone_conductivity * area / (0.5 * boxes_[i].length);
+  }
+
+  void link(std::size_t first, std::size_t second, double conductance) {
+    spec_.links.push_back({.first = first, .second = second, .conductance = conductance});
+  }
+
+  // From a core's surface to ambient through the sides, W/K: sector by sector about the axis, each with its own wall
+  // and film. Heat that turns aside in the silicone is left out, which makes this a lower bound.
+  [[nodiscard]] double through_sides(std::size_t i) const {
+    const double bottom = chain_.axis_offset + 0.5 * chain_.hinge_layer;
+    const double top = chain_.height - bottom;
+    const double half_width = 0.5 * chain_.width;
+    double half = 0.0;  // left and right are alike
+    const auto add_wall = [&](double distance, double extent) {
+      const double widest = std::atan2(extent, distance);
+      for (std::size_t n = 0; n < gauss_points.size(); ++n) {
+        const double away = 1.0 / std::cos(0.5 * widest * (1.0 + gauss_points[n]));
+        const double inside = std::log(distance * away / chain_.segments[i].core_radius) / chain_.silicone_conductivity;
+        const double outside = 1.0 / (chain_.heat_transfer * distance * away * away);
+        half += 0.5 * widest * gauss_weights[n] / (inside + outside);
+      }
+    };
+    add_wall(bottom, half_width);
+    add_wall(top, half_width);
+    add_wall(half_width, bottom);
+    add_wall(half_width, top);
+    return boxes_[i].length * 2.0 * half;
+  }
+
+  // The jacket is as warm as its silicone's mean under a steady flow, with the profile of a round one.
+  void add_jacket(std::size_t i) {
+    const HeatSegment& segment = chain_.segments[i];
+    const Box& box = boxes_[i];
+    const double side = std::sqrt(chain_.width * chain_.height);
+    const double swell = round_bar * side / segment.core_radius;  // outer radius over the core's
+    const double turn = std::log(swell);
+    const double fall = swell * swell / (swell * swell - 1.0) - 0.5 / turn;  // of the mean, of that to the surface
+    const double outside = chain_.heat_transfer * 2.0 * (chain_.width + chain_.height) * box.length;
+    const double inside = 1.0 / (1.0 / through_sides(i) - 1.0 / outside);
+    spec_.nodes.push_back(
+        {.kind = NodeKind::silicone,
+         .ambient_conductance = 1.0 / ((1.0 - fall) / inside + 1.0 / outside),
+         .heat_capacity = chain_.silicone_heat_capacity * (chain_.width * chain_.height * box.length -
+                                                           disc(segment.core_radius) * segment.core_length)});
+    link(core_node(i), jacket(i), 1.0 / (1.0 / box.core.to_side + fall / inside));
+  }
+
+  void add_joint(std::size_t j) {
+    const double angle = chain_.joint_angles[j];
+    const std::size_t k = j + 1;
+    const double radius = std::min(chain_.segments[j].core_radius, chain_.segments[k].core_radius);
+    const double cores = std::min({boxes_[j].core_face, boxes_[k].core_face, disc(radius)});
+    const double strip = std::min(chain_.width * chain_.hinge_layer, std::min(boxes_[j].rim, boxes_[k].rim));
+    const double rims = std::min(boxes_[j].rim, boxes_[k].rim) - (angle < least_opening ? 0.0 : strip);
+    const double pair[2] = {core_to_face(j, cores), core_to_face(k, cores)};
+    const double rim_pair[2] = {jacket_to_face(j, rims), jacket_to_face(k, rims)};
+    if (angle < least_opening) {
+      link(core_node(j), core_node(k), pair[0] * pair[1] / (pair[0] + pair[1]));
+      link(jacket(j), jacket(k), rim_pair[0] * rim_pair[1] / (rim_pair[0] + rim_pair[1]));
+      return;
+    }
+    const double ends[2] = {jacket_to_face(j, strip), jacket_to_face(k, strip)};
+    link(jacket(j), jacket(k), ends[0] * ends[1] / (ends[0] + ends[1]));
+    const double share = open_face_share(angle, (chain_.height - chain_.hinge_layer) / chain_.width);
+    const double between = face_radiation * (1.0 - share);
+    const double lost = chain_.heat_transfer * share;
+    // Air across the faces, whose distance grows from the hinge axis: over the cores and over all, W/K.
+    const double air_cores =
+        chain_.air_conductivity * cores /
+        equivalent_air_gap({.angle = angle, .hinge_distance = chain_.axis_offset, .core_radius = radius});
+    const double air_all = chain_.air_conductivity * chain_.width / angle *
+                           std::log((chain_.height - 0.5 * chain_.hinge_layer) / (0.5 * chain_.hinge_layer));
+    const double air_rims = std::max(0.0, air_all - air_cores);
+    join(core_node(j), core_node(k), through_faces(pair[0], pair[1], air_cores + between * cores, lost * cores));
+    join(jacket(j), jacket(k), through_faces(rim_pair[0], rim_pair[1], air_rims + between * rims, lost * rims));
+  }
+
+  void join(std::size_t first, std::size_t second, const Through& through) {
+    link(first, second, through.link);
+    spec_.nodes[first].ambient_conductance += through.first_to_ambient;
+    spec_.nodes[second].ambient_conductance += through.second_to_ambient;
+  }
+
+  // Core and jacket meet the bar at its root, a place without capacity: a star, written as a triangle.
+  void add_solid_end(std::size_t i) {
+    const double length = chain_.segments[i].solid_end;
+    const double section = chain_.width * chain_.height;
+    const double rim = jacket_to_face(i, boxes_[i].rim);
+    double core = core_to_face(i, boxes_[i].core_face);
+    if (length == 0.0) return add_bare_end(i, core, rim);
+    // From the bar's mean to its surface: 7.1 k over the hydraulic diameter, of a square section with even heat.
+    const double hydraulic = 2.0 * section / (chain_.width + chain_.height);
+    const double within = square_section * chain_.silicone_conductivity / hydraulic;
+    const double film = chain_.heat_transfer * within / (chain_.heat_transfer + within);
+    const SolidEndNode end = solid_end_node({.length = length,
+                                             .section = section,
+                                             .perimeter = 2.0 * (chain_.width + chain_.height),
+                                             .conductivity = chain_.silicone_conductivity,
+                                             .heat_capacity = chain_.silicone_heat_capacity,
+                                             .heat_transfer = film});
+    core = 1.0 / (1.0 / core + spreading(chain_.segments[i].core_radius, section) / chain_.silicone_conductivity);
+    const std::size_t node = spec_.nodes.size();
+    spec_.nodes.push_back(
+        {.kind = NodeKind::silicone, .ambient_conductance = end.to_ambient, .heat_capacity = end.heat_capacity});
+    const double all = core + rim + end.to_root;
+    link(core_node(i), jacket(i), core * rim / all);
+    link(core_node(i), node, core * end.to_root / all);
+    link(jacket(i), node, rim * end.to_root / all);
+  }
+
+  void add_bare_end(std::size_t i, double core, double rim) {
+    const auto in_series = [](double a, double b) { return a * b / (a + b); };
+    spec_.nodes[core_node(i)].ambient_conductance += in_series(core, chain_.heat_transfer * boxes_[i].core_face);
+    spec_.nodes[jacket(i)].ambient_conductance += in_series(rim, chain_.heat_transfer * boxes_[i].rim);
+  }
+
+  // Heat leaves a coil as its conductances share it out; each share has its own profile.
+  void add_hot_spots() {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (chain_.segments[i].kind != NodeKind::coil) continue;
+      const RingConduction& core = boxes_[i].core;
+      double side = 0.0;
+      double all = spec_.nodes[i].ambient_conductance;
+      for (const Link& each : spec_.links) {
+        if (each.first != i && each.second != i) continue;
+        all += each.conductance;
+        if (each.second == jacket(i)) side += each.conductance;
+      }
+      const double share = side / all;
+      spec_.nodes[i].hot_spot_resistance = share * core.hot_spot_by_side + (1.0 - share) * core.hot_spot_by_ends;
+    }
+  }
+
+  const HeatChain& chain_;
+  Network::Spec spec_;
+  std::vector<Box> boxes_;
+};
 
 }  // namespace
 
-double equivalent_air_gap(const Wedge& wedge) {
-  require_not_negative({"angle"}, wedge.angle);
-  require_positive({"core_radius"}, wedge.core_radius);
-  const bool outside = std::isfinite(wedge.hinge_distance) && wedge.hinge_distance > wedge.core_radius;
-  require(outside, {"hinge_distance"}, "finite and above core_radius", wedge.hinge_distance);
-  const double rho = wedge.core_radius / wedge.hinge_distance;
-  // 2 (1 - sqrt(1 - rho^2)) / rho^2 without its cancellation at small rho.
-  const double crowding = 2.0 / (1.0 + std::sqrt(1.0 - rho * rho));
-  return wedge.angle * wedge.hinge_distance / crowding;
-}
-
 Network build_network(const HeatChain& chain) {
   check(chain);
-  Network::Spec spec{
-      .nodes = {}, .links = {}, .ambient = chain.ambient, .temperature_coefficient = chain.temperature_coefficient};
-  spec.nodes.reserve(chain.segments.size());
-  spec.links.reserve(chain.gaps.size());
-  for (const HeatSegment& segment : chain.segments) {
-    spec.nodes.push_back({.kind = segment.kind,
-                          .ambient_conductance = through_sides(chain, segment) + through_fin(chain, segment),
-                          .heat_capacity = segment.heat_capacity,
-                          .resistance = segment.resistance,
-                          .temperature_limit = segment.temperature_limit});
-  }
-  for (std::size_t i = 0; i < chain.gaps.size(); ++i) spec.links.push_back(through_gap(chain, i));
-  return Network(std::move(spec));
+  return Builder(chain).network();
 }
 
 }  // namespace coilwright::thermal

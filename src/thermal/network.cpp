@@ -15,17 +15,25 @@ void check_node(const Node& node, std::size_t index) {
   if (node.kind == NodeKind::coil) {
     require_positive(field("resistance"), node.resistance);
   } else {
-    require(node.resistance == 0.0, field("resistance"), "0 for a magnet", node.resistance);
+    require(node.resistance == 0.0, field("resistance"), "0 for a node that is no coil", node.resistance);
   }
+  require_not_negative(field("hot_spot_resistance"), node.hot_spot_resistance);
   require(std::isfinite(node.temperature_limit), field("temperature_limit"), "finite", node.temperature_limit);
+}
+
+void check_link(const Link& link, std::size_t index, std::size_t nodes) {
+  const auto field = [index](std::string_view member) { return Field{"links", index, member}; };
+  require_not_negative(field("conductance"), link.conductance);
+  const std::size_t last = std::max(link.first, link.second);
+  require(last < nodes, field("second"), "below the number of nodes", static_cast<double>(last));
+  require(link.first != link.second, field("second"), "another node than the first", static_cast<double>(link.second));
 }
 
 void check(const Network::Spec& spec) {
   const std::size_t count = spec.nodes.size();
   require_count({"nodes"}, count, 1, most_nodes);
   for (std::size_t i = 0; i < count; ++i) check_node(spec.nodes[i], i);
-  require_count({"links"}, spec.links.size(), count - 1, count - 1);
-  for (std::size_t i = 0; i < spec.links.size(); ++i) require_not_negative({"links", i}, spec.links[i]);
+  for (std::size_t i = 0; i < spec.links.size(); ++i) check_link(spec.links[i], i, count);
   require_positive({"temperature_coefficient"}, spec.temperature_coefficient);
   const double lowest = 20.0 - 1.0 / spec.temperature_coefficient;
   if (!(std::isfinite(spec.ambient) && spec.ambient > lowest)) {
@@ -37,33 +45,35 @@ void check(const Network::Spec& spec) {
 NodeMatrix conductance_matrix(const Network::Spec& spec) {
   const auto count = static_cast<Eigen::Index>(spec.nodes.size());
   NodeMatrix matrix = NodeMatrix::Zero(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    matrix(i, i) += spec.nodes[static_cast<std::size_t>(i)].ambient_conductance;
-    if (i + 1 == count) break;
-    const double link = spec.links[static_cast<std::size_t>(i)];
-    matrix(i, i) += link;
-    matrix(i + 1, i + 1) += link;
-    matrix(i, i + 1) -= link;
-    matrix(i + 1, i) -= link;
+  for (Eigen::Index i = 0; i < count; ++i) matrix(i, i) = spec.nodes[static_cast<std::size_t>(i)].ambient_conductance;
+  for (const Link& link : spec.links) {
+    const auto i = static_cast<Eigen::Index>(link.first);
+    const auto k = static_cast<Eigen::Index>(link.second);
+    matrix(i, i) += link.conductance;
+    matrix(k, k) += link.conductance;
+    matrix(i, k) -= link.conductance;
+    matrix(k, i) -= link.conductance;
   }
   return matrix;
 }
 
-// Every stretch of nodes joined by links must touch ambient somewhere.
+// Every node must have a path to ambient: nodes that have one hand it on along their links.
 void check_paths(const Network::Spec& spec) {
-  std::size_t first = 0;
-  double to_ambient = 0.0;
-  for (std::size_t i = 0; i < spec.nodes.size(); ++i) {
-    to_ambient += spec.nodes[i].ambient_conductance;
-    const bool ends = i + 1 == spec.nodes.size() || spec.links[i] == 0.0;
-    if (!ends) continue;
-    if (!(to_ambient > 0.0)) {
-      reject({fmt::format("nodes[{}..{}].ambient_conductance", first, i)}, "> 0 in at least one of these linked nodes",
-             to_ambient);
+  std::vector<bool> cooled;
+  for (const Node& node : spec.nodes) cooled.push_back(node.ambient_conductance > 0.0);
+  bool spreads = true;
+  while (spreads) {
+    spreads = false;
+    for (const Link& link : spec.links) {
+      if (link.conductance == 0.0 || cooled[link.first] == cooled[link.second]) continue;
+      cooled[link.first] = cooled[link.second] = true;
+      spreads = true;
     }
-    first = i + 1;
-    to_ambient = 0.0;
   }
+  const auto lost = std::find(cooled.begin(), cooled.end(), false);
+  if (lost != cooled.end())
+    reject({"nodes", static_cast<std::size_t>(lost - cooled.begin()), "ambient_conductance"},
+           "> 0 in this node or in one that it is linked to", 0.0);
 }
 
 }  // namespace
@@ -84,6 +94,16 @@ NodeVector Network::resistance_slope() const {
   NodeVector slope(size());
   for (Eigen::Index i = 0; i < size(); ++i) slope(i) = spec_.nodes[static_cast<std::size_t>(i)].resistance;
   return slope * spec_.temperature_coefficient;
+}
+
+NodeVector Network::hot_spots(const NodeVector& temperatures) const {
+  require_one_each(*this, "temperatures", temperatures);
+  NodeVector hottest = temperatures;
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const double own = spec_.nodes[static_cast<std::size_t>(i)].hot_spot_resistance;
+    if (own > 0.0) hottest(i) += own * conductance_.row(i).dot((temperatures.array() - ambient()).matrix());
+  }
+  return hottest;
 }
 
 double mean_square(const DutyCycle& cycle) {
@@ -107,7 +127,7 @@ void require_load(const Network& network, const NodeVector& mean_square_currents
     const double load = mean_square_currents(static_cast<Eigen::Index>(i));
     require_not_negative({"mean_square_currents", i}, load);
     const bool allowed = load == 0.0 || network.nodes()[i].kind == NodeKind::coil;
-    require(allowed, {"mean_square_currents", i}, "0 for a magnet", load);
+    require(allowed, {"mean_square_currents", i}, "0 for a node that is no coil", load);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -15,22 +16,43 @@
 namespace coilwright::thermal {
 namespace {
 
-// The chain under the same mean square current x in every coil, in modes: with A v = lambda G v and v^T G v = 1,
-// (G - x A)^-1 = sum v v^T / (1 - x lambda), so temperatures cost O(n) per x and the runaway is x = 1 / lambda_max.
+// The network under the same mean square current x in every coil. Only coils make heat, so everything follows from a
+// problem as small as their number: with Z the rises of all nodes per heat in each coil (columns of G^-1), B =
+// diag(sqrt(alpha R)) over the coils and K = B Z_cc B = V diag(lambda) V^T, heat made at ambient growing as 1 / (1 - x
+// lambda) in each mode, rises are x Z B V diag(1 / (1 - x lambda)) V^T B 1 (1 + alpha (Ta - 20)) / alpha. The runaway
+// is x = 1 / lambda_max.
 struct Modes {
-  NodeVector growths;  // lambda, 1/A^2, ascending
-  NodeMatrix rises;    // column j: v_j (v_j . R(Ta)), K/A^2
+  NodeVector growths;  // lambda, 1/A^2, ascending; one a coil
+  NodeMatrix rises;    // (nodes, coils), of the hot spots per x / (1 - x lambda), K/A^2
   double runaway{};    // x, A^2
 };
 
+std::vector<Eigen::Index> coils_of(const Network& network) {
+  std::vector<Eigen::Index> coils;
+  for (Eigen::Index i = 0; i < network.size(); ++i)
+    if (network.nodes()[static_cast<std::size_t>(i)].kind == NodeKind::coil) coils.push_back(i);
+  return coils;
+}
+
 Modes modes_of(const Network& network) {
   require_any(network, NodeKind::coil);
-  const NodeMatrix growth = network.resistance_slope().asDiagonal();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<NodeMatrix> solver(growth, network.conductance());
-  const NodeVector drive = solver.eigenvectors().transpose() * network.ambient_resistance();
+  const std::vector<Eigen::Index> coils = coils_of(network);
+  const auto count = static_cast<Eigen::Index>(coils.size());
+  const NodeVector slopes = network.resistance_slope();
+  NodeMatrix heating = NodeMatrix::Zero(network.size(), count);  // B, over all nodes
+  for (Eigen::Index k = 0; k < count; ++k) heating(coils[k], k) = std::sqrt(slopes(coils[k]));
+  NodeMatrix rises = Eigen::LLT<NodeMatrix>(network.conductance()).solve(heating);  // Z B
+  const NodeMatrix coupling = heating.transpose() * rises;
+  const Eigen::SelfAdjointEigenSolver<NodeMatrix> solver(coupling);
+  for (Eigen::Index k = 0; k < count; ++k)
+    rises.row(coils[k]) += network.nodes()[static_cast<std::size_t>(coils[k])].hot_spot_resistance *
+                           heating(coils[k], k) * NodeMatrix::Identity(count, count).row(k);
+  const double alpha = network.temperature_coefficient();
+  const NodeVector drive = solver.eigenvectors().transpose() * heating.colwise().sum().transpose() *
+                           ((1.0 + alpha * (network.ambient() - 20.0)) / alpha);
   return {.growths = solver.eigenvalues(),
-          .rises = solver.eigenvectors() * drive.asDiagonal(),
-          .runaway = 1.0 / solver.eigenvalues()(network.size() - 1)};
+          .rises = rises * solver.eigenvectors() * drive.asDiagonal(),
+          .runaway = 1.0 / solver.eigenvalues()(count - 1)};
 }
 
 bool is_limited(const Node& node, LimitedParts parts) {
@@ -42,7 +64,7 @@ bool is_limited(const Node& node, LimitedParts parts) {
     case LimitedParts::everything:
       break;
   }
-  return true;
+  return node.kind != NodeKind::silicone;
 }
 
 struct Hottest {
@@ -72,10 +94,14 @@ SteadyState steady_state(const Network& network, const NodeVector& mean_square_c
   NodeMatrix matrix = network.conductance();
   matrix.diagonal() -= growth;
   const Eigen::LLT<NodeMatrix> factor(matrix);
-  if (factor.info() != Eigen::Success) return {.outcome = Outcome::runaway, .temperatures = {}, .heat = {}};
+  if (factor.info() != Eigen::Success)
+    return {.outcome = Outcome::runaway, .temperatures = {}, .hot_spots = {}, .heat = {}};
   const NodeVector rise = factor.solve(heat);
+  NodeVector temperatures = (rise.array() + network.ambient()).matrix();
+  NodeVector hot_spots = network.hot_spots(temperatures);
   return {.outcome = Outcome::settles,
-          .temperatures = (rise.array() + network.ambient()).matrix(),
+          .temperatures = std::move(temperatures),
+          .hot_spots = std::move(hot_spots),
           .heat = heat + growth.cwiseProduct(rise)};
 }
 
@@ -83,9 +109,9 @@ double runaway_current(const Network& network) {
   return std::sqrt(modes_of(network).runaway);
 }
 
-ContinuousCurrent continuous_current(const Network& network, LimitedParts parts) {
-  const Modes modes = modes_of(network);
-  if (parts == LimitedParts::magnets) require_any(network, NodeKind::magnet);
+namespace {
+
+ContinuousCurrent largest_current(const Network& network, const Modes& modes, LimitedParts parts) {
   const auto excess = [&](double share) { return hottest(network, modes, parts, share * modes.runaway).excess; };
   const Hottest cold = hottest(network, modes, parts, 0.0);
   if (cold.excess >= 0.0) return {.current = 0.0, .limiting_node = cold.node};
@@ -99,6 +125,21 @@ ContinuousCurrent continuous_current(const Network& network, LimitedParts parts)
   const double mean_square_current = 0.5 * (bracket.first + bracket.second) * modes.runaway;
   return {.current = std::sqrt(mean_square_current),
           .limiting_node = hottest(network, modes, parts, mean_square_current).node};
+}
+
+}  // namespace
+
+ContinuousCurrent continuous_current(const Network& network, LimitedParts parts) {
+  const Modes modes = modes_of(network);
+  if (parts == LimitedParts::magnets) require_any(network, NodeKind::magnet);
+  return largest_current(network, modes, parts);
+}
+
+CurrentLimits current_limits(const Network& network) {
+  const Modes modes = modes_of(network);
+  return {.coils = largest_current(network, modes, LimitedParts::coils).current,
+          .magnets = largest_current(network, modes, LimitedParts::magnets).current,
+          .runaway = std::sqrt(modes.runaway)};
 }
 
 }  // namespace coilwright::thermal

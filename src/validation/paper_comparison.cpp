@@ -92,7 +92,7 @@ void add_geometry(Table& table) {
             "loss factor 0.15 and a constant, split for segments as bodies");
   table.add("coil resistance Ohm", "section V.C, 4.2 V / 1.05 A", 4.0, assembly.coil.resistance, {0.9, 1.0},
             "at 20 degC; leads, transistor and warm copper not counted");
-  table.add("current limit A", "section II", 1.4, assembly.coil.current_limit, to_rounding, "chassis-wiring table");
+  table.add("current limit A", "section II", 1.4, assembly.coil.table_limit, to_rounding, "chassis-wiring table");
   const double finger = actuator::cost_of(design, assembly).total();
   table.add("gripper of two fingers USD", "Table III", 44.0, 2.0 * finger + actuator::driver_and_supply_cost,
             to_rounding, "its prices");

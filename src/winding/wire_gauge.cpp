@@ -27,6 +27,15 @@ constexpr std::array<Row, thinnest_gauge - thickest_gauge + 1> rows{{
     {3.7, 0.09},                                                       // 40
 }};
 
+// The smooth law through the table's ampacities.
+constexpr double ampacity_of_28 = 1.4;
+constexpr double ampacity_exponent = 2.0601;
+
+// ASTM B258, m.
+double bare_diameter_of(int awg) {
+  return 0.127e-3 * std::pow(92.0, (36.0 - awg) / 39.0);
+}
+
 double circle(double diameter) {
   return 0.25 * std::numbers::pi * diameter * diameter;
 }
@@ -43,12 +52,13 @@ WireGauge gauge(int awg) {
         fmt::format("awg: must be a whole number from {} to {}; got {}", thickest_gauge, thinnest_gauge, awg));
   }
   const Row& row = rows[static_cast<std::size_t>(awg - thickest_gauge)];
-  const double bare = 0.127e-3 * std::pow(92.0, (36.0 - awg) / 39.0);  // ASTM B258
+  const double bare = bare_diameter_of(awg);
   return {.awg = awg,
           .bare_diameter = bare,
           .insulated_diameter = row.insulated_mils * mil,
           .resistance_per_length = copper_resistivity / circle(bare),
-          .chassis_ampacity = row.ampacity};
+          .chassis_ampacity = row.ampacity,
+          .smooth_ampacity = ampacity_of_28 * std::pow(bare / bare_diameter_of(28), ampacity_exponent)};
 }
 
 }  // namespace coilwright::winding

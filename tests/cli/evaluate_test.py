@@ -96,14 +96,33 @@ class Evaluate(ProgramTest):
     def test_duty_changes_temperatures_only(self):
         held = self.evaluate(PAPER_FINGER, "--current", "1.05")
         pulsed = self.evaluate(PAPER_FINGER, "--current", "1.05", "--duty", "0.36")
-        self.assertEqual(sorted(key for key in held if held[key] != pulsed[key]),
-                         ["coil_temperature_degC", "magnet_temperature_degC", "thermal_load"])
+        changed = {key for key in held if held[key] != pulsed[key]} - {"time_to_limit_warm_s"}
+        self.assertEqual(sorted(changed),
+                         ["coil_hot_spot_degC", "coil_resistance_hot_Ohm", "coil_temperature_degC",
+                          "magnet_temperature_degC", "power_W", "supply_current_cold_A", "supply_voltage_V",
+                          "thermal_load", "thermal_load_free", "thermal_load_gripping", "thermal_load_still_air",
+                          "voltage_V"])
         self.assertAlmostEqual(pulsed["thermal_load"], 0.6 * held["thermal_load"], places=12)  # the square root of 0.36
+
+    def test_a_supply_drives_coils_in_series_or_in_parallel(self):
+        current = ("--current", "1.05", "--duty", "0.36", "--supply-resistance", "0.3", "--supply-voltage", "12")
+        series = self.evaluate(PAPER_FINGER, *current, "--wiring", "series")
+        parallel = self.evaluate(PAPER_FINGER, *current)
+        self.assertAlmostEqual(series["supply_voltage_cold_V"], 1.05 * (2 * series["coil_resistance_Ohm"] + 0.3), places=9)
+        self.assertAlmostEqual(parallel["supply_voltage_cold_V"],
+                               1.05 * (series["coil_resistance_Ohm"] + 2 * 0.3), places=9)
+        self.assertAlmostEqual(series["supply_current_A"], 1.05)
+        self.assertAlmostEqual(parallel["supply_current_A"], 2.1)
+        for got in (series, parallel):
+            self.assertGreater(got["supply_voltage_V"], got["supply_voltage_cold_V"])
+            self.assertAlmostEqual(got["supply_driven_current_A"], 1.05 * 12 / got["supply_voltage_V"], places=9)
 
     def test_beyond_thermal_runaway_there_is_no_temperature(self):
         runaway = self.evaluate(PAPER_FINGER, "--current", "1.4")["runaway_current_A"]
         got = self.evaluate(PAPER_FINGER, "--current", str(runaway + 0.1))
-        self.assertIsNone(got["coil_temperature_degC"])
+        for key in ("coil_temperature_degC", "coil_hot_spot_degC", "voltage_V", "power_W", "supply_voltage_V"):
+            self.assertIsNone(got[key], key)
+        self.assertGreater(got["voltage_cold_V"], 1)
         self.assertGreater(got["thermal_load"], 1)
 
     def test_a_lumped_model_gives_its_motion(self):

@@ -21,7 +21,7 @@ Network::Spec two_nodes() {
                      .heat_capacity = 7.0,
                      .resistance = 0.0,
                      .temperature_limit = 80.0}},
-          .links = {0.05},
+          .links = in_a_row({0.05}),
           .ambient = 24.0,
           .temperature_coefficient = alpha};
 }
@@ -34,6 +34,16 @@ TEST(Network, HeatLeavingIsWhatItsLinksAndSurfacesCarry) {
   const NodeVector leaving = network.conductance() * rise;
   const NodeVector expected = -net_heat(network, five_links, NodeVector::Zero(5), temperatures);
   for (Eigen::Index i = 0; i < 5; ++i) EXPECT_NEAR(leaving(i), expected(i), 1e-14);  // rounding of about 5 W
+}
+
+TEST(Network, HotSpotsStandAboveTheMeanByTheHeatThatLeaves) {
+  Network::Spec spec = two_nodes();
+  spec.nodes[0].hot_spot_resistance = 4.0;
+  NodeVector temperatures(2);
+  temperatures << 84.0, 54.0;
+  // 0.03 60 + 0.05 30 = 3.3 W leave the coil.
+  EXPECT_NEAR(Network(spec).hot_spots(temperatures)(0), 84.0 + 4.0 * 3.3, 1e-12);
+  EXPECT_EQ(Network(spec).hot_spots(temperatures)(1), 54.0);
 }
 
 TEST(Network, ResistancesAreThoseOfTheCoilsAtAmbient) {
@@ -70,7 +80,8 @@ TEST(Network, RejectsNodesOutsideTheirRules) {
   EXPECT_EQ(text([](auto& s) { s.nodes[0].heat_capacity = 0.0; }),
             "nodes[0].heat_capacity: must be finite and > 0; got 0");
   EXPECT_EQ(text([](auto& s) { s.nodes[0].resistance = 0.0; }), "nodes[0].resistance: must be finite and > 0; got 0");
-  EXPECT_EQ(text([](auto& s) { s.nodes[1].resistance = 2.0; }), "nodes[1].resistance: must be 0 for a magnet; got 2");
+  EXPECT_EQ(text([](auto& s) { s.nodes[1].resistance = 2.0; }),
+            "nodes[1].resistance: must be 0 for a node that is no coil; got 2");
   EXPECT_EQ(text([](auto& s) { s.nodes[1].temperature_limit = INFINITY; }),
             "nodes[1].temperature_limit: must be finite; got inf");
 }
@@ -81,10 +92,15 @@ TEST(Network, RejectsChainsOutsideTheirRules) {
     change(spec);
     return error_text([&] { Network{spec}; });
   };
-  EXPECT_EQ(text([](auto& s) { s.nodes.clear(); }), "nodes: must be 1 to 32 in number; got 0");
-  EXPECT_EQ(text([](auto& s) { s.nodes.resize(33, s.nodes[0]); }), "nodes: must be 1 to 32 in number; got 33");
-  EXPECT_EQ(text([](auto& s) { s.links.push_back(0.1); }), "links: must be 1 in number; got 2");
-  EXPECT_EQ(text([](auto& s) { s.links[0] = -1.0; }), "links[0]: must be finite and >= 0; got -1");
+  EXPECT_EQ(text([](auto& s) { s.nodes.clear(); }), "nodes: must be 1 to 40 in number; got 0");
+  EXPECT_EQ(text([](auto& s) { s.nodes.resize(41, s.nodes[0]); }), "nodes: must be 1 to 40 in number; got 41");
+  EXPECT_EQ(text([](auto& s) { s.nodes[0].hot_spot_resistance = -1.0; }),
+            "nodes[0].hot_spot_resistance: must be finite and >= 0; got -1");
+  EXPECT_EQ(text([](auto& s) { s.links[0].second = 2; }), "links[0].second: must be below the number of nodes; got 2");
+  EXPECT_EQ(text([](auto& s) { s.links[0].second = 0; }),
+            "links[0].second: must be another node than the first; got 0");
+  EXPECT_EQ(text([](auto& s) { s.links[0].conductance = -1.0; }),
+            "links[0].conductance: must be finite and >= 0; got -1");
   EXPECT_EQ(text([](auto& s) { s.temperature_coefficient = 0.0; }),
             "temperature_coefficient: must be finite and > 0; got 0");
   EXPECT_EQ(text([](auto& s) { s.ambient = -240.0; }),
@@ -95,9 +111,9 @@ TEST(Network, RejectsNodesWithoutAPathToAmbient) {
   Network::Spec spec = two_nodes();
   spec.nodes[0].ambient_conductance = 0.0;
   EXPECT_NO_THROW(Network{spec});  // through its neighbour
-  spec.links[0] = 0.0;
+  spec.links[0].conductance = 0.0;
   EXPECT_EQ(error_text([&] { Network{spec}; }),
-            "nodes[0..0].ambient_conductance: must be > 0 in at least one of these linked nodes; got 0");
+            "nodes[0].ambient_conductance: must be > 0 in this node or in one that it is linked to; got 0");
 }
 
 }  // namespace

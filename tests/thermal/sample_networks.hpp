@@ -1,11 +1,21 @@
 #pragma once
 
+#include <vector>
+
 #include "coilwright/thermal/network.hpp"
 
 namespace coilwright::thermal {
 
 /// Copper, 1/K.
 inline constexpr double alpha = 3.93e-3;
+
+/// Conductances between each node and the next, W/K.
+inline std::vector<Link> in_a_row(const std::vector<double>& conductances) {
+  std::vector<Link> links;
+  for (std::size_t i = 0; i < conductances.size(); ++i)
+    links.push_back({.first = i, .second = i + 1, .conductance = conductances[i]});
+  return links;
+}
 
 /// Coil, magnet, coil, magnet, coil: every number different.
 inline Network five_nodes(double temperature_coefficient = alpha) {
@@ -25,7 +35,7 @@ inline Network five_nodes(double temperature_coefficient = alpha) {
   };
   return Network({.nodes = {coil(0.041, 8.1, 3.3, 155.0), magnet(0.013, 6.7, 80.0), coil(0.023, 9.4, 4.2, 140.0),
                             magnet(0.017, 5.2, 95.0), coil(0.052, 7.7, 2.6, 155.0)},
-                  .links = {0.031, 0.012, 0.044, 0.019},
+                  .links = in_a_row({0.031, 0.012, 0.044, 0.019}),
                   .ambient = 27.0,
                   .temperature_coefficient = temperature_coefficient});
 }

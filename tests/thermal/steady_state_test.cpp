@@ -92,14 +92,30 @@ TEST(ContinuousCurrent, PutsTheWorstWatchedNodeAtItsLimitAndNoneAbove) {
     const double limit = network.nodes()[found.limiting_node].temperature_limit;
     EXPECT_NEAR(state.temperatures(static_cast<Eigen::Index>(found.limiting_node)), limit, 1e-9);
   }
-  EXPECT_EQ(continuous_current(network, LimitedParts::everything).current,
-            std::min(continuous_current(network, LimitedParts::coils).current,
-                     continuous_current(network, LimitedParts::magnets).current));
+  EXPECT_NEAR(continuous_current(network, LimitedParts::everything).current,
+              std::min(continuous_current(network, LimitedParts::coils).current,
+                       continuous_current(network, LimitedParts::magnets).current),
+              1e-12);  // each root to 2^-42
+}
+
+// The limit is the hot spot's: at the continuous current steady_state has it there, and the mean below.
+TEST(ContinuousCurrent, HoldsTheHotSpotAtItsLimit) {
+  Network::Spec spec{
+      .nodes = five_nodes().nodes(), .links = in_a_row(five_links), .ambient = 27.0, .temperature_coefficient = alpha};
+  for (Node& node : spec.nodes)
+    if (node.kind == NodeKind::coil) node.hot_spot_resistance = 3.0;
+  const Network network(spec);
+  const ContinuousCurrent found = continuous_current(network, LimitedParts::coils);
+  const SteadyState state = steady_state(network, same_in_every_coil(network, found.current * found.current));
+  const auto node = static_cast<Eigen::Index>(found.limiting_node);
+  EXPECT_NEAR(state.hot_spots(node), network.nodes()[found.limiting_node].temperature_limit, 1e-9);
+  EXPECT_NEAR(state.hot_spots(node), state.temperatures(node) + 3.0 * state.heat(node), 1e-9);
+  EXPECT_LT(found.current, continuous_current(five_nodes(), LimitedParts::coils).current);
 }
 
 TEST(ContinuousCurrent, IsNothingWhenAmbientIsAtALimit) {
   Network::Spec spec{.nodes = {five_nodes().nodes()[0], five_nodes().nodes()[1]},
-                     .links = {0.02},
+                     .links = in_a_row({0.02}),
                      .ambient = 83.0,  // above the magnet's 80
                      .temperature_coefficient = alpha};
   const ContinuousCurrent found = continuous_current(Network(spec), LimitedParts::everything);
@@ -109,7 +125,7 @@ TEST(ContinuousCurrent, IsNothingWhenAmbientIsAtALimit) {
 
 TEST(ContinuousCurrent, EndsAtTheRunawayWhenNoWatchedNodeHeatsUp) {
   const Network network({.nodes = {five_nodes().nodes()[0], five_nodes().nodes()[1]},
-                         .links = {0.0},
+                         .links = in_a_row({0.0}),
                          .ambient = 22.0,
                          .temperature_coefficient = alpha});
   const ContinuousCurrent found = continuous_current(network, LimitedParts::magnets);
@@ -124,7 +140,7 @@ TEST(SteadyState, RejectsLoadsThatDoNotBelongToTheNetwork) {
   NodeVector load = uneven_load();
   load(3) = 0.2;
   EXPECT_EQ(error_text([&] { (void)steady_state(network, load); }),
-            "mean_square_currents[3]: must be 0 for a magnet; got 0.2");
+            "mean_square_currents[3]: must be 0 for a node that is no coil; got 0.2");
   load(3) = 0.0;
   load(2) = -1.0;
   EXPECT_EQ(error_text([&] { (void)steady_state(network, load); }),

@@ -78,5 +78,24 @@ TEST(Copper, RejectsTemperaturesWhereTheLinearLawEnds) {
             "temperature: must be finite and above -234.5 degC, where the linear law ends; got nan");
 }
 
+// The exponent again: least squares of the logarithms through AWG 28, and how far the table lies from the law.
+TEST(WireGauge, SmoothAmpacityFollowsTheTable) {
+  double products = 0.0, squares = 0.0;
+  for (int awg = thickest_gauge; awg <= thinnest_gauge; ++awg) {
+    const double x = std::log(gauge(awg).bare_diameter / gauge(28).bare_diameter);
+    products += x * std::log(gauge(awg).chassis_ampacity / 1.4);
+    squares += x * x;
+  }
+  EXPECT_NEAR(products / squares, 2.0601, 5e-5);  // the digits of the constant
+  EXPECT_EQ(gauge(28).smooth_ampacity, 1.4);
+  for (int awg = 23; awg <= 39; ++awg)
+    EXPECT_NEAR(gauge(awg).chassis_ampacity / gauge(awg).smooth_ampacity, 1.0, awg == 29 || awg == 39 ? 0.09 : 0.06)
+        << awg;
+  // No gauge carries more per section than a thicker one and a thinner one together suggest.
+  for (int awg = thickest_gauge; awg < thinnest_gauge; ++awg)
+    EXPECT_NEAR(gauge(awg).smooth_ampacity / gauge(awg + 1).smooth_ampacity,
+                gauge(28).smooth_ampacity / gauge(29).smooth_ampacity, 1e-12);
+}
+
 }  // namespace
 }  // namespace coilwright::winding

@@ -18,6 +18,8 @@ struct Measured {
   std::optional<double> tip_com{};              ///< (l_2), m; centre of mass of the last segment from its joint
   std::optional<double> coil_resistance{};      ///< of one coil at 20 degC, ohm
   std::optional<double> continuous_current{};   ///< largest current held for hours in every coil, A
+  /// Angle of every joint while it was held, rad, 0 to pi; without it thermal_joint_angle.
+  std::optional<double> continuous_current_joint_angle{};
 };
 
 /// Factors measured over derived, at the geometry of `design` (whose own calibration is ignored). A derived value times

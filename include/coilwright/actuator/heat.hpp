@@ -7,12 +7,10 @@
 
 namespace coilwright::actuator {
 
-/// Angle of every joint for which heat paths are taken, rad: 30 degrees, where the prototype works at its continuous
-/// current (57 degrees over two joints at 1.05 A). One angle for all designs, so that heat does not depend on dynamics.
-/// An open face passes less heat to its neighbour, a closed one more. At 0, 30 and 60 degrees the continuous current of
-/// the prototype's coils is 1.167, 1.100 and 1.093 A, which hardly depends on the angle; that of its magnet is 0.89,
-/// 1.44 and 1.60 A, because the magnet has no other source of heat than its neighbours: a finger that is held closed (a
-/// blocked grasp) heats its magnets to their limit at 38 % less current than at this angle.
+/// Angle of every joint where no case gives its own, rad: 30 degrees, where the prototype works at its continuous current
+/// (57 degrees over two joints at 1.05 A) and where that is taken to have been seen. The posture matters: at 0, 30 and
+/// 60 degrees the continuous current of the prototype's coils is 1.067, 1.100 and 1.132 A, that of its magnet 0.96, 1.78
+/// and 1.98 A, because the magnet has no other source of heat than its neighbours.
 inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 180.0;
 
 /// Thermal chain of an assembled design: a node per component, base to tip.
@@ -25,5 +23,14 @@ inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 18
 /// unless there is a finite angle for each joint.
 [[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly,
                                             const mechanics::JointVector& joint_angles);
+
+/// The same in still air instead of the calibrated heat transfer: with the film of natural convection and radiation
+/// from a surface as high as the cross-section, halfway between ambient and the coils' limit, as it is about when a
+/// coil is at its limit.
+[[nodiscard]] thermal::Network still_air_network(const Design& design, const Assembly& assembly,
+                                                 const mechanics::JointVector& joint_angles);
+
+/// That film, W/(m^2 K).
+[[nodiscard]] double still_air_film(const Design& design, const Assembly& assembly);
 
 }  // namespace coilwright::actuator

@@ -12,11 +12,30 @@ struct GraspPoint {
   std::optional<double> height{};  ///< of the contact along the last segment, from its joint, m; nothing: its tip
 };
 
+/// How the coils hang on one supply; each carries the operating point's current.
+enum class Wiring {
+  parallel,  ///< each coil across the supply, as the source paper's prototype at 4.2 V; currents add up
+  series     ///< one after the other: voltages add up
+};
+
+/// What drives all coils of an actuator: a battery or a power supply.
+struct Supply {
+  Wiring wiring = Wiring::parallel;
+  double resistance{};              ///< inside the battery or supply, with its leads, ohm; finite, >= 0
+  std::optional<double> voltage{};  ///< of the open circuit, V; finite, > 0; only supply_driven_current_A asks for it
+};
+
+/// In which poses an operating point is held, for heat.
+enum class HeldCases { both, free, gripping };
+
 /// How an actuator is driven and used. It stands beside a design, not in it, and travels with it in files.
 struct OperatingPoint {
   double current{};    ///< in every coil while on, A; finite
   double duty = 1.0;   ///< fraction of the time that it is on, 0 to 1, for heat only; periods short beside thermal ones
   GraspPoint grasp{};  ///< where grasp forces are taken
+  std::optional<double> period{};     ///< of the duty cycle, s; finite, > 0; tells the ripple of temperature alone
+  HeldCases cases = HeldCases::both;  ///< whose heat counts where one figure stands for the operating point
+  Supply supply{};
 };
 
 }  // namespace coilwright::actuator

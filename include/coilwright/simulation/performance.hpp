@@ -40,14 +40,31 @@ struct Grasp {
 /// How a model moves and pulls at one current.
 struct MotionSummary : FreeMotion, Grasp {};
 
+/// What coils and supply have when coils are as warm as the operating point makes them; nothing in a thermal runaway.
+struct Electrics {
+  std::optional<double> resistance;      ///< of the hottest coil, ohm
+  std::optional<double> voltage;         ///< across the hottest coil, V
+  std::optional<double> power;           ///< of all coils while on, W
+  std::optional<double> supply_voltage;  ///< that the open circuit must have, V
+  std::optional<double> supply_current;  ///< that the supply delivers while on, A
+  std::optional<double>
+      driven_current;  ///< in every coil, that the stated supply drives at most, A; nothing if none is
+};
+
 /// What coils and magnets reach when the operating point is held in one pose.
 struct Heat {
-  std::optional<double> coil_temperature;    ///< hottest coil, degC; nothing in a thermal runaway
+  std::optional<double> coil_temperature;    ///< mean of the hottest coil, degC; nothing in a thermal runaway
+  std::optional<double> coil_hot_spot;       ///< its hottest turn, degC; likewise
   std::optional<double> magnet_temperature;  ///< hottest magnet, degC; likewise
   thermal::NodeVector temperatures;          ///< of every component, base to tip, degC; empty in a thermal runaway
   double continuous_current{};               ///< largest steady current for the coils' limit, A
   double magnet_continuous_current{};        ///< likewise for the magnets' limit, A
   double runaway_current{};                  ///< above it there is no steady state, A
+  double still_air_current{};                ///< smaller of the two steady currents in still air, A
+  std::optional<double> time_to_limit;  ///< from cold until a part is at its limit, current on, s; nothing if never
+  std::optional<double> time_to_limit_warm;  ///< the same from the steady state of the mean load
+  std::optional<double> ripple;              ///< of a coil's mean temperature over a period, peak to peak, K
+  Electrics electrics;
 };
 
 /// The finger held free at the operating point.
@@ -74,9 +91,9 @@ struct Performance {
   double mass{};             ///< kg
   double coil_resistance{};  ///< one coil at 20 degC, ohm
   double inductance{};       ///< one coil, H
-  double voltage{};          ///< across one coil at 20 degC, V
-  double power{};            ///< of all coils while on, at 20 degC, W
-  double current_limit{};    ///< chassis-wiring ampacity of the gauge, A
+  Electrics electrics_cold;  ///< with all coils at 20 degC
+  double current_limit{};    ///< ampacity of the gauge by the smooth law, A
+  double table_limit{};      ///< ampacity of the gauge in the chassis-wiring table, A
   double cost{};             ///< US$
 };
 

@@ -8,58 +8,51 @@ namespace coilwright::thermal {
 
 /// A box of silicone around a round core: one segment of the actuator.
 struct HeatSegment {
-  NodeKind kind{};
-  double length{};             ///< along the actuator, silicone walls included, m; finite, > 0
-  double core_radius{};        ///< of the coil or magnet, m; > 0, inside the body
-  double solid_end{};          ///< silicone that continues beyond the segment (front or rear part), m; >= 0
-  double resistance{};         ///< of the coil at 20 degC, ohm; 0 for a magnet
-  double heat_capacity{};      ///< of everything in the segment, J/K; > 0
-  double temperature_limit{};  ///< degC
-};
-
-/// What lies between the cores of two neighbouring segments, in series.
-struct Gap {
-  double silicone{};  ///< thickness of both walls, m; finite, >= 0
-  double air{};       ///< mean thickness of the open wedge between the faces, m; 0 where they touch. With silicone: > 0
+  NodeKind kind{};              ///< a coil or a magnet
+  double core_length{};         ///< of the coil or magnet, m; finite, > 0
+  double core_radius{};         ///< its outer radius, m; > 0, inside the body
+  double bore_radius{};         ///< its inner radius, m; >= 0, below core_radius; 0 for a magnet
+  double core_conductivity{};   ///< across the wires of a coil, or of a magnet, W/(m K); > 0
+  double core_heat_capacity{};  ///< of the core with what fills its bore, J/K; > 0
+  double wall{};                ///< silicone between the core and each face of the segment, m; > 0
+  double solid_end{};           ///< silicone beyond the first or last segment (rear or front part), m; >= 0
+  double resistance{};          ///< of the coil at 20 degC, ohm; 0 for a magnet
+  double temperature_limit{};   ///< of the hottest place, degC
 };
 
 /// An actuator as a thermal chain: geometry and materials in, Network out.
 struct HeatChain {
   double width{};                     ///< of the cross-section, m
   double height{};                    ///< of the cross-section, m
+  double hinge_layer{};               ///< of the height, what joins two segments whose joint is open, m; > 0
+  double axis_offset{};               ///< from the hinge axis to the cores' axis, m; above each core_radius
   double heat_transfer{};             ///< h of the outer surface: convection and radiation together, W/(m2 K); > 0
   double silicone_conductivity{};     ///< W/(m K); > 0
+  double silicone_heat_capacity{};    ///< per volume, J/(m3 K); > 0
   double air_conductivity{0.03};      ///< W/(m K); > 0. Still air at 80 degC: 0.030 (CRC Handbook)
   double ambient{};                   ///< degC
   double temperature_coefficient{};   ///< alpha of the coils, 1/K; > 0
-  std::vector<HeatSegment> segments;  ///< in order along the actuator
-  std::vector<Gap> gaps;              ///< between neighbours; one less than segments
+  std::vector<HeatSegment> segments;  ///< in order along the actuator; the first and the last may have a solid end
+  std::vector<double> joint_angles;   ///< between neighbours, rad; >= 0, 0 closed; one less than segments
 };
 
-/// A gap that opens as a wedge when a joint bends.
-struct Wedge {
-  double angle{};           ///< between the faces, rad; >= 0 (a joint that bends either way: its magnitude)
-  double hinge_distance{};  ///< from the hinge axis to the cores' axis, m; > core_radius
-  double core_radius{};     ///< of the faces that exchange heat, m; > 0
-};
+/// Where a part of the actuator stands among the nodes of `build_network`.
+[[nodiscard]] constexpr std::size_t core_node(std::size_t segment) {
+  return segment;
+}
+/// The silicone around the core of a segment; behind them follow the rear and the front solid end, where there are.
+[[nodiscard]] constexpr std::size_t jacket_node(std::size_t segments, std::size_t segment) {
+  return segments + segment;
+}
 
-/// Thickness of the flat air gap that conducts as much heat as a wedge, m; 0 when closed. Use it as Gap::air.
+/// Network of a chain: a node per core and one per silicone jacket around it, and one per solid end. What limits its
+/// use and how far it is off: docs/theory/thermal.md.
 ///
-/// Heat crosses the wedge along arcs of length r angle about the hinge, so the thickness is angle over the mean of 1/r
-/// across the disc: angle h rho^2 / (2 (1 - sqrt(1 - rho^2))), rho = core_radius / hinge_distance. Conduction only:
-/// what air carries out of an open wedge, and radiation across it, are not in it. Throws std::invalid_argument naming
-/// the field, the rule and the value received.
-[[nodiscard]] double equivalent_air_gap(const Wedge& wedge);
-
-/// Network of a chain.
-///
-/// A segment loses heat through its silicone (shape factor of a cylinder centred in a square bar, 2 pi L /
-/// ln(1.08 w / D), with w = sqrt(width height)), then from its sides, perimeter times length; both in series. A solid
-/// end is a straight fin with convection from its end face, as hot at its root as the core. Faces between segments pass
-/// heat only to the neighbour, through discs of the smaller core. Sources: Incropera and DeWitt, Fundamentals of Heat
-/// and Mass Transfer, table 4.1 case 6 (conduction) and table 3.4 case A (fins). The shape factor is meant for long
-/// bars; a segment is half as long as wide, but its ends are covered by neighbours or fins. Throws
-/// std::invalid_argument naming the field, the rule and the value received.
+/// A core's heat goes through its winding (ring_conduction), then outwards to the surface, sector by sector through
+/// silicone and film in series, and through its faces into the neighbours or a solid end (solid_end_node, with the
+/// spreading from the core's disc over the section). A joint that is open loses heat from both its faces
+/// (open_face_share) and passes the rest across the air wedge. Throws std::invalid_argument naming the field, the rule
+/// and the value received.
 [[nodiscard]] Network build_network(const HeatChain& chain);
 
 /// The heat transfer coefficient, W/(m2 K), at which the hottest coil of `chain` is exactly at its temperature limit

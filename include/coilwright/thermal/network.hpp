@@ -8,25 +8,35 @@
 namespace coilwright::thermal {
 
 /// Most lumps a network may have; keeps every matrix on the stack, so that a steady state allocates nothing.
-inline constexpr int most_nodes = 32;
+inline constexpr int most_nodes = 40;
 
-/// One value a node, in the order of the chain.
+/// One value a node, in the order of the network.
 using NodeVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_nodes, 1>;
 /// Symmetric matrix over the nodes.
 using NodeMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_nodes, most_nodes>;
 
-enum class NodeKind { coil, magnet };
+enum class NodeKind { coil, magnet, silicone };
 
-/// One lump of a chain: a segment at one temperature.
+/// One lump: a coil, a magnet or a piece of silicone, at its mean temperature.
 struct Node {
   NodeKind kind{};
   double ambient_conductance{};  ///< to ambient, W/K; finite, >= 0
   double heat_capacity{};        ///< J/K; finite, > 0 (only transients use it)
-  double resistance{};           ///< of the coil at 20 degC, ohm; > 0 for a coil, 0 for a magnet
-  double temperature_limit{};    ///< degC; finite
+  double resistance{};           ///< of the coil at 20 degC, ohm; > 0 for a coil, 0 for other nodes
+  double temperature_limit{};    ///< of the hot spot, degC; finite; not used for silicone
+  /// Rise of the hottest place above the mean per heat that leaves the node, K/W; finite, >= 0; 0 where it has one
+  /// temperature.
+  double hot_spot_resistance{};
 };
 
-/// A chain of lumps, each linked to its neighbours and to ambient. Temperatures are in degC throughout (only
+/// Conductance between two nodes.
+struct Link {
+  std::size_t first{};   ///< index of a node
+  std::size_t second{};  ///< of another one
+  double conductance{};  ///< W/K; finite, >= 0
+};
+
+/// Lumps linked to each other and to ambient. Temperatures are in degC throughout (only
 /// differences enter: all conductances are constants, so radiation and natural convection are linearised in them).
 ///
 /// A coil makes heat I^2 R20 (1 + alpha (T - 20)): it grows with temperature, which is what makes a runaway possible.
@@ -34,8 +44,8 @@ class Network {
  public:
   /// Inputs of a Network.
   struct Spec {
-    std::vector<Node> nodes;           ///< in order along the actuator; 1 to most_nodes
-    std::vector<double> links;         ///< conductance between node i and i + 1, W/K; finite, >= 0; one less than nodes
+    std::vector<Node> nodes;           ///< 1 to most_nodes
+    std::vector<Link> links;           ///< any number; those between the same nodes add up
     double ambient{};                  ///< degC; finite, and such that copper's linear law holds (> 20 - 1/alpha)
     double temperature_coefficient{};  ///< alpha of the coils' resistance about 20 degC, 1/K; finite, > 0
   };
@@ -53,6 +63,9 @@ class Network {
   [[nodiscard]] NodeVector ambient_resistance() const;
   /// Growth of that heat per kelvin, ohm/K: alpha R20.
   [[nodiscard]] NodeVector resistance_slope() const;
+  /// Temperature of the hottest place of each node, degC, at mean `temperatures` (degC, a value a node): mean plus
+  /// hot-spot resistance times the heat that leaves the node, as once its inner profile has formed.
+  [[nodiscard]] NodeVector hot_spots(const NodeVector& temperatures) const;
 
  private:
   Spec spec_;
@@ -70,7 +83,7 @@ struct DutyCycle {
 /// is then of the order period / time constant. Throws std::invalid_argument naming the field, the rule and the value.
 [[nodiscard]] double mean_square(const DutyCycle& cycle);
 
-/// The same mean square current (A^2, >= 0) in every coil of `network`, nothing in the magnets.
+/// The same mean square current (A^2, >= 0) in every coil of `network`, nothing in other nodes.
 [[nodiscard]] NodeVector same_in_every_coil(const Network& network, double mean_square_current);
 
 }  // namespace coilwright::thermal

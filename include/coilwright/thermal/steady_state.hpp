@@ -14,11 +14,12 @@ enum class Outcome {
 /// Where temperatures end under a constant load.
 struct SteadyState {
   Outcome outcome{};
-  NodeVector temperatures;  ///< degC, a value a node; empty after a runaway
+  NodeVector temperatures;  ///< mean of each node, degC; empty after a runaway
+  NodeVector hot_spots;     ///< of the hottest place in each node, degC; empty after a runaway
   NodeVector heat;          ///< made in each node at those temperatures, W; empty after a runaway
 };
 
-/// Steady state under mean square currents (A^2, >= 0, a value a node; entries of magnets must be 0).
+/// Steady state under mean square currents (A^2, >= 0, a value a node; entries of other nodes than coils must be 0).
 ///
 /// Heat is affine in temperature, so this is one linear system (G - alpha diag(x R)) (T - Ta) = x R (1 + alpha (Ta -
 /// 20)). It has a stable steady state exactly when its matrix is positive definite, which the Cholesky factor tells.
@@ -41,10 +42,20 @@ struct ContinuousCurrent {
   std::size_t limiting_node{};
 };
 
-/// The largest steady current (the same in every coil) at which every limited node stays at or under its
-/// temperature_limit. Temperatures rise with current, so there is exactly one: the root of their modal sum below the
-/// runaway current, to 1e-12 relative. Throws std::invalid_argument for a network without coils, or
+/// The largest steady current (the same in every coil) at which the hot spot of every limited node stays at or under
+/// its temperature_limit. Temperatures rise with current, so there is exactly one: the root of their modal sum below
+/// the runaway current, to 1e-12 relative. Throws std::invalid_argument for a network without coils, or
 /// LimitedParts::magnets without magnets.
 [[nodiscard]] ContinuousCurrent continuous_current(const Network& network, LimitedParts parts);
+
+/// What limits the current of a network, A.
+struct CurrentLimits {
+  double coils{};    ///< continuous_current for coils
+  double magnets{};  ///< likewise for magnets; the runaway current where there are none
+  double runaway{};  ///< runaway_current
+};
+
+/// All three for the work of one. Throws std::invalid_argument for a network without coils.
+[[nodiscard]] CurrentLimits current_limits(const Network& network);
 
 }  // namespace coilwright::thermal

@@ -13,7 +13,7 @@ class Transient {
  public:
   /// Inputs of a Transient.
   struct Spec {
-    NodeVector mean_square_currents;  ///< A^2, >= 0, a value a node; 0 in magnets
+    NodeVector mean_square_currents;  ///< A^2, >= 0, a value a node; 0 in other nodes
     NodeVector initial;               ///< temperatures at time 0, degC, a value a node; finite
   };
   /// Throws std::invalid_argument naming the field, the rule and the value received.
@@ -44,8 +44,8 @@ struct TimeToLimit {
   std::size_t node{};
 };
 
-/// Time from the start of an overload until the first node (coil or magnet) reaches its limit; nothing if none ever
-/// does. Temperatures only rise in an overload, so the first crossing is the only one. To 1e-9 relative. Throws
+/// Time from the start of an overload until the first hot spot (of a coil or magnet) reaches its limit; nothing if none
+/// ever does. Temperatures only rise in an overload, so the first crossing is the only one. To 1e-9 relative. Throws
 /// std::invalid_argument for currents outside their rule, or a holding current that has no steady state.
 [[nodiscard]] std::optional<TimeToLimit> time_to_limit(const Network& network, const Overload& overload);
 

@@ -134,6 +134,9 @@ actuator::Measured read_measured(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     actuator::Measured measured;
     for (const MeasuredKey& each : measured_keys) measured.*each.member = in.optional_quantity(each.key, measurement);
+    // A posture, not a size: closed joints are at 0.
+    measured.continuous_current_joint_angle =
+        in.optional_quantity("continuous_current_joint_angle_deg", Rule::between(0.0, 180.0));
     return measured;
   });
 }

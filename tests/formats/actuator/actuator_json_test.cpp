@@ -142,6 +142,22 @@ TEST(ActuatorJson, CarriesTheOperatingPointForWhichItWasSized) {
   EXPECT_FALSE(parse_actuator(to_json(Design{}, "x").text(), "x").operating_point);
 }
 
+TEST(ActuatorJson, CarriesSupplyAndCasesOfAnOperatingPoint) {
+  const actuator::OperatingPoint point{
+      .current = 1.35,
+      .duty = 0.45,
+      .period = 3.5,
+      .cases = actuator::HeldCases::gripping,
+      .supply = {.wiring = actuator::Wiring::series, .resistance = 0.2, .voltage = 7.4}};
+  const ActuatorFile back = parse_actuator(to_json(Design{}, "x", point).text(), "x");
+  ASSERT_TRUE(back.operating_point);
+  EXPECT_EQ(back.operating_point->period, 3.5);
+  EXPECT_EQ(back.operating_point->cases, actuator::HeldCases::gripping);
+  EXPECT_EQ(back.operating_point->supply.wiring, actuator::Wiring::series);
+  EXPECT_EQ(back.operating_point->supply.resistance, 0.2);
+  EXPECT_EQ(back.operating_point->supply.voltage, 7.4);
+}
+
 TEST(ActuatorJson, RefusesAnOperatingPointByItsPlace) {
   const auto error = [](const std::string& point) {
     return text::testing::error_of([&] {
@@ -149,6 +165,10 @@ TEST(ActuatorJson, RefusesAnOperatingPointByItsPlace) {
     });
   };
   EXPECT_EQ(error(R"({"duty": 0.5})"), "x: /operating_point/current_A: is missing");
+  EXPECT_EQ(error(R"({"current_A": 1, "wiring": "star"})"),
+            R"(x: /operating_point/wiring: must be one of "parallel", "series"; got "star")");
+  EXPECT_EQ(error(R"({"current_A": 1, "supply_resistance_Ohm": -1})"),
+            "x: /operating_point/supply_resistance_Ohm: must be >= 0; got -1");
   EXPECT_EQ(error(R"({"current_A": 1, "duty": 1.5})"), "x: /operating_point/duty: must be from 0 to 1; got 1.5");
   EXPECT_EQ(error(R"({"current_A": 1, "grasp_opening_deg": -5})"),
             "x: /operating_point/grasp_opening_deg: must be from 0 to 360; got -5");

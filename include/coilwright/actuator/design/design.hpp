@@ -110,7 +110,7 @@ struct Surroundings {
   double ambient = 25.0;      ///< degC
   double coil_limit = 155.0;  ///< degC, of the enamel
   /// From the outer surface, convection and radiation together, W/(m^2 K); calibrated on the prototype.
-  double heat_transfer = 51.5;
+  double heat_transfer = 155.8;
 };
 
 /// The joint on which k and b were measured, all measured or derived there. Another law of the hinge or of damping

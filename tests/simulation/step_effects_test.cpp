@@ -201,7 +201,7 @@ TEST(PerformanceEffects, TakeAGainAsMoreCurrent) {
   EXPECT_NEAR(gained.cold.grasp_force, plain.cold.grasp_force, 1e-9);
   // Two ways of seeing when it has settled, the same time.
   EXPECT_NEAR(*gained.cold.settling_time, *plain.cold.settling_time, 1e-9);
-  EXPECT_NEAR(gained.voltage, plain.voltage / 1.5, 1e-12);
+  EXPECT_NEAR(gained.electrics_cold.voltage.value(), plain.electrics_cold.voltage.value() / 1.5, 1e-12);
 }
 
 // What one would start a fit from is a finger that still moves: with each effect of the catalogue it has a performance,

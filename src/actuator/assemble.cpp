@@ -11,6 +11,7 @@
 
 #include "actuator/chain_of.hpp"
 #include "actuator/pair_curves.hpp"
+#include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/actuator/hinges.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
 
@@ -115,7 +116,7 @@ MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCur
 CoilElectrics electrics_of(const Design& design, const winding::Winding& coil) {
   return {.resistance = design.calibration.coil_resistance * coil.resistance(20.0),
           .inductance = coil.inductance(),
-          .current_limit = coil.wire().smooth_ampacity,
+          .current_limit = current_limit(design),
           .table_limit = coil.wire().chassis_ampacity,
           .wire_length = coil.wire_length(),
           .copper_mass = coil.copper_mass()};

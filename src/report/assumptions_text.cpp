@@ -41,8 +41,7 @@ std::string difference(const Study& study, const Record& from, const Record& to)
 std::string effect_text(const formats::SizeReport& report, const AssumptionEffect& effect) {
   const std::string_view objective = report.study.objectives.front().quantity.name;
   const Record& best = *report.result.best;
-  std::string text = fmt::format("  {}, taken as: {}\n    if it is: {}\n", effect.choice.subject, effect.choice.taken,
-                                 effect.choice.otherwise);
+  std::string text = fmt::format("    if it is: {}\n", effect.choice.otherwise);
   if (!effect.evaluation.failure.empty())
     text += fmt::format("      this design cannot be evaluated: {}\n", effect.evaluation.failure);
   else
@@ -53,7 +52,7 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
     text += fmt::format("      another design is then better: {} {} with {}\n", objective,
                         short_number(effect.other_best->evaluation.objectives.front()),
                         difference(report.study, best, *effect.other_best));
-  return text + fmt::format("    settled by: {}\n", effect.choice.settled_by);
+  return text;
 }
 
 }  // namespace
@@ -61,7 +60,14 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
 std::string assumptions_text(const formats::SizeReport& report) {
   if (report.assumptions.empty()) return {};
   std::string text = "\nWhat this answer rests on: modelling choices that no measurement of this design has settled\n";
-  for (const AssumptionEffect& effect : report.assumptions) text += effect_text(report, effect);
+  std::string_view subject;
+  for (const AssumptionEffect& effect : report.assumptions) {
+    if (effect.choice.subject != subject)
+      text += fmt::format("  {}, taken as: {}\n    settled by: {}\n", effect.choice.subject, effect.choice.taken,
+                          effect.choice.settled_by);
+    subject = effect.choice.subject;
+    text += effect_text(report, effect);
+  }
   if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
     return text + fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
                               first->choice.subject);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "coilwright/simulation/quantity.hpp"
+#include "coilwright/winding/wire_gauge.hpp"
 
 namespace coilwright::simulation {
 namespace {
@@ -235,7 +236,7 @@ std::vector<ResultQuantity> rows() {
        .scale = 1.4,
        .value = [](const DesignView& d) -> Value { return d.point.current; },
        .value_of_lumped = [](const MotionSummary&, double current) -> Value { return current; }},
-      of_design("current_limit_A", "ampacity of the wire gauge by a smooth law through the chassis-wiring table", 1.4,
+      of_design("current_limit_A", "ampacity of the wire gauge: a smooth law through the chassis-wiring table, or the table", 1.4,
                 [](const DesignView& d) -> Value { return d.performance.current_limit; }),
       of_design("current_limit_table_A", "chassis-wiring ampacity of the wire gauge in the table", 1.4,
                 [](const DesignView& d) -> Value { return d.performance.table_limit; }),

@@ -18,7 +18,8 @@ actuator::Design paper_finger_geometry() {
   design.choices = {.winding = magnetics::CurrentDistribution::paper_shells,
                     .torque = magnetics::Fidelity::line_of_centres,
                     .faces = actuator::ContactChoice::hard_parts,
-                    .masses = actuator::SegmentMass::on_axis_points};
+                    .masses = actuator::SegmentMass::on_axis_points,
+                    .ampacity = actuator::AmpacityChoice::table};
   return design;
 }
 

@@ -15,7 +15,8 @@ inline Design paper_geometry() {
   design.choices = {.winding = magnetics::CurrentDistribution::paper_shells,
                     .torque = magnetics::Fidelity::line_of_centres,
                     .faces = ContactChoice::hard_parts,
-                    .masses = SegmentMass::on_axis_points};
+                    .masses = SegmentMass::on_axis_points,
+                    .ampacity = AmpacityChoice::table};
   return design;
 }
 

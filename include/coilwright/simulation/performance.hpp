@@ -92,7 +92,7 @@ struct Performance {
   double coil_resistance{};  ///< one coil at 20 degC, ohm
   double inductance{};       ///< one coil, H
   Electrics electrics_cold;  ///< with all coils at 20 degC
-  double current_limit{};    ///< ampacity of the gauge by the smooth law, A
+  double current_limit{};    ///< ampacity of the gauge by the design's choice, A
   double table_limit{};      ///< ampacity of the gauge in the chassis-wiring table, A
   double cost{};             ///< US$
 };

@@ -76,7 +76,8 @@ Json choices_json(const ModelChoices& choices) {
        {"face_contact", choices.faces == ContactChoice::walls ? "walls" : "hard_parts"},
        {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"},
        {"hinge", word(choices.hinge)},
-       {"damping", choices.damping == DampingLaw::loss_factor ? "loss_factor" : "proportional"}});
+       {"damping", choices.damping == DampingLaw::loss_factor ? "loss_factor" : "proportional"},
+       {"ampacity", choices.ampacity == AmpacityChoice::law ? "law" : "table"}});
 }
 
 Json calibration_json(const Design& design) {

@@ -37,11 +37,12 @@ using actuator::Design;
 // Where k and b were measured, all of it or none.
 actuator::HingeReference read_hinge_reference(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
-    return actuator::HingeReference{.width = in.quantity("width_mm", measurement),
-                                    .bottom_layer = in.quantity("bottom_layer_mm", measurement),
-                                    .stiffness = in.quantity("joint_stiffness_Nmm_rad", measurement),
-                                    .damping = in.quantity("joint_damping_Nmms_rad", Rule::between(0.0, largest_number)),
-                                    .first_mode = in.quantity("first_mode_Hz", measurement)};
+    return actuator::HingeReference{
+        .width = in.quantity("width_mm", measurement),
+        .bottom_layer = in.quantity("bottom_layer_mm", measurement),
+        .stiffness = in.quantity("joint_stiffness_Nmm_rad", measurement),
+        .damping = in.quantity("joint_damping_Nmms_rad", Rule::between(0.0, largest_number)),
+        .first_mode = in.quantity("first_mode_Hz", measurement)};
   });
 }
 
@@ -59,6 +60,7 @@ void set_defaults_of_first_version(Design& design) {
   design.choices.faces = actuator::ContactChoice::hard_parts;
   design.body.loss_time = 10.3e-3;
   design.body.constant_damping = 0.0;
+  design.choices.ampacity = actuator::AmpacityChoice::table;
 }
 
 void read_section(ObjectReader& in, std::string_view section, Design& design) {
@@ -124,9 +126,10 @@ actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoic
             {{"on_axis_points", SegmentMass::on_axis_points}, {"rigid_bodies", SegmentMass::rigid_bodies}}),
         .hinge = in.choice_or("hinge", usual.hinge,
                               {{"slit", HingeLaw::slit}, {"slot", HingeLaw::slot}, {"beam", HingeLaw::beam}}),
-        .damping =
-            in.choice_or("damping", usual.damping,
-                         {{"loss_factor", DampingLaw::loss_factor}, {"proportional", DampingLaw::proportional}})};
+        .damping = in.choice_or("damping", usual.damping,
+                                {{"loss_factor", DampingLaw::loss_factor}, {"proportional", DampingLaw::proportional}}),
+        .ampacity =
+            in.choice_or("ampacity", usual.ampacity, {{"law", AmpacityChoice::law}, {"table", AmpacityChoice::table}})};
   });
 }
 

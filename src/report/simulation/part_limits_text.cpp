@@ -1,11 +1,13 @@
 #include "coilwright/report/simulation/part_limits_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,13 +23,33 @@ using simulation::PartLimit;
 // The figures for which an actuator is usually built.
 constexpr std::array main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg", "grasp_force_N", "damping_ratio"};
 
-std::string figure_text(std::string_view name, const DesignView& taken, const DesignView& other) {
+// Relative changes below this are not worth a reader's time.
+constexpr double noticeable = 0.005;
+
+struct FigureChange {
+  std::string text;
+  bool is_noticeable{};
+};
+
+FigureChange change_of(std::string_view name, const DesignView& taken, const DesignView& other) {
   const simulation::ResultQuantity& quantity = simulation::standard_quantities().at(name);
   const std::optional<double> value = quantity.value(other);
-  if (!value) return fmt::format("{} none", name);
   const std::optional<double> reference = quantity.value(taken);
-  if (!reference || *reference == 0.0) return fmt::format("{} {:.4g}", name, *value);
-  return fmt::format("{} {:.4g} ({:+.1f} %)", name, *value, 100.0 * (*value - *reference) / std::abs(*reference));
+  if (!value) return {.text = fmt::format("{} none", name), .is_noticeable = reference.has_value()};
+  if (!reference || *reference == 0.0)
+    return {.text = fmt::format("{} {:.4g}", name, *value), .is_noticeable = value != reference};
+  const double change = (*value - *reference) / std::abs(*reference);
+  return {.text = fmt::format("{} {:.4g} ({:+.1f} %)", name, *value, 100.0 * change),
+          .is_noticeable = std::abs(change) >= noticeable};
+}
+
+std::string changes_text(const DesignView& taken, const DesignView& other) {
+  std::vector<std::string> changes;
+  for (const std::string_view name : main_figures)
+    if (FigureChange change = change_of(name, taken, other); change.is_noticeable)
+      changes.push_back(std::move(change.text));
+  if (changes.empty()) return fmt::format("no figure of motion or grasp changes by {:.1f} %", 100.0 * noticeable);
+  return fmt::format("{}", fmt::join(changes, "; "));
 }
 
 std::string worst_limit_text(const DesignView& design) {
@@ -39,17 +61,11 @@ std::string worst_limit_text(const DesignView& design) {
 }
 
 std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
-  std::string text = fmt::format("  {}, taken as: {}\n    if it is: {}\n", effect.choice.subject, effect.choice.taken,
-                                 effect.choice.otherwise);
-  if (const auto* why = std::get_if<NoPerformance>(&effect.result)) {
-    text += fmt::format("      cannot be evaluated: {}\n", why->reason);
-  } else {
-    const EvaluatedDesign& other = std::get<EvaluatedDesign>(effect.result);
-    text += "     ";
-    for (const std::string_view name : main_figures) text += fmt::format(" {};", figure_text(name, taken, other.view()));
-    text += fmt::format("\n      {}\n", worst_limit_text(other.view()));
-  }
-  return text + fmt::format("    settled by: {}\n", effect.choice.settled_by);
+  std::string text = fmt::format("    if it is: {}\n", effect.choice.otherwise);
+  if (const auto* why = std::get_if<NoPerformance>(&effect.result))
+    return text + fmt::format("      cannot be evaluated: {}\n", why->reason);
+  const EvaluatedDesign& other = std::get<EvaluatedDesign>(effect.result);
+  return text + fmt::format("      {}\n      {}\n", changes_text(taken, other.view()), worst_limit_text(other.view()));
 }
 
 }  // namespace
@@ -67,7 +83,14 @@ std::string to_text(std::span<const PartLimit> limits) {
 
 std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
   std::string text = "\nWhat these figures rest on: modelling choices that no measurement of this design has settled\n";
-  for (const ChoiceEffect& effect : effects) text += effect_text(taken, effect);
+  std::string_view subject;
+  for (const ChoiceEffect& effect : effects) {
+    if (effect.choice.subject != subject)
+      text += fmt::format("  {}, taken as: {}\n    settled by: {}\n", effect.choice.subject, effect.choice.taken,
+                          effect.choice.settled_by);
+    subject = effect.choice.subject;
+    text += effect_text(taken, effect);
+  }
   return text;
 }
 

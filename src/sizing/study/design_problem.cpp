@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/units/unit.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
 #include "sizing/problem/design_space.hpp"
 
 namespace coilwright::sizing {
@@ -20,7 +20,7 @@ std::optional<double> current_of(const Study& study, const actuator::Design& des
   if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) return fixed->current;
   const auto* share = std::get_if<ShareOfLimit>(&study.current);
   if (share == nullptr) return std::nullopt;
-  return share->share * winding::gauge(design.coil.wire_gauge).smooth_ampacity;
+  return share->share * actuator::current_limit(design);
 }
 
 double current_of(const Study& study, const actuator::Design& design, std::span<const double> point) {
@@ -168,7 +168,7 @@ DesignResult DesignProblem::evaluate(std::span<const double> point) const {
 
 DesignResult DesignProblem::evaluate_base() const {
   const auto current = [this](const actuator::Design& design) {
-    return current_of(study(), design).value_or(winding::gauge(design.coil.wire_gauge).smooth_ampacity);
+    return current_of(study(), design).value_or(actuator::current_limit(design));
   };
   return evaluate_design(study().base, current, study().operating);
 }

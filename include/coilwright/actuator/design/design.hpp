@@ -93,6 +93,12 @@ enum class SegmentMass {
   rigid_bodies     ///< centre of mass and inertia of the boxes and cylinders they consist of
 };
 
+/// Which chassis-wiring current a gauge has.
+enum class AmpacityChoice {
+  law,   ///< WireGauge::smooth_ampacity: no gauge is better than its neighbours
+  table  ///< the table's own, rounded values
+};
+
 /// Conventions of the model, each worth a few per cent or more: a result without them cannot be compared.
 struct ModelChoices {
   magnetics::CurrentDistribution winding = magnetics::CurrentDistribution::uniform;
@@ -101,6 +107,7 @@ struct ModelChoices {
   SegmentMass masses = SegmentMass::rigid_bodies;
   HingeLaw hinge = HingeLaw::slit;
   DampingLaw damping = DampingLaw::loss_factor;
+  AmpacityChoice ampacity = AmpacityChoice::law;
 };
 
 /// Where it works.

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "coilwright/actuator/design/design.hpp"
+
+namespace coilwright::actuator {
+
+/// Chassis-wiring current of the design's wire by its AmpacityChoice, A. A rule of thumb for single wires in free air:
+/// whether a coil may carry it, temperatures say. Throws std::invalid_argument for a gauge outside the table.
+[[nodiscard]] double current_limit(const Design& design);
+
+}  // namespace coilwright::actuator

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "coilwright/simulation/quantity.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
 
 namespace coilwright::simulation {
 namespace {

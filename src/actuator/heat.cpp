@@ -106,6 +106,7 @@ thermal::Network heat_network(const Design& design, const Assembly& assembly, do
 
 thermal::Network heat_network(const Design& design, const Assembly& assembly,
                               const mechanics::JointVector& joint_angles) {
+  if (design.choices.film == FilmChoice::still_air) return still_air_network(design, assembly, joint_angles);
   return thermal::build_network(heat_chain(design, assembly, joint_angles));
 }
 

@@ -99,6 +99,12 @@ enum class AmpacityChoice {
   table  ///< the table's own, rounded values
 };
 
+/// What carries heat away from the surface.
+enum class FilmChoice {
+  calibrated,  ///< Surroundings::heat_transfer with its calibration
+  still_air    ///< natural convection and radiation by themselves: still_air_film()
+};
+
 /// Conventions of the model, each worth a few per cent or more: a result without them cannot be compared.
 struct ModelChoices {
   magnetics::CurrentDistribution winding = magnetics::CurrentDistribution::uniform;
@@ -108,6 +114,7 @@ struct ModelChoices {
   HingeLaw hinge = HingeLaw::slit;
   DampingLaw damping = DampingLaw::loss_factor;
   AmpacityChoice ampacity = AmpacityChoice::law;
+  FilmChoice film = FilmChoice::calibrated;
 };
 
 /// Where it works.

@@ -116,12 +116,31 @@ OtherChoice winding_otherwise(const Design& design) {
   return out;
 }
 
+std::string name_of(const Design& design, FilmChoice film) {
+  if (film == FilmChoice::still_air) return "still air with radiation";
+  return fmt::format("{:.3g} W/m2K, from a continuous current",
+                     design.surroundings.heat_transfer * design.calibration.heat_transfer);
+}
+
+OtherChoice film_otherwise(const Design& design) {
+  const FilmChoice other =
+      design.choices.film == FilmChoice::calibrated ? FilmChoice::still_air : FilmChoice::calibrated;
+  OtherChoice out{.subject = "heat transfer of the surface",
+                  .taken = name_of(design, design.choices.film),
+                  .otherwise = name_of(design, other),
+                  .settled_by = thermocouple,
+                  .design = design};
+  out.design.choices.film = other;
+  return out;
+}
+
 }  // namespace
 
 std::vector<OtherChoice> other_choices(const Design& design) {
   std::vector<OtherChoice> out;
   add_hinge_laws(design, out);
   add_damping_laws(design, out);
+  out.push_back(film_otherwise(design));
   out.push_back(contact_otherwise(design));
   out.push_back(ampacity_otherwise(design));
   out.push_back(winding_otherwise(design));

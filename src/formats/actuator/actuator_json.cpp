@@ -77,7 +77,8 @@ Json choices_json(const ModelChoices& choices) {
        {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"},
        {"hinge", word(choices.hinge)},
        {"damping", choices.damping == DampingLaw::loss_factor ? "loss_factor" : "proportional"},
-       {"ampacity", choices.ampacity == AmpacityChoice::law ? "law" : "table"}});
+       {"ampacity", choices.ampacity == AmpacityChoice::law ? "law" : "table"},
+       {"film", choices.film == FilmChoice::calibrated ? "calibrated" : "still_air"}});
 }
 
 Json calibration_json(const Design& design) {

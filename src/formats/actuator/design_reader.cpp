@@ -129,7 +129,9 @@ actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoic
         .damping = in.choice_or("damping", usual.damping,
                                 {{"loss_factor", DampingLaw::loss_factor}, {"proportional", DampingLaw::proportional}}),
         .ampacity =
-            in.choice_or("ampacity", usual.ampacity, {{"law", AmpacityChoice::law}, {"table", AmpacityChoice::table}})};
+            in.choice_or("ampacity", usual.ampacity, {{"law", AmpacityChoice::law}, {"table", AmpacityChoice::table}}),
+        .film = in.choice_or("film", usual.film,
+                             {{"calibrated", FilmChoice::calibrated}, {"still_air", FilmChoice::still_air}})};
   });
 }
 

@@ -21,14 +21,16 @@ DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& c
   return DesignProblem(std::move(study));
 }
 
-std::optional<Record> other_best(const DesignProblem& other, const AssumptionOptions& options) {
+std::optional<Record> other_best(const DesignProblem& other, const Record& best, const AssumptionOptions& options) {
   if (options.evaluations == 0) return std::nullopt;
   SearchOptions search_options = options.search;
   search_options.algorithm = Algorithm::automatic;
   search_options.max_evaluations = options.evaluations;
   search_options.afterwards = Afterwards::nothing;
   search_options.progress = {};
-  SearchResult found = search(other.problem(), search_options);
+  Problem problem = other.problem();
+  problem.start = best.point;
+  SearchResult found = search(problem, search_options);
   if (!found.feasible) return std::nullopt;
   return std::move(found.best);
 }
@@ -53,7 +55,7 @@ std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, c
     AssumptionEffect effect;
     effect.evaluation = other.assess(other.evaluate(best.point));
     effect.worst = worst_margin(study, effect.evaluation);
-    effect.other_best = other_best(other, options);
+    effect.other_best = other_best(other, best, options);
     if (effect.other_best && effect.other_best->point != best.point) {
       const double reached = effect.other_best->evaluation.objectives.front();
       effect.changes_design = !is_feasible(effect.evaluation) ||

@@ -41,7 +41,7 @@ TEST(Truth, HasTheEquilibriaOfTheCodeUnderTest) {
 }
 
 TEST(Truth, BendsAsFarAndAsFastAsTheCodeUnderTest) {
-  const auto theirs = code_under_test(1.4).motion;
+  const auto theirs = code_under_test(1.4).cold;
   const auto ours = equilibrium({}, {}, 1.4);
   EXPECT_NEAR((ours[0] + ours[1]) / degree, 63.617, 0.5e-3);
   EXPECT_NEAR(theirs.steady_angles.sum() / degree, 63.617, 0.5e-3);

@@ -9,7 +9,11 @@
 
 namespace coilwright::actuator {
 
-/// How far the magnets are from losing magnetisation for good; a margin is 1 - |H| / HcJ.
+/// The least margin that is told: a magnet so hot that hardly any coercivity is left.
+inline constexpr double least_demagnetisation_margin = -10.0;
+
+/// How far the magnets are from losing magnetisation for good; a margin is 1 - |H| / HcJ, from
+/// least_demagnetisation_margin to 1.
 struct Demagnetisation {
   double margin{};              ///< of the field's mean over the volume of the worst magnet; < 0: it is demagnetised
   double margin_worst_point{};  ///< of the worst point of any magnet's faces; the margin or less

@@ -32,7 +32,7 @@ sizing::Study study() {
   sizing::Study study;
   study.name = "grip per mass";
   study.current = sizing::ShareOfLimit{1.0};  // of the ampacity of the wire
-  study.duty = 0.5;
+  study.operating.duty = 0.5;
   const auto vary = [&study](std::string_view name, double lower, double upper) {
     study.variables.emplace_back(sizing::parameter_variable(name, sizing::Interval{.lower = lower, .upper = upper}));
   };

@@ -21,6 +21,10 @@ using mechanics::JointVector;
 constexpr double same_pose = 1e-8;
 constexpr int most_rounds = 50;
 
+// rad. A pose this near has the same heat: a magnet's temperature moves by less than a tenth of a kelvin.
+constexpr double near_pose = 1e-3;
+constexpr int most_attempts = 5;
+
 // What a round of the loop found: the model as warm as `angles` make it.
 struct Settled {
   JointVector angles;
@@ -31,6 +35,15 @@ std::span<const double> as_span(const thermal::NodeVector& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
+// The model with everything as warm as holding it at `angles` makes it.
+Settled as_warm_as(const actuator::Design& design, const actuator::Assembly& assembly, const OperatingPoint& point,
+                   const MotionSummary& cold, const JointVector& angles) {
+  const thermal::NodeVector temperatures = steady_temperatures(design, assembly, point, angles);
+  if (temperatures.size() == 0) return {.angles = angles, .model = std::nullopt};
+  const std::vector<double> strengths = actuator::magnet_strengths(design, as_span(temperatures));
+  return {.angles = angles, .model = held_at_rest(assembly.model.with_magnet_strengths(strengths), cold.rest_angles)};
+}
+
 // Temperatures and pose in turn, until the pose stays: `pose_of` gives the pose of a model from a start. Nothing where
 // there is none.
 template <class PoseOf>
@@ -38,15 +51,13 @@ std::optional<Settled> settle(const actuator::Design& design, const actuator::As
                               const OperatingPoint& point, const MotionSummary& cold, JointVector angles,
                               const PoseOf& pose_of) {
   for (int round = 0; round < most_rounds; ++round) {
-    const thermal::NodeVector temperatures = steady_temperatures(design, assembly, point, angles);
-    if (temperatures.size() == 0) return Settled{.angles = angles, .model = std::nullopt};
-    const std::vector<double> strengths = actuator::magnet_strengths(design, as_span(temperatures));
-    Model warm = held_at_rest(assembly.model.with_magnet_strengths(strengths), cold.rest_angles);
-    const std::optional<JointVector> next = pose_of(warm, angles);
+    Settled warm = as_warm_as(design, assembly, point, cold, angles);
+    if (!warm.model) return warm;
+    const std::optional<JointVector> next = pose_of(*warm.model, angles);
     if (!next) return std::nullopt;
     const double change = (*next - angles).template lpNorm<Eigen::Infinity>();
     angles = *next;
-    if (change < same_pose) return Settled{.angles = angles, .model = std::move(warm)};
+    if (change < same_pose) return Settled{.angles = angles, .model = std::move(warm.model)};
   }
   return std::nullopt;
 }
@@ -63,10 +74,10 @@ std::variant<FreeCase, NoPerformance> free_case(const actuator::Design& design, 
     return FreeCase{.heat = heat_of(design, assembly, point, cold.steady_angles), .motion = cold};
   const actuator::CoilCurrents on = assembly.model.all_coils(point.current);
   const auto pose_of = [&](const Model& model, const JointVector& start) { return find_equilibrium(model, on, start); };
-  JointVector angles = cold.steady_angles;
-  // A warm step may end in another equilibrium than the cold one's neighbour; then the heat is that of its end.
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    const std::optional<Settled> warm = settle(design, assembly, point, cold, angles, pose_of);
+  // First the pose that magnets and temperatures have in equilibrium. A warm step may end elsewhere, in another
+  // equilibrium or where friction stops it: then the heat is that of its end.
+  std::optional<Settled> warm = settle(design, assembly, point, cold, cold.steady_angles, pose_of);
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
     if (!warm) return NoPerformance{"no equilibrium at the steady temperatures"};
     if (!warm->model) return FreeCase{.heat = heat_of(design, assembly, point, warm->angles), .motion = std::nullopt};
     const auto rest = find_equilibrium(*warm->model, assembly.model.all_coils(0.0), cold.rest_angles);
@@ -74,9 +85,9 @@ std::variant<FreeCase, NoPerformance> free_case(const actuator::Design& design, 
     auto motion = free_motion_of(*warm->model, point.current, *rest);
     if (const auto* reason = std::get_if<NoPerformance>(&motion)) return *reason;
     FreeMotion& found = std::get<FreeMotion>(motion);
-    angles = found.steady_angles;
-    if ((angles - warm->angles).lpNorm<Eigen::Infinity>() < 1e-6)
-      return FreeCase{.heat = heat_of(design, assembly, point, angles), .motion = std::move(found)};
+    if ((found.steady_angles - warm->angles).lpNorm<Eigen::Infinity>() < near_pose)
+      return FreeCase{.heat = heat_of(design, assembly, point, found.steady_angles), .motion = std::move(found)};
+    warm = as_warm_as(design, assembly, point, cold, found.steady_angles);
   }
   return NoPerformance{"the pose and its temperatures do not settle together"};
 }

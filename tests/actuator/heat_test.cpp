@@ -70,7 +70,8 @@ TEST(HeatNetwork, HeatsTheMagnetLessWhereJointsStandOpen) {
               design.calibration.heat_transfer * design.surroundings.heat_transfer, still_air_film(design, a));
   std::printf("  joint angle, deg: continuous current of coils, magnets, in still air, A\n");
   for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0}) {
-    const auto still = thermal::current_limits(still_air_network(design, a, mechanics::JointVector::Constant(2, angle * degree)));
+    const auto still =
+        thermal::current_limits(still_air_network(design, a, mechanics::JointVector::Constant(2, angle * degree)));
     std::printf("  %4.0f: %.4f %.4f  %.4f %.4f\n", angle, current(angle * degree, thermal::LimitedParts::coils),
                 current(angle * degree, thermal::LimitedParts::magnets), still.coils, still.magnets);
   }

@@ -58,7 +58,10 @@ class Simulate(ProgramTest):
         plan = {"format": "experiment/1", "name": "hold", "sampling_rate_Hz": 10,
                 "runs": [{"file": "hold.csv", "role": "fit", "duration_s": 1, "input": {"file": "hold.csv"}}]}
         self.write("plan.json", json.dumps(plan))
-        for warm, start in ((0, 55.67), (1, 52.34)):
+        self.write("plain.json", json.dumps({"format": "actuator/1", "configuration": "B"}))
+        for warm, current in ((0, 1.0), (1, 2 / (1 + math.sqrt(1.8)))):
+            held = run("evaluate", "plain.json", "--current", repr(current), "--json", cwd=self.folder)
+            start = json.loads(held.stdout)["steady_angle_deg"]
             heating = {"id": "coil_heating", "parameters": {"fade_1_A2": 0.2, "time_constant_s": 4, "warm_start": warm}}
             self.write("warming.json", json.dumps({"format": "actuator/1", "configuration": "B", "effects": [heating]}))
             result = run("simulate", "warming.json", "--input", "hold.csv", "--out", "out.csv", cwd=self.folder)

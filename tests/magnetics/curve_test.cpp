@@ -113,9 +113,8 @@ TEST(Curve, GivesUpOnAFunctionThatIsNotSmooth) {
   const auto step = [](std::span<const double> x, std::span<double> y) {
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] > 1.4 ? 1.0 : 0.0;
   };
-  EXPECT_THAT(
-      [&] { (void)Curve(step, {.lower = 1.0, .upper = 2.0, .tolerance = 1e-8}); },
-      testing::ThrowsMessage<std::domain_error>(testing::HasSubstr("tolerance 1e-08 not reached with 10")));
+  EXPECT_THAT([&] { (void)Curve(step, {.lower = 1.0, .upper = 2.0, .tolerance = 1e-8}); },
+              testing::ThrowsMessage<std::domain_error>(testing::HasSubstr("tolerance 1e-08 not reached with 10")));
 }
 
 TEST(Curve, PassesANotANumberOn) {

@@ -17,7 +17,10 @@ namespace {
 // The default finger at 0.9 of the ampacity of its wire.
 EvaluatedDesign prototype() {
   const actuator::Design design;
-  return evaluate(design, {.current = 0.9 * winding::gauge(design.coil.wire_gauge).chassis_ampacity, .duty = 0.4, .period = 2.0, .supply = {.voltage = 7.4}});
+  return evaluate(design, {.current = 0.9 * winding::gauge(design.coil.wire_gauge).chassis_ampacity,
+                           .duty = 0.4,
+                           .period = 2.0,
+                           .supply = {.voltage = 7.4}});
 }
 
 ResultQuantity specific_grasp_force() {

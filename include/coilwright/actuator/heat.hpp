@@ -7,10 +7,10 @@
 
 namespace coilwright::actuator {
 
-/// Angle of every joint where no case gives its own, rad: 30 degrees, where the prototype works at its continuous current
-/// (57 degrees over two joints at 1.05 A) and where that is taken to have been seen. The posture matters: at 0, 30 and
-/// 60 degrees the continuous current of the prototype's coils is 1.067, 1.100 and 1.132 A, that of its magnet 0.96, 1.78
-/// and 1.98 A, because the magnet has no other source of heat than its neighbours.
+/// Angle of every joint where no case gives its own, rad: 30 degrees, where the prototype works at its continuous
+/// current (57 degrees over two joints at 1.05 A) and where that is taken to have been seen. The posture matters: at 0,
+/// 30 and 60 degrees the continuous current of the prototype's coils is 1.067, 1.100 and 1.132 A, that of its magnet
+/// 0.96, 1.78 and 1.98 A, because the magnet has no other source of heat than its neighbours.
 inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 180.0;
 
 /// Thermal chain of an assembled design: a node per component, base to tip.

@@ -42,41 +42,41 @@ struct MotionSummary : FreeMotion, Grasp {};
 
 /// What coils and supply have when coils are as warm as the operating point makes them; nothing in a thermal runaway.
 struct Electrics {
-  std::optional<double> resistance;      ///< of the hottest coil, ohm
-  std::optional<double> voltage;         ///< across the hottest coil, V
-  std::optional<double> power;           ///< of all coils while on, W
-  std::optional<double> supply_voltage;  ///< that the open circuit must have, V
-  std::optional<double> supply_current;  ///< that the supply delivers while on, A
+  std::optional<double> resistance{};      ///< of the hottest coil, ohm
+  std::optional<double> voltage{};         ///< across the hottest coil, V
+  std::optional<double> power{};           ///< of all coils while on, W
+  std::optional<double> supply_voltage{};  ///< that the open circuit must have, V
+  std::optional<double> supply_current{};  ///< that the supply delivers while on, A
   std::optional<double>
-      driven_current;  ///< in every coil, that the stated supply drives at most, A; nothing if none is
+      driven_current{};  ///< in every coil, that the stated supply drives at most, A; nothing if none is
 };
 
 /// What coils and magnets reach when the operating point is held in one pose.
 struct Heat {
-  std::optional<double> coil_temperature;    ///< mean of the hottest coil, degC; nothing in a thermal runaway
-  std::optional<double> coil_hot_spot;       ///< its hottest turn, degC; likewise
-  std::optional<double> magnet_temperature;  ///< hottest magnet, degC; likewise
-  thermal::NodeVector temperatures;          ///< of every component, base to tip, degC; empty in a thermal runaway
-  double continuous_current{};               ///< largest steady current for the coils' limit, A
-  double magnet_continuous_current{};        ///< likewise for the magnets' limit, A
-  double runaway_current{};                  ///< above it there is no steady state, A
-  double still_air_current{};                ///< smaller of the two steady currents in still air, A
-  std::optional<double> time_to_limit;  ///< from cold until a part is at its limit, current on, s; nothing if never
-  std::optional<double> time_to_limit_warm;  ///< the same from the steady state of the mean load
-  std::optional<double> ripple;              ///< of a coil's mean temperature over a period, peak to peak, K
-  Electrics electrics;
+  std::optional<double> coil_temperature{};    ///< mean of the hottest coil, degC; nothing in a thermal runaway
+  std::optional<double> coil_hot_spot{};       ///< its hottest turn, degC; likewise
+  std::optional<double> magnet_temperature{};  ///< hottest magnet, degC; likewise
+  thermal::NodeVector temperatures{};          ///< of every component, base to tip, degC; empty in a thermal runaway
+  double continuous_current{};                 ///< largest steady current for the coils' limit, A
+  double magnet_continuous_current{};          ///< likewise for the magnets' limit, A
+  double runaway_current{};                    ///< above it there is no steady state, A
+  double still_air_current{};                  ///< smaller of the two steady currents in still air, A
+  std::optional<double> time_to_limit{};  ///< from cold until a part is at its limit, current on, s; nothing if never
+  std::optional<double> time_to_limit_warm{};  ///< the same from the steady state of the mean load
+  std::optional<double> ripple{};              ///< of a coil's mean temperature over a period, peak to peak, K
+  Electrics electrics{};
 };
 
 /// The finger held free at the operating point.
 struct FreeCase {
-  Heat heat;                         ///< at its steady joint angles
-  std::optional<FreeMotion> motion;  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
+  Heat heat{};                         ///< at its steady joint angles
+  std::optional<FreeMotion> motion{};  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
 };
 
 /// The finger held against a wall at the operating point.
 struct GrippingCase {
-  Heat heat;                   ///< at the joint angles of the grasp
-  std::optional<Grasp> grasp;  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
+  Heat heat{};                   ///< at the joint angles of the grasp
+  std::optional<Grasp> grasp{};  ///< at those temperatures; nothing in a thermal runaway that the magnets feel
 };
 
 /// All that is known of a design at an operating point.
@@ -86,7 +86,7 @@ struct Performance {
   GrippingCase gripping;
   /// Of the magnets in the hotter of the two cases, at the current while on; nothing where the magnets have no grade or
   /// one case runs away.
-  std::optional<actuator::Demagnetisation> demagnetisation;
+  std::optional<actuator::Demagnetisation> demagnetisation{};
   double axial_force{};      ///< of one coil on a magnet at the rest gap, 20 degC, N, positive for repulsion
   double mass{};             ///< kg
   double coil_resistance{};  ///< one coil at 20 degC, ohm

@@ -31,6 +31,11 @@ class DesignSpace {
   [[nodiscard]] std::size_t variable_of(std::size_t axis) const { return ordered_[axis]; }
   /// Whether any unit coordinate has a grid.
   [[nodiscard]] bool has_grid() const { return has_grid_; }
+  /// Whether no unit coordinate has a grid and there are at least `least_wide_dimension`: the nodes of a local model do
+  /// not determine a quadratic there, and it takes other means to find what each coordinate does.
+  [[nodiscard]] bool is_wide() const { return !has_grid_ && dimension() >= least_wide_dimension; }
+  /// From here on a quadratic has more coefficients (66) than a model has nodes to spare.
+  static constexpr std::size_t least_wide_dimension = 10;
 
   /// Nearest legal unit coordinates: clamped to the bounds and on the grid.
   [[nodiscard]] std::vector<double> snapped(std::span<const double> unit) const;

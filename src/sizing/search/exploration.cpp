@@ -11,7 +11,7 @@
 namespace coilwright::sizing {
 namespace {
 
-// Of the designs bred on spaces without a grid, those that differ from their parent in one coordinate.
+// Of the designs bred on wide spaces, those that differ from their parent in one coordinate.
 constexpr double probe_share = 0.5;
 // A probe is promising if its objectives lie at most this part of the front's range behind the front.
 constexpr double promising_excess = 0.1;
@@ -58,7 +58,7 @@ ProposalBatch Exploration::filled(ProposalBatch batch, std::size_t size, double 
     std::optional<UnitPoint> point;
     std::size_t index = 0;
     if (space.dimension() > 0 && misses < 32) {
-      if (evolve && !space.has_grid() && uniform(random_) < probe_share) {
+      if (evolve && space.is_wide() && uniform(random_) < probe_share) {
         if (std::optional<Explorer::Probe> made = explorer_.probe(samples_, parents)) {
           point = std::move(made->point);
           index = made->axis + 1;

@@ -208,7 +208,7 @@ std::vector<UnitPoint> infill(const Samples& samples, const Goal& goal, const Re
   if (axes.empty()) return {};
   std::optional<Optimum> optimum = optimum_of(model, goal, starts_in(samples, model, region), axes);
   if (!optimum) return {};
-  if (!space.has_grid()) optimum = at_range_ends(model, space, goal, *std::move(optimum));
+  if (space.is_wide()) optimum = at_range_ends(model, space, goal, *std::move(optimum));
   std::vector<RankedPoint> ranked;
   if (space.has_grid()) {
     ranked = rank_on_grid(samples, model, region, optimum->point);

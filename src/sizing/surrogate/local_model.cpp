@@ -59,7 +59,7 @@ LocalModel::LocalModel(const Samples& samples, const Goal& goal, const Region& r
   if (region.level) where.weighted_axis = region.level->axis;
   nodes_ = samples.nearest(where, Samples::Wanted::evaluated);
   if (nodes_.size() < 3) return;
-  if (region.node_spacing == 0 && nodes_.size() == wanted && !samples.space().has_grid()) {
+  if (region.node_spacing == 0 && nodes_.size() == wanted && samples.space().is_wide()) {
     axis_weights_ = weights_of_axes();
     where.weights = axis_weights_;
     if (!where.weights.empty()) nodes_ = samples.nearest(where, Samples::Wanted::evaluated);

@@ -84,8 +84,8 @@ Region Planner::gap_region(const Goal& goal, const UpperBound& bound) {
     }
   }
   const std::size_t from = definers[pick(definers.size())];
-  const bool grid = samples_.space().has_grid();
-  if (bound.failures % 3 == 1 && !grid) return {.from = from, .to = from, .interpolated = true};
+  const bool wide = samples_.space().is_wide();
+  if (bound.failures % 3 == 1 && wide) return {.from = from, .to = from, .interpolated = true};
   std::size_t to = definers[pick(definers.size())];
   for (const std::size_t other : definers) {
     if (other != from && samples_[other].combination == samples_[from].combination) to = other;
@@ -93,7 +93,7 @@ Region Planner::gap_region(const Goal& goal, const UpperBound& bound) {
   if (samples_[to].combination != samples_[from].combination) to = from;
   if (bound.failures == 0) return {.from = from, .to = to};
   // A model that promised too much is believed less far, in turn with one of other nodes.
-  if (bound.failures % 2 == 1 && !grid)
+  if (bound.failures % 2 == 1 && wide)
     return {.from = from, .to = to, .trust = trust_after(bound.failures), .seed = random_()};
   return {.from = from, .to = to, .margin = 1.0, .node_spacing = node_spacing_after(bound.failures), .seed = random_()};
 }

@@ -166,7 +166,7 @@ TEST(ActuatorJson, RefusesAnOperatingPointByItsPlace) {
   };
   EXPECT_EQ(error(R"({"duty": 0.5})"), "x: /operating_point/current_A: is missing");
   EXPECT_EQ(error(R"({"current_A": 1, "wiring": "star"})"),
-            R"(x: /operating_point/wiring: must be one of "parallel", "series"; got "star")");
+            R"(x: /operating_point/wiring: must be one of "parallel", "series"; got text "star")");
   EXPECT_EQ(error(R"({"current_A": 1, "supply_resistance_Ohm": -1})"),
             "x: /operating_point/supply_resistance_Ohm: must be >= 0; got -1");
   EXPECT_EQ(error(R"({"current_A": 1, "duty": 1.5})"), "x: /operating_point/duty: must be from 0 to 1; got 1.5");

@@ -242,7 +242,7 @@ TEST(DeclaredDesign, IsTheModelOfTheFileAtTheDeclaredNumbers) {
   EXPECT_EQ(si_of_one(actuator.model.calibration[5]), 1e-3);
   EXPECT_EQ(actuator.model.build(declared_values(actuator)).coil_resistance, assembly.coil.resistance);
   ASSERT_TRUE(actuator.model.heat);
-  EXPECT_EQ(actuator.model.heat->nodes().size(), 3u);
+  EXPECT_EQ(actuator.model.heat->nodes().size(), 8u);  // three parts, the silicone round each, and two solid ends
 }
 
 TEST(DeclaredDesign, BuildsWhatItsUpdatedFileAssembles) {
@@ -301,7 +301,7 @@ TEST(DeclaredDesign, RefusesNamesThatNoFitCanMove) {
   EXPECT_EQ(refusal(design, {"/measured/joint_stiffness_Nmm_rad", "joint_stiffness"}),
             "dataset.json: /calibrate/1: must not mean a number that another name means; got text "
             "\"joint_stiffness\"");
-  const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "body": {"gap_mm": 900}})";
+  const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "body": {"gap_mm": 2000}})";
   EXPECT_THAT(refusal(impossible, {}), ::testing::StartsWith("a.json: /: "));
 }
 

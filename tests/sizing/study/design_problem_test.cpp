@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -30,8 +31,9 @@ TEST(DesignProblem, TakesTheCurrentFromTheGaugeOfThePoint) {
   const DesignProblem problem(small_study());
   const auto thin = std::get<EvaluatedDesign>(problem.evaluate(std::vector{0.0, 0.9, 13.0, 2.0}));
   const auto thick = std::get<EvaluatedDesign>(problem.evaluate(std::vector{0.0, 0.9, 13.0, 0.0}));
-  EXPECT_DOUBLE_EQ(thin.point.current, 0.9 * 0.86);  // chassis ampacity of AWG 30 and 27, A
-  EXPECT_DOUBLE_EQ(thick.point.current, 0.9 * 1.7);
+  // 1.4 A at AWG 28, by the law (d / d_28)^2.06 for AWG 30 and 27; each gauge is 92^(1/39) thinner than the last.
+  EXPECT_NEAR(thin.point.current, 0.9 * 1.4 * std::pow(92.0, -2.0 / 39.0 * 2.06), 2e-4);
+  EXPECT_NEAR(thick.point.current, 0.9 * 1.4 * std::pow(92.0, 1.0 / 39.0 * 2.06), 2e-4);
   EXPECT_EQ(thin.point.duty, 0.4);
 }
 
@@ -132,7 +134,9 @@ TEST(DesignProblem, SaysWhichQuantityADesignLacks) {
   const DesignProblem problem(study);
   const Problem searched = problem.problem();
   EXPECT_EQ(searched.evaluate(std::vector{0.0}).failure,
-            "rise_time_s has no value: the current does not change the bending angle");
+            "rise_time_s has no value: the current does not change the bending angle, or the current is at or beyond "
+            "that of a "
+            "thermal runaway");
   EXPECT_EQ(searched.evaluate(std::vector{1.0}).failure, "");
   const Evaluation runaway = searched.evaluate(std::vector{2.0});
   EXPECT_EQ(runaway.failure,

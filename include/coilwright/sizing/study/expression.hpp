@@ -18,6 +18,7 @@ struct Expression {
 /// An expression names something that is no quantity.
 class UnknownSymbol : public std::invalid_argument {
  public:
+  /// Of that symbol; what() names it.
   explicit UnknownSymbol(std::string symbol);
   [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
 

@@ -51,5 +51,6 @@ for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size
 run strongest_grip size
 run least_ringing size
+run grip_per_mass size
 run speed_against_grip pareto
 run speed_grip_mass pareto

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/formats/study/design_columns.hpp"
 #include "report/design_text.hpp"
 #include "report/text_table.hpp"
 
@@ -20,11 +21,11 @@ std::string objective_change(double value, double promised) {
   return fmt::format("{} ({:+.1f} %)", short_number(value), 100.0 * (value - promised) / std::abs(promised));
 }
 
-std::string margin_phrase(const AssumptionEffect& effect) {
+std::string margin_phrase(const Study& study, const AssumptionEffect& effect) {
   if (!effect.worst) return "";
-  const double percent = 100.0 * effect.worst->margin;
-  if (effect.worst->margin < 0.0) return fmt::format("; BREAKS {} by {:.3g} %", effect.worst->limit, -percent);
-  return fmt::format("; keeps every limit, {} with {:.3g} % to spare", effect.worst->limit, percent);
+  const double value = formats::value_behind(formats::limit_named(study, effect.worst->limit), -effect.worst->margin);
+  return fmt::format("; {} {}: {}", effect.worst->margin < 0.0 ? "BREAKS" : "keeps every limit, nearest",
+                     effect.worst->limit, short_number(value));
 }
 
 // The variables in which two designs differ.
@@ -47,7 +48,7 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
   else
     text += fmt::format("      {} {}{}\n", objective,
                         objective_change(effect.evaluation.objectives.front(), best.evaluation.objectives.front()),
-                        margin_phrase(effect));
+                        margin_phrase(report.study, effect));
   if (effect.changes_design)
     text += fmt::format("      another design is then better: {} {} with {}\n", objective,
                         short_number(effect.other_best->evaluation.objectives.front()),

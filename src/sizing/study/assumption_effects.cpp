@@ -72,13 +72,15 @@ const AssumptionEffect* decisive(const Study& study, const Record& best, const s
   if (effects.empty()) return nullptr;
   const StudyObjective& objective = study.objectives.front();
   const double promised = best.evaluation.objectives.front();
-  // Broken limits first, then by what is lost or gained of the objective.
+  // Broken limits first, then by how far the objective is from what was promised once the design has followed.
   const auto weight = [&](const AssumptionEffect& effect) {
-    const double broken = is_feasible(effect.evaluation) ? 0.0 : 1.0;
-    const double change = effect.evaluation.objectives.empty()
-                              ? 1.0
-                              : std::abs(gain(objective, effect.evaluation.objectives.front(), promised));
-    return std::pair(broken, change);
+    const bool kept = is_feasible(effect.evaluation);
+    if (!kept && !effect.other_best) return std::pair(1.0, 1.0);
+    const Evaluation& reached =
+        effect.other_best && effect.changes_design ? effect.other_best->evaluation : effect.evaluation;
+    const double change =
+        reached.objectives.empty() ? 1.0 : std::abs(gain(objective, reached.objectives.front(), promised));
+    return std::pair(kept ? 0.0 : 1.0, change);
   };
   const auto most = std::ranges::max_element(effects, {}, weight);
   const auto [broken, change] = weight(*most);

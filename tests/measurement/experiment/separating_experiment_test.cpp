@@ -25,11 +25,10 @@ Effect effect(const char* id, std::vector<double> values) {
 
 // The paper's finger, recorded in a step of 1.4 A with a noise of 0.3 degrees.
 struct Rig {
-  Rig() {
+  explicit Rig(actuator::ContactChoice faces = actuator::ContactChoice::walls) {
     Design design;
     design.layout = actuator::layout_of(actuator::Configuration::B);
-    // Joints that may close a little: walls would hold them where an experiment turns the torque round.
-    design.choices.faces = actuator::ContactChoice::hard_parts;
+    design.choices.faces = faces;
     const actuator::ModelSpec spec = actuator::assemble_or_throw(design).model.nominal_spec();
     declared.build = [spec](std::span<const double>) { return spec; };
     run = {.name = "step.csv",
@@ -81,7 +80,9 @@ TEST(SeparatingExperiment, HoldsTheCoilsHotForTwoKindsOfHeat) {
 }
 
 TEST(SeparatingExperiment, ChangesTheBalanceOfTorquesIfGravityIsInDoubt) {
-  const auto next = Rig().between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
+  // Joints that may close a little: walls would hold them where an experiment turns the torque round.
+  const Rig rig(actuator::ContactChoice::hard_parts);
+  const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
   ASSERT_TRUE(next.has_value());
   EXPECT_THAT(next->kind, AnyOf("turned_base", "reversed_current"));
   EXPECT_GT(next->separation, 0.5);

@@ -37,9 +37,9 @@ struct Objective {
 
 /// Result of the evaluation of one design: all numbers, or in `failure` the reason why there are none.
 struct Evaluation {
-  std::vector<double> objectives;   ///< in the problem's order; a maximised one is not negated
-  std::vector<double> constraints;  ///< in the problem's order; <= 0 is feasible; scaled by the problem to order 1
-  std::string failure;              ///< why the design could not be evaluated; empty if it was
+  std::vector<double> objectives{};   ///< in the problem's order; a maximised one is not negated
+  std::vector<double> constraints{};  ///< in the problem's order; <= 0 is feasible; scaled by the problem to order 1
+  std::string failure{};              ///< why the design could not be evaluated; empty if it was
   /// For a failed design its distance from one that can be evaluated, in any measure of order 1; finite, >= 0.
   double infeasibility{};
   /// Further numbers that the problem wants in its tables, empty where one does not exist; for a design of a study all

@@ -186,8 +186,8 @@ ResultQuantity expression_quantity(const Expression& expression, const QuantityT
       throw std::invalid_argument(
           fmt::format("name: must be letters, digits and \"_\", a letter first; got \"{}\"", expression.name));
     const std::string suffix = suffix_of(expression.unit);
-    return {.name = suffix.empty() ? expression.name : expression.name + "_" + suffix,
-            .meaning = "of the study: " + expression.text,
+    return {.name = suffix.empty() ? expression.name : fmt::format("{}_{}", expression.name, suffix),
+            .meaning = fmt::format("of the study: {}", expression.text),
             .scale = scale_of(expression, *shared),
             .value = [shared](const DesignView& design) { return shared->value(design); },
             .absence = absence_of(*shared),

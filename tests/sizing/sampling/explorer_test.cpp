@@ -16,7 +16,7 @@ Problem plain(std::size_t dimension) {
                     return Evaluation{.objectives = {x[0], 1 - x[0]}, .constraints = {}, .failure = {}};
                   }};
   for (std::size_t i = 0; i < dimension; ++i)
-    problem.variables.push_back({.name = "x" + std::to_string(i), .lower = 0, .upper = 1});
+    problem.variables.push_back({.name = std::string("x").append(std::to_string(i)), .lower = 0, .upper = 1});
   return problem;
 }
 

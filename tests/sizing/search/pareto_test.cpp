@@ -26,9 +26,15 @@ std::vector<FrontProblem> published() {
 TEST(TrueFronts, AreWhatTheIntegralsGive) {
   for (const FrontProblem& problem : published()) {
     // the file's staircase has a million steps
-    if (problem.name == "ZDT1") EXPECT_NEAR(problem.hypervolume, 0.1 + 2.0 / 3 + 0.11, 1e-6);
-    if (problem.name == "ZDT2") EXPECT_NEAR(problem.hypervolume, 0.1 + 1.0 / 3 + 0.11, 1e-6);
-    if (problem.name == "DTLZ2") EXPECT_NEAR(problem.hypervolume, 1.21 - std::numbers::pi / 4, 1e-6);
+    if (problem.name == "ZDT1") {
+      EXPECT_NEAR(problem.hypervolume, 0.1 + 2.0 / 3 + 0.11, 1e-6);
+    }
+    if (problem.name == "ZDT2") {
+      EXPECT_NEAR(problem.hypervolume, 0.1 + 1.0 / 3 + 0.11, 1e-6);
+    }
+    if (problem.name == "DTLZ2") {
+      EXPECT_NEAR(problem.hypervolume, 1.21 - std::numbers::pi / 4, 1e-6);
+    }
   }
 }
 

@@ -63,7 +63,9 @@ TEST(PlaneStrainElements, ConvergeAsTheyShrinkTowardsTheEdge) {
     const double now = hinge_stiffness_by_elements(prototype(2.5), levels);
     const double change = before - now;
     EXPECT_GT(change, 0.0) << "displacement elements are too stiff, coarser ones more";
-    if (change_before > 0.0) EXPECT_LT(change, 0.4 * change_before);
+    if (change_before > 0.0) {
+      EXPECT_LT(change, 0.4 * change_before);
+    }
     change_before = change;
     before = now;
   }

@@ -46,7 +46,8 @@ struct AssumptionOptions {
                                                                const AssumptionOptions& options);
 
 /// The effect that changes the answer most: one that breaks a limit before one that changes the objective, then by how
-/// far the best design under it is from what the answer promises; nullptr where none changes it by more than gain_of_another_design.
+/// far the best design under it is from what the answer promises; nullptr where none changes it by more than
+/// gain_of_another_design.
 [[nodiscard]] const AssumptionEffect* decisive(const Study& study, const Record& best,
                                                const std::vector<AssumptionEffect>& effects);
 

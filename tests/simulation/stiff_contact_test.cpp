@@ -170,7 +170,7 @@ TEST(StiffContact, BalancesTheEnergyOfABouncingJoint) {
     const double before = stepper.now().angles[0];
     stepper.step();
     const double length = stepper.time() - stepper.previous_time();
-    for (const auto [place, weight] :
+    for (const auto& [place, weight] :
          {std::pair(-std::sqrt(0.6), 5.0 / 18.0), std::pair(0.0, 8.0 / 18.0), std::pair(std::sqrt(0.6), 5.0 / 18.0)}) {
       const double part = weight * length * power(stepper.at(stepper.previous_time() + 0.5 * (1.0 + place) * length));
       work += part;

@@ -36,7 +36,8 @@ void add(AxialField& sum, const AxialField& field, double factor) {
 
 // Seen from the other side: the faces change places.
 AxialField mirrored(AxialField field) {
-  std::ranges::rotate(field.faces, field.faces.begin() + magnetics::face_points / 2);
+  // Not std::ranges::rotate: Clang 14 does not take it from this standard library.
+  std::rotate(field.faces.begin(), field.faces.begin() + magnetics::face_points / 2, field.faces.end());
   return field;
 }
 

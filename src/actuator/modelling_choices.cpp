@@ -60,39 +60,17 @@ void add_damping_laws(const Design& design, std::vector<OtherChoice>& out) {
   }
 }
 
-std::string name_of(ContactChoice faces) {
+std::string name_of(const Design&, ContactChoice faces) {
   return faces == ContactChoice::walls ? "the silicone walls between coil and magnet carry it"
                                        : "the walls give way until coil and magnet touch";
 }
 
-OtherChoice contact_otherwise(const Design& design) {
-  const ContactChoice other =
-      design.choices.faces == ContactChoice::walls ? ContactChoice::hard_parts : ContactChoice::walls;
-  return {.subject = "contact of a closing joint",
-          .taken = name_of(design.choices.faces),
-          .otherwise = name_of(other),
-          .settled_by = full_grasp,
-          .design = with_face_contact(design, other)};
-}
-
-std::string name_of(AmpacityChoice ampacity) {
+std::string name_of(const Design&, AmpacityChoice ampacity) {
   return ampacity == AmpacityChoice::law ? "a smooth law through the chassis-wiring table"
                                          : "the chassis-wiring table, gauge by gauge";
 }
 
-OtherChoice ampacity_otherwise(const Design& design) {
-  const AmpacityChoice other =
-      design.choices.ampacity == AmpacityChoice::law ? AmpacityChoice::table : AmpacityChoice::law;
-  OtherChoice out{.subject = "ampacity of the wire",
-                  .taken = name_of(design.choices.ampacity),
-                  .otherwise = name_of(other),
-                  .settled_by = thermocouple,
-                  .design = design};
-  out.design.choices.ampacity = other;
-  return out;
-}
-
-std::string name_of(magnetics::CurrentDistribution winding) {
+std::string name_of(const Design&, magnetics::CurrentDistribution winding) {
   switch (winding) {
     case magnetics::CurrentDistribution::paper_shells:
       return "in layers, the outermost at the rim (the source paper)";
@@ -104,33 +82,29 @@ std::string name_of(magnetics::CurrentDistribution winding) {
   return "";
 }
 
-OtherChoice winding_otherwise(const Design& design) {
-  using enum magnetics::CurrentDistribution;
-  const auto other = design.choices.winding == uniform ? paper_shells : uniform;
-  OtherChoice out{.subject = "current in the winding",
-                  .taken = name_of(design.choices.winding),
-                  .otherwise = name_of(other),
-                  .settled_by = coil_and_magnet,
-                  .design = design};
-  out.design.choices.winding = other;
-  return out;
-}
-
 std::string name_of(const Design& design, FilmChoice film) {
   if (film == FilmChoice::still_air) return "still air with radiation";
   return fmt::format("{:.3g} W/m2K, from a continuous current",
                      design.surroundings.heat_transfer * design.calibration.heat_transfer);
 }
 
-OtherChoice film_otherwise(const Design& design) {
-  const FilmChoice other =
-      design.choices.film == FilmChoice::calibrated ? FilmChoice::still_air : FilmChoice::calibrated;
-  OtherChoice out{.subject = "heat transfer of the surface",
-                  .taken = name_of(design, design.choices.film),
-                  .otherwise = name_of(design, other),
-                  .settled_by = thermocouple,
+struct Question {
+  std::string_view subject;
+  std::string_view settled_by;
+};
+
+// A choice by which nothing is calibrated, made otherwise: `usual`, or `other` where the design takes that already.
+template <class Choice>
+OtherChoice made_otherwise(const Design& design, const Question& question, Choice ModelChoices::*choice, Choice usual,
+                           Choice other) {
+  const Choice taken = design.choices.*choice;
+  const Choice otherwise = taken == usual ? other : usual;
+  OtherChoice out{.subject = question.subject,
+                  .taken = name_of(design, taken),
+                  .otherwise = name_of(design, otherwise),
+                  .settled_by = question.settled_by,
                   .design = design};
-  out.design.choices.film = other;
+  out.design.choices.*choice = otherwise;
   return out;
 }
 
@@ -140,10 +114,14 @@ std::vector<OtherChoice> other_choices(const Design& design) {
   std::vector<OtherChoice> out;
   add_hinge_laws(design, out);
   add_damping_laws(design, out);
-  out.push_back(film_otherwise(design));
-  out.push_back(contact_otherwise(design));
-  out.push_back(ampacity_otherwise(design));
-  out.push_back(winding_otherwise(design));
+  out.push_back(made_otherwise(design, {"heat transfer of the surface", thermocouple}, &ModelChoices::film,
+                               FilmChoice::calibrated, FilmChoice::still_air));
+  out.push_back(made_otherwise(design, {"contact of a closing joint", full_grasp}, &ModelChoices::faces,
+                               ContactChoice::walls, ContactChoice::hard_parts));
+  out.push_back(made_otherwise(design, {"ampacity of the wire", thermocouple}, &ModelChoices::ampacity,
+                               AmpacityChoice::law, AmpacityChoice::table));
+  out.push_back(made_otherwise(design, {"current in the winding", coil_and_magnet}, &ModelChoices::winding,
+                               magnetics::CurrentDistribution::uniform, magnetics::CurrentDistribution::paper_shells));
   return out;
 }
 

@@ -29,16 +29,10 @@ using sizing::EvaluatedDesign;
 // found, and held against every limit.
 void check_written_design(const std::string& text, const sizing::Study& study) {
   const formats::ActuatorFile file = formats::parse_actuator(text, "actuator.json");
-  const auto& design = std::get<actuator::Design>(file.content);
-  const actuator::Assembly assembly = actuator::assemble_or_throw(design);
-  const auto result = simulation::performance_of(design, assembly, file.operating_point.value());
-  if (const auto* none = std::get_if<simulation::NoPerformance>(&result)) throw std::logic_error(none->reason);
-  const simulation::DesignView view{.design = design,
-                                    .assembly = assembly,
-                                    .point = *file.operating_point,
-                                    .performance = std::get<simulation::Performance>(result)};
+  const EvaluatedDesign again =
+      simulation::evaluate(std::get<actuator::Design>(file.content), file.operating_point.value());
   for (const sizing::Limit& limit : study.limits) {
-    const std::optional<double> value = limit.quantity.value(view);
+    const std::optional<double> value = limit.quantity.value(again.view());
     if (!value || !(margin(limit, *value) >= 0.0))
       throw std::logic_error(
           fmt::format("the design found does not keep {} when it is read back and evaluated again", name_of(limit)));

@@ -46,12 +46,6 @@ std::optional<double> ripple_of(const OperatingPoint& point, const thermal::Netw
   return power * point.duty * (1.0 - point.duty) * *point.period / coil->heat_capacity;
 }
 
-// Every case takes its heat paths from here.
-thermal::Network network_of(const actuator::Design& design, const actuator::Assembly& assembly,
-                            const mechanics::JointVector& angles) {
-  return actuator::heat_network(design, assembly, angles);
-}
-
 thermal::SteadyState steady_state_of(const thermal::Network& network, const OperatingPoint& point) {
   const double mean_square = thermal::mean_square({.current = point.current, .duty = point.duty});
   return thermal::steady_state(network, thermal::same_in_every_coil(network, mean_square));
@@ -61,13 +55,13 @@ thermal::SteadyState steady_state_of(const thermal::Network& network, const Oper
 
 thermal::NodeVector steady_temperatures(const actuator::Design& design, const actuator::Assembly& assembly,
                                         const OperatingPoint& point, const mechanics::JointVector& angles) {
-  const thermal::NodeVector all = steady_state_of(network_of(design, assembly, angles), point).temperatures;
+  const thermal::NodeVector all = steady_state_of(actuator::heat_network(design, assembly, angles), point).temperatures;
   return all.size() == 0 ? all : thermal::NodeVector(all.head(static_cast<Eigen::Index>(design.layout.size())));
 }
 
 Heat heat_of(const actuator::Design& design, const actuator::Assembly& assembly, const OperatingPoint& point,
              const mechanics::JointVector& joint_angles) {
-  const thermal::Network network = network_of(design, assembly, joint_angles);
+  const thermal::Network network = actuator::heat_network(design, assembly, joint_angles);
   const thermal::CurrentLimits limits = thermal::current_limits(network);
   const thermal::CurrentLimits still =
       thermal::current_limits(actuator::still_air_network(design, assembly, joint_angles));

@@ -83,6 +83,26 @@ Eigen::Matrix3d energy_curvature(const DistantPair& pair, const Eigen::Vector2d&
   return out;
 }
 
+const LinkFrame& frame_of(const mechanics::LinkFrames& frames, int link) {
+  return frames[static_cast<std::size_t>(link + 1)];
+}
+
+// Where the bodies of a pair are: their links, the centre of the second, and the way to it from the first.
+struct PlacedPair {
+  const LinkFrame& first;
+  const LinkFrame& second;
+  Eigen::Vector2d centre;
+  Eigen::Vector2d between;
+};
+
+PlacedPair placed(const DistantPair& pair, const mechanics::LinkFrames& frames) {
+  const LinkFrame& first = frame_of(frames, pair.first.link);
+  const LinkFrame& second = frame_of(frames, pair.second.link);
+  const Eigen::Vector2d centre = second.at(pair.second.along, pair.second.offset);
+  const Eigen::Vector2d between = centre - first.at(pair.first.along, pair.first.offset);
+  return {.first = first, .second = second, .centre = centre, .between = between};
+}
+
 }  // namespace
 
 MagneticStage::MagneticStage(std::vector<HingePair> hinge_pairs, std::vector<DistantPair> distant_pairs)
@@ -107,18 +127,14 @@ void MagneticStage::add_torques(const PlanarChain& chain, const JointVector& ang
 void MagneticStage::add_distant_torques(const PlanarChain& chain, const JointVector& angles,
                                         const CoilCurrents& currents, JointVector& torques) const {
   const mechanics::LinkFrames frames = chain.frames(angles);
-  const auto frame = [&](int link) -> const LinkFrame& { return frames[static_cast<std::size_t>(link + 1)]; };
   for (const DistantPair& pair : distant_pairs_) {
     const double strength = strength_of(pair, currents);
     if (strength == 0.0) continue;
-    const LinkFrame& first = frame(pair.first.link);
-    const LinkFrame& second = frame(pair.second.link);
-    const Eigen::Vector2d centre = second.at(pair.second.along, pair.second.offset);
-    const Eigen::Vector2d between = centre - first.at(pair.first.along, pair.first.offset);
+    const auto [first, second, centre, between] = placed(pair, frames);
     const EnergySlope slope = energy_slope(pair, between, first, second);
     // Joints below the first body move the pair as one and do no work on it; each other turns the second body.
     for (int j = pair.first.link + 1; j <= pair.second.link; ++j) {
-      const Eigen::Vector2d arm = centre - frame(j).joint;
+      const Eigen::Vector2d arm = centre - frame_of(frames, j).joint;
       torques[j] += strength * (arm.y() * slope.distance.x() - arm.x() * slope.distance.y() - slope.second_angle);
     }
   }
@@ -138,22 +154,18 @@ void MagneticStage::add_stiffness(const PlanarChain& chain, const JointVector& a
 void MagneticStage::add_distant_stiffness(const PlanarChain& chain, const JointVector& angles,
                                           const CoilCurrents& currents, JointMatrix& stiffness) const {
   const mechanics::LinkFrames frames = chain.frames(angles);
-  const auto frame = [&](int link) -> const LinkFrame& { return frames[static_cast<std::size_t>(link + 1)]; };
   for (const DistantPair& pair : distant_pairs_) {
     const double strength = strength_of(pair, currents);
     if (strength == 0.0) continue;
-    const LinkFrame& first = frame(pair.first.link);
-    const LinkFrame& second = frame(pair.second.link);
-    const Eigen::Vector2d centre = second.at(pair.second.along, pair.second.offset);
-    const Eigen::Vector2d between = centre - first.at(pair.first.along, pair.first.offset);
+    const auto [first, second, centre, between] = placed(pair, frames);
     const Eigen::Vector2d slope = energy_slope(pair, between, first, second).distance;
     const Eigen::Matrix3d curvature = energy_curvature(pair, between, first, second);
     for (int k = pair.first.link + 1; k <= pair.second.link; ++k) {
-      const Eigen::Vector2d outer = centre - frame(k).joint;
+      const Eigen::Vector2d outer = centre - frame_of(frames, k).joint;
       const Eigen::Vector3d pulled = curvature * Eigen::Vector3d(-outer.y(), outer.x(), 1.0);
       const double turned = slope.dot(outer);
       for (int j = pair.first.link + 1; j <= k; ++j) {
-        const Eigen::Vector2d inner = centre - frame(j).joint;
+        const Eigen::Vector2d inner = centre - frame_of(frames, j).joint;
         const double by_both = strength * (inner.x() * pulled.y() - inner.y() * pulled.x() + pulled.z() - turned);
         stiffness(j, k) += by_both;
         if (j != k) stiffness(k, j) += by_both;

@@ -14,7 +14,7 @@ namespace coilwright::actuator {
 struct CoilElectrics {
   double resistance{};     ///< at 20 degC, ohm, calibrated
   double inductance{};     ///< H
-  double current_limit{};  ///< ampacity of the gauge by the smooth law through the chassis-wiring table, A
+  double current_limit{};  ///< ampacity of the gauge by the design's choice, A: current_limit()
   double table_limit{};    ///< its row in that table, A
   double wire_length{};    ///< m
   double copper_mass{};    ///< kg

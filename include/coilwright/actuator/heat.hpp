@@ -13,7 +13,7 @@ namespace coilwright::actuator {
 /// 0.96, 1.78 and 1.98 A, because the magnet has no other source of heat than its neighbours.
 inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 180.0;
 
-/// Thermal chain of an assembled design: a node per component, base to tip.
+/// Thermal network of an assembled design: the nodes of its components, base to tip, before those of the silicone.
 /// `joint_angle` of every joint in rad, >= 0.
 [[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly,
                                             double joint_angle = thermal_joint_angle);

@@ -66,8 +66,8 @@ struct BodyDesign {
 /// Where segments are allowed to meet when a joint closes.
 enum class ContactChoice {
   /// Only the stiff parts stop a joint, as if there were no silicone before them: coil and magnet touch at their top.
-  /// The
-  /// paper's model has no contact at all; in its range this is the same, and it cannot run away at negative current.
+  /// The paper's model has no contact at all; in its range this is the same, and it cannot run away at negative
+  /// current.
   hard_parts,
   /// The silicone walls are cut to touch at angle 0 and push back with their own stiffness from there. The prototype's
   /// 79 N m/rad let two magnets of configuration C close them by 0.07 degrees.

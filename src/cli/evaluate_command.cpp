@@ -71,7 +71,13 @@ simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, co
 void evaluate(const actuator::Design& design, const formats::ActuatorFile& file, const Options& options) {
   const simulation::OperatingPoint point = operating_point(file, options);
   const actuator::Assembly assembly = assemble(design, options.actuator);
-  const auto result = simulation::performance_of(design, assembly, point);
+  const auto result = [&] {
+    try {
+      return simulation::performance_of(design, assembly, point);
+    } catch (const std::invalid_argument& mistake) {
+      throw text::InputError({.file = options.actuator.file, .rule = mistake.what()});
+    }
+  }();
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{

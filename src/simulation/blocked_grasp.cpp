@@ -77,6 +77,11 @@ mechanics::LinkPoint contact_of(const actuator::Model& model, const actuator::Gr
   mechanics::LinkPoint contact = model.tip();
   if (!grasp.height) return contact;
   check(*grasp.height, "grasp height", "m");
+  // Rounding of a length in millimetres aside.
+  if (*grasp.height > contact.along * (1.0 + 1e-9))
+    throw std::invalid_argument(
+        fmt::format("grasp height must not lie beyond the tip, {:.6g} mm from its joint; got {:.6g} mm",
+                    contact.along * 1e3, *grasp.height * 1e3));
   contact.along = *grasp.height;
   return contact;
 }

@@ -147,6 +147,8 @@ TEST(BlockedGrasp, RefusesAWallThatIsNowhere) {
   };
   EXPECT_EQ(text({.opening = -0.1, .height = {}}), "grasp opening must be finite and >= 0; got -0.1 rad");
   EXPECT_EQ(text({.opening = 0.0, .height = -0.02}), "grasp height must be finite and >= 0; got -0.02 m");
+  EXPECT_EQ(text({.opening = 0.0, .height = 0.03}),
+            "grasp height must not lie beyond the tip, 21.2 mm from its joint; got 30 mm");
 }
 
 TEST(BlockedGrasp, IsNoForceWhereTheFingerWouldRatherLeave) {

@@ -14,6 +14,8 @@ std::string_view name_of(RunKind kind) {
       return "blocked_force";
     case RunKind::temperature:
       return "temperature";
+    case RunKind::still:
+      return "still";
   }
   return "";
 }
@@ -30,11 +32,35 @@ std::string_view name_of(Start start) {
   return "";
 }
 
+std::string_view name_of(InputHold hold) {
+  switch (hold) {
+    case InputHold::zero_order:
+      return "zero_order";
+    case InputHold::linear:
+      return "linear";
+    case InputHold::unknown_within_sample:
+      return "unknown_within_sample";
+  }
+  return "";
+}
+
+std::string_view name_of(CoilWiring wiring) {
+  switch (wiring) {
+    case CoilWiring::driven:
+      return "driven";
+    case CoilWiring::open:
+      return "open";
+    case CoilWiring::shorted:
+      return "shorted";
+  }
+  return "";
+}
+
 simulation::CommandedInput Run::command() const {
   const bool common = inputs.empty() || inputs.front().size() == 1;
   return {.drive = drive,
           .addressing = common ? simulation::Addressing::common : simulation::Addressing::each,
-          .times = times,
+          .times = times_of_inputs(),
           .rows = inputs};
 }
 

@@ -146,6 +146,7 @@ std::optional<Eigen::VectorXd> predict_bench(const Model& model, const PreparedR
       }
       case data::RunKind::transient:
       case data::RunKind::temperature:
+      case data::RunKind::still:
         break;
     }
   }

@@ -37,8 +37,9 @@ struct Warning {
 /// A set of records of one actuator.
 struct Dataset {
   std::string name{};
-  std::vector<Run> fit{};  ///< at least one
-  SealedRuns validate;     ///< empty only if the set has a single run in all
+  std::vector<Run> fit{};    ///< at least one
+  SealedRuns validate;       ///< empty only if the set has a single run in all
+  std::vector<Run> still{};  ///< records in which nothing moves; never held out
   std::vector<std::string>
       held_out{};                   ///< files that with_runs_held_out() sealed because the set names no validate run
   std::vector<Warning> warnings{};  ///< warnings of the reader about the fit runs

@@ -16,7 +16,8 @@ enum class RunKind {
   static_torque,    ///< torque bench: torque of the first joint's coil and magnet over angle and current (Fig. 17)
   joint_stiffness,  ///< force gauge: torque that holds the first joint open, without current (Figs 10b, 11)
   blocked_force,    ///< grasp-force bench: force of the tip against a wall (Fig. 9b)
-  temperature       ///< temperature of a coil over time
+  temperature,      ///< temperature of a coil over time
+  still             ///< nothing moves: the noise of the instruments alone
 };
 
 /// What the input columns command.
@@ -29,9 +30,41 @@ enum class Start {
   free       ///< anywhere: the initial state is a nuisance parameter of the fit
 };
 
-/// The word that a data set uses: "static_torque", "at_rest".
+/// How an input goes between its samples.
+enum class InputHold {
+  zero_order,            ///< held until the next sample
+  linear,                ///< straight from one sample to the next
+  unknown_within_sample  ///< straight, but an edge lies anywhere between the two samples that show it
+};
+
+/// What the coils of a run are connected to.
+enum class CoilWiring {
+  driven,  ///< the driver of the input
+  open,    ///< nothing: no current flows
+  shorted  ///< themselves: motion induces a current
+};
+
+/// What was changed on the rig for one run.
+struct RigChange {
+  double base_turn{};  ///< rad, turns the base as the model's base tilt does
+  double tip_mass{};   ///< kg, hung at the tip; >= 0
+  CoilWiring coil = CoilWiring::driven;
+  friend bool operator==(const RigChange&, const RigChange&) = default;
+};
+
+/// The clocks of measurement and input, and the camera's shutter.
+struct RecordingClock {
+  double offset_sigma{};  ///< s, standard deviation of the unknown shift: a sample stamped t was taken at t + shift on
+                          ///< the clock of the input; >= 0
+  double rate_sigma{};    ///< standard deviation of the unknown relative difference of the rates; >= 0
+  double exposure{};      ///< s; a sample is the mean over this time, centred on its stamp; >= 0
+};
+
+/// The word that a data set uses: "static_torque", "at_rest", "unknown_within_sample", "shorted".
 [[nodiscard]] std::string_view name_of(RunKind kind);
 [[nodiscard]] std::string_view name_of(Start start);
+[[nodiscard]] std::string_view name_of(InputHold hold);
+[[nodiscard]] std::string_view name_of(CoilWiring wiring);
 
 /// What a column measures.
 enum class ChannelKind { bending_angle, joint_angle, joint_rate, torque, force, temperature };
@@ -53,15 +86,27 @@ struct Run {
   std::optional<double> window{};  ///< length of the pieces in which the run is simulated, each with an initial state
                                    ///< of its own, s; nothing: the run is one piece
   std::optional<double> sigma{};   ///< standard deviation of the measurement noise, SI; nothing: it is estimated
-  std::vector<double> times{};     ///< s, increasing (transient, temperature)
-  std::vector<double> angles{};    ///< rad (static_torque, joint_stiffness)
-  std::vector<std::vector<double>> inputs{};  ///< A, V or N m: one row per sample, with one value for all coils or one
-                                              ///< value for each
+  RecordingClock clock{};
+  InputHold hold{};
+  RigChange rig{};
+  std::vector<double> times{};        ///< s, increasing, of the measurement (transient, temperature, still)
+  std::vector<double> input_times{};  ///< s, increasing, of `inputs` where they have a clock of their own; empty: the
+                                      ///< inputs are at `times`
+  std::vector<double> angles{};       ///< rad (static_torque, joint_stiffness)
+  std::vector<double> openings{};     ///< rad, of the grasp's joints (blocked_force); empty: closed
+  std::vector<double> heights{};      ///< m, of the contact above the tip (blocked_force); empty: at the tip
+  std::vector<std::vector<double>> inputs{};  ///< A, V or N m: one row per sample of the input, with one value for all
+                                              ///< coils or one value for each; empty in a still run
   std::vector<Channel> channels{};            ///< at least one
 
   /// Number of samples of each channel.
   [[nodiscard]] std::size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
-  /// What was commanded: `drive`, `times` and `inputs`. A current with one value per row is common to all coils.
+  /// Whether the input has a clock of its own.
+  [[nodiscard]] bool has_input_clock() const { return !input_times.empty(); }
+  /// The times of `inputs`, s.
+  [[nodiscard]] const std::vector<double>& times_of_inputs() const { return has_input_clock() ? input_times : times; }
+  /// What was commanded: `drive`, the times of the input and `inputs`. A current with one value per row is common to
+  /// all coils.
   [[nodiscard]] simulation::CommandedInput command() const;
 };
 

@@ -92,13 +92,7 @@ double closed_form(const SheetBody& source, double radius, double half_length, d
       face_pair(source, radius, distance + sum, 1.0), face_pair(source, radius, distance + difference, -1.0),
       face_pair(source, radius, distance - difference, -1.0), face_pair(source, radius, distance - sum, 1.0)};
   if (source.spread == Spread::uniform) return uniform_difference(source, radius, pairs);
-  double total = 0.0;
-  for (int first = 0; first < source.shells; first += RadialSet::capacity) {
-    const RadialSet set = RadialSet::shells(source, first);
-    for (FacePair& pair : pairs) pair.nodes.rule = set.rule();
-    total += sum_of_inductance_integrals(pairs, radius);
-  }
-  return total;
+  return sum_over_shells(source, pairs, radius);
 }
 
 /// Nodes along the shorter body that far_form needs.

@@ -69,13 +69,7 @@ double flux(const SheetBody& source, double radius, double height) {
     for (FacePair& face : faces) face.nodes.rule = gauss_legendre(std::min(order, max_gauss_order));
     return sum_of_inductance_integrals(faces, radius);
   }
-  double total = 0.0;
-  for (int first = 0; first < source.shells; first += RadialSet::capacity) {
-    const RadialSet set = RadialSet::shells(source, first);
-    for (FacePair& face : faces) face.nodes.rule = set.rule();
-    total += sum_of_inductance_integrals(faces, radius);
-  }
-  return total;
+  return sum_over_shells(source, faces, radius);
 }
 
 double mean_field(const SheetBody& source, const CylinderSize& within, double distance) {

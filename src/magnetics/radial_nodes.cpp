@@ -31,4 +31,14 @@ RadialSet RadialSet::graded(const SheetBody& body, double radius, double offset)
   return set;
 }
 
+double sum_over_shells(const SheetBody& source, std::span<FacePair> pairs, double other_radius) {
+  double total = 0.0;
+  for (int first = 0; first < source.shells; first += RadialSet::capacity) {
+    const RadialSet set = RadialSet::shells(source, first);
+    for (FacePair& pair : pairs) pair.nodes.rule = set.rule();
+    total += sum_of_inductance_integrals(pairs, other_radius);
+  }
+  return total;
+}
+
 }  // namespace coilwright::magnetics

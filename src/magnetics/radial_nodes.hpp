@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "magnetics/gauss_legendre.hpp"
+#include "magnetics/sheet_kernels.hpp"
 #include "magnetics/sheets.hpp"
 
 namespace coilwright::magnetics {
@@ -32,6 +34,9 @@ class RadialSet {
   std::size_t count_;
   std::size_t padded_;
 };
+
+/// sum_of_inductance_integrals over all shells of `source`, whatever rules `pairs` have.
+[[nodiscard]] double sum_over_shells(const SheetBody& source, std::span<FacePair> pairs, double other_radius);
 
 /// Gauss-Legendre repeated over equal panels of [-1, 1]: any number of nodes.
 class PanelRule {

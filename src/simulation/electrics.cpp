@@ -11,8 +11,7 @@ Electrics electrics_at(const actuator::Assembly& assembly, const OperatingPoint&
   const double current = std::abs(point.current);
   const actuator::Supply& supply = point.supply;
   const thermal::NodeVector resistances =
-      (assembly.coil.resistance * (1.0 + winding::copper_temperature_coefficient * (coil_temperatures.array() - 20.0)))
-          .matrix();
+      assembly.coil.resistance * coil_temperatures.unaryExpr(&winding::copper_resistance_ratio);
   const double hottest = resistances.maxCoeff();
   const double all = resistances.sum();
   const bool series = supply.wiring == actuator::Wiring::series;

@@ -64,7 +64,9 @@ Heat heat_of(const actuator::Design& design, const actuator::Assembly& assembly,
   const thermal::Network network = actuator::heat_network(design, assembly, joint_angles);
   const thermal::CurrentLimits limits = thermal::current_limits(network);
   const thermal::CurrentLimits still =
-      thermal::current_limits(actuator::still_air_network(design, assembly, joint_angles));
+      design.choices.film == actuator::FilmChoice::still_air
+          ? limits
+          : thermal::current_limits(actuator::still_air_network(design, assembly, joint_angles));
   const double mean_square = thermal::mean_square({.current = point.current, .duty = point.duty});
   Heat heat{.continuous_current = limits.coils,
             .magnet_continuous_current = limits.magnets,

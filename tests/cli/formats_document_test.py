@@ -1,10 +1,10 @@
 """docs/formats.md: its examples run, its defaults and study names are the program's."""
 
-import json
 import re
 import unittest
 
 from program import DATA, ProgramTest, run
+from study import size_plain_finger
 
 ROOT = DATA.parent.parent
 TEXT = (ROOT / "docs" / "formats.md").read_text()
@@ -45,12 +45,7 @@ class FormatsDocument(ProgramTest):
         self.assertEqual([len(examples(kind)) for kind in ("actuator", "pair", "study")], [3, 1, 1])
 
     def test_the_defaults_and_study_names_are_the_program_s(self):
-        self.write("plain.json", '{"format": "actuator/1", "configuration": "B"}')
-        self.write("study.json", json.dumps(
-            {"format": "study/1", "name": "x", "actuator": "plain.json", "operating_point": {"current_A": 0.5},
-             "variables": {"turns_axial": {"values": [30]}}, "objectives": [{"minimise": "mass_g"}]}))
-        self.assertEqual(run("size", "study.json", "--out", "out", cwd=self.folder).returncode, 0)
-        written = self.result("out/actuator.json")
+        written = size_plain_finger(self)
         for section in ("coil", "magnet", "body", "surroundings"):
             rows = rows_of(section)
             self.assertEqual({key: value_of(default) for key, default, *_ in rows}, written[section])

@@ -11,6 +11,7 @@ import warnings
 import jsonschema
 
 from program import CONFIGS, DATA, PAPER_FINGER, ProgramTest, run
+from study import size_plain_finger
 
 ROOT = CONFIGS.parent
 SCHEMAS = {path.name: json.loads(path.read_text()) for path in sorted((CONFIGS / "schemas").glob("*.schema.json"))}
@@ -319,12 +320,7 @@ class SchemasAndProgram(ProgramTest):
 
     def test_know_every_section_of_an_actuator(self):
         # The sections that `size` writes are complete.
-        self.write("plain.json", '{"format": "actuator/1", "configuration": "B"}')
-        self.write("study.json", json.dumps(
-            {"format": "study/1", "name": "x", "actuator": "plain.json", "operating_point": {"current_A": 0.5},
-             "variables": {"turns_axial": {"values": [30]}}, "objectives": [{"minimise": "mass_g"}]}))
-        self.assertEqual(run("size", "study.json", "--out", "out", cwd=self.folder).returncode, 0)
-        written = self.result("out/actuator.json")
+        written = size_plain_finger(self)
         properties = SCHEMAS["actuator.schema.json"]["properties"]
         for section in ("coil", "magnet", "body", "surroundings", "model", "calibration"):
             self.assertEqual(defaults(properties[section]), written[section])

@@ -2,7 +2,7 @@
 
 import json
 
-from program import PAPER_FINGER
+from program import PAPER_FINGER, run
 
 
 def write_study(test, **changes):
@@ -21,6 +21,16 @@ def write_study(test, **changes):
     test.write("finger.json", PAPER_FINGER.read_text())
     test.write("study.json", json.dumps(study))
     return study
+
+
+def size_plain_finger(test):
+    """Runs `size` on an actuator of which plain.json states nothing; its out/actuator.json has every default."""
+    test.write("plain.json", '{"format": "actuator/1", "configuration": "B"}')
+    test.write("study.json", json.dumps(
+        {"format": "study/1", "name": "x", "actuator": "plain.json", "operating_point": {"current_A": 0.5},
+         "variables": {"turns_axial": {"values": [30]}}, "objectives": [{"minimise": "mass_g"}]}))
+    test.assertEqual(run("size", "study.json", "--out", "out", cwd=test.folder).returncode, 0)
+    return test.result("out/actuator.json")
 
 
 GRID = {"configuration": {"values": ["A", "B"]}, "turns_radial": {"lower": 12, "upper": 15},

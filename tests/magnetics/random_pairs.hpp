@@ -5,23 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 #include "coilwright/magnetics/wrench.hpp"
+#include "random_draw.hpp"
 
 // Random coils, magnets and poses such as a geometry search meets, from a fixed seed.
 namespace coilwright::magnetics::random_pairs {
 
-using Generator = std::mt19937_64;
-
-inline double uniform(Generator& random, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-inline double log_uniform(Generator& random, double lower, double upper) {
-  return lower * std::pow(upper / lower, uniform(random, 0.0, 1.0));
-}
+using random_draw::Generator;
+using random_draw::log_uniform;
+using random_draw::uniform;
 
 inline ThickCoil coil(Generator& random, CurrentDistribution winding) {
   const double inner = log_uniform(random, 0.5e-3, 15e-3);

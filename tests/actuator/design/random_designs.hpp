@@ -1,25 +1,17 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <random>
 
 #include "coilwright/actuator/design/design.hpp"
+#include "random_draw.hpp"
 
 // Random actuators over the whole range of sizes that a search may ask for, from a fixed seed.
 namespace coilwright::actuator::random_designs {
 
-using Generator = std::mt19937_64;
-
-inline double uniform(Generator& random, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-inline double log_uniform(Generator& random, double lower, double upper) {
-  return lower * std::pow(upper / lower, uniform(random, 0.0, 1.0));
-}
-inline int whole(Generator& random, int lower, int upper) {
-  return lower + static_cast<int>(random() % static_cast<unsigned>(upper - lower + 1));
-}
+using random_draw::Generator;
+using random_draw::log_uniform;
+using random_draw::uniform;
+using random_draw::whole;
 
 inline Design design(Generator& random, magnetics::Fidelity fidelity) {
   constexpr std::array<Configuration, 4> layouts{Configuration::A, Configuration::B, Configuration::C,

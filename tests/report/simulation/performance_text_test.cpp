@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
@@ -41,6 +43,33 @@ TEST(PerformanceText, ListsAQuantityOfAUsersOwn) {
   EXPECT_THAT(value, HasSubstr("mass_g "));
   EXPECT_THAT(formats::to_json(view, table).text(), HasSubstr("\"aspect_ratio\": 0."));
   EXPECT_THAT(to_text(view), Not(HasSubstr("aspect_ratio")));
+}
+
+// Numbers end in one column, however long a name is: also the longest that there is.
+TEST(PerformanceText, AlignsItsColumnsUnderTheLongestName) {
+  const actuator::Design design;
+  const actuator::Assembly assembly = actuator::assemble_or_throw(design);
+  const simulation::OperatingPoint point{.current = 1.0};
+  const auto performance = std::get<simulation::Performance>(simulation::performance_of(design, assembly, point));
+  const simulation::DesignView view{.design = design, .assembly = assembly, .point = point, .performance = performance};
+  const std::string name(50, 'n');
+  const QuantityTable table = simulation::standard_quantities().with(
+      {.name = name, .meaning = "of a long name", .scale = 1.0, .value = [](const simulation::DesignView&) {
+         return 1.0;
+       }});
+  for (const auto& [quantities, width] :
+       {std::pair(&simulation::standard_quantities(), std::size_t{34}), std::pair(&table, name.size())}) {
+    std::istringstream lines(to_text(view, *quantities));
+    for (const simulation::ResultQuantity& quantity : *quantities) {
+      std::string line;
+      std::getline(lines, line);
+      ASSERT_EQ(line.substr(0, quantity.name.size()), quantity.name);
+      EXPECT_EQ(line.find(quantity.meaning), width + 15) << line;
+    }
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line.substr(0, width), "joint_angles_deg" + std::string(width - 16, ' '));
+  }
 }
 
 TEST(PerformanceText, OfALumpedModelHasWhatNeedsNoDesign) {

@@ -88,7 +88,9 @@ class BadData(ProgramTest):
                 ("time_s,theta1_deg", "must have an input column: current_A, current1_A.., voltage_V or torque1_Nm.."),
                 ("time_s,torque1_Nm",
                  "must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s.."),
-                ("time_s,torque1_Nm,theta1_deg,mood", "column mood: unknown column"),
+                ("time_s,torque1_Nm,theta1_deg,mood", "column mood: unknown column; there may be time_s, bending_angle_deg, theta1_deg.., omega1_rad_s.., "
+                 "current_A, current1_A.., voltage_V, torque1_Nm..; a column that is to be left alone is named in "
+                 "\"ignore\" of its run"),
                 ("time_s,torque1_Nm,theta1_deg,theta1_deg", "column theta1_deg: must not be there twice"),
                 ("time_s,torque1_A,theta1_deg", 'column torque1_A: unknown unit; did you mean "torque1_Nm"?')):
             values = ",".join("0" for _ in header.split(","))

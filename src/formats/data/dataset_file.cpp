@@ -1,16 +1,19 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "coilwright/formats/data/run_file.hpp"
 #include "coilwright/measurement/data/data_quality.hpp"
 #include "coilwright/measurement/data/hold_out.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
-#include "formats/data/run_words.hpp"
+#include "formats/data/run_entry.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -19,67 +22,9 @@ using namespace text;
 using measurement::data::Dataset;
 using measurement::data::Run;
 using measurement::data::RunKind;
-using measurement::data::Start;
 
 // Far beyond any set that a rig fills, and near enough that a wrong file is refused at once.
 constexpr std::size_t most_runs = 10'000;
-
-// In the column's unit. Outside, no instrument: a fit would drown in it, or overflow.
-constexpr Rule sigma_rule = Rule::between(1e-12, 1e12);
-
-enum class Role { fit, validate };
-
-// The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.
-void check_drive(const Run& run, const Node& node) {
-  if (run.kind != RunKind::joint_stiffness && read_drive(node) != run.drive)
-    throw node.error("must be \"" + std::string(name_of(run.drive)) + "\", as the input column of the file says");
-}
-
-void check_start(const Run& run, const Node& node) {
-  const auto has = [&](measurement::data::ChannelKind quantity) {
-    return std::ranges::count(run.channels, quantity, &measurement::data::Channel::kind) > 0;
-  };
-  const bool angle =
-      has(measurement::data::ChannelKind::bending_angle) || has(measurement::data::ChannelKind::joint_angle);
-  if (run.kind == RunKind::transient && run.start == Start::measured && !angle)
-    throw node.error("must not be \"measured\" where no angle is measured");
-}
-
-void check_window(const Run& run, const Node& node) {
-  if (run.times.size() < 2) return;
-  const double shortest = (run.times.back() - run.times.front()) / static_cast<double>(run.times.size() - 1);
-  if (*run.window <= shortest) throw node.error("must exceed the mean interval between samples");
-}
-
-struct Entry {
-  RunFile file;
-  Role role{};
-};
-
-Entry read_entry(const Node& node, std::set<std::filesystem::path>& met) {
-  return read_object(node, [&](ObjectReader& in) {
-    const Node file = in.at("file");
-    RunEntry entry{.name = file.text()};
-    entry.kind = read_run_kind(in.at("kind"));
-    const Role role = in.choice<Role>("role", {{"fit", Role::fit}, {"validate", Role::validate}});
-    const auto start = in.find("start");
-    entry.start = start ? read_start(*start) : Start::at_rest;
-    const auto window = in.find_not_null("window_s");
-    if (window) entry.window = window->quantity(positive);
-    if (const auto sigma = in.find_not_null("sigma")) entry.sigma = sigma->number(sigma_rule);
-    const auto drive = entry.kind == RunKind::transient ? std::optional(in.at("drive")) : in.find("drive");
-    if (drive) (void)read_drive(*drive);
-    std::error_code unreadable;
-    const auto path = std::filesystem::weakly_canonical(file.path(), unreadable);
-    if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");
-    in.finish();  // a mistake in this entry is told before one in its file
-    Entry out{.file = read_run(file.path(), entry), .role = role};
-    if (drive) check_drive(out.file.run, *drive);
-    if (start) check_start(out.file.run, *start);
-    if (window) check_window(out.file.run, *window);
-    return out;
-  });
-}
 
 std::vector<std::string> read_calibrate(ObjectReader& in) {
   const auto node = in.find("calibrate");
@@ -95,24 +40,51 @@ std::vector<std::string> read_calibrate(ObjectReader& in) {
   return names;
 }
 
+// What is no pointer into the actuator file.
+constexpr std::array<std::string_view, 4> tolerance_names = {"force_curve", "joint_stiffness_ratio",
+                                                             "joint_damping_ratio", "face_closing_deg"};
+
+Tolerances read_tolerances(const Node& node) {
+  Tolerances out;
+  if (node.kind() != Node::Kind::object) {
+    if (node.kind() == Node::Kind::text && node.text() == "exact") return Tolerances::exact();
+    throw node.error(R"(must be "exact" or an object)");
+  }
+  for (const Node& each : node.members()) {
+    if (std::ranges::count(tolerance_names, each.key()) == 0 && !each.key().starts_with('/'))
+      throw each.error_without_value(fmt::format(R"(must be called "{}" or by a JSON pointer into the actuator file)",
+                                                 fmt::join(tolerance_names, R"(", ")")));
+    out.named.push_back({.name = each.key(), .deviation = each.number(non_negative)});
+  }
+  return out;
+}
+
 Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> met;
+  std::set<std::filesystem::path> input_files;
   std::map<std::string, InputError> objections;
   std::vector<Run> validate;
   Dataset data;
   for (const Node& element : node.elements(Length::from_to(1, most_runs))) {
-    Entry entry = read_entry(element, met);
-    if (entry.file.objection) objections.emplace(entry.file.run.name, *entry.file.objection);
-    (entry.role == Role::fit ? data.fit : validate).push_back(std::move(entry.file.run));
+    RunInSet entry = read_run_in_set(element, met);
+    Run& run = entry.file.run;
+    if (entry.file.objection) objections.emplace(run.name, *entry.file.objection);
+    if (entry.input_file) input_files.insert(*entry.input_file);
+    if (run.kind == RunKind::still)
+      data.still.push_back(std::move(run));
+    else
+      (entry.role == Role::fit ? data.fit : validate).push_back(std::move(run));
   }
   files.assign(met.begin(), met.end());
+  files.insert(files.end(), input_files.begin(), input_files.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
   data.validate = measurement::data::SealedRuns(std::move(validate));
   data = measurement::data::with_runs_held_out(std::move(data));
-  for (const Run& run : data.fit) {
-    if (const auto found = objections.find(run.name); found != objections.end()) throw found->second;
-    std::ranges::move(measurement::data::data_quality_warnings(run), std::back_inserter(data.warnings));
-  }
+  for (const std::vector<Run>* runs : {&data.fit, &data.still})
+    for (const Run& run : *runs) {
+      if (const auto found = objections.find(run.name); found != objections.end()) throw found->second;
+      std::ranges::move(measurement::data::data_quality_warnings(run), std::back_inserter(data.warnings));
+    }
   return data;
 }
 
@@ -123,6 +95,7 @@ DatasetFile read_document(const Document& document) {
     std::string name = in.text_or("name", "");
     if (const auto actuator = in.find_not_null("actuator")) out.actuator = actuator->path();
     out.calibrate = read_calibrate(in);
+    if (const auto tolerances = in.find_not_null("tolerances")) out.tolerances = read_tolerances(*tolerances);
     const Node runs = in.at("runs");
     in.finish();
     out.data = read_runs(runs, out.run_files);

@@ -6,7 +6,9 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using measurement::data::CoilWiring;
 using measurement::data::Drive;
+using measurement::data::InputHold;
 using measurement::data::RunKind;
 using measurement::data::Start;
 
@@ -19,7 +21,7 @@ auto read_name(const Node& node, Values... values) {
 
 RunKind read_run_kind(const Node& node) {
   return read_name(node, RunKind::transient, RunKind::static_torque, RunKind::joint_stiffness, RunKind::blocked_force,
-                   RunKind::temperature);
+                   RunKind::temperature, RunKind::still);
 }
 
 Drive read_drive(const Node& node) {
@@ -28,6 +30,14 @@ Drive read_drive(const Node& node) {
 
 Start read_start(const Node& node) {
   return read_name(node, Start::at_rest, Start::measured, Start::free);
+}
+
+InputHold read_input_hold(const Node& node) {
+  return read_name(node, InputHold::zero_order, InputHold::linear, InputHold::unknown_within_sample);
+}
+
+CoilWiring read_coil_wiring(const Node& node) {
+  return read_name(node, CoilWiring::driven, CoilWiring::open, CoilWiring::shorted);
 }
 
 }  // namespace coilwright::formats

@@ -10,5 +10,7 @@ namespace coilwright::formats {
 [[nodiscard]] measurement::data::RunKind read_run_kind(const text::Node& node);
 [[nodiscard]] measurement::data::Drive read_drive(const text::Node& node);
 [[nodiscard]] measurement::data::Start read_start(const text::Node& node);
+[[nodiscard]] measurement::data::InputHold read_input_hold(const text::Node& node);
+[[nodiscard]] measurement::data::CoilWiring read_coil_wiring(const text::Node& node);
 
 }  // namespace coilwright::formats

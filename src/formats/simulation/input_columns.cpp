@@ -39,7 +39,7 @@ std::vector<std::string> quantities(CsvHeader& header, const Known& input) {
 
 }  // namespace
 
-InputColumns ask_for_input(CsvHeader& header) {
+std::optional<InputColumns> find_input(CsvHeader& header) {
   std::optional<InputColumns> chosen;
   for (const Known& input : known_inputs) {
     std::vector<std::string> found = quantities(header, input);
@@ -48,8 +48,13 @@ InputColumns ask_for_input(CsvHeader& header) {
       throw header.error("must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
     chosen = InputColumns{.drive = input.drive, .addressing = input.addressing, .quantities = std::move(found)};
   }
-  header.finish();  // a misspelt input is named as such before it is missed
-  if (!chosen) throw header.error("must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
+  return chosen;
+}
+
+InputColumns ask_for_input(CsvHeader& header, std::string_view advice) {
+  const std::optional<InputColumns> chosen = find_input(header);
+  header.finish(advice);  // a misspelt input is named as such before it is missed
+  if (!chosen) throw header.error("must have an input column: " + std::string(input_names));
   return *chosen;
 }
 

@@ -168,7 +168,7 @@ std::vector<Warning> data_quality_warnings(const Run& run) {
     if (channel.kind == ChannelKind::bending_angle || channel.kind == ChannelKind::joint_angle)
       add(implausible_angle(channel.name, channel.values));
     if (channel.kind == ChannelKind::temperature) add(implausible_temperature(channel));
-    add(stuck_sensor(channel));
+    if (run.kind != RunKind::still || constant(channel.values)) add(stuck_sensor(channel));
   }
   return warnings;
 }

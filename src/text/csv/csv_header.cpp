@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,8 @@ namespace coilwright::text {
 namespace {
 
 // The closed list of measured-data/1. A unit that JSON keys may carry is unknown here when it is not in it.
-constexpr std::array<std::string_view, 13> column_units = {"s",   "A",     "V",     "N",    "Nm", "Nmm", "deg",
-                                                           "rad", "deg_s", "rad_s", "degC", "m",  "mm"};
+constexpr std::array<std::string_view, 14> column_units = {"s",   "ms",  "A",     "V",     "N",    "Nm", "Nmm",
+                                                           "deg", "rad", "deg_s", "rad_s", "degC", "m",  "mm"};
 
 bool is_column_unit(const units::Unit& unit) {
   return std::find(column_units.begin(), column_units.end(), unit.suffix) != column_units.end();
@@ -50,12 +51,17 @@ CsvHeader::CsvHeader(std::string file, std::size_t line, std::vector<std::string
 }
 
 std::size_t CsvHeader::index_of(std::string_view name) const {
-  const auto found =
-      std::find_if(names_.begin(), names_.end(), [&](const std::string& each) { return answers(each, name); });
-  return static_cast<std::size_t>(found - names_.begin());
+  std::size_t i = 0;
+  while (i < names_.size() && (left_alone_.contains(i) || !answers(names_[i], name))) ++i;
+  return i;
 }
 
 bool CsvHeader::find(std::string_view name) {
+  legal_.emplace_back(name);
+  return ask(name);
+}
+
+bool CsvHeader::ask(std::string_view name) {
   asked_for_.emplace_back(name);
   const std::size_t index = index_of(name);
   if (index == names_.size()) return false;
@@ -66,7 +72,9 @@ bool CsvHeader::find(std::string_view name) {
 
 void CsvHeader::require(std::string_view name) {
   if (find(name)) return;
-  for (const std::string& each : names_) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (left_alone_.contains(i)) continue;
+    const std::string& each = names_[i];
     if (quantity_of(each) == quantity_of(name) || each == quantity_of(name)) {
       throw error(each, "unknown unit; did you mean " + in_quotes(name) + "?");
     }
@@ -76,14 +84,23 @@ void CsvHeader::require(std::string_view name) {
 }
 
 std::size_t CsvHeader::numbered(std::string_view pattern) {
+  legal_.push_back(with_number(pattern, 1) + "..");
   std::size_t count = 0;
-  while (find(with_number(pattern, count + 1))) ++count;
+  while (ask(with_number(pattern, count + 1))) ++count;
   return count;
 }
 
+bool CsvHeader::leave_alone(std::string_view name) {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) return false;
+  left_alone_.insert(static_cast<std::size_t>(found - names_.begin()));
+  return true;
+}
+
 void CsvHeader::ignore(std::string_view name) {
+  const bool many = name.find('#') != std::string_view::npos;
+  legal_.push_back(many ? with_number(name, 1) + ".." : std::string(name));
   for (std::size_t number = 1;; ++number) {
-    const bool many = name.find('#') != std::string_view::npos;
     const std::string each = many ? with_number(name, number) : std::string(name);
     asked_for_.push_back(each);
     const std::size_t index = index_of(each);
@@ -93,9 +110,9 @@ void CsvHeader::ignore(std::string_view name) {
   }
 }
 
-void CsvHeader::finish() const {
+void CsvHeader::finish(std::string_view advice) const {
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (known_.contains(i)) continue;
+    if (known_.contains(i) || left_alone_.contains(i)) continue;
     for (const std::string& asked : asked_for_) {
       const bool same_quantity = quantity_of(names_[i]) == quantity_of(asked) || names_[i] == quantity_of(asked);
       if (same_quantity) throw error(names_[i], "unknown unit; did you mean " + in_quotes(asked) + "?");
@@ -103,7 +120,9 @@ void CsvHeader::finish() const {
     std::vector<std::string> absent;
     for (const std::string& asked : asked_for_)
       if (index_of(asked) == names_.size()) absent.push_back(asked);
-    throw error(names_[i], "unknown column" + did_you_mean(names_[i], absent));
+    const std::string meant = did_you_mean(names_[i], absent);
+    if (!meant.empty()) throw error(names_[i], "unknown column" + meant);
+    throw error(names_[i], fmt::format("unknown column; there may be {}{}", fmt::join(legal_, ", "), advice));
   }
 }
 

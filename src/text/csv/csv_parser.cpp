@@ -28,6 +28,8 @@ struct CsvParser::State {
   bool at_start{true};
   bool after_carriage_return{false};
   bool in_row{false};
+  bool in_comment{false};
+  bool at_line_start{true};
   bool row_complete{false};
   std::size_t line{1};
   std::size_t row_line{1};
@@ -68,7 +70,10 @@ void CsvParser::feed(std::string_view text) {
     const bool ends_here = end != std::string_view::npos;
     const std::string_view line = text.substr(0, ends_here ? end + 1 : text.size());
     text.remove_prefix(line.size());
-    feed_line(line);
+    const bool starts = std::exchange(state_->at_line_start, ends_here);
+    if (starts && !state_->in_row && line.front() == '#') state_->in_comment = true;
+    if (!state_->in_comment) feed_line(line);
+    if (ends_here) state_->in_comment = false;
     // CR LF is one line end.
     const bool second_of_two = line == "\n" && state_->after_carriage_return;
     if (ends_here && !second_of_two) ++state_->line;

@@ -59,6 +59,7 @@ class CsvTableBuilder {
     std::string name;
     units::Unit unit;
     bool kept;
+    bool left_alone;
   };
 
   void take_header(std::span<const std::string_view> fields, std::size_t line) {
@@ -67,7 +68,10 @@ class CsvTableBuilder {
     header.finish();
     width_ = fields.size();
     for (std::size_t i = 0; i < width_; ++i) {
-      source_.push_back({.name = header.names()[i], .unit = unit_of(header.names()[i]), .kept = header.keeps(i)});
+      source_.push_back({.name = header.names()[i],
+                         .unit = unit_of(header.names()[i]),
+                         .kept = header.keeps(i),
+                         .left_alone = header.leaves_alone(i)});
       if (header.keeps(i)) table_.names_.push_back(header.names()[i]);
     }
     table_.columns_.resize(table_.names_.size());
@@ -87,6 +91,7 @@ class CsvTableBuilder {
     }
     std::size_t target = 0;
     for (std::size_t i = 0; i < width_; ++i) {
+      if (source_[i].left_alone) continue;
       const auto value = finite_number(fields[i]);
       if (!value) {
         throw InputError({.file = table_.file_,

@@ -110,7 +110,7 @@ TEST_F(DatasetFiles, RefuseWordsThatDoNotExist) {
             R"(dataset.json: /runs/0/role: must be one of "fit", "validate"; got text "train")");
   EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "motion", "role": "fit", "drive": "current"})"),
             R"(dataset.json: /runs/0/kind: must be one of "transient", "static_torque", "joint_stiffness", )"
-            R"("blocked_force", "temperature"; got text "motion")");
+            R"("blocked_force", "temperature", "still"; got text "motion")");
   EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "force"})"),
             R"(dataset.json: /runs/0/drive: must be one of "current", "voltage", "torque"; got text "force")");
   EXPECT_EQ(
@@ -195,6 +195,133 @@ TEST_F(DatasetFiles, WarnOfRunsThatLookWrong) {
   ASSERT_EQ(file.data.warnings.size(), 1u);
   EXPECT_EQ(file.data.warnings[0].run, "a.csv");
   EXPECT_THAT(file.data.warnings[0].text, HasSubstr("the input never moves"));
+}
+
+const std::string seen = "time_s,bending_angle_deg\n0.1,1\n0.14,2\n0.16,4.5\n0.2,6.5\n";
+const std::string run_c = R"({"file": "seen.csv", "kind": "transient", "role": "fit", "drive": "current",
+                              "input_file": "fed.csv")";
+
+TEST_F(DatasetFiles, ReadWhatALaboratoryKnowsOfItsClocksAndItsRig) {
+  write("seen.csv", seen);
+  write("fed.csv", "time_s,current_A\n0,0\n0.15,1.4\n0.3,1.4\n");
+  write("still.csv", "# nothing moves\ntime_s,bending_angle_deg\n0,7.1\n1,7.2\n2,7\n");
+  const DatasetFile file = read_runs(run_c + R"(, "input_hold": "unknown_within_sample", "clock_offset_s": 0.01,
+      "clock_rate": 0.005, "exposure_s": 0.004, "rig": {"base_turn_deg": 90, "tip_mass_g": 5, "coil": "shorted"}},)" +
+                                     run_b + R"(, {"file": "still.csv", "kind": "still", "role": "fit"})");
+  ASSERT_EQ(file.data.fit.size(), 1u);
+  const measurement::data::Run& run = file.data.fit[0];
+  EXPECT_THAT(run.times, ElementsAre(0.1, 0.14, 0.16, 0.2));
+  EXPECT_THAT(run.input_times, ElementsAre(0.0, 0.15, 0.3));
+  EXPECT_THAT(run.inputs, ElementsAre(ElementsAre(0.0), ElementsAre(1.4), ElementsAre(1.4)));
+  EXPECT_EQ(run.samples(), 4u);
+  EXPECT_EQ(run.hold, measurement::data::InputHold::unknown_within_sample);
+  EXPECT_EQ(run.clock.offset_sigma, 0.01);
+  EXPECT_EQ(run.clock.rate_sigma, 0.005);
+  EXPECT_EQ(run.clock.exposure, 0.004);
+  EXPECT_DOUBLE_EQ(run.rig.base_turn, 3.14159265358979323846 / 2.0);
+  EXPECT_EQ(run.rig.tip_mass, 5e-3);
+  EXPECT_EQ(run.rig.coil, measurement::data::CoilWiring::shorted);
+  ASSERT_EQ(file.data.still.size(), 1u);
+  EXPECT_EQ(file.data.still[0].name, "still.csv");
+  EXPECT_THAT(file.data.warnings, IsEmpty());
+  // The input's file is one of the set, which nothing may be written over.
+  EXPECT_THAT(file.run_files, ::testing::Contains(folder_.path() / "fed.csv"));
+}
+
+TEST_F(DatasetFiles, AssumeAShiftOfOneSampleBetweenTwoClocks) {
+  write("seen.csv", seen);
+  write("fed.csv", "time_ms,current_A\n0,0\n150,1.4\n300,1.4\n");
+  EXPECT_DOUBLE_EQ(read_runs(run_c + "}").data.fit[0].clock.offset_sigma, 0.04);  // the median of 40, 20 and 40 ms
+  EXPECT_EQ(read_runs(run_c + R"(, "clock_offset_s": 0})").data.fit[0].clock.offset_sigma, 0.0);
+  EXPECT_EQ(read_runs(run_a).data.fit[0].clock.offset_sigma, 0.0);
+}
+
+TEST_F(DatasetFiles, MayShareAnInput) {
+  write("seen.csv", seen);
+  write("other.csv", seen);
+  write("fed.csv", "time_s,current_A\n0,0\n0.15,1.4\n0.3,1.4\n");
+  const DatasetFile file = read_runs(run_c + R"(}, {"file": "other.csv", "kind": "transient", "role": "validate",
+                                                    "drive": "current", "input_file": "fed.csv"})");
+  EXPECT_EQ(file.data.validate.count(), 1u);
+}
+
+TEST_F(DatasetFiles, RefuseAnInputThatDoesNotFitTheMeasurement) {
+  write("seen.csv", seen);
+  const auto fed = [&](std::string_view content) {
+    write("fed.csv", content);
+    return runs_refusal(run_c + R"(, "clock_offset_s": 0.005})");
+  };
+  EXPECT_EQ(fed("time_s,current_A\n0.13,0\n0.3,1.4\n"),
+            "fed.csv: line 2: column time_s: must not begin after the measurement of seen.csv does (0.1 s); got 0.13");
+  EXPECT_EQ(fed("time_s,current_A\n0.1,0\n0.12,0\n0.13,1.4\n"),
+            "fed.csv: line 4: column time_s: must reach the end of the measurement of seen.csv (0.2 s) to within the "
+            "longest interval of the input (0.02 s); an input that is held is repeated there; got 0.13");
+  EXPECT_EQ(fed("time_s,current_A,bending_angle_deg\n0,0,1\n0.3,1.4,2\n"),
+            "fed.csv: line 1: column bending_angle_deg: is in seen.csv too; a column may be in one of the two only");
+  EXPECT_EQ(fed("time_s,bending_deg\n0,0\n0.3,1.4\n"),
+            "fed.csv: line 1: column bending_deg: unknown column; there may be time_s, current_A, current1_A.., "
+            "voltage_V, torque1_Nm..; a column that is to be left alone is named in \"ignore\" of its run");
+  EXPECT_EQ(fed("time_s\n0\n0.3\n"),
+            "fed.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
+  write("seen.csv", step);
+  EXPECT_EQ(fed("time_s,current_A\n0,0\n0.3,1.4\n"),
+            "seen.csv: line 1: must have no input column, because the run's \"input_file\" has the input");
+  write("seen.csv", seen);
+  EXPECT_EQ(runs_refusal(R"({"file": "seen.csv", "kind": "transient", "role": "fit", "drive": "voltage",
+                             "input_file": "fed.csv"})"),
+            "dataset.json: /runs/0/drive: must be \"current\", as the input column of the file says; got text "
+            "\"voltage\"");
+}
+
+TEST_F(DatasetFiles, RefuseWhatNoRecordingHas) {
+  const auto with = [&](const std::string& key) {
+    return runs_refusal(R"({"file": "a.csv", "kind": "transient", "role": "fit", "drive": "current", )" + key + "}");
+  };
+  EXPECT_EQ(with(R"("input_hold": "first_order")"),
+            R"(dataset.json: /runs/0/input_hold: must be one of "zero_order", "linear", "unknown_within_sample"; got )"
+            R"(text "first_order")");
+  EXPECT_EQ(with(R"("clock_offset_s": -0.1)"),
+            "dataset.json: /runs/0/clock_offset_s: must be from 0 to 100000; got -0.1");
+  EXPECT_EQ(with(R"("clock_rate": 2)"), "dataset.json: /runs/0/clock_rate: must be from 0 to 1; got 2");
+  EXPECT_EQ(with(R"("exposure_s": 0.03)"),
+            "dataset.json: /runs/0/exposure_s: must be shorter than the record; got 0.03");
+  EXPECT_EQ(with(R"("rig": {"tip_mass_g": -5})"),
+            "dataset.json: /runs/0/rig/tip_mass_g: must be from 0 to 1000000; got -5");
+  EXPECT_EQ(with(R"("rig": {"coil": "closed"})"),
+            R"(dataset.json: /runs/0/rig/coil: must be one of "driven", "open", "shorted"; got text "closed")");
+  EXPECT_EQ(with(R"("rig": {"base_turn": 3})"),
+            R"(dataset.json: /runs/0/rig/base_turn: unknown key; did you mean "base_turn_deg"?)");
+  EXPECT_EQ(with(R"("ignore": ["a", "a"])"), "dataset.json: /runs/0/ignore/1: must not be there twice; got text \"a\"");
+  EXPECT_EQ(runs_refusal(R"({"file": "bench.csv", "kind": "static_torque", "role": "fit", "exposure_s": 0.1})"),
+            "dataset.json: /runs/0/exposure_s: must be there for a transient only");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "still", "role": "validate"})"),
+            "dataset.json: /runs/0/role: must be \"fit\": every run uses a still run, and none is held out; got text "
+            "\"validate\"");
+  EXPECT_EQ(runs_refusal(R"({"file": "a.csv", "kind": "still"})"), "dataset.json: /runs: needs at least one fit run");
+}
+
+TEST_F(DatasetFiles, SayHowWellTheirNumbersAreKnown) {
+  const auto tolerances = [&](const std::string& value) {
+    return read(R"({"format": "measured-data/1", "tolerances": )" + value + R"(, "runs": [)" + run_a + "]}").tolerances;
+  };
+  EXPECT_FALSE(read_runs(run_a).tolerances.others_exact);
+  EXPECT_THAT(read_runs(run_a).tolerances.named, IsEmpty());
+  EXPECT_TRUE(tolerances("\"exact\"").others_exact);
+  const Tolerances some = tolerances(R"({"/measured/tip_segment_mass_g": 0.5, "force_curve": 0})");
+  EXPECT_FALSE(some.others_exact);
+  ASSERT_EQ(some.named.size(), 2u);
+  EXPECT_EQ(some.named[0].name, "/measured/tip_segment_mass_g");
+  EXPECT_EQ(some.named[0].deviation, 0.5);
+  EXPECT_EQ(some.named[1].deviation, 0.0);
+  const auto wrong = [&](const std::string& value) {
+    return refusal(R"({"format": "measured-data/1", "tolerances": )" + value + R"(, "runs": [)" + run_a + "]}");
+  };
+  EXPECT_EQ(wrong("\"none\""), "dataset.json: /tolerances: must be \"exact\" or an object; got text \"none\"");
+  EXPECT_EQ(wrong(R"({"/links/0/mass_kg": -1})"),
+            "dataset.json: /tolerances/~1links~10~1mass_kg: must be >= 0; got -1");
+  EXPECT_EQ(wrong(R"({"mass": 1})"),
+            R"(dataset.json: /tolerances/mass: must be called "force_curve", "joint_stiffness_ratio", )"
+            R"("joint_damping_ratio", "face_closing_deg" or by a JSON pointer into the actuator file)");
 }
 
 // Blocks of docs/formats.md that begin ```<kind>, by what else is on that line.

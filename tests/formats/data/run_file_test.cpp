@@ -100,6 +100,49 @@ TEST(RunFile, TakesSigmaInTheUnitOfTheFirstAngle) {
   EXPECT_DOUBLE_EQ(sigma("time_s,current_A,temperature_degC\n0,0,1\n1,0,1\n", RunKind::temperature), 0.3);
 }
 
+TEST(RunFile, ReadsWhereAGraspWasMeasured) {
+  const auto run =
+      run_of("current_A,opening_deg,height_mm,force_N\n0.9,0,12,0.135\n1.4,60,9,0.21\n", RunKind::blocked_force);
+  EXPECT_THAT(run.openings, ElementsAre(0.0, DoubleEq(60.0 * degree)));
+  EXPECT_THAT(run.heights, ElementsAre(DoubleEq(12e-3), DoubleEq(9e-3)));
+  EXPECT_THAT(run_of("current_A,force_N\n0.9,0.135\n", RunKind::blocked_force).openings, IsEmpty());
+  EXPECT_EQ(refusal("current_A,opening_deg,force_N\n0.9,-3,0.135\n", RunKind::blocked_force),
+            "x.csv: line 2: column opening_deg: must be >= 0; got -3");
+}
+
+TEST(RunFile, ReadsAStillRunWithoutAnInput) {
+  const auto run = run_of("time_ms,current_A,theta1_deg\n0,0,7.1\n2,0,7.2\n", RunKind::still);
+  EXPECT_EQ(run.kind, RunKind::still);
+  EXPECT_THAT(run.times, ElementsAre(0.0, 0.002));
+  EXPECT_THAT(run.inputs, IsEmpty());
+  EXPECT_THAT(run.channels[0].values, ElementsAre(DoubleEq(7.1 * degree), DoubleEq(7.2 * degree)));
+  EXPECT_EQ(refusal("time_s,current_A\n0,0\n1,0\n", RunKind::still),
+            "x.csv: line 1: must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
+}
+
+TEST(RunFile, NeedsNoInputWhereNoDriverIsConnected) {
+  using measurement::data::CoilWiring;
+  const auto run = [](std::string_view text, CoilWiring coil) {
+    return run_of(text, RunEntry{.name = "x.csv", .kind = RunKind::transient, .rig = {.coil = coil}});
+  };
+  EXPECT_THAT(run("time_s,theta1_deg\n0,7\n1,6\n", CoilWiring::open).inputs,
+              ElementsAre(ElementsAre(0.0), ElementsAre(0.0)));
+  EXPECT_EQ(run("time_s,theta1_deg\n0,7\n1,6\n", CoilWiring::shorted).rig.coil, CoilWiring::shorted);
+  EXPECT_THAT(run("time_s,current_A,theta1_deg\n0,0.5,7\n1,0.5,6\n", CoilWiring::open).inputs,
+              ElementsAre(ElementsAre(0.5), ElementsAre(0.5)));
+  EXPECT_EQ(text::testing::error_of([&] { (void)run("time_s,curent_A,theta1_deg\n0,0,7\n1,0,6\n", CoilWiring::open); }),
+            "x.csv: line 1: column curent_A: unknown column; did you mean \"current_A\"?");
+}
+
+TEST(RunFile, LeavesColumnsAloneThatTheSetNames) {
+  const RunEntry entry{.name = "x.csv", .kind = RunKind::transient, .ignore = {"frame", "theta1_deg"}};
+  const auto run = run_of("frame,time_s,current_A,bending_angle_deg,theta1_deg\na,0,1,2,\nb,1,1,3,x\n", entry);
+  ASSERT_EQ(run.channels.size(), 1u);
+  EXPECT_EQ(run.channels[0].name, "bending_angle_deg");
+  EXPECT_EQ(text::testing::error_of([&] { (void)run_of("time_s,current_A,theta1_deg\n0,1,2\n1,1,3\n", entry); }),
+            "x.csv: line 1: column frame: is not there, and the run's \"ignore\" names it");
+}
+
 TEST(RunFile, RefusesMissingColumns) {
   EXPECT_EQ(refusal("current_A,theta1_deg\n1,2\n"), "x.csv: line 1: column time_s: is missing");
   EXPECT_EQ(refusal("time_s,current_A\n1,2\n"),
@@ -119,8 +162,8 @@ TEST(RunFile, RefusesMissingColumns) {
 TEST(RunFile, RefusesColumnsAndUnitsThatDoNotExist) {
   EXPECT_EQ(refusal("time_s,current_A,bending_angel_deg\n1,2,3\n"),
             "x.csv: line 1: column bending_angel_deg: unknown column; did you mean \"bending_angle_deg\"?");
-  EXPECT_EQ(refusal("time_ms,current_A,theta1_deg\n1,2,3\n"),
-            "x.csv: line 1: column time_ms: unknown unit; did you mean \"time_s\"?");
+  EXPECT_EQ(refusal("time_us,current_A,theta1_deg\n1,2,3\n"),
+            "x.csv: line 1: column time_us: unknown unit; did you mean \"time_s\"?");
   EXPECT_EQ(refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
             "x.csv: line 1: column theta1_mm: unknown unit; did you mean \"theta1_deg\"?");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta3_deg\n1,2,3,4\n"),
@@ -129,8 +172,10 @@ TEST(RunFile, RefusesColumnsAndUnitsThatDoNotExist) {
             "x.csv: line 1: column theta1_rad: must not be there twice");
   EXPECT_EQ(refusal("time_s,current_A,voltage_V,theta1_deg\n1,2,3,4\n"),
             "x.csv: line 1: must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
-  EXPECT_EQ(refusal("angle_deg,current_A,torque_Nmm,force_N\n1,2,3,4\n", RunKind::static_torque),
-            "x.csv: line 1: column force_N: unknown column");
+  EXPECT_EQ(
+      refusal("angle_deg,current_A,torque_Nmm,force_N\n1,2,3,4\n", RunKind::static_torque),
+      "x.csv: line 1: column force_N: unknown column; there may be angle_deg, current_A, torque_Nmm; a column that is "
+      "to be left alone is named in \"ignore\" of its run");
 }
 
 TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {

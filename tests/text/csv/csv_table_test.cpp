@@ -82,7 +82,8 @@ TEST(CsvTable, RefusesAMissingColumn) {
 TEST(CsvTable, RefusesAnUnknownColumnAndSuggestsTheOneThatWasMeant) {
   EXPECT_EQ(refusal("angle_deg,current_A,troque_Nmm\n1.5,2.5,3.5\n"),
             "x.csv: line 1: column troque_Nmm: unknown column; did you mean \"torque_Nmm\"?");
-  EXPECT_EQ(refusal("angle_deg,current_A,humidity\n1.5,2.5,3.5\n"), "x.csv: line 1: column humidity: unknown column");
+  EXPECT_EQ(refusal("angle_deg,current_A,humidity\n1.5,2.5,3.5\n"),
+            "x.csv: line 1: column humidity: unknown column; there may be angle_deg, current_A, torque_Nmm");
 }
 
 TEST(CsvTable, RefusesAnUnknownUnit) {
@@ -158,6 +159,38 @@ TEST(CsvTable, AllowsIgnoredColumnsButNotTextInThem) {
             "x.csv: line 2: column theta1_deg: must be a finite number; got \"x\"");
   EXPECT_EQ(testing::error_of([&] { (void)read("time_s,theta1_deg,theta3_deg\n1,2,3\n"); }),
             "x.csv: line 1: column theta3_deg: unknown column; did you mean \"theta2_deg\"?");
+}
+
+TEST(CsvTable, LeavesColumnsAloneWhateverIsInThem) {
+  const auto read = [](std::string_view text) {
+    return parse_csv(text, "x.csv", [](CsvHeader& header) {
+      EXPECT_TRUE(header.leave_alone("note"));
+      EXPECT_TRUE(header.leave_alone("theta1_deg"));
+      EXPECT_FALSE(header.leave_alone("theta1_rad"));  // its whole name
+      header.require("time_s");
+      EXPECT_EQ(header.numbered("theta#_deg"), 0u);  // it counts as absent
+    });
+  };
+  const CsvTable table = read("note,time_s,theta1_deg\ndropped,2,x\n,3,\n");
+  EXPECT_THAT(table.column("time"), ElementsAre(2.0, 3.0));
+  EXPECT_THROW((void)table.column("theta1"), std::out_of_range);
+  EXPECT_EQ(testing::error_of([&] { (void)read("note,time_s,theta1_deg\na,x,3\n"); }),
+            "x.csv: line 2: column time_s: must be a finite number; got \"x\"");
+}
+
+TEST(CsvTable, SkipsLinesThatBeginWithAHash) {
+  EXPECT_THAT(bench("# logger 3, \"raw\r\n#\r\nangle_deg,current_A\r\n# x\n1.5,2.5\n#end").column("angle"),
+              ElementsAre(::testing::DoubleEq(1.5 * 3.14159265358979323846 / 180.0)));
+  // Only at the beginning of a line, and counted as a line.
+  EXPECT_EQ(refusal("# a\nangle_deg,current_A\n1.5,#\n"),
+            "x.csv: line 3: column current_A: must be a finite number; got \"#\"");
+  EXPECT_EQ(refusal("# a\n# b\n"), "x.csv: is empty: it must have a header");
+}
+
+TEST(CsvTable, TakesMillisecondsForSeconds) {
+  const CsvTable table = parse_csv("time_ms\n1.5\n", "x.csv", [](CsvHeader& header) { header.require("time_s"); });
+  EXPECT_THAT(table.column("time"), ElementsAre(1.5e-3));
+  EXPECT_EQ(table.name("time"), "time_ms");
 }
 
 TEST(CsvTable, ReadsFilesLongerThanABlockWithoutLosingLineNumbers) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/measurement/data/run.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -19,6 +20,14 @@ struct RunEntry {
   /// In the unit of the run's measured column; where a transient has several: of its first angle column (that of the
   /// bending angle before those of the joints), and where it has rates only, of its first rate.
   std::optional<double> sigma{};
+  std::vector<std::string> ignore{};                  ///< whole names of columns that are left alone
+  std::optional<std::filesystem::path> input_file{};  ///< of a transient: its input, on a clock of its own
+  measurement::data::InputHold hold{};
+  measurement::data::RigChange rig{};
+  std::optional<double> clock_offset{};  ///< s, standard deviation of the shift of the clocks, >= 0; nothing: 0 in one
+                                         ///< file, with an `input_file` the median interval between measured samples
+  double clock_rate{};                   ///< standard deviation of the relative difference of the clocks' rates; >= 0
+  double exposure{};                     ///< s; >= 0
 };
 
 /// A run as its file gives it.
@@ -29,12 +38,18 @@ struct RunFile {
   std::optional<text::InputError> objection{};
 };
 
-/// Reads the CSV file of a run. Columns by kind (units of one dimension are interchangeable):
+/// Reads the CSV file of a run, and the file of its input if that is another. Columns by kind (units of one dimension
+/// are interchangeable):
 /// transient: time_s, one input (current_A; current1_A, ..; voltage_V; torque1_Nm, ..), at least one of
-/// bending_angle_deg, theta1_deg, .., omega1_rad_s, ..;
+/// bending_angle_deg, theta1_deg, .., omega1_rad_s, ..; the input may be left out where the coils are open or shorted,
+/// and is then a current of 0 in all of them;
+/// still: time_s and the same measured columns; an input is not looked at;
 /// static_torque: angle_deg, current_A, torque_Nmm; joint_stiffness: angle_deg, torque_Nmm;
-/// blocked_force: current_A, force_N; temperature: time_s, current_A, temperature_degC.
-/// Throws InputError naming file, line, column and rule.
+/// blocked_force: current_A, force_N, and opening_deg and height_mm if that was changed; temperature: time_s,
+/// current_A, temperature_degC.
+/// Throws InputError naming file, line, column and rule, also where a column is in both files, or where the input does
+/// not cover the measurement: it must not begin later by more than three of the clocks' standard deviations, and not
+/// end earlier by more than those and the longest interval between two of its own samples.
 [[nodiscard]] RunFile read_run(const std::filesystem::path& path, const RunEntry& entry);
 
 /// The same for a text in memory; `file` is the name its errors carry.

@@ -93,8 +93,10 @@ struct Run {
   std::vector<double> input_times{};  ///< s, increasing, of `inputs` where they have a clock of their own; empty: the
                                       ///< inputs are at `times`
   std::vector<double> angles{};       ///< rad (static_torque, joint_stiffness)
-  std::vector<double> openings{};     ///< rad, of the grasp's joints (blocked_force); empty: closed
-  std::vector<double> heights{};      ///< m, of the contact above the tip (blocked_force); empty: at the tip
+  std::vector<double> openings{};     ///< rad, bending angle as actuator::GraspPoint has it (blocked_force); >= 0;
+                                      ///< empty: closed
+  std::vector<double> heights{};      ///< m, of the contact along the last link, from its joint (blocked_force); >= 0;
+                                      ///< empty: at the tip
   std::vector<std::vector<double>> inputs{};  ///< A, V or N m: one row per sample of the input, with one value for all
                                               ///< coils or one value for each; empty in a still run
   std::vector<Channel> channels{};            ///< at least one

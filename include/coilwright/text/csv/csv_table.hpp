@@ -22,7 +22,7 @@ inline constexpr std::size_t csv_value_limit = 20'000'000;  ///< numbers that ar
 /// The first line of a CSV table, asked for its columns as an ObjectReader is for its keys.
 ///
 /// A column is named by its quantity and a unit, "theta1_deg"; any unit of the same dimension that measured-data/1
-/// lists (_s _A _V _N _Nm _Nmm _deg _rad _deg_s _rad_s _degC _m _mm) may stand there instead.
+/// lists (_s _ms _A _V _N _Nm _Nmm _deg _rad _deg_s _rad_s _degC _m _mm) may stand there instead.
 /// Throws InputError naming file, line, column and rule.
 class CsvHeader {
  public:
@@ -38,12 +38,18 @@ class CsvHeader {
   [[nodiscard]] std::size_t numbered(std::string_view pattern);
   /// Allows the column, or the numbered columns, without keeping their values. They must be numbers all the same.
   void ignore(std::string_view name);
-  /// Refuses the columns nobody asked for, suggesting the one that was probably meant.
-  void finish() const;
+  /// Leaves a column alone, whatever is in it: it counts as absent, and its fields are not looked at. Its whole name;
+  /// to be called before any column is asked for. False where there is no such column.
+  bool leave_alone(std::string_view name);
+  /// Refuses the columns nobody asked for, with the one that was probably meant or all that may stand there. `advice`
+  /// ends the message where none was meant: "; ...".
+  void finish(std::string_view advice = {}) const;
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   /// Whether the reader keeps the values of the column with this index.
   [[nodiscard]] bool keeps(std::size_t column) const { return kept_.contains(column); }
+  /// Whether its fields must not be looked at.
+  [[nodiscard]] bool leaves_alone(std::size_t column) const { return left_alone_.contains(column); }
   /// An error of the reader's own about the header as a whole.
   [[nodiscard]] InputError error(std::string rule) const;
   /// An error about one column of it.
@@ -51,13 +57,16 @@ class CsvHeader {
 
  private:
   [[nodiscard]] std::size_t index_of(std::string_view name) const;
+  bool ask(std::string_view name);
 
   std::string file_;
   std::size_t line_;
   std::vector<std::string> names_;
   std::vector<std::string> asked_for_{};
+  std::vector<std::string> legal_{};  // as people read them: "theta1_deg.."
   std::set<std::size_t> known_{};
   std::set<std::size_t> kept_{};
+  std::set<std::size_t> left_alone_{};
 };
 
 /// The numbers of a CSV file, by column, in SI.
@@ -85,8 +94,8 @@ class CsvTable {
 };
 
 /// Reads a CSV file (RFC 4180, with LF, CRLF or CR) with a header and at least one row of numbers. `ask` takes the
-/// columns it wants from the header; finish() is called after it. Blank lines are skipped.
-/// Throws InputError naming file, line, column and rule for everything that is not exactly so.
+/// columns it wants from the header; finish() is called after it. Blank lines, and lines that begin with #, are
+/// skipped. Throws InputError naming file, line, column and rule for everything that is not exactly so.
 [[nodiscard]] CsvTable read_csv(const std::filesystem::path& path, const std::function<void(CsvHeader&)>& ask);
 
 /// The same for a text in memory; `file` is the name its errors carry.

@@ -1,0 +1,127 @@
+#include "formats/data/run_entry.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "coilwright/text/json/object_reader.hpp"
+#include "formats/data/run_words.hpp"
+
+namespace coilwright::formats {
+namespace {
+
+using namespace text;
+using measurement::data::Run;
+using measurement::data::RunKind;
+using measurement::data::Start;
+
+// In the column's unit. Outside, no instrument: a fit would drown in it, or overflow.
+constexpr Rule sigma_rule = Rule::between(1e-12, 1e12);
+// Far beyond any laboratory, and near enough that nothing overflows.
+constexpr Rule time_rule = Rule::between(0.0, 1e5);       // s
+constexpr Rule rate_rule = Rule::between(0.0, 1.0);       // relative
+constexpr Rule turn_rule = Rule::between(-360.0, 360.0);  // deg
+constexpr Rule mass_rule = Rule::between(0.0, 1e6);       // g
+
+// The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.
+void check_drive(const Run& run, const Node& node) {
+  if (run.kind != RunKind::joint_stiffness && run.kind != RunKind::still && read_drive(node) != run.drive)
+    throw node.error("must be \"" + std::string(name_of(run.drive)) + "\", as the input column of the file says");
+}
+
+void check_start(const Run& run, const Node& node) {
+  const auto has = [&](measurement::data::ChannelKind quantity) {
+    return std::ranges::count(run.channels, quantity, &measurement::data::Channel::kind) > 0;
+  };
+  const bool angle =
+      has(measurement::data::ChannelKind::bending_angle) || has(measurement::data::ChannelKind::joint_angle);
+  if (run.kind == RunKind::transient && run.start == Start::measured && !angle)
+    throw node.error("must not be \"measured\" where no angle is measured");
+}
+
+void check_window(const Run& run, const Node& node) {
+  if (run.times.size() < 2) return;
+  const double shortest = (run.times.back() - run.times.front()) / static_cast<double>(run.times.size() - 1);
+  if (*run.window <= shortest) throw node.error("must exceed the mean interval between samples");
+}
+
+void check_exposure(const Run& run, const Node& node) {
+  if (run.clock.exposure >= run.times.back() - run.times.front()) throw node.error("must be shorter than the record");
+}
+
+Role read_role(const Node& node) {
+  return node.choice<Role>({{"fit", Role::fit}, {"validate", Role::validate}});
+}
+
+std::vector<std::string> read_ignore(const Node& node) {
+  std::vector<std::string> names;
+  for (const Node& element : node.elements()) {
+    if (std::ranges::count(names, element.text()) > 0) throw element.error("must not be there twice");
+    names.push_back(element.text());
+  }
+  return names;
+}
+
+measurement::data::RigChange read_rig(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    measurement::data::RigChange rig{.base_turn = in.quantity_or("base_turn_deg", 0.0, turn_rule),
+                                     .tip_mass = in.quantity_or("tip_mass_g", 0.0, mass_rule)};
+    if (const auto coil = in.find("coil")) rig.coil = read_coil_wiring(*coil);
+    return rig;
+  });
+}
+
+// What only a camera's record of a motion has; null counts as absent.
+std::optional<Node> find_of_motion(ObjectReader& in, std::string_view key, RunKind kind) {
+  auto node = in.find_not_null(key);
+  if (node && kind != RunKind::transient) throw node->error_without_value("must be there for a transient only");
+  return node;
+}
+
+// The keys of a transient about its clocks, its input and its rig; the node of its exposure.
+std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry) {
+  if (const auto file = find_of_motion(in, "input_file", entry.kind)) entry.input_file = file->path();
+  if (const auto hold = find_of_motion(in, "input_hold", entry.kind)) entry.hold = read_input_hold(*hold);
+  if (const auto shift = find_of_motion(in, "clock_offset_s", entry.kind))
+    entry.clock_offset = shift->quantity(time_rule);
+  if (const auto rate = find_of_motion(in, "clock_rate", entry.kind)) entry.clock_rate = rate->number(rate_rule);
+  if (const auto rig = find_of_motion(in, "rig", entry.kind)) entry.rig = read_rig(*rig);
+  auto exposure = find_of_motion(in, "exposure_s", entry.kind);
+  if (exposure) entry.exposure = exposure->quantity(time_rule);
+  return exposure;
+}
+
+}  // namespace
+
+RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met) {
+  return read_object(node, [&](ObjectReader& in) {
+    const Node file = in.at("file");
+    RunEntry entry{.name = file.text()};
+    entry.kind = read_run_kind(in.at("kind"));
+    const bool still = entry.kind == RunKind::still;
+    const auto said = still ? in.find("role") : std::optional(in.at("role"));
+    const Role role = said ? read_role(*said) : Role::fit;
+    if (still && role == Role::validate)
+      throw said->error("must be \"fit\": every run uses a still run, and none is held out");
+    const auto start = in.find("start");
+    entry.start = start ? read_start(*start) : Start::at_rest;
+    const auto window = find_of_motion(in, "window_s", still ? entry.kind : RunKind::transient);
+    if (window) entry.window = window->quantity(positive);
+    if (const auto sigma = in.find_not_null("sigma")) entry.sigma = sigma->number(sigma_rule);
+    const auto drive = entry.kind == RunKind::transient ? std::optional(in.at("drive")) : in.find("drive");
+    if (drive) (void)read_drive(*drive);
+    const auto exposure = read_recording(in, entry);
+    if (const auto ignore = in.find_not_null("ignore")) entry.ignore = read_ignore(*ignore);
+    std::error_code unreadable;
+    const auto path = std::filesystem::weakly_canonical(file.path(), unreadable);
+    if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");
+    in.finish();  // a mistake in this entry is told before one in its file
+    RunInSet out{.file = read_run(file.path(), entry), .role = role, .input_file = entry.input_file};
+    if (drive) check_drive(out.file.run, *drive);
+    if (start) check_start(out.file.run, *start);
+    if (window) check_window(out.file.run, *window);
+    if (exposure) check_exposure(out.file.run, *exposure);
+    return out;
+  });
+}
+
+}  // namespace coilwright::formats

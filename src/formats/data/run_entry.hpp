@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "coilwright/formats/data/run_file.hpp"
+#include "coilwright/text/json/node.hpp"
+
+namespace coilwright::formats {
+
+/// Whether a fit may see a run.
+enum class Role { fit, validate };
+
+/// A run of a data set, with its files.
+struct RunInSet {
+  RunFile file;
+  Role role{};                                        ///< of a still run: fit
+  std::optional<std::filesystem::path> input_file{};  ///< which runs may share
+};
+
+/// Reads one element of "runs", and its files. `met` are the run files so far, to which its own is added. Throws
+/// InputError: of the element before its files, then of those.
+[[nodiscard]] RunInSet read_run_in_set(const text::Node& node, std::set<std::filesystem::path>& met);
+
+}  // namespace coilwright::formats

@@ -17,6 +17,12 @@ void require(bool kept, const ResultQuantity& quantity, std::string_view rule) {
 
 }  // namespace
 
+std::optional<actuator::HeldCases> either(std::optional<actuator::HeldCases> one,
+                                          std::optional<actuator::HeldCases> other) {
+  if (!one) return other;
+  return !other || *one == *other ? *one : actuator::HeldCases::both;
+}
+
 void validate_quantity(const ResultQuantity& quantity) {
   require(!quantity.name.empty(), quantity, "the name must not be empty");
   require(!quantity.meaning.empty(), quantity, "the meaning must not be empty");

@@ -8,6 +8,7 @@
 namespace coilwright::simulation {
 namespace {
 
+using actuator::HeldCases;
 using Value = std::optional<double>;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
@@ -27,6 +28,13 @@ ResultQuantity of_design(std::string name, std::string meaning, double scale, Re
           .absence = std::move(absence)};
 }
 
+ResultQuantity of_pose(HeldCases pose, std::string name, std::string meaning, double scale, ResultQuantity::Value value,
+                       std::string absence) {
+  ResultQuantity out = of_design(std::move(name), std::move(meaning), scale, std::move(value), std::move(absence));
+  out.pose = pose;
+  return out;
+}
+
 // What a model tells by its free motion alone, and hence a lumped model too; of a design at the steady temperatures of
 // its operating point.
 ResultQuantity of_motion(std::string name, std::string meaning, double scale,
@@ -40,7 +48,8 @@ ResultQuantity of_motion(std::string name, std::string meaning, double scale,
             return motion ? value(*motion) : std::nullopt;
           },
           .absence = std::move(absence),
-          .value_of_lumped = [value](const MotionSummary& motion, double) { return value(motion); }};
+          .value_of_lumped = [value](const MotionSummary& motion, double) { return value(motion); },
+          .pose = HeldCases::free};
 }
 
 // The same of a finger whose tip is held.
@@ -53,7 +62,8 @@ ResultQuantity of_grasp(std::string name, std::string meaning, double scale, dou
             return grasp ? Value((*grasp).*value) : Value();
           },
           .absence = runaway,
-          .value_of_lumped = [value](const MotionSummary& motion, double) -> Value { return motion.*value; }};
+          .value_of_lumped = [value](const MotionSummary& motion, double) -> Value { return motion.*value; },
+          .pose = HeldCases::gripping};
 }
 
 // What it does with everything at 20 degC; a lumped model knows no other.
@@ -65,10 +75,11 @@ ResultQuantity of_cold(std::string name, std::string meaning, double scale, doub
           .value_of_lumped = [value](const MotionSummary& motion, double) -> Value { return value(motion); }};
 }
 
-ResultQuantity of_design_cold(std::string name, std::string meaning, double scale,
+ResultQuantity of_design_cold(HeldCases pose, std::string name, std::string meaning, double scale,
                               double (*value)(const MotionSummary&)) {
   ResultQuantity out = of_cold(std::move(name), std::move(meaning), scale, value);
   out.value_of_lumped = {};
+  out.pose = pose;
   return out;
 }
 
@@ -163,8 +174,8 @@ std::vector<ResultQuantity> rows() {
               [](const MotionSummary& motion) { return motion.rest_angles.sum() * degrees; }),
       of_motion("steady_angle_deg", "bending angle at the end of a step from rest", 60.0,
                 [](const FreeMotion& motion) -> Value { return motion.steady_angles.sum() * degrees; }),
-      of_design(
-          "stroke_deg", "change of the bending angle from rest to steady", 40.0,
+      of_pose(
+          HeldCases::free, "stroke_deg", "change of the bending angle from rest to steady", 40.0,
           [](const DesignView& d) -> Value {
             const std::optional<FreeMotion>& motion = d.performance.free.motion;
             if (!motion) return std::nullopt;
@@ -196,12 +207,14 @@ std::vector<ResultQuantity> rows() {
                1.0, &Grasp::grasp_force),
       of_cold("contact_force_no_current_N", "force against that wall without current", 0.1,
               [](const MotionSummary& motion) { return motion.contact_force_no_current; }),
-      of_design_cold("steady_angle_cold_deg", "the same as steady_angle_deg with everything at 20 degC", 60.0,
+      of_design_cold(HeldCases::free, "steady_angle_cold_deg",
+                     "the same as steady_angle_deg with everything at 20 degC", 60.0,
                      [](const MotionSummary& motion) { return motion.steady_angles.sum() * degrees; }),
-      of_design_cold("peak_bending_speed_cold_deg_s", "the same as peak_bending_speed_deg_s with everything at 20 degC",
-                     1500.0, [](const MotionSummary& motion) { return motion.peak_bending_speed * degrees; }),
-      of_design_cold("grasp_force_cold_N", "the same as grasp_force_N with everything at 20 degC", 1.0,
-                     [](const MotionSummary& motion) { return motion.grasp_force; }),
+      of_design_cold(HeldCases::free, "peak_bending_speed_cold_deg_s",
+                     "the same as peak_bending_speed_deg_s with everything at 20 degC", 1500.0,
+                     [](const MotionSummary& motion) { return motion.peak_bending_speed * degrees; }),
+      of_design_cold(HeldCases::gripping, "grasp_force_cold_N", "the same as grasp_force_N with everything at 20 degC",
+                     1.0, [](const MotionSummary& motion) { return motion.grasp_force; }),
       of_design(
           "demagnetisation_margin", "1 - mean field inside the worst magnet / its coercivity, at its temperature", 0.3,
           [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin); },
@@ -257,12 +270,12 @@ std::vector<ResultQuantity> rows() {
                         std::min(smaller(d, &Heat::continuous_current), smaller(d, &Heat::magnet_continuous_current)));
           },
           no_current_allowed),
-      of_design(
-          "thermal_load_free", "the same at the joint angles of the free finger", 1.0,
+      of_pose(
+          HeldCases::free, "thermal_load_free", "the same at the joint angles of the free finger", 1.0,
           [](const DesignView& d) { return load(d.point, d.performance.free.heat); }, no_current_allowed),
-      of_design(
-          "thermal_load_gripping", "the same at the joint angles of the finger against a wall", 1.0,
-          [](const DesignView& d) { return load(d.point, d.performance.gripping.heat); }, no_current_allowed),
+      of_pose(
+          HeldCases::gripping, "thermal_load_gripping", "the same at the joint angles of the finger against a wall",
+          1.0, [](const DesignView& d) { return load(d.point, d.performance.gripping.heat); }, no_current_allowed),
       of_design(
           "thermal_load_still_air", "thermal_load in still air, with a film coefficient from textbooks", 1.0,
           [](const DesignView& d) { return load(d.point, smaller(d, &Heat::still_air_current)); }, no_current_allowed),

@@ -10,6 +10,7 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/simulation/performance.hpp"
 
 namespace coilwright::simulation {
@@ -37,7 +38,14 @@ struct ResultQuantity {
   std::string absence{};          ///< why it may have no value, as the end of a sentence; empty if it always has one
   LumpedValue value_of_lumped{};  ///< empty for a quantity that needs a design
   std::string unit{};             ///< the unit at the end of `name` where units::all_units() lacks it: "N_g"
+  /// The pose that it is a figure of, under current; nothing for what is known without a pose (mass) or stands for
+  /// whichever poses the operating point is held in (thermal_load).
+  std::optional<actuator::HeldCases> pose{};
 };
+
+/// Both poses together; nothing where neither is one.
+[[nodiscard]] std::optional<actuator::HeldCases> either(std::optional<actuator::HeldCases> one,
+                                                        std::optional<actuator::HeldCases> other);
 
 /// Throws std::invalid_argument naming the quantity and the rule it breaks: a name or a meaning that is empty, a scale
 /// that is not finite and > 0, a `value` that is empty.

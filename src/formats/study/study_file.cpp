@@ -263,6 +263,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     if (operation) read_operation(*operation, study);
     study.objectives = read_objectives(in.at("objectives"), study.quantities);
     if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, study.quantities);
+    if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base = read_base(in.at("actuator"), effects);
     return study;

@@ -160,6 +160,12 @@ double scale_of(const Expression& expression, const SharedExpression& shared) {
   return std::isfinite(scale) && scale > 0 ? scale : 1.0;
 }
 
+std::optional<actuator::HeldCases> pose_of(const SharedExpression& shared) {
+  std::optional<actuator::HeldCases> pose;
+  for (const ResultQuantity& operand : shared.operands()) pose = simulation::either(pose, operand.pose);
+  return pose;
+}
+
 std::string absence_of(const SharedExpression& shared) {
   std::string text = "the expression is not finite there";
   for (const ResultQuantity& operand : shared.operands())
@@ -191,7 +197,8 @@ ResultQuantity expression_quantity(const Expression& expression, const QuantityT
             .scale = scale_of(expression, *shared),
             .value = [shared](const DesignView& design) { return shared->value(design); },
             .absence = absence_of(*shared),
-            .unit = suffix};
+            .unit = suffix,
+            .pose = pose_of(*shared)};
   } catch (const mu::Parser::exception_type& mistake) {
     throw std::invalid_argument(message_of(mistake));
   }

@@ -140,4 +140,11 @@ double scale_of(const Limit& limit) {
   return limit.value != 0.0 ? std::abs(limit.value) : limit.quantity.scale;
 }
 
+actuator::HeldCases poses_of_use(const Study& study) {
+  std::optional<actuator::HeldCases> pose;
+  for (const StudyObjective& objective : study.objectives) pose = simulation::either(pose, objective.quantity.pose);
+  for (const Limit& limit : study.limits) pose = simulation::either(pose, limit.quantity.pose);
+  return pose.value_or(actuator::HeldCases::both);
+}
+
 }  // namespace coilwright::sizing

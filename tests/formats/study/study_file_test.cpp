@@ -143,6 +143,32 @@ TEST_F(StudyFile, MayVaryTheCurrentAndSayNothingElseOfIt) {
   EXPECT_EQ(study.search.max_evaluations, SearchOptions{}.max_evaluations);
 }
 
+// A speed is of the free finger, a grasp force of one that grips, also inside an expression; a mass is of neither.
+TEST_F(StudyFile, IsHeldInThePosesThatItsQuantitiesAreOf) {
+  const auto cases = [this](const std::string& point, const std::string& objective, const std::string& limit) {
+    return parse(R"({"format": "study/1", "name": "held", "actuator": "sub/finger.json", "operating_point": {)" +
+                 point + R"(}, "variables": {"current_A": {"lower": 0.4, "upper": 1.2}}, "objectives": [)" + objective +
+                 R"(], "constraints": [)" + limit + "]}")
+        .operating.cases;
+  };
+  const std::string speed = R"({"maximise": "peak_bending_speed_deg_s"})";
+  const std::string light = R"({"minimise": "mass_g"})";
+  const std::string grip = R"({"quantity": "grasp_force_N / mass_g", "name": "grip", "unit": "N/g", "at_least": 0.01})";
+  const std::string cool = R"({"quantity": "thermal_load", "at_most": 1})";
+  using actuator::HeldCases;
+  EXPECT_EQ(cases("", speed, cool), HeldCases::free);
+  EXPECT_EQ(cases("", light, grip), HeldCases::gripping);
+  EXPECT_EQ(cases("", speed, grip), HeldCases::both);
+  EXPECT_EQ(cases("", light, cool), HeldCases::both);
+  EXPECT_EQ(cases(R"("cases": "both")", speed, cool), HeldCases::both);
+  EXPECT_EQ(cases(R"("cases": "free")", speed, grip), HeldCases::free);
+  // Without an operating point, too.
+  EXPECT_EQ(parse(R"({"format": "study/1", "name": "held", "actuator": "sub/finger.json",
+      "variables": {"current_A": {"lower": 0.4, "upper": 1.2}}, "objectives": [{"maximise": "stroke_deg"}]})")
+                .operating.cases,
+            HeldCases::free);
+}
+
 TEST_F(StudyFile, FromAFileIsTheSameAsFromItsText) {
   std::ofstream(folder_.path() / "s.json") << text;
   EXPECT_EQ(read_study(folder_.path() / "s.json").variables.size(), parse(text).variables.size());

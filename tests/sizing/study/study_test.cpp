@@ -44,6 +44,26 @@ TEST(StudyVariable, GivesValuesOfListsByTheirIndex) {
   EXPECT_EQ(search_variable(study.variables[0]).kind, VariableKind::categorical);
 }
 
+// Every figure of a motion or a grasp under current has its pose, and what is known without one has none.
+TEST(Study, IsHeldInThePosesThatItsQuantitiesAreOf) {
+  using actuator::HeldCases;
+  const auto poses = [](const char* objective, const char* limit) {
+    Study study;
+    study.objectives.push_back({.quantity = testing::quantity(objective)});
+    study.limits.push_back({.quantity = testing::quantity(limit), .value = 1.0});
+    return poses_of_use(study);
+  };
+  for (const char* free : {"steady_angle_deg", "stroke_deg", "peak_joint_angle_deg", "damping_ratio",
+                           "peak_bending_speed_cold_deg_s", "thermal_load_free"}) {
+    EXPECT_EQ(poses(free, "thermal_load"), HeldCases::free) << free;
+    EXPECT_EQ(poses(free, "grasp_force_cold_N"), HeldCases::both) << free;
+  }
+  for (const char* gripping : {"grasp_force_N", "grasp_force_cold_N", "thermal_load_gripping"})
+    EXPECT_EQ(poses("mass_g", gripping), HeldCases::gripping) << gripping;
+  for (const char* neither : {"demagnetisation_margin", "rest_angle_deg", "contact_force_no_current_N", "power_W"})
+    EXPECT_EQ(poses("mass_g", neither), HeldCases::both) << neither;
+}
+
 TEST(Limit, MeasuresHowFarInsideAValueIs) {
   const Limit most{.quantity = testing::quantity("mass_g"), .side = Limit::Side::at_most, .value = 70.0};
   const Limit least{.quantity = testing::quantity("rest_angle_deg"), .side = Limit::Side::at_least, .value = 0.0};

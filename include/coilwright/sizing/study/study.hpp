@@ -111,7 +111,9 @@ struct Study {
   std::string name;
   actuator::Design base;  ///< actuator with its calibration; variables are set on a copy of it
   std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
-  actuator::OperatingPoint operating{};  ///< how it is driven and used; of its current `current` decides
+  /// How it is driven and used; of its current `current` decides. Its `cases` count as they stand: poses_of_use() has
+  /// those that the study asks for.
+  actuator::OperatingPoint operating{};
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
@@ -119,5 +121,9 @@ struct Study {
   /// All quantities that results list.
   simulation::QuantityTable quantities = simulation::standard_quantities();
 };
+
+/// The poses that a study's objectives and limits are figures of, and in which it is therefore held: one that asks for
+/// a speed and for no grasp force is of the free finger alone. Both where none of its quantities has a pose.
+[[nodiscard]] actuator::HeldCases poses_of_use(const Study& study);
 
 }  // namespace coilwright::sizing

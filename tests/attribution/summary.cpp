@@ -139,7 +139,7 @@ std::string sets_csv(const std::vector<Outcome>& outcomes) {
 std::string confusion_csv(const std::vector<Outcome>& outcomes) {
   std::vector<std::string> columns;
   for (const truth::HiddenKind& kind : truth::hidden_kinds())
-    if (!kind.outsider) columns.push_back(kind.id);
+    if (!kind.outsider()) columns.push_back(kind.id);
   for (const Verdict none : {Verdict::no_missing_effect, Verdict::unexplained}) columns.emplace_back(name_of(none));
   std::vector<std::string> rows{"nothing"};
   for (const truth::HiddenKind& kind : truth::hidden_kinds()) rows.push_back(kind.id);

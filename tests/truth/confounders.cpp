@@ -38,7 +38,7 @@ std::vector<std::string> confounders_of(const ConfounderRequest& request) {
 
   std::vector<std::string> found;
   for (const HiddenKind& kind : hidden_kinds()) {
-    if (kind.outsider || kind.id == request.id) continue;
+    if (kind.outsider() || kind.id == request.id) continue;
     Random random(1);
     for (int draw = 0; draw < (kind.numbers.empty() ? 1 : draws); ++draw) {
       UnmodelledEffects effects;

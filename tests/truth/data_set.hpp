@@ -7,6 +7,7 @@
 
 #include "truth/camera.hpp"
 #include "truth/experiments.hpp"
+#include "truth/hidden_effect.hpp"
 
 namespace truth {
 
@@ -19,27 +20,10 @@ struct DataSetRequest {
   std::uint64_t seed = 1;
   Camera camera = Camera::bending_angle;
   Programme programme = Programme::paper;
-  double weakest = 3.0;           ///< smallest strength, in standard deviations of the noise
-  double strongest = 15.0;        ///< largest strength
-  bool find_confounders = false;  ///< whether to search confounders of a single hidden effect, which takes seconds
-};
-
-/// A hidden effect with its numbers.
-struct HiddenEffect {
-  struct Number {
-    std::string key;
-    double value{};  ///< in the key's unit
-  };
-  std::string id;
-  bool outsider = false;
-  std::vector<Number> numbers;
-  double asked{};     ///< strength that was drawn; 0 for an effect without numbers
-  double strength{};  ///< rms deviation from the motion without it over the noise, in the fit run where it is largest
-  /// The same after stiffness and damping of the declared model have been fitted (to first order).
-  double strength_after_calibration{};
-  /// Whether that is visible in the noise: at least six standard deviations over all samples of the fit runs together.
-  bool visible = false;
-  std::vector<std::string> confounders{};  ///< ids of effects that fit these data as well; empty unless searched
+  double weakest = 3.0;               ///< smallest strength, in standard deviations of the noise
+  double strongest = 15.0;            ///< largest strength
+  bool states_exact_numbers = false;  ///< whether the set says that the declared numbers are exact
+  bool find_confounders = false;      ///< whether to search confounders of a single hidden effect, which takes seconds
 };
 
 /// What the diagnosis is not told.

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "temporary_folder.hpp"
+#include "truth/hidden_effects.hpp"
 #include "truth/recording.hpp"
 
 namespace truth {
@@ -75,7 +76,7 @@ TEST(DataSet, HidesAnEffectOfTheStatedStrength) {
     EXPECT_EQ(effect.id, id);
     EXPECT_GE(effect.asked, 3.0);
     EXPECT_LE(effect.asked, 15.0);
-    const double is = effect.outsider ? effect.strength_after_calibration : effect.strength;
+    const double is = hidden_kind(id).strength_beyond_calibration ? effect.strength_after_calibration : effect.strength;
     EXPECT_NEAR(is / effect.asked, 1.0, 0.02) << id;
     EXPECT_TRUE(effect.visible);
     // and in the data: the runs' residual to the finger without it, beside noise that adds in squares
@@ -96,11 +97,11 @@ TEST(DataSet, HidesAnEffectOfTheStatedStrength) {
   }
 }
 
-// At three times the noise a delay is like nothing but the lag of the current.
+// At three times the noise a delay is like nothing but the lag of the current or of the tracker.
 TEST(DataSet, NamesTheConfoundersOfItsEffect) {
   const DataSet set = make_data_set(
       {.hidden = {"measurement_delay"}, .seed = 8, .weakest = 3.0, .strongest = 3.5, .find_confounders = true});
-  EXPECT_THAT(set.answer.hidden[0].confounders, testing::IsSubsetOf({"coil_lag"}));
+  EXPECT_THAT(set.answer.hidden[0].confounders, testing::IsSubsetOf({"coil_lag", "tracking_lag"}));
 }
 
 TEST(DataSet, IsTheSameForTheSameRequest) {

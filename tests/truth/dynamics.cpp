@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "truth/torque_curves.hpp"
 
@@ -15,9 +16,16 @@ using Eigen::Vector3d;
 
 constexpr double stop_damping_ratio = 0.3;
 constexpr double iron_blur = 0.5;  // share of the range: iron has an extent
+// Friction that is a smooth function of the rate reaches three quarters of its torque at this rate, rad/s.
+constexpr double creeping_rate = 0.3;
+constexpr double contact_width = 0.03;  // rad: of the angle over which a leak between the coils closes
 
 Vector2d turned(const Vector2d& v) {
   return {-v.y(), v.x()};
+}
+
+Vector2d rates_of(const StateVector& state) {
+  return {state[StateIndex::rate], state[StateIndex::rate + 1]};
 }
 
 // A point of a link (along, across) that makes `angle` with the vertical: the paper's (1), (2).
@@ -27,7 +35,11 @@ Vector2d on_link(double along, double across, double sine, double cosine) {
 
 }  // namespace
 
-Dynamics::Dynamics(const Finger& finger, const UnmodelledEffects& effects) : finger_(finger), effects_(effects) {
+Dynamics::Dynamics(const Finger& finger, const UnmodelledEffects& effects, const Rig& rig)
+    : finger_(finger), effects_(effects), rig_(rig) {
+  if (effects_.mount_compliance > 0.0 && effects_.bend_share > 0.0)
+    throw std::invalid_argument("simulated finger: must have a compliant mount or a bending segment; got both");
+  effects_.base_tilt += rig_.base_turn;
   if (effects_.stop_stiffness <= 0.0) return;
   // 0.3 of the critical damping, with the effective inertia of a joint in the straight finger while the other is free.
   const Eigen::Matrix2d mobility = balance({}, 0.0).inertia.topLeftCorner<2, 2>().inverse();
@@ -35,7 +47,19 @@ Dynamics::Dynamics(const Finger& finger, const UnmodelledEffects& effects) : fin
     stop_damping_[j] = 2.0 * stop_damping_ratio * std::sqrt(effects_.stop_stiffness / mobility(j, j));
 }
 
+bool Dynamics::is_disconnected(double command) const {
+  return rig_.coil != CoilState::driven && command == 0.0;
+}
+
+// A driver keeps its current against the voltage that motion induces; a short does not.
+double Dynamics::motional_conductance() const {
+  if (!input.disconnected) return effects_.motional_conductance;
+  if (rig_.coil == CoilState::open) return 0.0;
+  return effects_.motional_conductance > 0.0 ? effects_.motional_conductance : 1.0 / finger_.coil_resistance;
+}
+
 double Dynamics::target(double command) const {
+  if (is_disconnected(command)) return 0.0;
   double current = command;
   if (effects_.deadband > 0.0) current = std::copysign(std::max(std::abs(current) - effects_.deadband, 0.0), current);
   current = std::clamp(current, -effects_.saturation, effects_.saturation);
@@ -43,27 +67,64 @@ double Dynamics::target(double command) const {
 }
 
 double Dynamics::current(double t) const {
+  if (effects_.ringing_time > 0.0) return ringing(t).current;
   if (effects_.current_lag <= 0.0) return input.target;
   return input.target + (input.from - input.target) * std::exp(-(t - input.since) / effects_.current_lag);
+}
+
+// The step response of the second order: x + i y turns with the damped frequency and shrinks.
+Dynamics::Ringing Dynamics::ringing(double t) const {
+  const double pulsation = 1.0 / effects_.ringing_time;
+  const double decay = effects_.ringing_damping * pulsation;
+  const double damped = pulsation * std::sqrt(1.0 - effects_.ringing_damping * effects_.ringing_damping);
+  const double a = input.from - input.target;
+  const double b = (input.from_slope + decay * a) / damped;
+  const double passed = t - input.since;
+  const double left = std::exp(-decay * passed);
+  const double cosine = std::cos(damped * passed);
+  const double sine = std::sin(damped * passed);
+  return {.current = input.target + left * (a * cosine + b * sine),
+          .slope = left * ((damped * b - decay * a) * cosine - (damped * a + decay * b) * sine)};
+}
+
+double Dynamics::current_slope(double t) const {
+  return effects_.ringing_time > 0.0 ? ringing(t).slope : 0.0;
+}
+
+double Dynamics::friction_at(double rate) const {
+  if (effects_.stribeck_ratio == 1.0) return effects_.friction;
+  const double share = rate / effects_.stribeck_rate;
+  return effects_.friction * (1.0 + (effects_.stribeck_ratio - 1.0) * std::exp(-share * share));
 }
 
 Vector2d Dynamics::joint_torques(const StateVector& state, double t) const {
   const double cold_current = current(t);
   const double warm_current = cold_current / (1.0 + state[StateIndex::coil_heat]);
-  const double strength = effects_.force_gain * (1.0 - state[StateIndex::magnet_heat]) * warm_current;
+  double strength = effects_.force_gain * (1.0 - state[StateIndex::magnet_heat]) * warm_current;
+  strength *= 1.0 - effects_.iron_saturation * std::abs(warm_current);
+  const double leak = effects_.contact_share == 0.0
+                          ? 0.0
+                          : effects_.contact_share /
+                                (1.0 + std::exp((effects_.contact_angle - state[StateIndex::angle]) / contact_width));
   Vector2d torques;
   for (int j = 0; j < 2; ++j) {
     const double angle = state[StateIndex::angle + j];
     const double rate = state[StateIndex::rate + j];
-    const double per_ampere = effects_.off_axis ? curves::exact(angle) : curves::line_of_centres(angle);
-    double stiffness = finger_.stiffness * input.stiffness * (j == 1 ? effects_.second_stiffness_ratio : 1.0);
+    double per_ampere = effects_.off_axis ? curves::exact(angle) : curves::line_of_centres(angle);
+    per_ampere *= finger_.force_factor[j] * (1.0 + curve_error(finger_.curve_error, angle));
+    double stiffness = finger_.stiffness * input.stiffness *
+                       (j == 1 ? finger_.second_stiffness_ratio * effects_.second_stiffness_ratio : 1.0);
+    const double damping = finger_.damping * (j == 1 ? finger_.second_damping_ratio : 1.0);
     if (effects_.mullins > 0.0)
       stiffness *=
           1.0 - effects_.mullins *
                     (1.0 - std::exp(-std::max(input.largest_angle[j], std::abs(angle)) / effects_.mullins_angle));
-    double torque = strength * per_ampere - stiffness * (angle - effects_.rest_angle) -
-                    stiffness * effects_.hardening * angle * angle * angle - finger_.damping * rate + input.pull;
-    torque -= effects_.motional_conductance * per_ampere * per_ampere * rate;
+    double drive = strength * (j == 0 ? 1.0 - leak : 1.0 + leak);
+    if (effects_.magnet_shift != 0.0)
+      drive *= 1.0 - effects_.magnet_shift * (1.0 - std::exp(-state[StateIndex::travel + j] / effects_.shift_travel));
+    double torque = drive * per_ampere - stiffness * (angle - effects_.rest_angle) -
+                    stiffness * effects_.hardening * angle * angle * angle - damping * rate + input.pull;
+    torque -= motional_conductance() * per_ampere * per_ampere * rate;
     torque -= effects_.drag * rate * std::abs(rate);
     torque -= effects_.creep_share * stiffness * (angle - state[StateIndex::creep + j]);
     torque -= effects_.hysteresis * state[StateIndex::hysteresis + j];
@@ -78,6 +139,14 @@ Vector2d Dynamics::joint_torques(const StateVector& state, double t) const {
       if (beyond > 0.0)
         torque -= effects_.stop_side * std::max(effects_.stop_stiffness * beyond + stop_damping_[j] * deeper, 0.0);
     }
+    if (finger_.faces.stiffness > 0.0 && angle < finger_.faces.angle)
+      torque += std::max(finger_.faces.stiffness * (finger_.faces.angle - angle) - finger_.faces.damping * rate, 0.0);
+    if (effects_.angle_friction != 0.0 || effects_.warm_friction != 0.0)
+      torque -=
+          (effects_.angle_friction * std::abs(angle) + effects_.warm_friction * state[StateIndex::friction_heat]) *
+          std::tanh(rate / creeping_rate);
+    torque -= effects_.joint_coupling * (angle - state[StateIndex::angle + 1 - j]);
+    if (j == 0 && input.anchor) torque -= effects_.cable_stiffness * (angle - *input.anchor);
     if (effects_.ripple != 0.0) torque += effects_.ripple * std::sin(effects_.ripple_count * angle);
     torques[j] = torque;
   }
@@ -102,15 +171,18 @@ Dynamics::Balance Dynamics::balance(const StateVector& state, double t) const {
   const Vector2d arm2 = on_link(finger_.second_com, finger_.axis_offset, s2, c2);
   const Vector2d mass2 = joint2 + arm2;
 
+  const double m1 = finger_.first_mass;
+  const double m3 = (finger_.second_mass + effects_.added_mass) * effects_.bend_share;
+  const double m2 = finger_.second_mass + effects_.added_mass - m3;
+
   // The direction in which each coordinate moves the masses: both joints, then the base, which moves horizontally.
   const Vector2d level(std::cos(effects_.base_tilt), -std::sin(effects_.base_tilt));
   const Vector2d down(-std::sin(effects_.base_tilt), -std::cos(effects_.base_tilt));
   Eigen::Matrix<double, 2, 3> by1;
   Eigen::Matrix<double, 2, 3> by2;
-  by1 << turned(mass1), Vector2d::Zero(), level;
-  by2 << turned(mass2), turned(arm2), level;
-  const double m1 = finger_.first_mass;
-  const double m2 = finger_.second_mass + effects_.added_mass;
+  const Vector2d third = m3 > 0.0 ? Vector2d::Zero() : level;
+  by1 << turned(mass1), Vector2d::Zero(), third;
+  by2 << turned(mass2), turned(arm2), third;
 
   Vector2d field = finger_.gravity * down;
   if (effects_.shake != 0.0)
@@ -122,7 +194,28 @@ Dynamics::Balance Dynamics::balance(const StateVector& state, double t) const {
   Balance out;
   out.inertia = m1 * by1.transpose() * by1 + m2 * by2.transpose() * by2;
   out.force = m1 * by1.transpose() * (field - centripetal1) + m2 * by2.transpose() * (field - centripetal2);
+  if (rig_.tip_mass > 0.0) {
+    const Vector2d arm = on_link(finger_.tip_length, 0.0, s2, c2);
+    Eigen::Matrix<double, 2, 3> by_tip;
+    by_tip << turned(joint2 + arm), turned(arm), third;
+    const Vector2d centripetal = -first_rate * first_rate * joint2 - second_rate * second_rate * arm;
+    out.inertia += rig_.tip_mass * by_tip.transpose() * by_tip;
+    out.force += rig_.tip_mass * by_tip.transpose() * (field - centripetal);
+  }
   out.force.head<2>() += joint_torques(state, t);
+  if (m3 > 0.0) {  // this part of the tip segment turns about the second joint by a further angle
+    const double bent = second + state[StateIndex::mount];
+    const double bent_rate = second_rate + state[StateIndex::mount + 1];
+    const Vector2d arm = on_link(finger_.second_com, finger_.axis_offset, std::sin(bent), std::cos(bent));
+    Eigen::Matrix<double, 2, 3> by3;
+    by3 << turned(joint2 + arm), turned(arm), turned(arm);
+    const Vector2d centripetal = -first_rate * first_rate * joint2 - bent_rate * bent_rate * arm;
+    out.inertia += m3 * by3.transpose() * by3;
+    out.force += m3 * by3.transpose() * (field - centripetal);
+    const double pulsation = 2.0 * std::numbers::pi * effects_.bend_frequency;
+    out.force[2] -= m3 * arm.squaredNorm() * pulsation *
+                    (pulsation * state[StateIndex::mount] + 2.0 * effects_.bend_damping * state[StateIndex::mount + 1]);
+  }
   if (effects_.mount_compliance > 0.0) {
     const double mass = (m1 + m2) / effects_.mount_compliance;
     const double pulsation = 2.0 * std::numbers::pi * effects_.mount_frequency;
@@ -134,7 +227,7 @@ Dynamics::Balance Dynamics::balance(const StateVector& state, double t) const {
   return out;
 }
 
-Vector3d Dynamics::solve(const Balance& balance) const {
+Vector3d Dynamics::solve(const Balance& balance, const Vector2d& rates) const {
   Eigen::Matrix3d inertia = balance.inertia;
   Vector3d force = balance.force;
   const auto hold = [&](int coordinate) {
@@ -143,9 +236,9 @@ Vector3d Dynamics::solve(const Balance& balance) const {
     inertia(coordinate, coordinate) = 1.0;
     force[coordinate] = 0.0;
   };
-  if (effects_.mount_compliance <= 0.0) hold(2);
+  if (effects_.mount_compliance <= 0.0 && effects_.bend_share <= 0.0) hold(2);
   if (effects_.friction > 0.0) {
-    for (int j = 0; j < 2; ++j) force[j] -= effects_.friction * modes[j];
+    for (int j = 0; j < 2; ++j) force[j] -= friction_at(rates[j]) * modes[j];
     for (int j = 0; j < 2; ++j)
       if (modes[j] == 0) hold(j);
   }
@@ -153,7 +246,7 @@ Vector3d Dynamics::solve(const Balance& balance) const {
 }
 
 void Dynamics::operator()(const StateVector& state, StateVector& slope, double t) const {
-  const Vector3d acceleration = solve(balance(state, t));
+  const Vector3d acceleration = solve(balance(state, t), rates_of(state));
   slope.fill(0.0);
   for (int j = 0; j < 2; ++j) {
     const double rate = state[StateIndex::rate + j];
@@ -176,20 +269,43 @@ void Dynamics::operator()(const StateVector& state, StateVector& slope, double t
   if (effects_.magnet_loss > 0.0)
     slope[StateIndex::magnet_heat] =
         (effects_.magnet_loss * warm_current * warm_current - state[StateIndex::magnet_heat]) / effects_.magnet_time;
-  if (effects_.mount_compliance > 0.0) {
+  if (effects_.warm_friction != 0.0)
+    slope[StateIndex::friction_heat] =
+        (cold_current * cold_current - state[StateIndex::friction_heat]) / effects_.warm_friction_time;
+  for (int j = 0; j < 2; ++j) {
+    if (effects_.tracks())
+      slope[StateIndex::tracking + j] =
+          (state[StateIndex::angle + j] - state[StateIndex::tracking + j]) / effects_.tracking_time;
+    if (effects_.magnet_shift != 0.0) slope[StateIndex::travel + j] = std::abs(state[StateIndex::rate + j]);
+  }
+  if (effects_.mount_compliance > 0.0 || effects_.bend_share > 0.0) {
     slope[StateIndex::mount] = state[StateIndex::mount + 1];
     slope[StateIndex::mount + 1] = acceleration[2];
   }
 }
 
+// The torque of gravity about the second joint beside that of the spring. The spring is far stiffer: each iteration
+// leaves less than a fifth of the error.
+double Dynamics::bent_by_gravity(double angle) const {
+  const double pulsation = 2.0 * std::numbers::pi * effects_.bend_frequency;
+  const Vector2d down(-std::sin(effects_.base_tilt), -std::cos(effects_.base_tilt));
+  double bent = 0.0;
+  for (int i = 0; i < 16; ++i) {
+    const Vector2d arm =
+        on_link(finger_.second_com, finger_.axis_offset, std::sin(angle + bent), std::cos(angle + bent));
+    bent = finger_.gravity * turned(arm).dot(down) / (arm.squaredNorm() * pulsation * pulsation);
+  }
+  return bent;
+}
+
 std::array<double, 2> Dynamics::accelerations(const StateVector& state, double t) const {
-  const Vector3d acceleration = solve(balance(state, t));
+  const Vector3d acceleration = solve(balance(state, t), rates_of(state));
   return {acceleration[0], acceleration[1]};
 }
 
 std::array<double, 2> Dynamics::holding_torques(const StateVector& state, double t) const {
   const Balance all = balance(state, t);
-  const Vector3d left_over = all.force - all.inertia * solve(all);
+  const Vector3d left_over = all.force - all.inertia * solve(all, rates_of(state));
   std::array<double, 2> holding{};
   for (int j = 0; j < 2; ++j)
     if (modes[j] == 0) holding[j] = left_over[j];
@@ -205,7 +321,10 @@ StateVector Dynamics::settled(const Vector2d& angles) const {
   for (int j = 0; j < 2; ++j) {
     state[StateIndex::angle + j] = angles[j];
     state[StateIndex::creep + j] = angles[j];
+    if (effects_.tracks()) state[StateIndex::tracking + j] = angles[j];
   }
+  if (effects_.warm_friction != 0.0) state[StateIndex::friction_heat] = input.target * input.target;
+  if (effects_.bend_share > 0.0) state[StateIndex::mount] = bent_by_gravity(angles.sum());
   const double load = effects_.coil_fade * input.target * input.target;
   const double rise = 0.5 * (std::sqrt(1.0 + 4.0 * load) - 1.0);  // rise (1 + rise) = load
   const double warm_current = input.target / (1.0 + rise);

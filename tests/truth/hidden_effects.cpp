@@ -49,8 +49,32 @@ HiddenKind without_strength(std::string id, bool UnmodelledEffects::*member) {
           }};
 }
 
+// Its strength is that after the fit of stiffness and damping: one that they compensate would test nothing.
+HiddenKind beyond_calibration(HiddenKind kind) {
+  kind.strength_beyond_calibration = true;
+  return kind;
+}
+
 HiddenKind outsider(HiddenKind kind) {
-  kind.outsider = true;
+  kind.standing = Standing::outsider;
+  return beyond_calibration(std::move(kind));
+}
+
+HiddenKind kept(HiddenKind kind) {
+  kind.standing = Standing::kept;
+  return beyond_calibration(std::move(kind));
+}
+
+HiddenKind stribeck_friction() {
+  HiddenKind kind = plain("dry_friction",
+                          {{"torque_Nmm", &UnmodelledEffects::friction, milli},
+                           {"stribeck_ratio", &UnmodelledEffects::stribeck_ratio},
+                           {"stribeck_rate_rad_s", &UnmodelledEffects::stribeck_rate}},
+                          &UnmodelledEffects::friction, 0.0, 4e-3, [](Random& random, UnmodelledEffects& effects) {
+                            effects.stribeck_ratio = random.uniform(1.3, 2.2);
+                            effects.stribeck_rate = random.log_uniform(0.2, 3.0);
+                          });
+  kind.variant = "stribeck_friction";
   return kind;
 }
 
@@ -133,18 +157,18 @@ std::vector<HiddenKind> all_kinds() {
       outsider(plain("shaken_base", {{"acceleration_m_s2", &Q::shake}, {"frequency_Hz", &Q::shake_frequency}},
                      &Q::shake, 0.0, 20.0, between(&Q::shake_frequency, 2.0, 25.0))),
       outsider(two_sided("drifting_stiffness", {{"share_1_h", &Q::drift}}, &Q::drift, 0.0, -1.2, 1.2)),
-      outsider(plain("mullins_softening", {{"share", &Q::mullins}, {"angle_deg", &Q::mullins_angle, degrees}},
-                     &Q::mullins, 0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
+      beyond_calibration(plain("mullins_softening", {{"share", &Q::mullins}, {"angle_deg", &Q::mullins_angle, degrees}},
+                               &Q::mullins, 0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
       outsider(plain("random_cable", {{"torque_Nmm_s0.5", &Q::cable, milli}}, &Q::cable, 0.0, 4e-3)),
-      outsider(plain("mounting_mode",
-                     {{"mass_ratio", &Q::mount_compliance},
-                      {"frequency_Hz", &Q::mount_frequency},
-                      {"damping_ratio", &Q::mount_damping}},
-                     &Q::mount_compliance, 0.0, 3.0,
-                     [](Random& random, UnmodelledEffects& effects) {
-                       effects.mount_frequency = random.log_uniform(6.0, 25.0);
-                       effects.mount_damping = random.log_uniform(0.01, 0.05);
-                     })),
+      beyond_calibration(plain("mount_compliance",
+                               {{"mass_ratio", &Q::mount_compliance},
+                                {"frequency_Hz", &Q::mount_frequency},
+                                {"damping_ratio", &Q::mount_damping}},
+                               &Q::mount_compliance, 0.0, 3.0,
+                               [](Random& random, UnmodelledEffects& effects) {
+                                 effects.mount_frequency = random.log_uniform(6.0, 25.0);
+                                 effects.mount_damping = random.log_uniform(0.01, 0.05);
+                               })),
       outsider(plain("loose_contact", {{"share", &Q::contact_loss}, {"rate_1_s", &Q::contact_rate}}, &Q::contact_loss,
                      0.0, 1.0, between(&Q::contact_rate, 1.0, 3.0))),
       outsider(plain("torque_ripple", {{"torque_Nmm", &Q::ripple, milli}, {"periods", &Q::ripple_count}}, &Q::ripple,
@@ -159,6 +183,39 @@ std::vector<HiddenKind> all_kinds() {
                        effects.frozen_rate = random.log_uniform(2.0, 8.0);
                        effects.stamp_jitter = random.log_uniform(0.3e-3, 1.5e-3);
                      })),
+
+      stribeck_friction(),
+      plain("tracking_lag", {{"time_constant_ms", &Q::tracking_time, milli}}, &Q::tracking_time, 0.0, 0.06),
+
+      outsider(plain("friction_of_bent_hinge", {{"torque_Nmm_rad", &Q::angle_friction, milli}}, &Q::angle_friction, 0.0,
+                     8e-3)),
+      outsider(plain("bending_segment",
+                     {{"share", &Q::bend_share}, {"frequency_Hz", &Q::bend_frequency}, {"damping", &Q::bend_damping}},
+                     &Q::bend_share, 0.0, 0.8,
+                     [](Random& random, UnmodelledEffects& effects) {
+                       effects.bend_frequency = random.log_uniform(10.0, 40.0);
+                       effects.bend_damping = random.log_uniform(0.02, 0.1);
+                     })),
+      outsider(plain("shifting_magnet", {{"share", &Q::magnet_shift}, {"travel_rad", &Q::shift_travel}},
+                     &Q::magnet_shift, 0.0, 0.3, between(&Q::shift_travel, 1.0, 8.0))),
+      outsider(plain("contact_between_coils", {{"share", &Q::contact_share}, {"angle_deg", &Q::contact_angle, degrees}},
+                     &Q::contact_share, 0.0, 0.5, between(&Q::contact_angle, 0.25, 0.5))),
+      outsider(plain("gusts", {{"torque_Nmm", &Q::gust, milli}, {"time_constant_s", &Q::gust_time}}, &Q::gust, 0.0,
+                     2e-3, between(&Q::gust_time, 0.05, 0.5))),
+      outsider(plain("saturating_iron", {{"share_1_A", &Q::iron_saturation}}, &Q::iron_saturation, 0.0, 0.3)),
+      outsider(two_sided("camera_parallax", {{"share_1_rad", &Q::parallax}}, &Q::parallax, 0.0, -0.2, 0.2)),
+      outsider(plain("sticking_cable",
+                     {{"stiffness_Nmm_rad", &Q::cable_stiffness, milli}, {"hold_Nmm", &Q::cable_hold, milli}},
+                     &Q::cable_stiffness, 0.0, 5e-3, between(&Q::cable_hold, 0.1e-3, 0.6e-3))),
+
+      kept(plain("coupled_joints", {{"stiffness_Nmm_rad", &Q::joint_coupling, milli}}, &Q::joint_coupling, 0.0, 20e-3)),
+      kept(plain("warming_friction",
+                 {{"torque_Nmm_A2", &Q::warm_friction, milli}, {"time_constant_s", &Q::warm_friction_time}},
+                 &Q::warm_friction, 0.0, 2e-3, between(&Q::warm_friction_time, 0.3, 5.0))),
+      kept(plain("ringing_driver", {{"time_ms", &Q::ringing_time, milli}, {"damping_ratio", &Q::ringing_damping}},
+                 &Q::ringing_time, 0.0, 20e-3, between(&Q::ringing_damping, 0.1, 0.4))),
+      kept(two_sided("rolling_shutter", {{"skew_ms_rad", &Q::shutter_skew, milli}}, &Q::shutter_skew, 0.0, -25e-3,
+                     25e-3)),
   };
 }
 
@@ -169,10 +226,10 @@ std::span<const HiddenKind> hidden_kinds() {
   return kinds;
 }
 
-const HiddenKind& hidden_kind(std::string_view id) {
+const HiddenKind& hidden_kind(std::string_view name) {
   for (const HiddenKind& kind : hidden_kinds())
-    if (kind.id == id) return kind;
-  throw std::invalid_argument(fmt::format("hidden effect: must be one of the table; got \"{}\"", id));
+    if (kind.name() == name) return kind;
+  throw std::invalid_argument(fmt::format("hidden effect: must be one of the table; got \"{}\"", name));
 }
 
 }  // namespace truth

@@ -48,16 +48,18 @@ double MotionIntegrator::indicator(const Event& event, const StateVector& state,
     case EventKind::sticks:
       return dynamics_.modes[event.joint] * state[StateIndex::rate + event.joint];
     case EventKind::breaks_away:
-      return effects.friction - std::abs(dynamics_.holding_torques(state, t)[event.joint]);
+      return dynamics_.friction_at(0.0) - std::abs(dynamics_.holding_torques(state, t)[event.joint]);
     case EventKind::meets_stop:
       return state[StateIndex::angle + event.joint] - effects.stop_angle;
+    case EventKind::meets_faces:
+      return state[StateIndex::angle + event.joint] - dynamics_.finger().faces.angle;
   }
   return 0.0;
 }
 
 bool MotionIntegrator::happens(const Event& event, const StateVector& after, double t_after) const {
   const double end = indicator(event, after, t_after);
-  if (event.kind != EventKind::meets_stop) return end < 0.0;
+  if (!is_place(event.kind)) return end < 0.0;
   const double start = indicator(event, state_, time_);
   return std::abs(start) > grazing && (start < 0.0) != (end < 0.0);
 }
@@ -77,11 +79,12 @@ void MotionIntegrator::step(double until) {
   const Event* first = nullptr;
   double when = length_taken;
   const bool has_friction = dynamics_.effects().friction > 0.0;
-  std::array<Event, 4> possible{};
+  std::array<Event, 6> possible{};
   int count = 0;
   for (int j = 0; j < 2; ++j) {
     if (has_friction) possible[count++] = {dynamics_.modes[j] == 0 ? EventKind::breaks_away : EventKind::sticks, j};
     if (dynamics_.effects().stop_stiffness > 0.0) possible[count++] = {EventKind::meets_stop, j};
+    if (dynamics_.finger().faces.stiffness > 0.0) possible[count++] = {EventKind::meets_faces, j};
   }
   for (int i = 0; i < count; ++i) {
     if (!happens(possible[i], after, t)) continue;
@@ -113,7 +116,7 @@ double MotionIntegrator::locate(const Event& event, double length) {
   const double shortest = std::min(smallest_step, 0.5 * length);
   const double at_shortest = after(shortest);
   const double at_end = after(length);
-  if ((at_shortest < 0.0) == (at_end < 0.0)) return event.kind == EventKind::meets_stop ? length : shortest;
+  if ((at_shortest < 0.0) == (at_end < 0.0)) return is_place(event.kind) ? length : shortest;
   std::uintmax_t iterations = 60;
   const auto [lower, upper] = boost::math::tools::toms748_solve(
       after, shortest, length, at_shortest, at_end, [](double a, double b) { return std::abs(b - a) < 1e-13; },
@@ -128,7 +131,7 @@ void MotionIntegrator::pass(const Event& event) {
   }
   if (event.kind == EventKind::breaks_away)
     dynamics_.modes[event.joint] = dynamics_.holding_torques(state_, time_)[event.joint] > 0.0 ? 1 : -1;
-  if (event.kind == EventKind::meets_stop)  // moved slightly past it, so that the next step is on one side
+  if (is_place(event.kind))  // moved slightly past it, so that the next step is on one side
     state_[StateIndex::angle + event.joint] += std::copysign(1e-12, state_[StateIndex::rate + event.joint]);
   else
     settle_modes();
@@ -136,7 +139,7 @@ void MotionIntegrator::pass(const Event& event) {
 
 // A joint at rest is either held by friction or slides in the direction in which it then accelerates.
 void MotionIntegrator::settle_modes() {
-  const double friction = dynamics_.effects().friction;
+  const double friction = dynamics_.friction_at(0.0);
   if (friction <= 0.0) return;
   const std::array<int, 2> before = dynamics_.modes;
   static constexpr std::array<int, 3> choices{0, 1, -1};

@@ -7,7 +7,8 @@
 
 namespace truth {
 
-/// Integrates the equations of motion and locates the events at which a joint sticks, breaks away or meets its stop.
+/// Integrates the equations of motion and locates the events at which a joint sticks, breaks away or meets its stop
+/// or its faces.
 class MotionIntegrator {
  public:
   /// Refers to `dynamics`, whose friction modes it sets.
@@ -20,7 +21,11 @@ class MotionIntegrator {
 
  private:
   using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<StateVector>;
-  enum class EventKind { sticks, breaks_away, meets_stop };
+  enum class EventKind { sticks, breaks_away, meets_stop, meets_faces };
+  /// Whether it happens at an angle, in either direction.
+  [[nodiscard]] static bool is_place(EventKind kind) {
+    return kind == EventKind::meets_stop || kind == EventKind::meets_faces;
+  }
   struct Event {
     EventKind kind;
     int joint;

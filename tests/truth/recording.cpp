@@ -21,10 +21,10 @@ Eigen::VectorXd camera_view(Camera camera, const UnmodelledEffects& effects, con
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < record.size(); ++i) {
     const double hum =
-        effects.hum * std::sin(2.0 * std::numbers::pi * effects.hum_frequency * experiment.times[i] + phase);
+        effects.hum * std::sin(2.0 * std::numbers::pi * effects.hum_frequency * experiment.camera_times()[i] + phase);
     for (int c = 0; c < columns; ++c) {
       const double angle = camera == Camera::joint_angles ? record[i][c] : record[i][0] + record[i][1];
-      seen[at++] = effects.angle_scale * angle + effects.angle_offset + hum;
+      seen[at++] = effects.angle_scale * angle + effects.angle_offset + effects.parallax * angle * angle + hum;
     }
   }
   return seen;

@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (list) {
     for (const truth::HiddenKind& kind : truth::hidden_kinds())
-      fmt::print("{}{}\n", kind.id, kind.outsider ? " (outside the catalogue)" : "");
+      fmt::print("{}{}\n", kind.name(), kind.outsider() ? " (outside the catalogue)" : "");
     return 0;
   }
   if (folder.empty() || answer.empty()) {

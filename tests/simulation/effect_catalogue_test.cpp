@@ -50,7 +50,8 @@ std::vector<State> exercised(const Model& model) {
 }
 
 double bending(const Model& model, const State& state) {
-  return model.observed(Model::bending_angle(state.angles));
+  const std::span<const double> internal(state.internal.data(), static_cast<std::size_t>(state.internal.size()));
+  return model.observed(Model::bending_angle(model.shown(state.angles, state.rates, internal).angles));
 }
 
 // Largest difference between what two models show of the same exercise, rad.
@@ -133,8 +134,9 @@ TEST(EffectCatalogue, RunsAllAtOnce) {
     all.push_back({.kind = kind, .values = kind->starts(scale_of_exercise()).front()});
   std::reverse(all.begin(), all.end());
   const Model model = finger_with(all);
-  // Two coils heat and lag, the magnets heat, two joints creep, loop and rub.
-  EXPECT_EQ(model.internal_states(), 4 + 1 + 6);
+  // Two coils heat and lag, the magnets heat, two are loose, two joints soften, creep, loop and rub, the mount moves,
+  // and the camera filters both joints.
+  EXPECT_EQ(model.internal_states(), 4 + 1 + 4 + 8 + 2 + 2);
   for (const State& state : exercised(model)) EXPECT_TRUE(state.angles.allFinite() && state.internal.allFinite());
 }
 

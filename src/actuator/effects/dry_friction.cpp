@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +11,8 @@ namespace {
 
 using mechanics::JointVector;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // A joint that sticks swings on its bristles at this angular frequency, rad/s, with this damping ratio: it springs back
 // by 0.04 mrad in a finger with 0.6 N mm, and no rig asks for steps shorter than 2 ms by sticking. At 300 rad/s joints
 // came to rest up to half a degree beside where Coulomb's law holds them.
@@ -20,18 +23,32 @@ constexpr double presliding_damping = 0.7;
 // and the integrator has to follow; half a millisecond is below a sample.
 constexpr double turnover_rate = 2e3;
 
-// One state a joint: the bristle's deflection over its largest, y = s0 z / tau_c, in [-1, 1].
+// How much more than sliding friction a joint at rest holds, and how fast that falls: a bristle breaks at
+// gamma = 1 + (rho - 1) exp(-(w / w_s)^2) times the deflection of a sliding one.
+struct StribeckFall {
+  double excess{};  // rho - 1
+  double rate{};    // w_s, rad/s
+
+  [[nodiscard]] double breaking(double speed) const {
+    const double share = speed / rate;
+    return 1.0 + excess * std::exp(-share * share);
+  }
+};
+
+// One state a joint: the bristle's deflection over that of a sliding one, y = s0 z / tau_c, in [-rho, rho].
 //
-// With delta = tau_c / s0: y' = (w - |w| y) / (delta + |w| / r), F = tau_c y + s1 (w - |w| y) / (1 + s1 |w| / tau_c).
-// Passive whatever the motion: F w - d/dt(tau_c delta y^2 / 2) >= 0 where s1 >= s0 / (2 r), and here s1 / s0 =
-// 2 zeta / 1500 s = 3.7 times that. The plain LuGre law (r infinite, s1 not tapered) is so only up to |w| = 4 tau_c /
-// s1.
+// With delta = tau_c / s0 and s = w - |w| y / gamma:
+//   y' = s / (delta + |w| / r),   F = tau_c y + s1 s / (1 + s1 |w| / tau_c).
+// Passive whatever the motion, F w - d/dt(tau_c delta y^2 / 2) >= 0, where s1 >= s0 / r and rho <= 2; here s1 / s0 =
+// 2 zeta / 1500 s = 1.9 / r. (docs/theory/effects.md. Without Stribeck's fall s1 >= s0 / (2 r) is enough.) The plain
+// LuGre law (r infinite, s1 not tapered) is so only up to |w| = 4 tau_c / s1.
 class FrictionTerm final : public EffectTerm {
  public:
-  FrictionTerm(JointVector stiffness, double torque)
+  FrictionTerm(JointVector stiffness, double torque, StribeckFall fall)
       : stiffness_(std::move(stiffness)),
         damping_(2.0 * presliding_damping / presliding_frequency * stiffness_),
-        torque_(torque) {}
+        torque_(torque),
+        fall_(fall) {}
 
   int states() const override { return static_cast<int>(stiffness_.size()); }
 
@@ -40,7 +57,8 @@ class FrictionTerm final : public EffectTerm {
     for (int j = 0; j < states(); ++j) {
       const double rate = motion.rates[j];
       const double speed = std::abs(rate);
-      const double slip = rate - speed * own.states[j];
+      const double bent = fall_.excess == 0.0 ? own.states[j] : own.states[j] / fall_.breaking(speed);
+      const double slip = rate - speed * bent;
       torques[j] -= torque_ * (own.states[j] + damping_[j] * slip / (torque_ + damping_[j] * speed));
       if (own.slopes != nullptr)
         own.slopes[j] = stiffness_[j] * slip / (torque_ + stiffness_[j] * speed / turnover_rate);
@@ -51,6 +69,54 @@ class FrictionTerm final : public EffectTerm {
   JointVector stiffness_;  // s0, N m/rad
   JointVector damping_;    // s1, N m s/rad
   double torque_;          // tau_c, N m; > 0
+  StribeckFall fall_;
+};
+
+std::unique_ptr<const EffectTerm> build_friction(double torque, StribeckFall fall, const ModelSpec& spec) {
+  if (torque == 0.0) return nullptr;
+  JointVector stiffness = presliding_frequency * presliding_frequency * spec.chain.joint_mobility().cwiseInverse();
+  return std::make_unique<FrictionTerm>(std::move(stiffness), torque, fall);
+}
+
+constexpr EffectParameter torque_parameter{.key = "torque_Nmm",
+                                           .text = "friction torque of a sliding joint, every joint",
+                                           .lower = 0.0,
+                                           .upper = infinity,
+                                           .absent = 0.0};
+
+class StribeckFriction final : public DescribedEffect {
+ public:
+  StribeckFriction()
+      : DescribedEffect({.id = "dry_friction",
+                         .stage = Stage::hinge,
+                         .description = "friction at the hinges or segment faces that falls once they slide",
+                         .equation = "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; "
+                                     "sticks up to rho tau_c, on bristles of 1500 rad/s",
+                         .source = "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 "
+                                   "(1995) 419, eqs. (4) and (5)",
+                         .parameters = {torque_parameter,
+                                        {.key = "stribeck_ratio",
+                                         .text = "static over sliding friction",
+                                         .lower = 1.0,
+                                         .upper = 2.0,
+                                         .absent = 1.0},
+                                        {.key = "stribeck_rate_rad_s",
+                                         .text = "joint rate at which most of the difference has gone",
+                                         .lower = 0.01,
+                                         .upper = 100.0}}}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    const double slow = std::clamp(0.02 * scale.rate, 0.01, 50.0);
+    const double fast = std::clamp(0.2 * scale.rate, 2.0 * slow, 100.0);
+    std::vector<std::vector<double>> out;
+    for (const double torque : {0.02 * scale.torque, 0.15 * scale.torque})
+      for (const double rate : {slow, fast}) out.push_back({torque, 1.4, rate});
+    return out;
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    return build_friction(values[0], {.excess = values[1] - 1.0, .rate = values[2]}, spec);
+  }
 };
 
 class DryFriction final : public DescribedEffect {
@@ -63,20 +129,19 @@ class DryFriction final : public DescribedEffect {
              .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
              .source = "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) "
                        "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
-             .parameters = {{.key = "torque_Nmm",
-                             .text = "friction torque of a sliding joint, every joint",
-                             .lower = 0.0,
-                             .upper = std::numeric_limits<double>::infinity(),
-                             .absent = 0.0}}}) {}
+             .parameters = {torque_parameter}}) {}
+
+  const EffectKind* with_further_numbers() const override {
+    static const StribeckFriction kind;
+    return &kind;
+  }
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     return one_by_one({0.02 * scale.torque, 0.15 * scale.torque});
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    if (values[0] == 0.0) return nullptr;
-    JointVector stiffness = presliding_frequency * presliding_frequency * spec.chain.joint_mobility().cwiseInverse();
-    return std::make_unique<FrictionTerm>(std::move(stiffness), values[0]);
+    return build_friction(values[0], {}, spec);
   }
 };
 

@@ -15,9 +15,11 @@
   EFFECT(magnet_heating)           \
   EFFECT(static_attraction)        \
   EFFECT(back_emf)                 \
+  EFFECT(backlash)                 \
   EFFECT(joint_asymmetry)          \
   EFFECT(rest_angle)               \
   EFFECT(stiffness_hardening)      \
+  EFFECT(mullins_softening)        \
   EFFECT(viscoelastic_creep)       \
   EFFECT(hysteresis)               \
   EFFECT(dry_friction)             \
@@ -25,7 +27,9 @@
   EFFECT(end_stop)                 \
   EFFECT(added_mass)               \
   EFFECT(base_tilt)                \
+  EFFECT(mount_compliance)         \
   EFFECT(measurement_delay)        \
+  EFFECT(tracking_lag)             \
   EFFECT(angle_scale)              \
   EFFECT(angle_offset)
 

@@ -51,6 +51,12 @@ void EffectTerm::add_torques(const Kinematics& /*motion*/, const CoilCurrents& /
 void EffectTerm::add_damping(const Kinematics& /*motion*/, const CoilCurrents& /*strength*/,
                              mechanics::JointMatrix& /*damping*/) const {}
 
+void EffectTerm::describe_bodies(const Kinematics& /*motion*/, const CoilCurrents& /*strength*/,
+                                 const double* /*states*/, Body* /*out*/) const {}
+
+void EffectTerm::show(InternalStateView /*own*/, mechanics::JointVector& /*angles*/,
+                      mechanics::JointVector& /*rates*/) const {}
+
 std::optional<std::string> EffectKind::inapplicable(const ModelSpec& spec) const {
   if ((stage() == Stage::drive || stage() == Stage::magnetics) && spec.coils == 0) return "the model has no coils";
   return std::nullopt;

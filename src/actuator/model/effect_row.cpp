@@ -13,10 +13,11 @@
 namespace coilwright::actuator {
 namespace {
 
-// Past the end for a kind that is not among the standard effects.
+// Past the end for a kind that is not among the standard effects, with or without further numbers.
 std::ptrdiff_t place_among_standard_effects(const EffectKind* kind) {
   const std::span<const EffectKind* const> all = standard_effects().kinds();
-  return std::ranges::find(all, kind) - all.begin();
+  const auto same = [kind](const EffectKind* each) { return each == kind || each->with_further_numbers() == kind; };
+  return std::ranges::find_if(all, same) - all.begin();
 }
 
 }  // namespace

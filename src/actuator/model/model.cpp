@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <memory>
@@ -88,12 +90,19 @@ Model::Model(Spec spec) : spec_(std::move(spec)) {
 void Model::number_states() {
   internal_states_ = 0;
   drive_states_ = 0;
+  camera_states_ = 0;
+  bodies_ = 0;
   for (Term& term : terms_) {
     if (term.held) continue;
     term.first = internal_states_;
     internal_states_ += term.effect->states();
+    bodies_ += term.effect->bodies();
     if (term.stage == Stage::drive) drive_states_ = internal_states_;
+    if (term.stage == Stage::camera) camera_states_ += term.effect->states();
   }
+  if (bodies_ > max_bodies)
+    throw std::invalid_argument(
+        fmt::format("effects: at most {} bodies of their own together; got {}", max_bodies, bodies_));
   if (internal_states_ > max_internal_states)
     throw std::invalid_argument(
         fmt::format("effects: at most {} states of their own together; got {}", max_internal_states, internal_states_));
@@ -131,7 +140,7 @@ InternalStates Model::settled(const JointVector& angles, const CoilCurrents& com
     settle(term, currents);
     term.effect->magnetize(own(term, states.data(), nullptr), currents, strength);
   }
-  for (const Term& term : terms(Stage::hinge, Stage::chain)) settle(term, strength);
+  for (const Term& term : terms(Stage::hinge, Stage::camera)) settle(term, strength);
   return states;
 }
 
@@ -243,13 +252,71 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
   JointVector torque(joints());
   if (terms_.empty()) {
     stage_torques(angles, rates, command, torque);
-  } else {
-    const CoilCurrents seen = strength(command, internal.data(), internal_slopes.data());
-    stage_torques(angles, rates, seen, torque);
-    add_term_torques({.chain = spec_.chain, .angles = angles, .rates = rates}, seen, internal.data(),
-                     internal_slopes.data(), torque);
+    accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
+    return;
   }
+  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = rates};
+  const CoilCurrents seen = strength(command, internal.data(), internal_slopes.data());
+  stage_torques(angles, rates, seen, torque);
+  add_term_torques(motion, seen, internal.data(), internal_slopes.data(), torque);
   accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
+  if (bodies_ > 0) accelerate_bodies(motion, seen, internal.data(), internal_slopes.data(), accelerations);
+  if (camera_states_ > 0) (void)shown(angles, rates, internal.data(), internal_slopes.data());
+}
+
+// With a0 what the chain would do by itself, theta'' = a0 - M^-1 C u'' leaves (m - C^T M^-1 C) u'' = f - C^T a0 for the
+// bodies, whose masses m are a diagonal.
+void Model::accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
+                              double* slopes, JointVector& accelerations) const {
+  using Couplings =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mechanics::max_joints, max_bodies>;
+  using BodyMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_bodies, max_bodies>;
+  using BodyVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_bodies, 1>;
+  const int n = joints();
+  std::array<EffectTerm::Body, max_bodies> bodies;
+  for (int b = 0; b < bodies_; ++b) bodies[static_cast<std::size_t>(b)].coupling = JointVector::Zero(n);
+  std::size_t first = 0;
+  for (const Term& term : terms_) {
+    const int count = term.held ? 0 : term.effect->bodies();
+    if (count == 0) continue;
+    term.effect->describe_bodies(motion, strength, states + term.first, &bodies[first]);
+    first += static_cast<std::size_t>(count);
+  }
+  Couplings coupling(n, bodies_);
+  BodyVector mass(bodies_);
+  BodyVector force(bodies_);
+  for (int b = 0; b < bodies_; ++b) {
+    const EffectTerm::Body& body = bodies[static_cast<std::size_t>(b)];
+    coupling.col(b) = body.coupling;
+    mass[b] = body.mass;
+    force[b] = body.force;
+  }
+  const Couplings given_way = spec_.chain.mass_matrix(motion.angles).llt().solve(coupling);
+  BodyMatrix free_mass = -coupling.transpose() * given_way;
+  free_mass.diagonal() += mass;
+  force -= coupling.transpose() * accelerations;
+  const BodyVector moved = free_mass.llt().solve(force);
+  accelerations -= given_way * moved;
+  int at = 0;
+  for (const Term& term : terms_) {
+    const int count = term.held ? 0 : term.effect->bodies();
+    for (int b = 0; b < count; ++b) {
+      slopes[term.first + b] = states[term.first + count + b];
+      slopes[term.first + count + b] = moved[at++];
+    }
+  }
+}
+
+ShownMotion Model::shown(const JointVector& angles, const JointVector& rates, const double* states,
+                         double* slopes) const {
+  ShownMotion out{.angles = angles, .rates = rates};
+  for (const Term& term : terms(Stage::camera, Stage::camera))
+    term.effect->show(own(term, states, slopes), out.angles, out.rates);
+  return out;
+}
+
+ShownMotion Model::shown(const JointVector& angles, const JointVector& rates, std::span<const double> internal) const {
+  return shown(angles, rates, internal.data(), nullptr);
 }
 
 mechanics::ChainSlopes Model::slopes_without_contact(const JointVector& angles, const JointVector& rates,

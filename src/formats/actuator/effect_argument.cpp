@@ -38,6 +38,21 @@ std::size_t index_of(std::string_view argument, const EffectKind& kind, std::str
                        in_quotes(key) + " is not a parameter of " + std::string(kind.id()) + did_you_mean(key, keys));
 }
 
+// The kind with further numbers where the list names one of these.
+const EffectKind& with_named_numbers(const EffectKind& kind, std::string_view list) {
+  const EffectKind* further = kind.with_further_numbers();
+  if (further == nullptr) return kind;
+  const auto names = further->parameters().subspan(kind.parameters().size());
+  for (bool more = !list.empty(); more;) {
+    const std::size_t comma = list.find(',');
+    const std::string_view each = list.substr(0, comma);
+    if (std::ranges::find(names, each.substr(0, each.find('=')), &EffectParameter::key) != names.end()) return *further;
+    more = comma != std::string_view::npos;
+    if (more) list.remove_prefix(comma + 1);
+  }
+  return kind;
+}
+
 // "a=1,b=2" as values in the order of the kind's parameters.
 std::vector<double> values_of(std::string_view argument, const EffectKind& kind, std::string_view list) {
   std::vector<std::optional<double>> given(kind.parameters().size());
@@ -64,8 +79,8 @@ std::vector<double> values_of(std::string_view argument, const EffectKind& kind,
 
 Effect parse_effect(std::string_view argument, const EffectCatalogue& known) {
   const std::size_t colon = argument.find(':');
-  const EffectKind& kind = kind_of(argument, argument.substr(0, colon), known);
   const std::string_view list = colon == std::string_view::npos ? std::string_view() : argument.substr(colon + 1);
+  const EffectKind& kind = with_named_numbers(kind_of(argument, argument.substr(0, colon), known), list);
   Effect effect{.kind = &kind, .values = values_of(argument, kind, list)};
   try {
     actuator::validate_effect(effect);

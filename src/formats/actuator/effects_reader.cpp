@@ -53,15 +53,28 @@ std::vector<double> read_values(ObjectReader& in, const EffectKind& kind) {
   return values;
 }
 
+// The kind with further numbers where one of these is there.
+const EffectKind& with_named_numbers(ObjectReader& in, const EffectKind& kind) {
+  const EffectKind* further = kind.with_further_numbers();
+  if (further == nullptr) return kind;
+  for (const EffectParameter& parameter : further->parameters().subspan(kind.parameters().size()))
+    if (in.find(parameter.key)) return *further;
+  return kind;
+}
+
 Effect read_effect(const Node& node, const EffectCatalogue& known, const std::vector<Effect>& before) {
   return read_object(node, [&](ObjectReader& in) {
     const Node id = in.at("id");
     const EffectKind& kind = read_kind(id, known);
-    if (std::ranges::count(before, &kind, &Effect::kind) > 0) throw id.error("must not be there twice");
+    const auto same = [&kind](const Effect& other) { return other.kind->id() == kind.id(); };
+    if (std::ranges::any_of(before, same)) throw id.error("must not be there twice");
     Effect effect{.kind = &kind, .values = {}};
     const auto parameters = kind.parameters().empty() ? in.find("parameters") : in.at("parameters");
     if (parameters)
-      effect.values = read_object(*parameters, [&](ObjectReader& numbers) { return read_values(numbers, kind); });
+      effect = read_object(*parameters, [&](ObjectReader& numbers) {
+        const EffectKind& named = with_named_numbers(numbers, kind);
+        return Effect{.kind = &named, .values = read_values(numbers, named)};
+      });
     actuator::validate_effect(effect);
     return effect;
   });

@@ -150,6 +150,79 @@ TEST(DryFriction, CostsNoMoreWhereItIsWeak) {
   }
 }
 
+constexpr double ratio = 1.45;
+constexpr double stribeck_rate = 0.8;
+
+double stribeck(double rate) {
+  return friction * (1.0 + (ratio - 1.0) * std::exp(-rate * rate / (stribeck_rate * stribeck_rate)));
+}
+
+TEST(StribeckFriction, IsThePlainOneAtRatioOneBitForBit) {
+  const WithEffect plain = with_effect("dry_friction", {friction}, rotor(inertia));
+  const WithEffect fallen = with_further_numbers("dry_friction", {friction, 1.0, stribeck_rate}, rotor(inertia));
+  std::mt19937_64 random(20240312);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const double y = any(random);
+    const double rate = std::pow(10.0, 4.0 * any(random)) * any(random);
+    double slope{};
+    double other{};
+    EXPECT_EQ(torque_of(plain, 0.2, rate, &y, &slope), torque_of(fallen, 0.2, rate, &y, &other));
+    EXPECT_EQ(slope, other);
+  }
+}
+
+TEST(StribeckFriction, FallsWithTheRateOfSliding) {
+  const WithEffect rig = with_further_numbers("dry_friction", {friction, ratio, stribeck_rate}, rotor(inertia));
+  for (const double rate : {0.05, -0.3, 0.8, -1.1, 6.0}) {
+    Numbers y(1, 0.0);
+    follow(y, 3.0, [&](const Numbers& at, Numbers& dy, double) { (void)torque_of(rig, 0.0, rate, &at[0], &dy[0]); });
+    EXPECT_NEAR(torque_of(rig, 0.0, rate, &y[0]), -std::copysign(stribeck(rate), rate), 1e-7 * friction) << rate;
+  }
+}
+
+// A slow load is held up to the static friction, and no further.
+TEST(StribeckFriction, HoldsItsStaticTorque) {
+  const WithEffect rig = with_further_numbers("dry_friction", {friction, ratio, stribeck_rate}, rotor(inertia));
+  const auto loaded = [&](double share) {
+    Numbers y(3, 0.0);
+    constexpr double ramp = 5.0;
+    follow(y, ramp, [&](const Numbers& at, Numbers& dy, double time) {
+      dy[0] = at[1];
+      dy[1] = (share * friction * time / ramp + torque_of(rig, at[0], at[1], &at[2], &dy[2])) / inertia;
+    });
+    return y[0];
+  };
+  // Bristles that break at rho bend by -rho delta ln(1 - share/rho).
+  const double held = -ratio * presliding * std::log(1.0 - 1.3 / ratio);
+  EXPECT_NEAR(loaded(1.3), held, 1e-2 * held);  // the ramp's creep, and exp(-(w/w_s)^2) below 1
+  EXPECT_GT(loaded(1.6), 1.0);
+}
+
+TEST(StribeckFriction, IsPassiveAtEveryInstantUpToItsBound) {
+  std::mt19937_64 random(20240313);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::uniform_real_distribution<double> decades(-7.0, 3.0);
+  for (int i = 0; i < 40000; ++i) {
+    const double torque = friction * std::pow(10.0, decades(random));
+    const double rho = i % 4 == 0 ? 2.0 : 1.5 + 0.5 * any(random);
+    const double fall = std::pow(10.0, 2.0 * any(random));
+    const WithEffect rig = with_further_numbers("dry_friction", {torque, rho, fall}, rotor(inertia));
+    const double delta = presliding * torque / friction;
+    const double y = rho * (i % 3 == 0 ? std::copysign(1.0, any(random)) : any(random));
+    const double rate = std::copysign(std::pow(10.0, decades(random)), any(random));
+    double slope{};
+    const double power = -torque_of(rig, 0.1, rate, &y, &slope) * rate;
+    EXPECT_GE(power - torque * delta * y * slope, -1e-12 * torque * std::abs(rate))
+        << torque << ' ' << rho << ' ' << fall << ' ' << rate << ' ' << y;
+    // It never bends further than it breaks at rest.
+    const double edge = std::copysign(rho, rate);
+    double edge_slope{};
+    (void)torque_of(rig, 0.1, rate, &edge, &edge_slope);
+    EXPECT_LE(edge_slope * edge, 1e-9 * std::abs(rate) / delta);  // rounding of w - |w|
+  }
+}
+
 // Closed form of a steady loop between -A and A: 4 a (A - tanh(gamma A) / gamma).
 TEST(Hysteresis, HasALoopThatDoesNotDependOnSpeed) {
   constexpr double amplitude = 0.35;

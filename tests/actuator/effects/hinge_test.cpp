@@ -161,5 +161,76 @@ TEST(EndStop, IsNoStifferThanAnyCameraCouldTell) {
   EXPECT_NEAR(torque_of(rig, 0.41, 0.0), -0.01 * cap, 1e-12 * cap);
 }
 
+constexpr double mullins_stiffness = 12.5e-3;
+constexpr double mullins_angle = 0.23;
+constexpr double mullins_softening = 0.17;
+
+// Work that the effect takes from a slow swing to A and back, J, and the torque there.
+struct Swing {
+  double work{};
+  double torque{};
+};
+Swing slow_swing(const WithEffect& rig, Numbers& y, double amplitude) {
+  y[0] = 0.0;
+  constexpr double duration = 40.0;
+  const auto angle = [&](double time) { return amplitude * std::sin(M_PI * time / duration); };
+  const auto rate = [&](double time) { return amplitude * M_PI / duration * std::cos(M_PI * time / duration); };
+  follow(y, duration, [&](const Numbers& at, Numbers& dy, double time) {
+    dy[0] = -torque_of(rig, angle(time), rate(time), &at[1], &dy[1]) * rate(time);
+  });
+  return {.work = y[0], .torque = torque_of(rig, amplitude, 0.0, &y[1])};
+}
+
+// The first stretch to A follows the falling stiffness, the way back a straight line: what lies between is lost once.
+TEST(MullinsSoftening, LosesWorkInTheFirstStretchOnly) {
+  const WithEffect rig =
+      with_effect("mullins_softening", {mullins_softening, mullins_angle}, rotor(6.7e-6, mullins_stiffness));
+  constexpr double a = 0.41;
+  constexpr double x = a / mullins_angle;
+  const double left = std::exp(-x);
+  // Integral of k d theta (exp(-theta/theta_0) - exp(-A/theta_0)) from 0 to A.
+  const double lost = mullins_stiffness * mullins_softening *
+                      (mullins_angle * mullins_angle * (1.0 - left * (1.0 + x)) - 0.5 * a * a * left);
+  Numbers y(2, 0.0);
+  const Swing first = slow_swing(rig, y, a);
+  EXPECT_NEAR(first.work, lost, 2e-3 * lost);  // the largest angle lags by 1 ms of 20 s
+  EXPECT_NEAR(first.torque, mullins_stiffness * mullins_softening * a * (1.0 - left), 1e-12);
+  EXPECT_NEAR(slow_swing(rig, y, a).work, 0.0, 1e-4 * lost);
+  EXPECT_NEAR(slow_swing(rig, y, -a).work, 0.0, 1e-4 * lost);  // either way
+  EXPECT_GT(slow_swing(rig, y, 1.3 * a).work, 0.05 * lost);    // further than ever
+}
+
+TEST(MullinsSoftening, KnowsWhatItWasStretchedBefore) {
+  const WithEffect rig = with_further_numbers("mullins_softening", {mullins_softening, mullins_angle, 0.5},
+                                              rotor(6.7e-6, mullins_stiffness));
+  const JointVector still = JointVector::Zero(1);
+  Numbers y(2, 0.0);
+  rig.term->begin({.chain = rig.spec.chain, .angles = still, .rates = still}, {}, &y[1]);
+  EXPECT_EQ(y[1], 0.5);
+  EXPECT_NEAR(slow_swing(rig, y, 0.41).work, 0.0, 1e-10);  // the integrator's, a step
+  EXPECT_EQ(y[1], 0.5);
+  slow_swing(rig, y, 0.6);
+  EXPECT_NEAR(y[1], 0.6, 1e-5);
+}
+
+// With the energy k theta^2 (1 - D)/2 of the whole spring nothing is won at any state.
+TEST(MullinsSoftening, IsPassiveAtEveryInstant) {
+  const WithEffect rig =
+      with_effect("mullins_softening", {mullins_softening, mullins_angle}, rotor(6.7e-6, mullins_stiffness));
+  for (const double angle : {-0.7, -0.1, 0.0, 0.3, 0.9}) {
+    for (const double largest : {0.0, 0.1, 0.5, 1.0}) {
+      for (const double rate : {-9.0, -0.2, 0.4, 12.0}) {
+        double slope{};
+        const double power = (mullins_stiffness * angle - torque_of(rig, angle, rate, &largest, &slope)) * rate;
+        const double left = 1.0 - mullins_softening * (1.0 - std::exp(-largest / mullins_angle));
+        const double fall = mullins_softening / mullins_angle * std::exp(-largest / mullins_angle);
+        const double stored = mullins_stiffness * (angle * rate * left - 0.5 * angle * angle * fall * slope);
+        EXPECT_GE(power - stored, -1e-16);
+        EXPECT_GE(slope, 0.0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace coilwright::actuator

@@ -50,6 +50,14 @@ inline WithEffect with_effect(std::string_view id, Numbers values, ModelSpec spe
   return {.spec = std::move(spec), .term = std::move(term)};
 }
 
+/// The same of a kind with the further numbers of that id.
+inline WithEffect with_further_numbers(std::string_view id, Numbers values, ModelSpec spec) {
+  const Effect effect{.kind = standard_effects().find(id)->with_further_numbers(), .values = std::move(values)};
+  validate_effect(effect);
+  std::unique_ptr<const EffectTerm> term = effect.kind->build(effect.values, spec);
+  return {.spec = std::move(spec), .term = std::move(term)};
+}
+
 /// Joint torques of the effect alone, N m; slopes of its states go to `slopes` unless null.
 inline JointVector torque_of(const WithEffect& rig, const JointVector& angles, const JointVector& rates,
                              const double* states = nullptr, double* slopes = nullptr) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "actuator/effects/rig.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {
@@ -17,11 +18,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // measured-data/1, "Effect ids".
 const std::set<std::string> ids_of_the_format = {
-    "dry_friction",    "quadratic_drag", "viscoelastic_creep", "hysteresis",        "stiffness_hardening",
-    "joint_asymmetry", "rest_angle",     "end_stop",           "base_tilt",         "added_mass",
-    "force_gain",      "coil_lag",       "back_emf",           "coil_heating",      "magnet_heating",
-    "current_offset",  "angle_scale",    "driver_saturation",  "static_attraction", "measurement_delay",
-    "driver_deadband", "angle_offset",   "off_axis_force",     "coil_coil_force"};
+    "dry_friction",     "quadratic_drag",    "viscoelastic_creep", "hysteresis",        "stiffness_hardening",
+    "joint_asymmetry",  "rest_angle",        "end_stop",           "base_tilt",         "added_mass",
+    "force_gain",       "coil_lag",          "back_emf",           "coil_heating",      "magnet_heating",
+    "current_offset",   "angle_scale",       "driver_saturation",  "static_attraction", "measurement_delay",
+    "driver_deadband",  "angle_offset",      "off_axis_force",     "coil_coil_force",   "backlash",
+    "mount_compliance", "mullins_softening", "tracking_lag"};
 
 // A 70 g finger, and a 95 kg axis written as a link of unit length.
 RigScale finger_scale() {
@@ -60,6 +62,8 @@ struct Answer {
   JointVector torques;
   mechanics::JointMatrix damping;
   Numbers slopes;
+  Numbers bodies;
+  JointVector shown;
   double observed{};
   double delay{};
 };
@@ -76,6 +80,8 @@ Answer answer_of(const EffectTerm* term, const ModelSpec& spec, const Numbers& s
            .torques = JointVector::Zero(n),
            .damping = mechanics::JointMatrix::Zero(n, n),
            .slopes = Numbers(states.size(), 0.0),
+           .bodies = {},
+           .shown = angles,
            .observed = 0.37};
   if (term == nullptr) return a;
   const EffectTerm::InternalStateView own{.states = states.data(), .slopes = a.slopes.data()};
@@ -85,6 +91,11 @@ Answer answer_of(const EffectTerm* term, const ModelSpec& spec, const Numbers& s
   term->magnetize(own, a.currents, a.strength);
   term->add_torques(motion, a.strength, own, a.torques);
   term->add_damping(motion, a.strength, a.damping);
+  std::vector<EffectTerm::Body> bodies(term->bodies(), {.coupling = JointVector::Zero(n)});
+  term->describe_bodies(motion, a.strength, states.data(), bodies.data());
+  for (const EffectTerm::Body& body : bodies)
+    for (const double number : {body.coupling.sum(), body.mass, body.force}) a.bodies.push_back(number);
+  term->show(own, a.shown, rates);
   a.observed = term->observed(a.observed);
   a.delay = term->delay();
   return a;
@@ -92,8 +103,9 @@ Answer answer_of(const EffectTerm* term, const ModelSpec& spec, const Numbers& s
 
 bool finite(const Answer& a) {
   bool all = a.currents.allFinite() && a.strength.allFinite() && a.torques.allFinite() && a.damping.allFinite() &&
-             std::isfinite(a.observed) && std::isfinite(a.delay);
+             a.shown.allFinite() && std::isfinite(a.observed) && std::isfinite(a.delay);
   for (const double slope : a.slopes) all = all && std::isfinite(slope);
+  for (const double number : a.bodies) all = all && std::isfinite(number);
   return all;
 }
 
@@ -195,6 +207,8 @@ TEST(StandardEffects, ChangesNothingWhereAnEffectIsAbsent) {
       EXPECT_EQ(with.strength, without.strength);
       EXPECT_EQ(with.torques, without.torques);
       EXPECT_EQ(with.damping, without.damping);
+      EXPECT_EQ(with.bodies, without.bodies);
+      EXPECT_EQ(with.shown, without.shown);
       EXPECT_EQ(with.observed, without.observed);
       EXPECT_EQ(with.delay, without.delay);
     }
@@ -278,9 +292,54 @@ TEST(StandardEffects, SettlesWhereItsSlopesVanish) {
       term->magnetize(own, through, strength);
       JointVector torques = JointVector::Zero(2);
       term->add_torques(motion, strength, own, torques);
+      JointVector shown = angles;
+      JointVector shown_rates = rates;
+      term->show(own, shown, shown_rates);
+      // Of bodies the model writes the slopes: their rates, and what a force on them gives.
+      std::vector<EffectTerm::Body> bodies(term->bodies(), {.coupling = JointVector::Zero(2)});
+      term->describe_bodies(motion, strength, states.data(), bodies.data());
+      for (std::size_t b = 0; b < bodies.size(); ++b) {
+        slopes[b] = states[bodies.size() + b];
+        EXPECT_NEAR(bodies[b].force, 0.0, 1e-14) << kind->id();
+        slopes[bodies.size() + b] = 0.0;
+      }
       for (const double slope : slopes) EXPECT_NEAR(slope, 0.0, 1e-14) << kind->id();  // rounding of states below 1
     }
   }
+}
+
+// A search passes from the plain kind to the one with further numbers: its first ones, then those.
+TEST(StandardEffects, AddsFurtherNumbersAfterItsOwn) {
+  std::set<std::string> ids;
+  for (const EffectKind* kind : standard_effects().kinds()) {
+    const EffectKind* further = kind->with_further_numbers();
+    if (further == nullptr) continue;
+    ids.emplace(further->id());
+    EXPECT_EQ(further->id(), kind->id());
+    EXPECT_EQ(further->stage(), kind->stage());
+    EXPECT_EQ(further->with_further_numbers(), nullptr);
+    const std::size_t own = kind->parameters().size();
+    ASSERT_GT(further->parameters().size(), own);
+    for (std::size_t i = 0; i < own; ++i) {
+      EXPECT_EQ(further->parameters()[i].key, kind->parameters()[i].key);
+      EXPECT_EQ(further->parameters()[i].absent, kind->parameters()[i].absent);
+    }
+    EXPECT_TRUE(further->parameters()[own].absent) << kind->id();
+    for (const RigScale& scale : {finger_scale(), axis_scale()})
+      for (const Numbers& start : further->starts(scale)) {
+        EXPECT_EQ(error_text([&] { validate_effect({.kind = further, .values = start}); }), "");
+        EXPECT_FALSE(is_absent(*further, start)) << kind->id();
+      }
+  }
+  EXPECT_EQ(ids, (std::set<std::string>{"dry_friction", "mullins_softening"}));
+}
+
+TEST(StandardEffects, IsInAModelOnceWhateverItsNumbers) {
+  const EffectKind* plain = standard_effects().find("dry_friction");
+  ModelSpec spec = finger();
+  spec.effects = {{.kind = plain, .values = {0.3e-3}},
+                  {.kind = plain->with_further_numbers(), .values = {0.3e-3, 1.3, 0.5}}};
+  EXPECT_EQ(error_text([&] { (void)Model(spec); }), "effect dry_friction: may be in a model once; given twice");
 }
 
 std::string refusal(std::string_view id, Numbers values) {
@@ -311,14 +370,14 @@ TEST(Effect, SaysWhyItCannotBeInAModel) {
     EXPECT_EQ(kind->inapplicable(finger()).value_or(""), "") << kind->id();
   const ModelSpec bare = rotor(1e-3);
   for (const char* id : {"driver_deadband", "driver_saturation", "current_offset", "coil_heating", "coil_lag",
-                         "force_gain", "magnet_heating", "back_emf", "off_axis_force", "coil_coil_force"})
+                         "force_gain", "magnet_heating", "back_emf", "backlash", "off_axis_force", "coil_coil_force"})
     EXPECT_EQ(inapplicable(id, bare), "the model has no coils") << id;
-  for (const char* id : {"rest_angle", "stiffness_hardening", "viscoelastic_creep"})
+  for (const char* id : {"rest_angle", "stiffness_hardening", "mullins_softening", "viscoelastic_creep"})
     EXPECT_EQ(inapplicable(id, bare), "no joint has a spring") << id;
   EXPECT_EQ(inapplicable("joint_asymmetry", bare), "the model has one joint only");
   EXPECT_EQ(inapplicable("base_tilt", bare), "the model has no gravity");
   for (const char* id : {"static_attraction", "dry_friction", "quadratic_drag", "hysteresis", "end_stop", "added_mass",
-                         "measurement_delay", "angle_scale", "angle_offset"})
+                         "mount_compliance", "measurement_delay", "tracking_lag", "angle_scale", "angle_offset"})
     EXPECT_EQ(inapplicable(id, bare), "") << id;
   ModelSpec loose = finger();
   loose.hinges[1].stiffness = 0.0;

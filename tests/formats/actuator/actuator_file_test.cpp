@@ -243,6 +243,28 @@ TEST(LumpedModel, CarriesEffectsThatItCanHave) {
             "a.json: /effects/0: cannot be in this model: the model has no coils");
 }
 
+std::string with_friction(const std::string& numbers) {
+  return changed(lumped, R"("links": [)",
+                 R"("effects": [{"id": "dry_friction", "parameters": {)" + numbers + R"(}}], "links": [)");
+}
+
+TEST(LumpedModel, ReadsFrictionWithAndWithoutItsFall) {
+  const auto effect = [](const std::string& numbers) {
+    return std::get<actuator::Model>(parse_actuator(with_friction(numbers), "a.json").content)
+        .nominal_spec()
+        .effects.at(0);
+  };
+  const actuator::EffectKind* plain = actuator::standard_effects().find("dry_friction");
+  EXPECT_EQ(effect(R"("torque_Nmm": 0.6)").kind, plain);
+  const actuator::Effect falling = effect(R"("torque_Nmm": 0.6, "stribeck_ratio": 1.3, "stribeck_rate_rad_s": 0.5)");
+  EXPECT_EQ(falling.kind, plain->with_further_numbers());
+  EXPECT_EQ(falling.values, (std::vector<double>{0.6e-3, 1.3, 0.5}));
+  EXPECT_EQ(refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 1.3)")),
+            "a.json: /effects/0/parameters/stribeck_rate_rad_s: is missing");
+  EXPECT_EQ(refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 0.9, "stribeck_rate_rad_s": 0.5)")),
+            "a.json: /effects/0/parameters/stribeck_ratio: must be from 1 to 2; got 0.9");
+}
+
 const std::string pair = R"({
   "format": "lumped-model/1",
   "links": [{"length_m": 0.019, "com_along_m": 0.011, "com_offset_m": 0.004, "mass_kg": 0.017, "inertia_kgm2": 0}],

@@ -106,10 +106,13 @@ TEST(ActuatorJson, ReadsBackAsTheSameEffectsWhateverTheirNumbers) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int round = 0; round < 200; ++round) {
     Design design;
-    for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
+    for (const actuator::EffectKind* known : actuator::standard_effects().kinds()) {
+      const actuator::EffectKind* further = known->with_further_numbers();
+      const actuator::EffectKind* kind = further != nullptr && round % 2 == 0 ? further : known;
       actuator::Effect effect{.kind = kind, .values = {}};
       for (const actuator::EffectParameter& parameter : kind->parameters()) {
-        const double lower = std::max(parameter.lower, -3.0), upper = std::min(parameter.upper, 3.0);
+        const double lower = std::max(parameter.lower, -3.0);
+        const double upper = std::min(parameter.upper, std::max(3.0, 2.0 * lower));
         // Numbers that some decimal in the key's unit means; between those there are doubles that none does.
         const double value = units::from_memory(lower + share(random) * (upper - lower), parameter.key);
         effect.values.push_back(parameter.choices.empty() ? units::to_memory(value, parameter.key)

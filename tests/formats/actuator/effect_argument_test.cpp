@@ -20,6 +20,17 @@ TEST(EffectArgument, GivesParametersInSiInTheOrderOfTheEffect) {
   EXPECT_EQ(creep.values, (std::vector<double>{0.2, 0.5}));
 }
 
+TEST(EffectArgument, MayNameFurtherNumbersAllTogether) {
+  const actuator::Effect friction =
+      parse_effect("dry_friction:stribeck_rate_rad_s=0.8,torque_Nmm=0.6,stribeck_ratio=1.4");
+  EXPECT_EQ(friction.kind, actuator::standard_effects().find("dry_friction")->with_further_numbers());
+  EXPECT_EQ(friction.values, (std::vector<double>{0.6e-3, 1.4, 0.8}));
+  EXPECT_EQ(
+      refusal("dry_friction:torque_Nmm=0.6,stribeck_ratio=1.4"),
+      "dry_friction:torque_Nmm=0.6,stribeck_ratio=1.4: needs stribeck_rate_rad_s: joint rate at which most of the "
+      "difference has gone");
+}
+
 TEST(EffectArgument, IsRefusedInALineThatNamesTheRule) {
   EXPECT_EQ(refusal("dry_fricton:torque_Nmm=0.6"),
             R"(dry_fricton:torque_Nmm=0.6: "dry_fricton" is not an effect; did you mean "dry_friction"?)");

@@ -20,6 +20,9 @@ inline constexpr int max_internal_states = 128;
 /// States of the effects, in the order of the effects: currents, heat, creep, bristles, each in its own unit.
 using InternalStates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_internal_states, 1>;
 
+/// The most bodies of their own that all effects of a model may have together.
+inline constexpr int max_bodies = mechanics::max_joints + 4;
+
 /// The stages of a model, in the order in which a command passes them. An effect belongs to exactly one.
 enum class Stage { drive, magnetics, hinge, chain, camera };
 
@@ -94,9 +97,27 @@ class EffectTerm {
   virtual void add_damping(const Kinematics& motion, const CoilCurrents& strength,
                            mechanics::JointMatrix& damping) const;
 
+  /// Bodies of its own that move beside the chain: a mount, a loose magnet. A body has one coordinate u, its mass m, a
+  /// coupling c to the joints' accelerations and a force f on it:
+  ///   M theta'' + c u'' = joint torques,  c . theta'' + m u'' = f,  with m > c . M^-1 c at every pose.
+  /// Of the effect's states the coordinates come first, then their rates; the model writes the slopes of both.
+  struct Body {
+    mechanics::JointVector coupling;  ///< c, kg m for a coordinate in m, kg m^2 for one in rad
+    double mass{};                    ///< m, kg or kg m^2; > 0
+    double force{};                   ///< f, N or N m; without what c . theta'' takes
+  };
+  /// How many it has; two states for each. At most max_bodies in a model.
+  [[nodiscard]] virtual int bodies() const { return 0; }
+  /// Writes bodies() bodies to `out`, each with a coupling of zeros when it comes. `states` are the effect's own.
+  virtual void describe_bodies(const Kinematics& motion, const CoilCurrents& strength, const double* states,
+                               Body* out) const;
+
+  /// Camera: turns the joints' angles (rad) and rates (rad/s) into those shown, before any scale or offset. Writes the
+  /// slopes of its states where they are wanted.
+  virtual void show(InternalStateView own, mechanics::JointVector& angles, mechanics::JointVector& rates) const;
   /// Camera: what it shows of an angle, rad.
   [[nodiscard]] virtual double observed(double angle) const { return angle; }
-  /// Camera: how long ago the motion was that it shows now, s.
+  /// Camera: how long ago the motion was that it shows now, s; below zero where records are stamped too early.
   [[nodiscard]] virtual double delay() const { return 0.0; }
 };
 
@@ -125,6 +146,11 @@ class EffectKind {
 
   /// Whether it is gone while the coils' circuit is open: a driver's bias, what motion induces.
   [[nodiscard]] virtual bool needs_closed_circuit() const { return false; }
+
+  /// The same effect by the same id with further numbers after its own, which are nothing without it: Stribeck's fall
+  /// of dry friction. Files name all of them or none. A search should try it only where this one has been found: its
+  /// further numbers say too where they mean nothing (EffectParameter::absent). Null: there is none.
+  [[nodiscard]] virtual const EffectKind* with_further_numbers() const { return nullptr; }
 
   /// Why it cannot be in this model (no coils, one joint only, already exact): one line; nothing when it can.
   [[nodiscard]] virtual std::optional<std::string> inapplicable(const ModelSpec& spec) const;

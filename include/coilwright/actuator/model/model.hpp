@@ -13,6 +13,12 @@ namespace coilwright::actuator {
 /// (which differs for heat alone: see EffectTerm::begin).
 enum class InitialHistory { long_hold, recorded_run };
 
+/// What a camera shows of the joints.
+struct ShownMotion {
+  mechanics::JointVector angles;  ///< rad
+  mechanics::JointVector rates;   ///< rad/s
+};
+
 /// An actuator for simulation: drive, magnetics, hinge, chain, camera in a row. Immutable; copies share what is large.
 ///
 /// Effects may carry states of their own (currents, heat, creep, bristles). Static queries (torques, equilibria,
@@ -117,9 +123,16 @@ class Model {
   /// The sum of the joint angles, rad: what a camera without error shows.
   [[nodiscard]] static double bending_angle(const mechanics::JointVector& angles) { return angles.sum(); }
 
+  /// What a camera that filters shows of the joints in a state: their angles and rates as they are where it does not.
+  /// Its scale, offset and delay are not in it: pass an angle, or a sum of angles, to observed(). `internal` are all
+  /// states of the effects.
+  [[nodiscard]] ShownMotion shown(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
+                                  std::span<const double> internal) const;
+  /// Whether shown() may differ from the motion: the camera has states of its own.
+  [[nodiscard]] bool camera_filters() const noexcept { return camera_states_ > 0; }
   /// What the camera shows of an angle, rad: of the bending angle, or of a single joint's.
   [[nodiscard]] double observed(double angle) const;
-  /// How long ago the motion was that the camera shows now, s; >= 0.
+  /// How long ago the motion was that the camera shows now, s; below zero where records are stamped too early.
   [[nodiscard]] double delay() const;
 
  private:
@@ -145,6 +158,13 @@ class Model {
                      const CoilCurrents& strength, mechanics::JointVector& torques) const;
   void add_term_torques(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
                         double* slopes, mechanics::JointVector& torques) const;
+  // Moves the effects' bodies with the chain: corrects `accelerations`, which the chain would have without them, and
+  // writes the slopes of the bodies' states.
+  void accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
+                         double* slopes, mechanics::JointVector& accelerations) const;
+  // As shown(); null: no slopes.
+  [[nodiscard]] ShownMotion shown(const mechanics::JointVector& angles, const mechanics::JointVector& rates,
+                                  const double* states, double* slopes) const;
   void add_term_stiffness(const mechanics::JointVector& angles, const CoilCurrents& command, InitialHistory history,
                           mechanics::JointMatrix& stiffness) const;
 
@@ -154,6 +174,8 @@ class Model {
   std::vector<double> held_;  // states that are held
   int internal_states_ = 0;
   int drive_states_ = 0;
+  int camera_states_ = 0;
+  int bodies_ = 0;
 };
 
 }  // namespace coilwright::actuator

@@ -1,0 +1,107 @@
+#include <cmath>
+#include <numbers>
+
+#include "actuator/effects/starts.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
+
+namespace coilwright::actuator::effects {
+namespace {
+
+// Of the mount by itself, with the finger held stiff on it: clamped metal and printed parts have 2 to 10 %.
+constexpr double damping_ratio = 0.05;
+
+// A link's share of the momentum across the straight chain is its absolute rate times (A cos phi + O sin phi).
+struct LinkMoments {
+  double along{};   // A: length times the mass beyond, and mass times com_along, kg m
+  double offset{};  // O: mass times com_offset, kg m
+};
+
+// One body: the mount's displacement X, m, across the straight chain, towards opening. All links ride on it, so they
+// couple to it by their momentum and its own mass is that of mount and chain together. Joint angles are relative: the
+// camera does not see X itself, only what it does to the joints.
+class MountTerm final : public EffectTerm {
+ public:
+  struct Spec {
+    double frequency{};   // rad/s
+    double mass_ratio{};  // chain over mount
+  };
+  MountTerm(const mechanics::PlanarChain& chain, const Spec& spec) : frequency_(spec.frequency) {
+    double beyond = 0.0;
+    moments_.resize(static_cast<std::size_t>(chain.joints()));
+    for (int j = chain.joints() - 1; j >= 0; --j) {
+      const mechanics::Link& link = chain.link(j);
+      moments_[static_cast<std::size_t>(j)] = {.along = link.length * beyond + link.mass * link.com_along,
+                                               .offset = link.mass * link.com_offset};
+      beyond += link.mass;
+    }
+    mass_ = beyond * (1.0 + 1.0 / spec.mass_ratio);
+  }
+
+  int states() const override { return 2; }
+  int bodies() const override { return 1; }
+
+  void describe_bodies(const Kinematics& motion, const CoilCurrents& /*strength*/, const double* states,
+                       Body* out) const override {
+    double angle = 0.0;
+    double rate = 0.0;
+    double thrown = 0.0;  // what the links' rates alone change of the momentum, N
+    for (int j = 0; j < motion.angles.size(); ++j) {
+      const LinkMoments& link = moments_[static_cast<std::size_t>(j)];
+      angle += motion.angles[j];
+      rate += motion.rates[j];
+      const double sine = std::sin(angle);
+      const double cosine = std::cos(angle);
+      // Joint j turns link j and all beyond it.
+      out->coupling.head(j + 1).array() += link.along * cosine + link.offset * sine;
+      thrown += rate * rate * (link.offset * cosine - link.along * sine);
+    }
+    out->mass = mass_;
+    out->force = -mass_ * frequency_ * (frequency_ * states[0] + 2.0 * damping_ratio * states[1]) - thrown;
+  }
+
+ private:
+  std::vector<LinkMoments> moments_;
+  double mass_{};  // of mount and chain, kg
+  double frequency_;
+};
+
+class MountCompliance final : public DescribedEffect {
+ public:
+  MountCompliance()
+      : DescribedEffect({.id = "mount_compliance",
+                         .stage = Stage::chain,
+                         .description = "the mount gives way: a mass on a spring that moves with the finger",
+                         .equation = "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + "
+                                     "p' . theta' = 0, zeta = 0.05, p = d(momentum)/d(rates), m of the chain",
+                         .source = "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, "
+                                   "ch. 1); damping a choice",
+                         .parameters = {{.key = "frequency_Hz",
+                                         .text = "of the mount on its spring, with the finger held stiff",
+                                         .lower = 5.0,
+                                         .upper = 300.0},
+                                        {.key = "mass_ratio",
+                                         .text = "mass of the chain over that of the mount",
+                                         .lower = 0.0,
+                                         .upper = 5.0,
+                                         .absent = 0.0}}}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    const double fastest = std::clamp(0.3 / scale.interval, 12.0, 150.0);
+    return each_with_each({0.5 * fastest, fastest}, {0.2});
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    if (!(values[1] > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
+    return std::make_unique<MountTerm>(
+        spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * values[0], .mass_ratio = values[1]});
+  }
+};
+
+}  // namespace
+
+const EffectKind& mount_compliance() {
+  static const MountCompliance kind;
+  return kind;
+}
+
+}  // namespace coilwright::actuator::effects

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -99,9 +100,13 @@ struct Recording {
 Recording record(const actuator::Model& model, const ModelInput& input, const State& start) {
   Recording out{.states = simulation::simulate(model, input, start), .bending = {}};
   const auto show = [&](const std::vector<State>& states) {
-    for (const State& state : states) out.bending.push_back(model.observed(model.bending_angle(state.angles)));
+    for (const State& state : states) {
+      const std::span<const double> internal(state.internal.data(), static_cast<std::size_t>(state.internal.size()));
+      const mechanics::JointVector angles = model.shown(state.angles, state.rates, internal).angles;
+      out.bending.push_back(model.observed(model.bending_angle(angles)));
+    }
   };
-  if (model.delay() > 0.0)
+  if (model.delay() != 0.0)
     show(simulation::simulate_as_observed(model, input, start));
   else
     show(out.states);

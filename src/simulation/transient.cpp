@@ -119,8 +119,15 @@ std::vector<State> simulate_as_observed(const actuator::Model& model, const Mode
   for (const double time : input.times)
     if (time - delay > input.times.front()) times.push_back(time - delay);
   const State first = with_internal_states(model, start, input.currents.front());
+  // Records stamped too early show what comes after the last sample: the input is held there.
+  ModelInput held = input;
+  if (delay < 0.0) {
+    held.times.push_back(input.times.back() - delay);
+    held.currents.push_back(input.currents.back());
+    if (!input.joint_torques.empty()) held.joint_torques.push_back(input.joint_torques.back());
+  }
   std::vector<State> out(input.times.size() - times.size(), first);
-  std::vector<State> later = simulate_at(model, input, first, times, accuracy);
+  std::vector<State> later = simulate_at(model, held, first, times, accuracy);
   out.insert(out.end(), std::move_iterator(later.begin()), std::move_iterator(later.end()));
   return out;
 }

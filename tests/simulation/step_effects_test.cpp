@@ -260,5 +260,22 @@ TEST(SimulateSeen, IsLateAndAsTheCameraShowsIt) {
   EXPECT_DOUBLE_EQ(model.observed(0.5), 0.57);
 }
 
+// A record that is stamped too early shows what is still to come, after its end under the last input.
+TEST(SimulateSeen, MayBeEarly) {
+  const Model bare = finger(actuator::Configuration::B).model;
+  const double ahead = 0.0241;
+  const Model model = sample::with_effects(bare, {{&sample::camera, {1.0, 0.0, -ahead}}});
+  const State start{.angles = rest_of(bare), .rates = straight(bare)};
+  const ModelInput input = step_input(bare, {.current = 1.4, .duration = 0.1, .interval = 0.01});
+  const std::vector<State> seen = simulate_as_observed(model, input, start);
+  ASSERT_EQ(seen.size(), input.times.size());
+  const ModelInput fine = step_input(bare, {.current = 1.4, .duration = 0.2, .interval = 1e-4});
+  const std::vector<State> motion = simulate(bare, fine, start);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto sample = static_cast<std::size_t>(std::lround((input.times[i] + ahead) / 1e-4));
+    EXPECT_LT((seen[i].angles - motion[sample].angles).lpNorm<Eigen::Infinity>(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace coilwright::simulation

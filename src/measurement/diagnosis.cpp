@@ -14,7 +14,10 @@
 #include "measurement/diagnosis_warnings.hpp"
 #include "measurement/experiment/separating_experiment.hpp"
 #include "measurement/final_errors.hpp"
+#include "measurement/fit/fit.hpp"
+#include "measurement/fit/outliers.hpp"
 #include "measurement/localise/localisation.hpp"
+#include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -37,15 +40,42 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+// Declared numbers that are less likely than this, by their tolerances, are off.
+constexpr double least_probability = 0.01;
+
 Verdict verdict_of(const compare::Attribution& found) {
-  if (found.steps.size() == 1)
-    return found.before().whiteness.is_white() ? Verdict::no_missing_effect : Verdict::unexplained;
+  if (found.steps.size() == 1) {
+    if (!found.before().whiteness.is_white()) return Verdict::unexplained;
+    return compare::probability_of_declared_numbers(found.before()) < least_probability ? Verdict::declared_numbers_off
+                                                                                        : Verdict::no_missing_effect;
+  }
   return found.after().whiteness.is_white() ? Verdict::explained : Verdict::partly_explained;
 }
 
 template <typename Value>
 void append(std::vector<Value>& to, const std::vector<Value>& from) {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+// Sets outliers aside, as the declared model shows them once it is recalibrated. The recalibration itself is repeated
+// by the comparison; returns the number of runs simulated here.
+long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const fit::Hypothesis& declared) {
+  const auto fitted = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
+  if (fitted.value) (void)fit::set_outliers_aside(runs, *fitted.value);
+  return fitted.simulated_runs;
+}
+
+std::vector<Outliers> outliers_of(const std::vector<replay::PreparedRun>& runs) {
+  std::vector<Outliers> out;
+  for (const replay::PreparedRun& prepared : runs) {
+    for (std::size_t c = 0; c < prepared.set_aside.size(); ++c) {
+      Outliers found{.run = prepared.run->name, .channel = prepared.run->channels[c].name};
+      for (std::size_t i = 0; i < prepared.set_aside[c].size(); ++i)
+        if (prepared.set_aside[c][i] != 0) found.times.push_back(prepared.run->times[i]);
+      if (!found.times.empty()) out.push_back(std::move(found));
+    }
+  }
+  return out;
 }
 
 Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredModel& declared,
@@ -58,10 +88,15 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const data::UsableRuns usable = data::usable_runs(data.fit);
   append(out.warnings, usable.warnings);
   std::vector<replay::PreparedRun> runs;
-  for (const data::Run& run : usable.runs) runs.push_back(replay::prepare_run(run, declared, nominal));
+  for (const data::Run& run : usable.runs) {
+    runs.push_back(replay::prepare_run(run, declared, nominal));
+    replay::give_recorded_noise(runs.back(), data.still, usable.runs);
+  }
   FinalErrors::require_fits_model(data.validate, declared, nominal);
+  const long simulated_for_outliers = set_outliers_aside(runs, as_declared);
+  out.outliers = outliers_of(runs);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
-  timer.end_phase("noise", 0);
+  timer.end_phase("noise and outliers", simulated_for_outliers);
 
   compare::Attribution compared = compare::attribute({.runs = runs,
                                                       .declared = &declared,
@@ -80,8 +115,18 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.after = found.after().whiteness;
   out.compared_hypotheses = std::move(found.compared);
   out.indistinguishable = found.indistinguishable;
-  out.calibration.assign(estimates.begin(),
-                         estimates.begin() + static_cast<std::ptrdiff_t>(declared.calibration.size()));
+  for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
+    const replay::CalibrationParameter& number = declared.calibration[i];
+    if (number.calibrated)
+      out.calibration.push_back(estimates[i]);
+    else
+      out.nominal.push_back({.estimate = estimates[i],
+                             .declared = number.declared,
+                             .tolerance = number.tolerance->deviation,
+                             .named = number.tolerance->named});
+  }
+  out.probability_of_declared = compare::probability_of_declared_numbers(found.before());
+  out.held_exact = declared.held_exact;
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = compare::estimates_of_effect(found.after(), estimates, i),
@@ -95,8 +140,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                            .before = found.before(),
                            .after = found.after(),
                            .overdispersion = pruned.overdispersion};
-  const FinalErrors fitted(usable.runs, declared, models);
-  const FinalErrors validated(data.validate, declared, models);
+  const FinalErrors fitted(usable.runs, declared, models, data.still);
+  const FinalErrors validated(data.validate, declared, models, data.still);
   out.fit_errors = fitted.errors();
   out.validate_errors = validated.errors();
   for (const FinalErrors* errors : {&fitted, &validated}) {
@@ -115,6 +160,8 @@ std::string_view name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::no_missing_effect:
       return "no_missing_effect";
+    case Verdict::declared_numbers_off:
+      return "declared_numbers_off";
     case Verdict::explained:
       return "explained";
     case Verdict::partly_explained:

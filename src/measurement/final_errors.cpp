@@ -11,6 +11,9 @@
 #include <span>
 #include <utility>
 
+#include "measurement/fit/outliers.hpp"
+#include "measurement/replay/recorded_noise.hpp"
+
 namespace coilwright::measurement {
 namespace {
 
@@ -51,16 +54,14 @@ Eigen::MatrixXd parameter_covariance(const FittedHypothesis& model, double overd
 Eigen::VectorXd deviations(const PreparedRun& prepared, const fit::Fit& fitted, const Eigen::MatrixXd& covariance) {
   const Eigen::VectorXd all = (fitted.jacobian * covariance).cwiseProduct(fitted.jacobian).rowwise().sum().cwiseSqrt();
   const std::vector<replay::SampleRange> ranges = prepared.sample_ranges();
-  // The rows of the prior of an initial state follow the residuals of its window.
-  const Eigen::Index prior_rows = (all.size() - prepared.values()) / static_cast<Eigen::Index>(ranges.size());
   Eigen::VectorXd out(prepared.values());
   Eigen::Index at = 0;
   Eigen::Index row = 0;
-  for (const replay::SampleRange& range : ranges) {
-    const Eigen::Index n = prepared.values_in(range);
+  for (std::size_t block = 0; block < ranges.size(); ++block) {
+    const Eigen::Index n = prepared.values_in(ranges[block]);
     out.segment(at, n) = all.segment(row, n);
     at += n;
-    row += n + prior_rows;
+    row += fitted.local_bases[block].rows();  // the rows of the prior of its local numbers follow
   }
   return out;
 }
@@ -89,19 +90,26 @@ CountedPrediction predict_with_deviations(const PreparedRun& prepared, const Fit
 // Sums over all channels of one kind.
 class ErrorSums {
  public:
-  void add(const Replay& replay, const std::vector<double>& deviations, double sigma) {
+  // `set_aside`: for each sample whether it counts not; empty: all count.
+  void add(const Replay& replay, const std::vector<double>& deviations, double sigma,
+           const std::vector<char>& set_aside) {
     const std::array models{&replay.declared, &replay.before, &replay.after};
+    const auto counts = [&](std::size_t i) { return set_aside.empty() || set_aside[i] == 0; };
     for (std::size_t m = 0; m < models.size(); ++m) {
       for (std::size_t i = 0; i < replay.measured.size(); ++i) {
+        if (!counts(i)) continue;
         const double error = std::abs(replay.measured[i] - (*models[m])[i]);
         absolute_[m] += error;
         square_[m] += error * error;
         largest_[m] = std::max(largest_[m], error);
       }
     }
-    noise_square_ += sigma * sigma * static_cast<double>(replay.measured.size());
-    for (const double deviation : deviations) uncertainty_square_ += sigma * sigma * deviation * deviation;
-    samples_ += replay.measured.size();
+    for (std::size_t i = 0; i < replay.measured.size(); ++i) {
+      if (!counts(i)) continue;
+      noise_square_ += sigma * sigma;
+      uncertainty_square_ += sigma * sigma * deviations[i] * deviations[i];
+      ++samples_;
+    }
   }
 
   [[nodiscard]] ErrorComparison comparison(data::ChannelKind kind) const {
@@ -149,21 +157,29 @@ void FinalErrors::require_fits_model(const data::SealedRuns& runs, const replay:
   for (const data::Run& run : runs.runs_) (void)replay::prepare_run(run, declared, nominal);
 }
 
-FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
-                         const ThreeModels& models) {
-  take(runs.runs_, declared, models, true);
+FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
+                         std::span<const data::Run> still) {
+  take(runs.runs_, declared, models, still, true);
 }
 
 FinalErrors::FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
-                         const ThreeModels& models) {
-  take(runs, declared, models, false);
+                         const ThreeModels& models, std::span<const data::Run> still) {
+  take(runs, declared, models, still, false);
 }
 
 void FinalErrors::take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
-                       const ThreeModels& models, bool validate) {
+                       const ThreeModels& models, std::span<const data::Run> still, bool validate) {
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
   std::vector<PreparedRun> prepared_runs;
-  for (const data::Run& run : runs) prepared_runs.push_back(replay::prepare_run(run, declared, nominal));
+  for (const data::Run& run : runs) {
+    prepared_runs.push_back(replay::prepare_run(run, declared, nominal));
+    replay::give_recorded_noise(prepared_runs.back(), still, {});
+  }
+  for (PreparedRun& prepared : prepared_runs) {
+    const auto found = fit::evaluate_at(request_for(prepared, models.after));
+    simulated_runs_ += found.simulated_runs;
+    if (found.value) (void)fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
+  }
   const Eigen::MatrixXd covariance = parameter_covariance(models.after, models.overdispersion);
   const std::array three{&models.declared, &models.before, &models.after};
   std::vector<std::array<CountedPrediction, 3>> predictions(prepared_runs.size());
@@ -203,8 +219,9 @@ void FinalErrors::take(const std::vector<data::Run>& runs, const replay::Declare
         sums.emplace_back();
         found = order.end() - 1;
       }
-      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after.value->deviations[c],
-                                                                prepared.noise[c].sigma);
+      sums[static_cast<std::size_t>(found - order.begin())].add(
+          replay, after.value->deviations[c], prepared.noise[c].sigma,
+          c < prepared.set_aside.size() ? prepared.set_aside[c] : std::vector<char>{});
       replays_.push_back(std::move(replay));
     }
   }

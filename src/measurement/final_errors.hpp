@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "coilwright/measurement/data/dataset.hpp"
@@ -24,10 +25,13 @@ class FinalErrors {
   static void require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
                                  const actuator::Model& nominal);
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
-  /// which one of the models cannot be simulated is left out with a warning.
-  FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models);
+  /// which one of the models cannot be simulated is left out with a warning, and so are samples that no motion can
+  /// show. The clocks, edges and hum of each run are fitted to it for each model. `still` are the records of the noise.
+  FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
+              std::span<const data::Run> still);
   /// Errors on the fit runs, likewise.
-  FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models);
+  FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
+              std::span<const data::Run> still);
 
   [[nodiscard]] const std::vector<ErrorComparison>& errors() const noexcept { return errors_; }
   [[nodiscard]] const std::vector<Replay>& replays() const noexcept { return replays_; }
@@ -36,7 +40,7 @@ class FinalErrors {
 
  private:
   void take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
-            bool validate);
+            std::span<const data::Run> still, bool validate);
 
   std::vector<ErrorComparison> errors_;
   std::vector<Replay> replays_;

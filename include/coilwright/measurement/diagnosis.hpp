@@ -22,10 +22,11 @@ namespace coilwright::measurement {
 
 /// The conclusion of a diagnosis; docs/theory/measurement.md states the rule for each.
 enum class Verdict {
-  no_missing_effect,  ///< the recalibrated declared model already leaves white noise
-  explained,          ///< with the effects the residual is white noise
-  partly_explained,   ///< an effect improves the model significantly, structure remains
-  unexplained         ///< structure remains, and the data support no effect
+  no_missing_effect,     ///< the recalibrated declared model already leaves noise
+  declared_numbers_off,  ///< declared numbers leave noise, moved further than their tolerances make likely (1 in 100)
+  explained,             ///< with the effects the residual is noise
+  partly_explained,      ///< an effect improves the model significantly, structure remains
+  unexplained            ///< structure remains, and the data support no effect
 };
 
 /// "partly_explained".
@@ -36,6 +37,21 @@ struct AddedEffect {
   const actuator::EffectKind* kind{};
   std::vector<compare::Estimate> parameters{};
   compare::Evidence evidence{};
+};
+
+/// A declared number with a tolerance, and where the data move it.
+struct MovedNumber {
+  compare::Estimate estimate{};
+  double declared{};   ///< SI
+  double tolerance{};  ///< one standard deviation, SI
+  bool named{};        ///< whether the data set names the tolerance; otherwise it is a default
+};
+
+/// Samples of one channel that no motion can show.
+struct Outliers {
+  std::string run{};
+  std::string channel{};
+  std::vector<double> times{};  ///< s
 };
 
 /// The time that one phase of a diagnosis took.
@@ -52,6 +68,11 @@ struct Diagnosis {
   /// Sets of effects that these data cannot distinguish.
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
   std::vector<compare::Estimate> calibration{};
+  std::vector<MovedNumber> nominal{};  ///< declared numbers within their tolerances, in the order of the model
+  /// The probability that declared numbers lie at least as far from what the data say, in the recalibrated model.
+  double probability_of_declared = 1.0;
+  std::vector<std::string> held_exact{};  ///< declared numbers of which nothing was assumed but that they are exact
+  std::vector<Outliers> outliers{};
   std::vector<compare::ComparedHypothesis> compared_hypotheses{};  ///< best first
   whiteness::WhitenessResult before{}, after{};
   std::optional<localise::ResidualTorque> residual{};  ///< of the model with the effects; nothing if no run is a motion

@@ -1,6 +1,7 @@
 #include "measurement/compare/fitted_hypothesis.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,6 +20,13 @@ std::vector<const actuator::EffectKind*> FittedHypothesis::kinds() const {
   return out;
 }
 
+double probability_of_declared_numbers(const FittedHypothesis& fitted) {
+  const auto count = std::ranges::count_if(fitted.hypothesis.parameters(), &fit::FitParameter::has_prior);
+  if (count == 0) return 1.0;
+  const boost::math::chi_squared_distribution<double> distribution(static_cast<double>(count));
+  return boost::math::cdf(boost::math::complement(distribution, fitted.fit.prior_chi_square));
+}
+
 FittedHypothesis score(std::span<const replay::PreparedRun> runs, fit::Hypothesis hypothesis, fit::Fit fitted) {
   const whiteness::WhitenessResult result =
       whiteness::whiteness_test(fit::scaled_residuals(runs, fitted), static_cast<int>(hypothesis.size()));
@@ -26,15 +34,16 @@ FittedHypothesis score(std::span<const replay::PreparedRun> runs, fit::Hypothesi
 }
 
 double overdispersion_of(std::span<const replay::PreparedRun> runs, const FittedHypothesis& reference) {
-  if (reference.whiteness.is_white()) return 1.0;
   const double mean_square = reference.fit.chi_square / static_cast<double>(reference.fit.samples());
+  // A residual that is noise has a correlation time of one, and its level may be that of noise that is known badly.
+  if (reference.whiteness.is_white()) return std::max(1.0, mean_square);
   return std::max(1.0, mean_square * whiteness::correlation_time(fit::scaled_residuals(runs, reference.fit)));
 }
 
 double quasi_bic(const FittedHypothesis& fitted, double overdispersion) {
   const auto samples = static_cast<double>(fitted.fit.samples());
   const double penalty = std::log(std::max(std::exp(1.0), samples / overdispersion));
-  return fitted.fit.chi_square / overdispersion + static_cast<double>(fitted.hypothesis.size()) * penalty;
+  return fitted.fit.objective() / overdispersion + static_cast<double>(fitted.hypothesis.size()) * penalty;
 }
 
 Evidence evidence_between(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,

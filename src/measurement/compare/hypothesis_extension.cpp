@@ -48,7 +48,7 @@ std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted) {
         changed[e].values[n] = choice;
         out.push_back({.hypothesis = fit::Hypothesis(fitted.hypothesis.declared(), std::move(changed)),
                        .start = fitted.fit.values,
-                       .initial_states_from = &fitted.fit});
+                       .local_numbers_from = &fitted.fit});
       }
     }
   }

@@ -40,7 +40,7 @@ Counted<Level> succeeded(std::vector<CountedFit> fits) {
 
 const FittedHypothesis& least_chi_square(const Level& level, const FittedHypothesis& fallback) {
   const auto best =
-      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.chi_square; });
+      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
   return best == level.end() ? fallback : *best;
 }
 
@@ -179,7 +179,7 @@ class HypothesisSearch {
       simulated_runs += each.simulated_runs;
       if (each.value) found.push_back(std::move(*each.value));
     }
-    std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.chi_square; });
+    std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.objective(); });
     std::vector<CountedFit> fits(found.size());
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
       if (i < search_effort.refined_singles)
@@ -202,7 +202,7 @@ class HypothesisSearch {
       for (const PlannedFit& plan : with_other_choices(as_found)) {
         auto other = fit_to_convergence(runs_, plan);
         simulated_runs[i] += other.simulated_runs;
-        if (other.value && other.value->fit.chi_square < level[i].fit.chi_square) level[i] = std::move(*other.value);
+        if (other.value && other.value->fit.objective() < level[i].fit.objective()) level[i] = std::move(*other.value);
       }
     });
     Counted<Level> out{.value = std::move(level)};

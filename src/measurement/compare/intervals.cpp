@@ -65,7 +65,7 @@ struct IntervalPass {
 IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
                                   double overdispersion) {
   const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
-  IntervalPass out{.estimates = {}, .best_chi_square = fitted.fit.chi_square, .best_values = fitted.fit.values};
+  IntervalPass out{.estimates = {}, .best_chi_square = fitted.fit.objective(), .best_values = fitted.fit.values};
   for (Eigen::Index i = 0; i < fitted.hypothesis.size(); ++i)
     out.estimates.push_back(local_estimate(fitted.hypothesis.parameters()[static_cast<std::size_t>(i)],
                                            fitted.fit.values[i], deviations[i]));
@@ -95,17 +95,29 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
 EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
                                        double overdispersion) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
+  // The search took the derivatives with respect to declared numbers from the model without effects.
+  const auto& numbers = out.fitted.hypothesis.declared().calibration;
+  if (!out.fitted.hypothesis.effects().empty() &&
+      !std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) {
+    auto anew = fit_to_convergence(runs, {.hypothesis = out.fitted.hypothesis,
+                                          .start = out.fitted.fit.values,
+                                          .local_numbers_from = &out.fitted.fit,
+                                          .known_columns = false});
+    out.simulated_runs += anew.simulated_runs;
+    if (anew.value && anew.value->fit.objective() <= out.fitted.fit.objective() * (1.0 + 1e-6))
+      out.fitted = std::move(*anew.value);
+  }
   for (int moves = 0;; ++moves) {
     IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion);
     out.simulated_runs += pass.simulated_runs;
     out.estimates = std::move(pass.estimates);
     if (moves == search_effort.largest_number_of_moves ||
-        out.fitted.fit.chi_square - pass.best_chi_square < search_effort.better_optimum * overdispersion)
+        out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion)
       return out;
     auto better = fit_to_convergence(
-        runs, {.hypothesis = out.fitted.hypothesis, .start = pass.best_values, .initial_states_from = &out.fitted.fit});
+        runs, {.hypothesis = out.fitted.hypothesis, .start = pass.best_values, .local_numbers_from = &out.fitted.fit});
     out.simulated_runs += better.simulated_runs;
-    if (!better.value || better.value->fit.chi_square >= out.fitted.fit.chi_square) return out;
+    if (!better.value || better.value->fit.objective() >= out.fitted.fit.objective()) return out;
     out.fitted = std::move(*better.value);
   }
 }

@@ -32,17 +32,18 @@ std::vector<double> scattered(const EffectKind& kind, std::vector<double> guess,
 }
 
 // The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start), with
-// all that the parameters and initial states of `base` can absorb projected out. Rows as base.stacked_residuals.
+// all that the parameters and local numbers of `base` can absorb projected out. Rows as base.stacked_residuals.
 fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
   const fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
   if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
-  Eigen::VectorXd out(base.stacked_residuals.size());
+  // The rows of the prior at the end do not change: the effect is added at the declared numbers of the base.
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(base.stacked_residuals.size());
   Eigen::Index row = 0;
   for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
     const Eigen::Index rows = blocks.blocks()[b].rows;
     Eigen::VectorXd change = there.value->blocks[b].residuals - base.stacked_residuals.segment(row, rows);
-    const Eigen::MatrixXd& basis = base.initial_state_bases[b];
+    const Eigen::MatrixXd& basis = base.local_bases[b];
     change -= basis * (basis.transpose() * change);
     out.segment(row, rows) = change;
     row += rows;

@@ -28,7 +28,7 @@ ProfileLikelihood::ProfileLikelihood(std::span<const replay::PreparedRun> runs, 
       overdispersion_(overdispersion),
       last_values_(fitted.fit.values),
       best_values_(fitted.fit.values),
-      best_chi_square_(fitted.fit.chi_square) {
+      best_chi_square_(fitted.fit.objective()) {
   const fit::FitParameter& number = fitted.hypothesis.parameters()[static_cast<std::size_t>(parameter)];
   lower_ = number.lower;
   upper_ = number.upper;
@@ -77,17 +77,18 @@ double ProfileLikelihood::above_limit(double coordinate) {
   const auto refitted = fit::fit({.hypothesis = &fitted_.hypothesis,
                                   .runs = runs_,
                                   .start = start,
-                                  .initial_states_from = &fitted_.fit,
+                                  .local_numbers_from = &fitted_.fit,
+                                  .nominal_columns_from = &fitted_.fit,
                                   .held_parameter = parameter_,
                                   .effort = search_effort.profile});
   simulated_runs_ += refitted.simulated_runs;
   if (!refitted.value) return chi_square_95;  // a model that cannot be simulated is no explanation
   last_values_ = refitted.value->values;
-  if (refitted.value->chi_square < best_chi_square_) {
-    best_chi_square_ = refitted.value->chi_square;
+  if (refitted.value->objective() < best_chi_square_) {
+    best_chi_square_ = refitted.value->objective();
     best_values_ = refitted.value->values;
   }
-  return (refitted.value->chi_square - fitted_.fit.chi_square) / overdispersion_ - chi_square_95;
+  return (refitted.value->objective() - fitted_.fit.objective()) / overdispersion_ - chi_square_95;
 }
 
 double ProfileLikelihood::root(double inside, double inside_value, double outside, double outside_value,

@@ -22,7 +22,7 @@ struct Sums {
 };
 
 void add_inputs(const replay::Window& window, const actuator::Model& nominal, Sums& sums) {
-  for (std::size_t i = 0; i < window.samples(); ++i) {
+  for (std::size_t i = 0; i < window.input.times.size(); ++i) {
     const actuator::CoilCurrents& currents = window.input.currents[i];
     JointVector torque = nominal.magnetic_torques(JointVector::Zero(nominal.joints()), currents);
     if (!window.input.joint_torques.empty()) torque += window.input.joint_torques[i];

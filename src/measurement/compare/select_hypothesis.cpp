@@ -42,7 +42,7 @@ Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> r
     for (std::size_t i = 0; i < left.size(); ++i) {
       auto one = fit_to_convergence(runs, with_added_effects(last_step(), std::span(&left[i], 1)));
       out.simulated_runs += one.simulated_runs;
-      if (one.value && (!best || one.value->fit.chi_square < best->fit.chi_square)) {
+      if (one.value && (!best || one.value->fit.objective() < best->fit.objective())) {
         best = std::move(one.value);
         index = i;
       }
@@ -55,7 +55,7 @@ Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> r
   if (left.size() == 1 && !out.steps.empty()) {
     auto last = fit_to_convergence(runs, with_added_effects(last_step(), left));
     out.simulated_runs += last.simulated_runs;
-    if (last.value && last.value->fit.chi_square <= selected.fit.chi_square * (1 + 1e-6)) {
+    if (last.value && last.value->fit.objective() <= selected.fit.objective() * (1 + 1e-6)) {
       out.steps.push_back(std::move(*last.value));
       return out;
     }
@@ -98,7 +98,7 @@ Selection select_hypothesis(std::span<const replay::PreparedRun> runs, const Fit
   rule_out("fits best where it is absent", has_an_absent_effect);
   // No start of such a hypothesis improved on the same model without its effects.
   rule_out("fits no better than without it", [&](const FittedHypothesis& fitted) {
-    return fitted.fit.chi_square > declared.fit.chi_square * (1.0 + 1e-9);
+    return fitted.fit.objective() > declared.fit.objective() * (1.0 + 1e-9);
   });
   const auto bic = [&](const FittedHypothesis& fitted) { return quasi_bic(fitted, overdispersion); };
   std::ranges::stable_sort(all, {}, bic);

@@ -11,10 +11,8 @@ namespace coilwright::measurement::compare {
 using actuator::Effect;
 
 fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
-  return {.hypothesis = &plan.hypothesis,
-          .runs = runs,
-          .start = plan.start,
-          .initial_states_from = plan.initial_states_from};
+  return {
+      .hypothesis = &plan.hypothesis, .runs = runs, .start = plan.start, .local_numbers_from = plan.local_numbers_from};
 }
 
 fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const replay::PreparedRun> runs,
@@ -28,7 +26,7 @@ PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effe
   std::vector<Effect> effects = base.hypothesis.effects_at(base.fit.values);
   effects.insert(effects.end(), added.begin(), added.end());
   PlannedFit plan{.hypothesis = fit::Hypothesis(base.hypothesis.declared(), std::move(effects)),
-                  .initial_states_from = &base.fit};
+                  .local_numbers_from = &base.fit};
   plan.start = plan.hypothesis.start();
   plan.start.head(base.fit.values.size()) = base.fit.values;
   return plan;
@@ -44,19 +42,19 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
     request.effort = search_effort.short_fit;
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
-    if (!fitted.value || (best && fitted.value->chi_square >= best->fitted.chi_square)) return;
+    if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;
     best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted.value)});
   };
   for (const Effect& guess : guesses) try_from(guess);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
-  if (!best || best->fitted.chi_square >= base.fit.chi_square)
+  if (!best || best->fitted.objective() >= base.fit.objective())
     for (const Effect& guess : guesses) try_from(scaled_from_absent(guess, search_effort.retry_strength));
   return {.value = std::move(best), .simulated_runs = simulated_runs};
 }
 
 fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
   return fit_to_convergence(
-      runs, {.hypothesis = from.plan.hypothesis, .start = from.fitted.values, .initial_states_from = &from.fitted});
+      runs, {.hypothesis = from.plan.hypothesis, .start = from.fitted.values, .local_numbers_from = &from.fitted});
 }
 
 }  // namespace coilwright::measurement::compare

@@ -12,7 +12,9 @@ namespace coilwright::measurement::compare {
 struct PlannedFit {
   fit::Hypothesis hypothesis;
   Eigen::VectorXd start{};
-  const fit::Fit* initial_states_from{};  ///< null: from the measurement
+  const fit::Fit* local_numbers_from{};  ///< null: from the measurement
+  /// Whether the derivatives with respect to declared numbers within their tolerances are those of that fit.
+  bool known_columns = true;
 };
 /// Refers to `plan`.
 [[nodiscard]] fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan);

@@ -28,7 +28,7 @@ constexpr double bench_accuracy = 0.01;
 constexpr double pi = std::numbers::pi;
 
 replay::Window window_of(const CandidateExperiment& candidate, const DriveRange& range, const Model& model) {
-  replay::Window window;
+  replay::Window window{};
   // Long holds need no fine samples.
   const double interval = std::max(range.interval, candidate.duration / 8000.0);
   const auto samples = static_cast<std::size_t>(candidate.duration / interval) + 1;
@@ -52,10 +52,11 @@ Prediction predicted_motion(const CandidateExperiment& candidate, const DriveRan
   ModelSpec spec = fitted.hypothesis.spec_at(fitted.fit.values);
   if (candidate.change) candidate.change(spec);
   const Model model(std::move(spec));
+  const replay::Window window = window_of(candidate, range, model);
   const data::Run camera{.kind = data::RunKind::transient,
+                         .times = window.input.times,
                          .channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}}};
   const replay::PreparedRun prepared{.run = &camera};
-  const replay::Window window = window_of(candidate, range, model);
   const auto start = simulation::equilibrium_at_first_input(model, window.input);
   if (!start) return std::nullopt;
   const auto predicted = replay::predict_window(model, prepared, window, *start);

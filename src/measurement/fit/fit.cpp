@@ -9,28 +9,31 @@
 namespace coilwright::measurement::fit {
 namespace {
 
-// Orthonormal columns that span what the initial state of a window can do to its residuals.
-Eigen::MatrixXd basis_of(const Eigen::MatrixXd& initial_state_jacobian) {
-  const Eigen::Index rows = initial_state_jacobian.rows();
-  const Eigen::Index columns = initial_state_jacobian.cols();
+// Orthonormal columns that span what the local numbers of a window can do to its residuals.
+Eigen::MatrixXd basis_of(const Eigen::MatrixXd& local_jacobian) {
+  const Eigen::Index rows = local_jacobian.rows();
+  const Eigen::Index columns = local_jacobian.cols();
   if (columns == 0) return Eigen::MatrixXd(rows, 0);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factor(initial_state_jacobian);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> factor(local_jacobian);
   return factor.householderQ() * Eigen::MatrixXd::Identity(rows, columns);
 }
 
 Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, const Optimum& optimum) {
   const Eigen::VectorXd& values = optimum.parameters;
+  const Hypothesis& hypothesis = *request.hypothesis;
   Fit out{.values = values};
   const Eigen::Index p = values.size();
-  out.normal_matrix.setZero(p, p);
+  const auto declared_numbers = static_cast<Eigen::Index>(hypothesis.declared().calibration.size());
   out.runs.resize(request.runs.size());
   for (std::size_t r = 0; r < out.runs.size(); ++r) {
     out.runs[r].normal_matrix.setZero(p, p);
     out.runs[r].gradient.setZero(p);
     out.runs[r].predictions = optimum.values.predictions[r];
     out.runs[r].residuals.resize(out.runs[r].predictions.size());
+    out.used_samples += static_cast<std::size_t>(out.runs[r].residuals.size() - request.runs[r].values_set_aside());
   }
-  Eigen::Index rows = 0;
+  const Eigen::VectorXd prior = hypothesis.prior_residuals(values);
+  Eigen::Index rows = prior.size();
   for (const ResidualBlock& block : blocks) rows += block.rows;
   out.stacked_residuals.resize(rows);
   out.jacobian.resize(rows, p);
@@ -39,24 +42,30 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     const ResidualBlock& block = blocks[b];
     RunFit& run = out.runs[block.run];
     const ResidualValues::Block& there = optimum.values.blocks[b];
-    const Eigen::Index samples = block.rows - static_cast<Eigen::Index>(block.initial_state.size());
-    run.residuals.segment(block.first, samples) = there.residuals.head(samples);
-    const Eigen::MatrixXd basis = basis_of(there.initial_state_jacobian);
+    run.residuals.segment(block.first, block.samples()) = there.residuals.head(block.samples());
+    out.local_chi_square += there.residuals.tail(block.rows - block.samples()).squaredNorm();
+    const Eigen::MatrixXd basis = basis_of(there.local_jacobian);
     const Eigen::MatrixXd jacobian = there.jacobian - basis * (basis.transpose() * there.jacobian);
     run.normal_matrix += jacobian.transpose() * jacobian;
     run.gradient += jacobian.transpose() * there.residuals;
     out.stacked_residuals.segment(row, block.rows) = there.residuals;
     out.jacobian.middleRows(row, block.rows) = jacobian;
-    out.initial_state_bases.push_back(basis);
+    out.local_bases.push_back(basis);
+    out.nominal_columns.emplace_back(there.jacobian.leftCols(declared_numbers));
     row += block.rows;
-    if (!block.whole_run) run.initial_states.push_back(initial_state_of(block));
+    run.local_numbers.emplace_back(block.local.begin(), block.local.end());
   }
+  const Eigen::MatrixXd prior_jacobian = hypothesis.prior_jacobian();
+  out.stacked_residuals.tail(prior.size()) = prior;
+  out.jacobian.bottomRows(prior.size()) = prior_jacobian;
+  out.prior_chi_square = prior.squaredNorm();
+  out.normal_matrix = prior_jacobian.transpose() * prior_jacobian;
   for (const RunFit& run : out.runs) {
     out.chi_square += run.residuals.squaredNorm();
     out.normal_matrix += run.normal_matrix;
   }
   for (Eigen::Index i = 0; i < p; ++i) {
-    const FitParameter& parameter = request.hypothesis->parameters()[static_cast<std::size_t>(i)];
+    const FitParameter& parameter = hypothesis.parameters()[static_cast<std::size_t>(i)];
     const double near = 1e-6 * parameter.scale;
     out.at_bound.push_back(values[i] <= parameter.lower + near || values[i] >= parameter.upper - near);
   }
@@ -72,23 +81,31 @@ Counted<std::optional<Fit>> solve(const FitRequest& request, Unknowns unknowns) 
 
 }  // namespace
 
-std::size_t Fit::samples() const {
-  Eigen::Index count = 0;
-  for (const RunFit& run : runs) count += run.residuals.size();
-  return static_cast<std::size_t>(count);
-}
-
 Counted<std::optional<Fit>> fit(const FitRequest& request) {
   return solve(request, Unknowns::all);
 }
 
 Counted<std::optional<Fit>> evaluate_at(const FitRequest& request) {
-  return solve(request, Unknowns::initial_states);
+  return solve(request, Unknowns::local_numbers);
 }
 
 Counted<std::optional<Fit>> evaluate_with_jacobian(const FitRequest& request) {
-  return solve(request, Unknowns::initial_states_with_jacobian);
+  return solve(request, Unknowns::local_numbers_with_jacobian);
 }
+
+namespace {
+
+std::vector<whiteness::ScaledResidual::KnownBand> known_bands(const replay::PreparedRun& prepared,
+                                                              std::size_t channel) {
+  std::vector<whiteness::ScaledResidual::KnownBand> out;
+  if (channel >= prepared.whiteners.size() || prepared.whiteners[channel] == nullptr) return out;
+  const noise::Whitener& whitener = *prepared.whiteners[channel];
+  for (const noise::NoiseColour::Band& band : whitener.colour().bands)
+    out.push_back({.to = band.to * whitener.interval(), .freedom = band.freedom});
+  return out;
+}
+
+}  // namespace
 
 std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs, const Fit& fit) {
   std::vector<whiteness::ScaledResidual> out;
@@ -99,7 +116,8 @@ std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::
     for (std::size_t c = 0; c < channels; ++c)
       out.push_back({.run = channels == 1 ? run.name : run.name + " " + run.channels[c].name,
                      .starts = {},
-                     .sigma_given = runs[r].noise[c].given});
+                     .freedom = runs[r].noise[c].freedom,
+                     .bands = known_bands(runs[r], c)});
     Eigen::Index at = 0;
     for (const replay::SampleRange& range : runs[r].sample_ranges()) {
       for (std::size_t c = 0; c < channels; ++c) {

@@ -13,38 +13,48 @@
 
 namespace coilwright::measurement::fit {
 
-/// The residuals of one run over its noise, and what their derivatives say of the parameters.
+/// The residuals of one run over its noise, white where the model is right, and what their derivatives say of the
+/// parameters.
 struct RunFit {
-  Eigen::VectorXd residuals{};    ///< (measured - predicted) / sigma: window after window, channel after channel
+  Eigen::VectorXd residuals{};    ///< replay::over_noise(measured - predicted): window after window, channel after
+                                  ///< channel; 0 for a sample that is set aside
   Eigen::VectorXd predictions{};  ///< SI, in the same order
-  /// Normal equations of this run, the initial state of each window eliminated: matrix (p, p) and gradient (p).
+  /// Normal equations of this run, the local numbers of each window eliminated: matrix (p, p) and gradient (p).
   Eigen::MatrixXd normal_matrix{};
   Eigen::VectorXd gradient{};
-  std::vector<simulation::State> initial_states{};  ///< of each window
+  std::vector<std::vector<double>> local_numbers{};  ///< of each window, as replay::LocalNumbers orders them
 };
 
 /// A hypothesis fitted to all runs.
 struct Fit {
-  Eigen::VectorXd values{};  ///< of Hypothesis::parameters
-  double chi_square{};       ///< sum of all squared residuals
+  Eigen::VectorXd values{};   ///< of Hypothesis::parameters
+  double chi_square{};        ///< sum of all squared residuals of the measurement
+  double prior_chi_square{};  ///< sum of the squared distances of declared numbers, over their tolerances
+  double local_chi_square{};  ///< the same for the local numbers of all windows
   std::vector<RunFit> runs{};
-  Eigen::MatrixXd normal_matrix{};  ///< sum over the runs
+  Eigen::MatrixXd normal_matrix{};  ///< sum over the runs, and of the prior
   std::vector<char> at_bound{};     ///< for each parameter whether it is at a physical bound
-  /// All residuals, those of the priors of initial states included, and their derivatives with respect to the
-  /// parameters, projected on what the initial states cannot absorb.
+  /// All residuals block after block (a window, or a bench), each followed by those of the priors of its local numbers;
+  /// at the end those of the prior of the parameters. Beside them their derivatives with respect to the parameters,
+  /// projected on what the local numbers cannot absorb.
   Eigen::VectorXd stacked_residuals{};
   Eigen::MatrixXd jacobian{};
-  /// For each block of residuals an orthonormal basis of what its initial state can absorb.
-  std::vector<Eigen::MatrixXd> initial_state_bases{};
-  [[nodiscard]] std::size_t samples() const;
+  /// For each block of residuals an orthonormal basis of what its local numbers can absorb.
+  std::vector<Eigen::MatrixXd> local_bases{};
+  /// For each block the derivatives with respect to the numbers of the declared model, nothing projected out.
+  std::vector<Eigen::MatrixXd> nominal_columns{};
+  std::size_t used_samples{};  ///< samples that are not set aside
+  /// What a fit makes smallest: the chi-squares of measurement, prior and local numbers together.
+  [[nodiscard]] double objective() const { return chi_square + prior_chi_square + local_chi_square; }
+  [[nodiscard]] std::size_t samples() const { return used_samples; }
 };
 
-/// Bounded least squares of a hypothesis over all runs by Ceres; free initial states of windows are fitted along.
+/// Bounded least squares of a hypothesis over all runs by Ceres; local numbers of windows are fitted along.
 /// Derivatives by forward differences, in parallel; the result does not depend on the number of threads. Nothing if the
 /// model at the start cannot be simulated.
 [[nodiscard]] Counted<std::optional<Fit>> fit(const FitRequest& request);
 
-/// Residuals at the given parameters, only the initial states being fitted; derivatives with respect to the parameters
+/// Residuals at the given parameters, only the local numbers being fitted; derivatives with respect to the parameters
 /// are zero. Nothing if the model cannot be simulated.
 [[nodiscard]] Counted<std::optional<Fit>> evaluate_at(const FitRequest& request);
 

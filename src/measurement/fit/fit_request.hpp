@@ -21,8 +21,11 @@ struct FitEffort {
 struct FitRequest {
   const Hypothesis* hypothesis{};
   std::span<const replay::PreparedRun> runs{};
-  Eigen::VectorXd start{};                       ///< parameters, clamped to their bounds
-  const Fit* initial_states_from{};              ///< a fit whose initial states the windows take over; null: the priors
+  Eigen::VectorXd start{};          ///< parameters, clamped to their bounds
+  const Fit* local_numbers_from{};  ///< a fit whose local numbers the windows take over; null: the priors
+  /// A fit of another hypothesis to the same runs, whose derivatives with respect to the declared numbers within their
+  /// tolerances serve here too; null: they are taken here.
+  const Fit* nominal_columns_from{};
   std::optional<Eigen::Index> held_parameter{};  ///< index of a parameter that keeps its value in `start`
   FitEffort effort{};
 };

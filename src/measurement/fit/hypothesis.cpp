@@ -20,7 +20,13 @@ double scale_of(const actuator::EffectParameter& parameter, double start) {
 Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuator::Effect> effects)
     : declared_(&declared), effects_(std::move(effects)) {
   for (const replay::CalibrationParameter& number : declared.calibration)
-    parameters_.push_back({.key = number.key, .lower = number.lower, .upper = number.upper, .scale = number.scale});
+    parameters_.push_back(
+        {.key = number.key,
+         .lower = number.lower,
+         .upper = number.upper,
+         .scale = number.scale,
+         .declared = number.declared,
+         .tolerance = number.tolerance ? number.tolerance->deviation : std::numeric_limits<double>::infinity()});
   for (const actuator::Effect& effect : effects_) {
     EffectParameters placed{.first = size()};
     const auto numbers = effect.kind->parameters();
@@ -65,6 +71,29 @@ std::vector<actuator::Effect> Hypothesis::effects_at(const Eigen::VectorXd& valu
     for (std::size_t i = 0; i < effect_parameters_[e].numbers.size(); ++i)
       out[e].values[effect_parameters_[e].numbers[i]] =
           values[effect_parameters_[e].first + static_cast<Eigen::Index>(i)];
+  return out;
+}
+
+bool Hypothesis::is_nominal(Eigen::Index parameter) const {
+  const auto i = static_cast<std::size_t>(parameter);
+  return i < declared_->calibration.size() && !declared_->calibration[i].calibrated;
+}
+
+Eigen::VectorXd Hypothesis::prior_residuals(const Eigen::VectorXd& values) const {
+  std::vector<double> out;
+  for (Eigen::Index i = 0; i < size(); ++i)
+    if (const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)]; parameter.has_prior())
+      out.push_back((parameter.declared - values[i]) / parameter.tolerance);
+  return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+}
+
+Eigen::MatrixXd Hypothesis::prior_jacobian() const {
+  const auto rows = std::ranges::count_if(parameters_, &FitParameter::has_prior);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows, size());
+  Eigen::Index row = 0;
+  for (Eigen::Index i = 0; i < size(); ++i)
+    if (const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)]; parameter.has_prior())
+      out(row++, i) = -1.0 / parameter.tolerance;
   return out;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +17,10 @@ struct FitParameter {
   double lower{};     ///< physical lower bound, SI; may be -infinity
   double upper{};     ///< physical upper bound, SI; may be infinity
   double scale{};     ///< typical change, SI; > 0
+  /// Prior: normal about the declared value. Infinite for a number that is free.
+  double declared{};
+  double tolerance = std::numeric_limits<double>::infinity();
+  [[nodiscard]] bool has_prior() const { return std::isfinite(tolerance); }
 };
 
 /// The declared model with additional effects, whose numbers are fitted together with the calibration.
@@ -48,6 +54,12 @@ class Hypothesis {
   [[nodiscard]] const EffectParameters& parameters_of(std::size_t effect) const noexcept {
     return effect_parameters_[effect];
   }
+  /// Numbers that only the tolerances of the declared model let move. They are the same ones in every hypothesis.
+  [[nodiscard]] bool is_nominal(Eigen::Index parameter) const;
+  /// The distance of each number that has a prior from its declared value, over its tolerance; in their order.
+  [[nodiscard]] Eigen::VectorXd prior_residuals(const Eigen::VectorXd& values) const;
+  /// Their derivatives: (numbers with a prior, size()).
+  [[nodiscard]] Eigen::MatrixXd prior_jacobian() const;
   /// The specification of the model. Throws std::invalid_argument if the calibration makes no model.
   [[nodiscard]] actuator::ModelSpec spec_at(const Eigen::VectorXd& values) const;
   /// The model. Throws std::invalid_argument if the values make no model.

@@ -31,13 +31,13 @@ class Coordinator : public ceres::EvaluationCallback {
  private:
   struct Point {
     Eigen::VectorXd parameters{};
-    std::vector<double> initial_states{};
+    std::vector<double> local_numbers{};
     std::optional<ResidualValues> values{};
   };
 
   [[nodiscard]] bool is_here(const Point& point) const {
     return point.values && point.parameters == parameters_ &&
-           std::ranges::equal(point.initial_states, blocks_.initial_states());
+           std::ranges::equal(point.local_numbers, blocks_.local_numbers());
   }
 
   void evaluate_here(bool derivatives) {
@@ -46,11 +46,11 @@ class Coordinator : public ceres::EvaluationCallback {
       return;
     }
     current_ = derivatives ? &with_derivatives_ : &without_derivatives_;
-    const std::span<const double> initial_states = blocks_.initial_states();
+    const std::span<const double> local_numbers = blocks_.local_numbers();
     auto found = blocks_.evaluate(parameters_, derivatives ? derivatives_ : Derivatives::none);
     simulated_runs_ += found.simulated_runs;
     *current_ = {.parameters = parameters_,
-                 .initial_states = {initial_states.begin(), initial_states.end()},
+                 .local_numbers = {local_numbers.begin(), local_numbers.end()},
                  .values = std::move(found.value)};
   }
 
@@ -65,11 +65,11 @@ class Coordinator : public ceres::EvaluationCallback {
 class BlockCost : public ceres::CostFunction {
  public:
   BlockCost(const Coordinator& coordinator, std::size_t block, Eigen::Index rows, Eigen::Index parameters,
-            std::size_t initial_state)
+            std::size_t local)
       : coordinator_(coordinator), block_(block) {
     set_num_residuals(static_cast<int>(rows));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters));
-    if (initial_state > 0) mutable_parameter_block_sizes()->push_back(static_cast<int>(initial_state));
+    if (local > 0) mutable_parameter_block_sizes()->push_back(static_cast<int>(local));
   }
   bool Evaluate(const double* const* /*parameters*/, double* residuals, double** jacobians) const override {
     if (coordinator_.values() == nullptr) return false;
@@ -80,14 +80,36 @@ class BlockCost : public ceres::CostFunction {
     if (jacobians[0] != nullptr)
       Eigen::Map<RowMajor>(jacobians[0], values.jacobian.rows(), values.jacobian.cols()) = values.jacobian;
     if (parameter_block_sizes().size() > 1 && jacobians[1] != nullptr)
-      Eigen::Map<RowMajor>(jacobians[1], values.initial_state_jacobian.rows(), values.initial_state_jacobian.cols()) =
-          values.initial_state_jacobian;
+      Eigen::Map<RowMajor>(jacobians[1], values.local_jacobian.rows(), values.local_jacobian.cols()) =
+          values.local_jacobian;
     return true;
   }
 
  private:
   const Coordinator& coordinator_;
   std::size_t block_;
+};
+
+// The prior of the parameters that have one.
+class PriorCost : public ceres::CostFunction {
+ public:
+  PriorCost(const Hypothesis& hypothesis, Eigen::Index width)
+      : hypothesis_(hypothesis), jacobian_(hypothesis.prior_jacobian()) {
+    set_num_residuals(static_cast<int>(jacobian_.rows()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(width));
+  }
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const Eigen::VectorXd> values(parameters[0], hypothesis_.size());
+    Eigen::Map<Eigen::VectorXd>(residuals, jacobian_.rows()) = hypothesis_.prior_residuals(values);
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[0], jacobian_.rows(), jacobian_.cols()) = jacobian_;
+    return true;
+  }
+
+ private:
+  const Hypothesis& hypothesis_;
+  Eigen::MatrixXd jacobian_;
 };
 
 void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::VectorXd& values) {
@@ -100,13 +122,13 @@ void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::Ve
   }
 }
 
-// Moves parameters, if they are free, and initial states to the least squares. False if the solver finds no step.
+// Moves parameters, if they are free, and local numbers to the least squares. False if the solver finds no step.
 bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool parameters_free, Coordinator& coordinator,
               Eigen::VectorXd& values) {
-  const bool has_initial_states =
-      std::ranges::any_of(blocks.blocks(), [](const ResidualBlock& block) { return !block.whole_run; });
+  const bool has_local_numbers =
+      std::ranges::any_of(blocks.blocks(), [](const ResidualBlock& block) { return !block.local.empty(); });
   const bool free = parameters_free && values.size() > (request.held_parameter ? 1 : 0);
-  if (!has_initial_states && !free) return true;
+  if (!has_local_numbers && !free) return true;
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &coordinator;
   ceres::Problem problem(problem_options);
@@ -119,22 +141,24 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
   ordering->AddElementToGroup(shared, 1);
   for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
     const ResidualBlock& block = blocks.blocks()[b];
-    auto* cost = new BlockCost(coordinator, b, block.rows, width, block.initial_state.size());
-    if (block.whole_run) {
+    auto* cost = new BlockCost(coordinator, b, block.rows, width, block.local.size());
+    if (block.local.empty()) {
       problem.AddResidualBlock(cost, nullptr, shared);
     } else {
-      problem.AddResidualBlock(cost, nullptr, shared, block.initial_state.data());
-      ordering->AddElementToGroup(block.initial_state.data(), 0);
+      problem.AddResidualBlock(cost, nullptr, shared, block.local.data());
+      ordering->AddElementToGroup(block.local.data(), 0);
     }
   }
+  if (std::ranges::any_of(request.hypothesis->parameters(), &FitParameter::has_prior))
+    problem.AddResidualBlock(new PriorCost(*request.hypothesis, width), nullptr, shared);
   if (values.size() > 0) set_bounds(problem, *request.hypothesis, values);
   if (!free) problem.SetParameterBlockConstant(shared);
   if (free && request.held_parameter)
     problem.SetManifold(
         shared, new ceres::SubsetManifold(static_cast<int>(width), {static_cast<int>(*request.held_parameter)}));
   ceres::Solver::Options options;
-  options.linear_solver_type = has_initial_states ? ceres::DENSE_SCHUR : ceres::DENSE_QR;
-  if (has_initial_states) options.linear_solver_ordering = ordering;
+  options.linear_solver_type = has_local_numbers ? ceres::DENSE_SCHUR : ceres::DENSE_QR;
+  if (has_local_numbers) options.linear_solver_ordering = ordering;
   options.max_num_iterations = request.effort.iterations;
   options.function_tolerance = request.effort.tolerance;
   options.parameter_tolerance = 1e-9;
@@ -153,7 +177,7 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
 Counted<std::optional<Optimum>> least_squares(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns) {
   Eigen::VectorXd parameters = request.hypothesis->clamped(request.start);
   const Derivatives derivatives =
-      unknowns == Unknowns::initial_states ? Derivatives::by_initial_states : Derivatives::all;
+      unknowns == Unknowns::local_numbers ? Derivatives::by_local_numbers : Derivatives::all;
   Coordinator coordinator(blocks, parameters, derivatives);
   // A solver cannot start where there is no model.
   if (coordinator.here() == nullptr || !minimise(request, blocks, unknowns == Unknowns::all, coordinator, parameters))

@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/simulation/initial_state.hpp"
 #include "measurement/replay/prediction.hpp"
+#include "measurement/replay/rig_change.hpp"
+#include "measurement/replay/window_input.hpp"
 
 namespace coilwright::measurement::localise {
 namespace {
@@ -61,20 +62,22 @@ std::optional<MeasuredMotion> motion_of(const replay::PreparedRun& prepared, con
                         .angles = std::move(measured.series),
                         .sigma = std::move(measured.sigma),
                         .starts = {}};
-  Eigen::VectorXd internal;
+  actuator::InternalStates internal;
   for (std::size_t w = 0; w < prepared.windows.size(); ++w) {
     const replay::Window& window = prepared.windows[w];
-    std::optional<State> start = prepared.fits_initial_states()
-                                     ? fitted.initial_states[w]
-                                     : simulation::equilibrium_at_first_input(model, window.input);
-    if (!start) return std::nullopt;
-    start->internal = internal;
-    const auto predicted = replay::predict_window(model, prepared, window, *start);
-    if (!predicted) return std::nullopt;
-    if (prepared.fits_initial_states()) internal = predicted->states.back().internal;
+    const replay::LocalNumbers numbers(prepared, window);
+    const replay::LocalValues local{.numbers = &numbers, .values = fitted.local_numbers[w]};
+    const auto found = replay::simulate_window(model, window, local, internal);
+    if (!found) return std::nullopt;
     motion.starts.push_back(motion.simulated.size());
-    motion.simulated.insert(motion.simulated.end(), predicted->states.begin(), predicted->states.end());
-    append(window.input, motion.input);
+    for (std::size_t i = window.range.first; i < window.range.last; ++i) {
+      const double stamp = prepared.run->times[i];
+      const double since = stamp - prepared.run->times[window.range.first];
+      motion.simulated.push_back(
+          found->at(stamp + numbers.clock_rate(local.values) * since + numbers.clock_offset(local.values)));
+    }
+    if (prepared.fits_initial_states()) internal = motion.simulated.back().internal;
+    append(replay::at_samples(window, *prepared.run), motion.input);
   }
   return motion;
 }

@@ -185,7 +185,7 @@ bool sigma_applies(const data::Run& run, const data::Channel& channel) {
 NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
   const std::vector<double>& values = channel.values;
   const auto fits = [&](const auto& of_run) { return of_run.empty() || of_run.size() == values.size(); };
-  if (values.empty() || !fits(run.times) || !fits(run.angles) || !fits(run.inputs))
+  if (values.empty() || !fits(run.times) || !fits(run.angles) || (!run.has_input_clock() && !fits(run.inputs)))
     throw std::invalid_argument(fmt::format("{}: column {} must have one value for each sample of the run; got {}",
                                             run.name, channel.name, values.size()));
   NoiseLevel level{.run = run.name, .channel = channel.name};
@@ -206,12 +206,15 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (found.empty()) {
     constexpr double share = 0.02;
+    constexpr double freedom_of_a_guess = 5.0;  // right within a factor of two
     level.sigma = share * std::max(*most - *least, std::max(std::abs(*most), std::abs(*least)));
     level.source =
         fmt::format("assumed: 2 % of the largest value, {} samples are too few to estimate it", values.size());
+    level.freedom = freedom_of_a_guess;
   } else {
     const ScaleEstimate chosen = widest_consistent_scale(found);
     level.sigma = chosen.sigma;
+    level.freedom = 0.5 / (chosen.relative_error * chosen.relative_error);
     level.source = described(chosen, long_record);
   }
   const double quantisation = resolution(values) / std::sqrt(12.0);

@@ -1,6 +1,7 @@
 #include "measurement/replay/prediction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -8,8 +9,10 @@
 #include <vector>
 
 #include "coilwright/simulation/blocked_grasp.hpp"
+#include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/thermal/transient.hpp"
+#include "measurement/replay/window_input.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -17,6 +20,7 @@ namespace {
 using actuator::CoilCurrents;
 using actuator::Model;
 using mechanics::JointVector;
+using simulation::ModelInput;
 using simulation::State;
 
 // A thousand times below the noise, and smooth enough for derivatives by finite differences.
@@ -26,41 +30,98 @@ constexpr double relative_accuracy = 1e-6;
 constexpr double most_steps_per_sample = 30.0;
 constexpr double most_steps_per_window = 20'000.0;
 
-// Angle and rate of a channel at one sample of a simulated motion.
-struct AngleAndRate {
-  double value{};
-  double rate{};
+// Where a time lies on a trajectory.
+struct Place {
+  std::size_t before{};  // index of the state at or before it
+  double share{};        // of the interval to the next one, 0 to 1
 };
 
-AngleAndRate angle_and_rate(const State& state, const data::Channel& channel) {
-  if (channel.kind == data::ChannelKind::bending_angle) return {.value = state.angles.sum(), .rate = state.rates.sum()};
-  return {.value = state.angles[channel.joint], .rate = state.rates[channel.joint]};
+Place place_of(const std::vector<double>& times, double time) {
+  if (time <= times.front()) return {};
+  if (time >= times.back()) return {.before = times.size() - 1};
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  const auto i = static_cast<std::size_t>(after - times.begin()) - 1;
+  return {.before = i, .share = (time - times[i]) / (times[i + 1] - times[i])};
 }
 
-// The cubic through angles and rates at both ends of an interval; its error is 4e-7 of the amplitude at 10 Hz and 500
-// samples per second. Before the first sample the angle is the first one.
-double angle_at(const std::vector<State>& states, const std::vector<double>& times, const data::Channel& channel,
-                double time) {
-  if (time <= times.front()) return angle_and_rate(states.front(), channel).value;
-  const auto after = std::lower_bound(times.begin(), times.end(), time);
-  const auto i = static_cast<std::size_t>(after - times.begin());
-  if (*after == time) return angle_and_rate(states[i], channel).value;
-  const AngleAndRate a = angle_and_rate(states[i - 1], channel);
-  const AngleAndRate b = angle_and_rate(states[i], channel);
-  const double h = times[i] - times[i - 1];
-  const double s = (time - times[i - 1]) / h;
+// Weights of both values and of both slopes (times the interval) of the cubic through values and slopes at both ends.
+struct CubicWeights {
+  double a, b, slope_a, slope_b;
+};
+
+CubicWeights cubic(double s) {
   const double s2 = s * s;
   const double s3 = s2 * s;
-  return (2.0 * s3 - 3.0 * s2 + 1.0) * a.value + (s3 - 2.0 * s2 + s) * h * a.rate + (3.0 * s2 - 2.0 * s3) * b.value +
-         (s3 - s2) * h * b.rate;
+  return {.a = 2.0 * s3 - 3.0 * s2 + 1.0, .b = 3.0 * s2 - 2.0 * s3, .slope_a = s3 - 2.0 * s2 + s, .slope_b = s3 - s2};
 }
 
-double rate_at(const std::vector<State>& states, const std::vector<double>& times, const data::Channel& channel,
-               double time) {
-  if (time <= times.front()) return states.front().rates[channel.joint];
-  const auto i = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
-  const double share = (time - times[i - 1]) / (times[i] - times[i - 1]);
-  return (1.0 - share) * states[i - 1].rates[channel.joint] + share * states[i].rates[channel.joint];
+double angle_of(const State& state, const data::Channel& channel) {
+  return channel.kind == data::ChannelKind::bending_angle ? state.angles.sum() : state.angles[channel.joint];
+}
+
+double rate_of(const State& state, const data::Channel& channel) {
+  return channel.kind == data::ChannelKind::bending_angle ? state.rates.sum() : state.rates[channel.joint];
+}
+
+// A channel's angle between two states: the cubic's error is 4e-7 of the amplitude at 10 Hz and 500 rows a second.
+double angle_at(const Trajectory& trajectory, const data::Channel& channel, double time) {
+  const Place place = place_of(trajectory.times, time);
+  const State& a = trajectory.states[place.before];
+  if (place.share == 0.0) return angle_of(a, channel);
+  const State& b = trajectory.states[place.before + 1];
+  const double h = trajectory.times[place.before + 1] - trajectory.times[place.before];
+  const CubicWeights w = cubic(place.share);
+  return w.a * angle_of(a, channel) + w.b * angle_of(b, channel) +
+         h * (w.slope_a * rate_of(a, channel) + w.slope_b * rate_of(b, channel));
+}
+
+double rate_at(const Trajectory& trajectory, const data::Channel& channel, double time) {
+  const Place place = place_of(trajectory.times, time);
+  const double rate = rate_of(trajectory.states[place.before], channel);
+  if (place.share == 0.0) return rate;
+  return (1.0 - place.share) * rate + place.share * rate_of(trajectory.states[place.before + 1], channel);
+}
+
+// The mean over a shutter that is open for `exposure` around `time`: Gauss's rule of three points, exact for a cubic.
+template <class Value>
+double mean_over(double time, double exposure, const Value& value) {
+  if (exposure == 0.0) return value(time);
+  static const double reach = 0.5 * std::sqrt(0.6);
+  return (5.0 * value(time - reach * exposure) + 8.0 * value(time) + 5.0 * value(time + reach * exposure)) / 18.0;
+}
+
+// Adds the hum that one angle channel shows: each line's cosine and sine, and both growing over the window.
+void add_lines(const PreparedRun& prepared, const Window& window, std::span<const double> amplitudes,
+               Eigen::Ref<Eigen::VectorXd> values) {
+  const std::vector<double>& times = prepared.run->times;
+  const double first = times[window.range.first];
+  const double duration = times[window.range.last - 1] - first;
+  for (std::size_t l = 0; l < prepared.lines.size(); ++l) {
+    const std::span<const double> of_line = amplitudes.subspan(4 * l, 4);
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      const double time = times[window.range.first + static_cast<std::size_t>(i)] - first;
+      const double phase = 2.0 * std::numbers::pi * prepared.lines[l] * time;
+      const double grown = 2.0 * time / duration - 1.0;
+      values[i] +=
+          (of_line[0] + grown * of_line[2]) * std::cos(phase) + (of_line[1] + grown * of_line[3]) * std::sin(phase);
+    }
+  }
+}
+
+// Values of samples that are set aside, straight between those beside them.
+void bridge(const std::vector<char>& set_aside, std::size_t first, Eigen::Ref<Eigen::VectorXd> values) {
+  const Eigen::Index n = values.size();
+  const auto aside = [&](Eigen::Index i) { return set_aside[first + static_cast<std::size_t>(i)] != 0; };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!aside(i)) continue;
+    Eigen::Index end = i;
+    while (end < n && aside(end)) ++end;
+    const double left = i > 0 ? values[i - 1] : (end < n ? values[end] : 0.0);
+    const double right = end < n ? values[end] : left;
+    for (Eigen::Index k = i; k < end; ++k)
+      values[k] = left + (right - left) * static_cast<double>(k - i + 1) / static_cast<double>(end - i + 1);
+    i = end;
+  }
 }
 
 CoilCurrents currents_of(const Model& model, const data::Run& run, std::size_t sample) {
@@ -94,32 +155,86 @@ Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::R
   return out;
 }
 
-}  // namespace
-
-std::optional<WindowPrediction> predict_window(const Model& model, const PreparedRun& prepared, const Window& window,
-                                               const State& initial) {
-  std::vector<State> states;
+std::optional<Trajectory> simulated(const Model& model, const ModelInput& input, const State& start) {
+  Trajectory out{.times = input.times};
   try {
-    const double most_steps = most_steps_per_window + most_steps_per_sample * static_cast<double>(window.samples());
-    states =
-        simulation::simulate(model, window.input, initial, {.relative = relative_accuracy, .most_steps = most_steps});
+    const double most_steps = most_steps_per_window + most_steps_per_sample * static_cast<double>(input.times.size());
+    out.states = simulation::simulate(model, input, start, {.relative = relative_accuracy, .most_steps = most_steps});
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
+  return out;
+}
+
+}  // namespace
+
+State Trajectory::at(double time) const {
+  const Place place = place_of(times, time);
+  const State& a = states[place.before];
+  if (place.share == 0.0) return a;
+  const State& b = states[place.before + 1];
+  const double h = times[place.before + 1] - times[place.before];
+  const CubicWeights w = cubic(place.share);
+  return {.angles = w.a * a.angles + w.b * b.angles + h * (w.slope_a * a.rates + w.slope_b * b.rates),
+          .rates = (1.0 - place.share) * a.rates + place.share * b.rates,
+          .internal = a.internal};
+}
+
+std::optional<Trajectory> simulate_window(const Model& model, const Window& window, LocalValues local,
+                                          const actuator::InternalStates& internal) {
+  const std::span<const double> shifts = local.numbers->edge_shifts(local.values);
+  const ModelInput moved = window.edges.empty() ? ModelInput{} : with_moved_edges(window, shifts);
+  const ModelInput& input = window.edges.empty() ? window.input : moved;
+  if (local.numbers->has_initial_state())
+    return simulated(model, input, local.numbers->initial_state(local.values, internal));
+  const auto rest = simulation::equilibrium_at_first_input(model, input);
+  return rest ? simulated(model, input, *rest) : std::nullopt;
+}
+
+Eigen::VectorXd observed_values(const Model& model, const PreparedRun& prepared, const Window& window,
+                                const Trajectory& trajectory, LocalValues local) {
+  const data::Run& run = *prepared.run;
   const auto samples = static_cast<Eigen::Index>(window.samples());
-  const std::vector<data::Channel>& channels = prepared.run->channels;
-  WindowPrediction out{.values = Eigen::VectorXd(prepared.values_in(window.range))};
-  const double delay = model.delay();
+  Eigen::VectorXd out(prepared.values_in(window.range));
+  const double first = run.times[window.range.first];
+  const double rate = local.numbers->clock_rate(local.values);
+  const double shift = local.numbers->clock_offset(local.values) - model.delay();
+  const std::span<const double> amplitudes = local.numbers->line_amplitudes(local.values);
+  const std::size_t per_channel = 4 * prepared.lines.size();
+  std::size_t angle_channels = 0;
   Eigen::Index at = 0;
-  for (const data::Channel& channel : channels) {
+  for (const data::Channel& channel : run.channels) {
+    const bool is_rate = channel.kind == data::ChannelKind::joint_rate;
     for (Eigen::Index i = 0; i < samples; ++i) {
-      const double time = window.input.times[static_cast<std::size_t>(i)] - delay;
-      out.values[at++] = channel.kind == data::ChannelKind::joint_rate
-                             ? rate_at(states, window.input.times, channel, time)
-                             : model.observed(angle_at(states, window.input.times, channel, time));
+      const double stamp = run.times[window.range.first + static_cast<std::size_t>(i)];
+      const double time = stamp + rate * (stamp - first) + shift;
+      const double value = mean_over(time, run.clock.exposure, [&](double when) {
+        return is_rate ? rate_at(trajectory, channel, when) : angle_at(trajectory, channel, when);
+      });
+      out[at + i] = is_rate ? value : model.observed(value);
     }
+    if (!is_rate && per_channel > 0)
+      add_lines(prepared, window, amplitudes.subspan(per_channel * angle_channels++, per_channel),
+                out.segment(at, samples));
+    at += samples;
   }
-  out.states = std::move(states);
+  return out;
+}
+
+std::optional<WindowPrediction> predict_window(const Model& model, const PreparedRun& prepared, const Window& window,
+                                               const State& initial) {
+  const std::optional<Trajectory> motion = simulated(model, window.input, initial);
+  if (!motion) return std::nullopt;
+  // The clocks of the run agree, and its readings have no hum: local numbers of a run without either.
+  data::Run plain{.kind = prepared.run->kind, .clock = {.exposure = prepared.run->clock.exposure}};
+  plain.times = prepared.run->times;
+  plain.channels = prepared.run->channels;
+  PreparedRun as_planned{.run = &plain};
+  const LocalNumbers none(as_planned, {.range = window.range});
+  WindowPrediction out{
+      .values = observed_values(model, as_planned, window, *motion, {.numbers = &none, .values = none.mean()})};
+  for (std::size_t i = window.range.first; i < window.range.last; ++i)
+    out.states.push_back(motion->at(prepared.run->times[i]));
   return out;
 }
 
@@ -161,12 +276,20 @@ Eigen::VectorXd measured_values(const data::Run& run, SampleRange range) {
   return out;
 }
 
-Eigen::VectorXd noise_sigmas(const PreparedRun& prepared, std::size_t samples) {
-  const auto n = static_cast<Eigen::Index>(samples);
-  Eigen::VectorXd out(n * static_cast<Eigen::Index>(prepared.noise.size()));
-  for (std::size_t c = 0; c < prepared.noise.size(); ++c)
-    out.segment(static_cast<Eigen::Index>(c) * n, n).setConstant(prepared.noise[c].sigma);
-  return out;
+Eigen::VectorXd over_noise(const PreparedRun& prepared, SampleRange range, Eigen::VectorXd differences) {
+  const auto n = static_cast<Eigen::Index>(range.samples());
+  for (std::size_t c = 0; c < prepared.noise.size(); ++c) {
+    auto of_channel = differences.segment(static_cast<Eigen::Index>(c) * n, n);
+    of_channel /= prepared.noise[c].sigma;
+    const bool any_aside = c < prepared.set_aside.size() && !prepared.set_aside[c].empty();
+    const bool coloured = c < prepared.whiteners.size() && prepared.whiteners[c] != nullptr;
+    if (any_aside && coloured) bridge(prepared.set_aside[c], range.first, of_channel);
+    if (coloured) prepared.whiteners[c]->apply(of_channel);
+    if (!any_aside) continue;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (prepared.set_aside[c][range.first + static_cast<std::size_t>(i)] != 0) of_channel[i] = 0.0;
+  }
+  return differences;
 }
 
 }  // namespace coilwright::measurement::replay

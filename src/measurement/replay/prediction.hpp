@@ -2,19 +2,48 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "measurement/replay/local_numbers.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement::replay {
+
+/// A simulated window, on the input's clock.
+struct Trajectory {
+  std::vector<double> times{};              ///< s, of the rows of the input
+  std::vector<simulation::State> states{};  ///< one per time
+  /// The state at a time, s: cubic between the times, constant beyond them; internal states are those of the time
+  /// before.
+  [[nodiscard]] simulation::State at(double time) const;
+};
+
+/// The local numbers of a window with their values; refers to both.
+struct LocalValues {
+  const LocalNumbers* numbers{};
+  std::span<const double> values{};
+};
+
+/// Simulates a window from its local initial state, or from the equilibrium under its first input where it has none.
+/// If `internal` is empty, internal states take the values with which a recorded run begins. Nothing if the motion
+/// cannot be simulated, or if there is no equilibrium.
+[[nodiscard]] std::optional<Trajectory> simulate_window(const actuator::Model& model, const Window& window,
+                                                        LocalValues local, const actuator::InternalStates& internal);
+
+/// What the instruments show of it: channel after channel, SI: (channels * samples). Delay, shutter, scale and offset
+/// of the camera, the clocks and the hum are in it.
+[[nodiscard]] Eigen::VectorXd observed_values(const actuator::Model& model, const PreparedRun& prepared,
+                                              const Window& window, const Trajectory& trajectory, LocalValues local);
 
 /// A simulated window as the cameras would show it.
 struct WindowPrediction {
   Eigen::VectorXd values{};                 ///< channel after channel, SI: (channels * samples)
   std::vector<simulation::State> states{};  ///< the simulated motion, one state per sample
 };
-/// Simulates a window from `initial`. If `initial` has no internal states of the effects, they take the values with
-/// which a recorded run begins. Nothing if the motion cannot be simulated.
+/// Simulates a window from `initial`, with clocks that agree, every edge in the middle and no hum. If `initial` has no
+/// internal states of the effects, they take the values with which a recorded run begins. Nothing if the motion cannot
+/// be simulated.
 [[nodiscard]] std::optional<WindowPrediction> predict_window(const actuator::Model& model, const PreparedRun& prepared,
                                                              const Window& window, const simulation::State& initial);
 
@@ -24,7 +53,9 @@ struct WindowPrediction {
 
 /// The measured values of a range of samples, channel after channel, SI.
 [[nodiscard]] Eigen::VectorXd measured_values(const data::Run& run, SampleRange range);
-/// The standard deviation of each of so many samples of every channel, in the same order.
-[[nodiscard]] Eigen::VectorXd noise_sigmas(const PreparedRun& prepared, std::size_t samples);
+/// Differences of measured and predicted values of a range (SI, channel after channel) over their noise, white where
+/// the model is right: a linear map. Samples that are set aside become 0; whatever colour makes of their neighbours, it
+/// makes of a difference that is straight across them.
+[[nodiscard]] Eigen::VectorXd over_noise(const PreparedRun& prepared, SampleRange range, Eigen::VectorXd differences);
 
 }  // namespace coilwright::measurement::replay

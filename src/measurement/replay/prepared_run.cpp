@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "measurement/replay/initial_state_prior.hpp"
+#include "measurement/replay/input_noise.hpp"
+#include "measurement/replay/window_input.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -77,6 +79,16 @@ Eigen::Index PreparedRun::values() const {
   return count;
 }
 
+Eigen::Index PreparedRun::values_set_aside() const {
+  Eigen::Index count = 0;
+  for (const std::vector<char>& channel : set_aside)
+    for (const SampleRange range : sample_ranges())
+      if (!channel.empty())
+        count += std::count(channel.begin() + static_cast<std::ptrdiff_t>(range.first),
+                            channel.begin() + static_cast<std::ptrdiff_t>(range.last), 1);
+  return count;
+}
+
 void require_fits_model(const data::Run& run, const DeclaredModel& declared, const Model& nominal) {
   require_joints(run, nominal);
   require_drive(run, nominal);
@@ -90,9 +102,10 @@ PreparedRun prepare_run(const data::Run& run, const DeclaredModel& declared, con
   for (const data::Channel& channel : run.channels) prepared.noise.push_back(noise::noise_of(run, channel));
   if (!prepared.is_motion()) return prepared;
   prepared.windows = windows_of(run);
-  const simulation::ModelInput input = simulation::model_input(nominal, run.command());
+  const std::optional<CleanInput> clean = without_noise(run);
+  if (clean) prepared.input_noise = clean->sigma;
   for (Window& window : prepared.windows) {
-    window.input = input.part(window.range.first, window.range.last);
+    set_input(window, run, clean ? clean->rows : run.inputs, nominal);
     if (prepared.fits_initial_states()) window.prior = initial_state_prior(prepared, window.range, nominal);
   }
   return prepared;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "coilwright/measurement/data/run.hpp"
@@ -9,6 +10,7 @@
 #include "coilwright/measurement/replay/declared_model.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/state.hpp"
+#include "measurement/noise/whitener.hpp"
 
 namespace coilwright::measurement::replay {
 
@@ -25,20 +27,35 @@ struct InitialStatePrior {
   simulation::State sigma{};
 };
 
+/// An edge of the input whose place between two samples is unknown.
+struct InputEdge {
+  std::size_t row{};    ///< of the window's input, which begins in the middle between the two samples
+  double half_width{};  ///< s, half the distance of the two samples
+};
+
 /// A part of a motion that is simulated from one initial state.
 struct Window {
   SampleRange range{};
-  simulation::ModelInput input{};  ///< of these samples
-  InitialStatePrior prior{};       ///< from the first samples of the measurement; empty for runs that start at rest
+  simulation::ModelInput input{};  ///< that drives it, on the input's clock; its rows are dense enough to interpolate
+                                   ///< the motion between them, and may reach beyond the samples
+  std::vector<InputEdge> edges{};
+  InitialStatePrior prior{};  ///< from the first samples of the measurement; empty for runs that start at rest
 
   [[nodiscard]] std::size_t samples() const { return range.samples(); }
 };
 
-/// A run as fits use it: inputs as the model takes them, noise levels, windows. Refers to the run.
+/// A run as fits use it: inputs as the model takes them, noise, windows. Refers to the run.
 struct PreparedRun {
   const data::Run* run{};
   std::vector<noise::NoiseLevel> noise{};  ///< one per channel
-  std::vector<Window> windows{};           ///< of a transient; empty on a bench
+  /// What makes the noise of a channel white, one per channel; null: it is white.
+  std::vector<std::shared_ptr<const noise::Whitener>> whiteners{};
+  std::vector<double> lines{};       ///< Hz, of hum that every angle shows
+  std::vector<double> line_sizes{};  ///< rad, amplitude of each in the record of the noise
+  std::vector<std::vector<char>>
+      set_aside{};                ///< one per channel: for each sample whether no fit may use it; empty: none
+  double input_noise{};           ///< standard deviation of the noise taken out of its input, SI; 0: none
+  std::vector<Window> windows{};  ///< of a transient; empty on a bench
 
   /// The ranges of its predictions and residuals: its windows, or all samples of a bench. Predictions are ordered range
   /// after range, and channel after channel within a range.
@@ -46,6 +63,8 @@ struct PreparedRun {
   /// Number of predictions in one range, and in all of them.
   [[nodiscard]] Eigen::Index values_in(SampleRange range) const;
   [[nodiscard]] Eigen::Index values() const;
+  /// Number of samples that no fit may use, all channels together.
+  [[nodiscard]] Eigen::Index values_set_aside() const;
   [[nodiscard]] bool is_motion() const { return run->kind == data::RunKind::transient; }
   /// Whether the initial states of its windows are fitted along with the parameters.
   [[nodiscard]] bool fits_initial_states() const { return is_motion() && run->start != data::Start::at_rest; }
@@ -54,7 +73,8 @@ struct PreparedRun {
 /// Throws std::invalid_argument naming the run if it does not fit the model: number of coils or joints, a voltage
 /// without a resistance, a temperature without heat paths.
 void require_fits_model(const data::Run& run, const DeclaredModel& declared, const actuator::Model& nominal);
-/// Throws as require_fits_model() does, and for a window of fewer than five samples.
+/// The noise of a run that has no record of still instruments is estimated from the run. Throws as require_fits_model()
+/// does, and for a window of fewer than five samples.
 [[nodiscard]] PreparedRun prepare_run(const data::Run& run, const DeclaredModel& declared,
                                       const actuator::Model& nominal);
 

@@ -29,10 +29,8 @@ std::vector<std::size_t> scales_of(std::size_t first, std::size_t samples) {
   return scales;
 }
 
-constexpr std::size_t finest_scale(bool is_long) {
-  // The upper half of the frequencies estimates the noise; on a long run the next octave is left to the line tests.
-  return is_long ? 4 : 2;
-}
+// All frequencies: the level of the residual itself is a test.
+constexpr std::size_t finest_scale = 1;
 
 }  // namespace
 
@@ -45,14 +43,14 @@ void test_pooled_bands(std::span<const NormalisedRun> runs, WorstTest& worst) {
       named = &run;
     }
   if (named == nullptr) return;
-  const std::vector<std::size_t> scales = scales_of(finest_scale(true), longest);
+  const std::vector<std::size_t> scales = scales_of(finest_scale, longest);
   for (const std::size_t scale : scales) {
     PooledEnergy pooled;
     for (const NormalisedRun& run : runs) {
-      if (!run.is_long() && !std::isinf(run.degrees_of_freedom)) continue;
+      if (!run.is_long() && !std::isinf(run.residual->freedom)) continue;
       const std::size_t count = coefficients(run, scale);
       pooled.add(low_energy(run, count), {.count = static_cast<double>(count),
-                                          .degrees_of_freedom = run.degrees_of_freedom,
+                                          .degrees_of_freedom = run.freedom_of_lowest(count),
                                           .allowed_energy = run.allowed_energy});
     }
     worst.consider(pooled.energy(), pooled.expected(),
@@ -63,12 +61,12 @@ void test_pooled_bands(std::span<const NormalisedRun> runs, WorstTest& worst) {
 
 void test_bands_of_each_run(std::span<const NormalisedRun> runs, WorstTest& worst) {
   std::size_t tests = 0;
-  for (const NormalisedRun& run : runs) tests += scales_of(finest_scale(run.is_long()), run.samples()).size();
+  for (const NormalisedRun& run : runs) tests += scales_of(finest_scale, run.samples()).size();
   for (const NormalisedRun& run : runs)
-    for (const std::size_t scale : scales_of(finest_scale(run.is_long()), run.samples())) {
+    for (const std::size_t scale : scales_of(finest_scale, run.samples())) {
       const std::size_t count = coefficients(run, scale);
       const double limit = energy_limit({.count = static_cast<double>(count),
-                                         .degrees_of_freedom = run.degrees_of_freedom,
+                                         .degrees_of_freedom = run.freedom_of_lowest(count),
                                          .allowed_energy = run.allowed_energy},
                                         false_alarms::of_bands / static_cast<double>(tests));
       worst.consider(low_energy(run, count), static_cast<double>(count), limit, [&] {

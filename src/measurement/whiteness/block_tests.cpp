@@ -41,7 +41,7 @@ std::vector<SampleBlock> blocks_of(std::span<const NormalisedRun> runs) {
 
 struct RunSums {
   std::vector<double> running_sums{};
-  double limit{};
+  std::map<std::size_t, double> limits{};  // by the size of a block
 };
 
 }  // namespace
@@ -56,13 +56,16 @@ void test_blocks(std::span<const NormalisedRun> runs, WorstTest& worst) {
       const std::vector<double>& values = block.run->residual->values;
       of_run.running_sums.assign(values.size() + 1, 0.0);
       std::partial_sum(values.begin(), values.end(), of_run.running_sums.begin() + 1);
-      of_run.limit = energy_limit({.count = 1.0,
-                                   .degrees_of_freedom = block.run->degrees_of_freedom,
-                                   .allowed_energy = block.run->allowed_energy},
-                                  false_alarms::of_blocks / static_cast<double>(blocks.size()));
     }
+    const auto [limit, first_of_size] = of_run.limits.try_emplace(block.size);
+    if (first_of_size)
+      limit->second =
+          energy_limit({.count = 1.0,
+                        .degrees_of_freedom = block.run->residual->freedom_below(0.5 / static_cast<double>(block.size)),
+                        .allowed_energy = block.run->allowed_energy},
+                       false_alarms::of_blocks / static_cast<double>(blocks.size()));
     const double sum = of_run.running_sums[block.first + block.size] - of_run.running_sums[block.first];
-    worst.consider(sum * sum / (static_cast<double>(block.size) * block.run->noise_variance), 1.0, of_run.limit, [&] {
+    worst.consider(sum * sum / static_cast<double>(block.size), 1.0, limit->second, [&] {
       const std::string place = block.run->has_times()
                                     ? fmt::format("{:.4g} s", block.run->residual->times[block.first])
                                     : fmt::format("sample {}", block.first);

@@ -14,8 +14,10 @@ namespace coilwright::measurement::whiteness {
 namespace {
 
 // The two squares of a spectral line: its cosine and its sine.
-SumOfSquares line_of(const NormalisedRun& run) {
-  return {.count = 2.0, .degrees_of_freedom = run.degrees_of_freedom, .allowed_energy = run.allowed_energy};
+SumOfSquares line_of(const NormalisedRun& run, double cycles_per_sample) {
+  return {.count = 2.0,
+          .degrees_of_freedom = run.residual->freedom_at(cycles_per_sample),
+          .allowed_energy = run.allowed_energy};
 }
 
 std::string frequency_text(const NormalisedRun& run, double cycles_per_sample) {
@@ -30,7 +32,6 @@ std::vector<LineSpectrum> line_spectra(std::span<const NormalisedRun> runs) {
   for (const NormalisedRun& run : runs) {
     if (!run.is_long()) continue;
     LineSpectrum lines{.run = &run, .spectrum = noise::periodogram(run.residual->values), .first = 0, .last = 0};
-    for (double& power : lines.spectrum.power) power /= run.noise_variance;
     lines.first = (3 * lines.spectrum.size + 2 * run.samples() - 1) / (2 * run.samples());
     lines.last = lines.spectrum.size / 2 - lines.first;
     all.push_back(std::move(lines));
@@ -42,14 +43,16 @@ void test_lines_of_each_run(std::span<const LineSpectrum> spectra, WorstTest& wo
   std::size_t tests = 0;
   for (const LineSpectrum& lines : spectra) tests += lines.last - lines.first + 1;
   for (const LineSpectrum& lines : spectra) {
-    const auto& power = lines.spectrum.power;
-    const auto peak = std::max_element(power.begin() + static_cast<std::ptrdiff_t>(lines.first),
-                                       power.begin() + static_cast<std::ptrdiff_t>(lines.last) + 1);
-    const double limit = energy_limit(line_of(*lines.run), false_alarms::of_lines / static_cast<double>(tests));
-    worst.consider(2.0 * *peak, 2.0, limit, [&] {
-      const double cycles = static_cast<double>(peak - power.begin()) / static_cast<double>(lines.spectrum.size);
-      return fmt::format("{}, line at {}", lines.run->residual->run, frequency_text(*lines.run, cycles));
-    });
+    std::map<double, double> limits;  // by the degrees of freedom of the noise's level
+    for (std::size_t k = lines.first; k <= lines.last; ++k) {
+      const double cycles = static_cast<double>(k) / static_cast<double>(lines.spectrum.size);
+      const SumOfSquares line = line_of(*lines.run, cycles);
+      const auto [limit, is_new] = limits.try_emplace(line.degrees_of_freedom);
+      if (is_new) limit->second = energy_limit(line, false_alarms::of_lines / static_cast<double>(tests));
+      worst.consider(2.0 * lines.spectrum.power[k], 2.0, limit->second, [&] {
+        return fmt::format("{}, line at {}", lines.run->residual->run, frequency_text(*lines.run, cycles));
+      });
+    }
   }
 }
 
@@ -76,12 +79,15 @@ void test_pooled_lines(std::span<const LineSpectrum> spectra, WorstTest& worst) 
       const auto nearest = static_cast<std::size_t>(place + 0.5);
       const bool tested = lines.run->has_times() && nearest >= lines.first && nearest <= lines.last;
       members.push_back(tested);
-      if (tested) pooled.add(2.0 * lines.spectrum.power[nearest], line_of(*lines.run));
+      if (tested) pooled.add(2.0 * lines.spectrum.power[nearest], line_of(*lines.run, frequency * lines.run->interval));
     }
     if (std::count(members.begin(), members.end(), true) < 2) continue;
     auto limit = limits.find(members);
-    if (limit == limits.end())
-      limit = limits.emplace(members, pooled.limit(false_alarms::of_pooled_lines / static_cast<double>(tests))).first;
+    const bool same_everywhere =
+        std::ranges::all_of(spectra, [](const LineSpectrum& lines) { return lines.run->residual->bands.empty(); });
+    if (limit == limits.end() || !same_everywhere)
+      limit = limits.insert_or_assign(members, pooled.limit(false_alarms::of_pooled_lines / static_cast<double>(tests)))
+                  .first;
     worst.consider(pooled.energy(), pooled.expected(), limit->second,
                    [&] { return fmt::format("all runs, line at {:.4g} Hz", frequency); });
   }

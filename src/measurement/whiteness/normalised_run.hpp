@@ -12,17 +12,17 @@ namespace coilwright::measurement::whiteness {
 /// clock cause it, no effect explains it, and it does not matter.
 inline constexpr double allowed_structure = 0.03;
 
-/// A residual divided by its own level at high frequencies. Refers to the residual.
+/// A residual with its spectrum. Refers to the residual.
 struct NormalisedRun {
   const ScaledResidual* residual{};
-  std::vector<double> energies{};  ///< of the cosine transform, over the noise variance
-  double noise_variance{};         ///< variance that counts as noise, in units of sigma^2
-  double degrees_of_freedom{};     ///< of that variance; infinite if it is known
-  double allowed_energy{};         ///< energy of the structure that is allowed, over the noise variance
+  std::vector<double> energies{};  ///< of the cosine transform
+  double allowed_energy{};         ///< energy of the structure that is allowed
   double interval = 1.0;           ///< s between samples; 1 on a bench
 
   [[nodiscard]] std::size_t samples() const { return residual->values.size(); }
-  /// Whether it has enough high frequencies to estimate the noise from them.
+  /// Degrees of freedom of the noise's level at the first `count` coefficients.
+  [[nodiscard]] double freedom_of_lowest(std::size_t count) const;
+  /// Whether it is long enough for tests at many scales.
   [[nodiscard]] bool is_long() const;
   [[nodiscard]] bool has_times() const { return !residual->times.empty(); }
 };

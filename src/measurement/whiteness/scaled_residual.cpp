@@ -7,6 +7,23 @@
 
 namespace coilwright::measurement::whiteness {
 
+double ScaledResidual::freedom_below(double frequency) const {
+  if (bands.empty()) return freedom;
+  double sum = 0.0;
+  for (const KnownBand& band : bands) {
+    sum += band.freedom;
+    if (band.to >= frequency) break;
+  }
+  return sum;
+}
+
+double ScaledResidual::freedom_at(double frequency) const {
+  if (bands.empty()) return freedom;
+  for (const KnownBand& band : bands)
+    if (band.to >= frequency) return band.freedom;
+  return bands.back().freedom;
+}
+
 void validate_residuals(std::span<const ScaledResidual> residuals) {
   for (const ScaledResidual& residual : residuals) {
     const auto require = [&](bool met, const char* rule, double value) {

@@ -112,9 +112,10 @@ TEST(Fit, FindsTheInitialStateOfEveryWindow) {
   // four times that per second. The tolerances are five standard deviations.
   Place place = start;
   for (std::size_t window = 0; window < 4; ++window) {
-    const simulation::State& state = found.runs.front().initial_states[window];
-    EXPECT_NEAR(state.angles[0], place.position, noise_sigma) << window;
-    EXPECT_NEAR(state.rates[0], place.speed, 10.0 * noise_sigma) << window;
+    const std::vector<double>& state = found.runs.front().local_numbers[window];
+    ASSERT_EQ(state.size(), 2U);
+    EXPECT_NEAR(state[0], place.position, noise_sigma) << window;
+    EXPECT_NEAR(state[1], place.speed, 10.0 * noise_sigma) << window;
     for (std::size_t i = 100 * window; i < 100 * (window + 1); ++i) place = slid(place, force_at(i), interval);
   }
   EXPECT_NEAR(found.values[0], true_mass, 0.03);

@@ -85,7 +85,7 @@ TEST(WhitenessTest, LetsShortBenchesPass) {
                                    for (const int samples : {5, 9, 12, 20, 30}) {
                                      set.push_back(white(samples, normal));
                                      set.back().times.clear();
-                                     set.back().sigma_given = given;
+                                     if (!given) set.back().freedom = 0.5 * samples;
                                    }
                                    return set;
                                  }),
@@ -151,7 +151,7 @@ TEST(WhitenessTest, FindsCurvatureOnABenchWhoseNoiseIsKnown) {
     return [=](Normal& normal) {
       ScaledResidual bench = white(15, normal, "bench.csv");
       bench.times.clear();
-      bench.sigma_given = given;
+      if (!given) bench.freedom = 7.0;
       for (int i = 0; i < 15; ++i) bench.values[i] += 4.0 * std::cos(pi * (i + 0.5) / 15.0);
       return std::vector{bench};
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "coilwright/measurement/data/run.hpp"
@@ -10,9 +11,11 @@ namespace coilwright::measurement::noise {
 struct NoiseLevel {
   std::string run{};
   std::string channel{};
-  double sigma{};        ///< standard deviation, SI; > 0
-  bool given{};          ///< whether the set gives it; otherwise it is estimated
-  std::string source{};  ///< "given", or how it was estimated
+  double sigma{};                                            ///< standard deviation, SI; > 0
+  bool given{};                                              ///< whether the set gives it; otherwise it is estimated
+  double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of its square; infinite if given
+  std::string source{};                                      ///< "given", or how it was estimated
+  std::string colour{};  ///< what is assumed of its spectrum, and from where: "white: nothing shows its colour"
 };
 
 /// The standard deviation of the measurement noise in one channel of a run.

@@ -1,4 +1,4 @@
-#include "measurement/localise/whittaker_smoother.hpp"
+#include "measurement/noise/whittaker_smoother.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "measurement/random_numbers.hpp"
 
-namespace coilwright::measurement::localise {
+namespace coilwright::measurement::noise {
 namespace {
 
 using std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(WhittakerSmoother, ChoosesNearlyTheLeastError) {
 }
 
 }  // namespace
-}  // namespace coilwright::measurement::localise
+}  // namespace coilwright::measurement::noise

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace coilwright::measurement::localise {
+namespace coilwright::measurement::noise {
 
 /// Whittaker's smoother with third differences: minimises sum (y - z)^2 + penalty h^6 sum (z''')^2 over the samples, h
 /// the mean interval. Its gain is 1 / (1 + penalty (2 sin(w h / 2))^6): half at w h = penalty^(-1/6).
@@ -32,4 +32,4 @@ struct Derivatives {
 };
 [[nodiscard]] Derivatives derivatives(std::span<const double> times, std::span<const double> values);
 
-}  // namespace coilwright::measurement::localise
+}  // namespace coilwright::measurement::noise

@@ -1,4 +1,4 @@
-#include "measurement/localise/whittaker_smoother.hpp"
+#include "measurement/noise/whittaker_smoother.hpp"
 
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace coilwright::measurement::localise {
+namespace coilwright::measurement::noise {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
@@ -106,4 +106,4 @@ Derivatives derivatives(std::span<const double> times, std::span<const double> v
   return result;
 }
 
-}  // namespace coilwright::measurement::localise
+}  // namespace coilwright::measurement::noise

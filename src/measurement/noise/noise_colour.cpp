@@ -1,0 +1,205 @@
+#include "measurement/noise/noise_colour.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "measurement/noise/spectrum.hpp"
+
+namespace coilwright::measurement::noise {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t fewest_samples = 32;
+constexpr double fewest_coefficients = 16.0;  // in a band
+const double band_ratio = std::exp2(0.25);    // upper over lower end of a band
+constexpr std::size_t most_lines = 4;
+constexpr double chance_of_a_line = 1e-3;  // in a record of white noise
+constexpr double chance_of_colour = 0.01;
+
+using Series = std::vector<double>;
+
+Series without_mean(std::span<const double> values) {
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  Series out(values.begin(), values.end());
+  for (double& value : out) value -= mean;
+  return out;
+}
+
+// |sum of v_j exp(-2 pi i f j)|^2 at f cycles per sample.
+double power_at(const Series& values, double frequency) {
+  const std::complex<double> turn = std::polar(1.0, -2.0 * pi * frequency);
+  std::complex<double> sum = 0.0;
+  for (std::size_t j = values.size(); j-- > 0;) sum = sum * turn + values[j];
+  return std::norm(sum);
+}
+
+// Cosine and sine of a line, and what is left without it.
+struct FittedLine {
+  double amplitude{};
+  Series rest{};
+};
+
+FittedLine without_line(const Series& values, double frequency) {
+  const auto n = static_cast<Eigen::Index>(values.size());
+  Eigen::MatrixXd basis(n, 2);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double phase = 2.0 * pi * frequency * static_cast<double>(j);
+    basis.row(j) << std::cos(phase), std::sin(phase);
+  }
+  const Eigen::Map<const Eigen::VectorXd> series(values.data(), n);
+  const Eigen::Vector2d fitted = basis.householderQr().solve(series);
+  FittedLine out{.amplitude = fitted.norm(), .rest = Series(values.size())};
+  Eigen::Map<Eigen::VectorXd>(out.rest.data(), n) = series - basis * fitted;
+  return out;
+}
+
+// The strongest line that stands out of its surroundings, cycles per sample. The surroundings are a third of the
+// frequency to both sides, at least 24 ordinates; their median over ln 2 is the mean of an exponential distribution.
+std::optional<double> strongest_line(const Series& values) {
+  const Periodogram spectrum = periodogram(values);
+  const std::size_t per_ordinate = std::max<std::size_t>(1, spectrum.size / values.size());
+  const std::size_t first = 3 * per_ordinate;
+  const std::size_t last = spectrum.size / 2;
+  const double ordinates = 0.5 * static_cast<double>(values.size());
+  const double limit = std::log(ordinates / chance_of_a_line);
+  double best = 1.0;
+  std::optional<std::size_t> found;
+  for (std::size_t k = first; k + first < last; ++k) {
+    const std::size_t reach = std::max<std::size_t>(k / 3, 24 * per_ordinate);
+    const std::size_t from = k > reach ? k - reach : 1;
+    const std::size_t to = std::min(k + reach, last - 1);
+    if (spectrum.power[k] < spectrum.power[k - 1] || spectrum.power[k] < spectrum.power[k + 1]) continue;
+    Series around;
+    for (std::size_t i = from; i <= to; ++i)
+      if (i + 2 * per_ordinate < k || i > k + 2 * per_ordinate) around.push_back(spectrum.power[i]);
+    if (around.empty()) continue;
+    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+    std::nth_element(around.begin(), middle, around.end());
+    const double excess = spectrum.power[k] / (*middle / std::numbers::ln2 * limit);
+    if (excess > best) {
+      best = excess;
+      found = k;
+    }
+  }
+  if (!found) return std::nullopt;
+  const double step = 1.0 / static_cast<double>(spectrum.size);
+  const double centre = static_cast<double>(*found) * step;
+  std::uintmax_t steps = 60;
+  return boost::math::tools::brent_find_minima([&](double f) { return -power_at(values, f); }, centre - step,
+                                               centre + step, 40, steps)
+      .first;
+}
+
+std::vector<NoiseColour::Band> bands_of(const std::vector<Series>& pieces, double interval, double variance) {
+  // Coefficient k of n has the frequency k / (2 n) cycles per sample; k = 0 is the mean, which is gone.
+  struct Coefficient {
+    double frequency, energy;
+  };
+  std::vector<Coefficient> all;
+  for (const Series& piece : pieces) {
+    const std::vector<double> energies = cosine_energies(piece);
+    for (std::size_t k = 1; k < energies.size(); ++k)
+      all.push_back(
+          {static_cast<double>(k) / (2.0 * static_cast<double>(piece.size()) * interval), energies[k] / variance});
+  }
+  std::ranges::stable_sort(all, {}, &Coefficient::frequency);
+  std::vector<NoiseColour::Band> bands;
+  NoiseColour::Band band;
+  double energy = 0.0;
+  const double nyquist = 0.5 / interval;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    energy += all[i].energy;
+    band.freedom += 1.0;
+    const bool wide = i + 1 < all.size() && all[i + 1].frequency >= band_ratio * std::max(band.from, 1e-300);
+    const bool enough_left = static_cast<double>(all.size() - i - 1) >= fewest_coefficients;
+    if (band.freedom < fewest_coefficients || !wide || !enough_left) continue;
+    band.to = 0.5 * (all[i].frequency + all[i + 1].frequency);
+    band.density = energy / band.freedom;
+    bands.push_back(band);
+    band = {.from = band.to};
+    energy = 0.0;
+  }
+  band.to = nyquist;
+  band.density = energy / band.freedom;
+  bands.push_back(band);
+  return bands;
+}
+
+// Whether the energies of the bands agree with one level: each is its density times chi-square of its freedom.
+bool agree_with_white(const std::vector<NoiseColour::Band>& bands) {
+  if (bands.size() < 2) return true;
+  double sum = 0.0;  // of squared deviations of the logarithms, each of variance 2 / freedom
+  for (const NoiseColour::Band& band : bands) {
+    const double deviation = std::log(std::max(band.density, 1e-300)) + 1.0 / band.freedom;
+    sum += deviation * deviation * band.freedom / 2.0;
+  }
+  const boost::math::chi_squared_distribution<double> distribution(static_cast<double>(bands.size() - 1));
+  return sum <= boost::math::quantile(boost::math::complement(distribution, chance_of_colour));
+}
+
+}  // namespace
+
+double NoiseColour::density_at(double frequency) const {
+  const auto middle = [](const Band& band) { return band.from > 0.0 ? std::sqrt(band.from * band.to) : 0.5 * band.to; };
+  if (frequency <= middle(bands.front())) return bands.front().density;
+  for (std::size_t i = 1; i < bands.size(); ++i) {
+    const double right = middle(bands[i]);
+    if (frequency > right) continue;
+    const double left = middle(bands[i - 1]);
+    const double share = std::log(frequency / left) / std::log(right / left);
+    return std::exp((1.0 - share) * std::log(bands[i - 1].density) + share * std::log(bands[i].density));
+  }
+  return bands.back().density;
+}
+
+NoiseColour colour_of(std::span<const StillPiece> pieces) {
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+    if (pieces[i].values.size() > pieces[longest].values.size()) longest = i;
+  if (pieces.empty() || pieces[longest].values.size() < fewest_samples)
+    throw std::invalid_argument(fmt::format("a record of the noise needs at least {} samples; got {}", fewest_samples,
+                                            pieces.empty() ? 0 : pieces[longest].values.size()));
+  const double interval = pieces[longest].interval;
+  std::vector<Series> series;
+  for (const StillPiece& piece : pieces)
+    if (piece.values.size() > 1) series.push_back(without_mean(piece.values));
+  NoiseColour out;
+  // Lines are found in the longest piece, and taken out of all.
+  const auto main = std::ranges::max_element(series, {}, &Series::size);
+  while (out.lines.size() < most_lines) {
+    const auto frequency = strongest_line(*main);
+    if (!frequency) break;
+    out.lines.push_back({.frequency = *frequency / interval, .amplitude = without_line(*main, *frequency).amplitude});
+    for (Series& piece : series)
+      if (piece.size() > 8) piece = without_line(piece, *frequency).rest;
+  }
+  double energy = 0.0;
+  for (const Series& piece : series) {
+    energy += std::inner_product(piece.begin(), piece.end(), piece.begin(), 0.0);
+    out.freedom += static_cast<double>(piece.size()) - 1.0 - 2.0 * static_cast<double>(out.lines.size());
+  }
+  out.freedom = std::max(out.freedom, 1.0);
+  const double variance = energy / out.freedom;
+  out.sigma = std::sqrt(variance);
+  if (variance <= 0.0) {
+    out.bands = {{.from = 0.0, .to = 0.5 / interval, .density = 1.0, .freedom = out.freedom}};
+    out.is_white = true;
+    return out;
+  }
+  out.bands = bands_of(series, interval, variance);
+  out.is_white = agree_with_white(out.bands);
+  return out;
+}
+
+}  // namespace coilwright::measurement::noise

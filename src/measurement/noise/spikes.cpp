@@ -1,0 +1,81 @@
+#include "measurement/noise/spikes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace coilwright::measurement::noise {
+namespace {
+
+constexpr std::size_t neighbours = 4;  // to each side
+constexpr std::size_t surroundings = 50;
+constexpr std::size_t longest_spike = 3;
+constexpr std::size_t fewest_values = 16;
+constexpr double deviations = 6.0;
+constexpr double normal_median = 0.67449;
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Each value beside the median of those around it.
+std::vector<double> from_neighbours(std::span<const double> values) {
+  std::vector<double> out(values.size());
+  std::vector<double> around;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t from = std::min(i > neighbours ? i - neighbours : 0, values.size() - 2 * neighbours - 1);
+    around.clear();
+    for (std::size_t k = from; k < from + 2 * neighbours + 1; ++k)
+      if (k != i) around.push_back(values[k]);
+    out[i] = values[i] - median(around);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<char> spikes(std::span<const double> values, double least) {
+  std::vector<char> out(values.size(), 0);
+  if (values.size() < fewest_values) return out;
+  const std::vector<double> apart = from_neighbours(values);
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t from = i > surroundings ? i - surroundings : 0;
+    const std::size_t to = std::min(i + surroundings + 1, values.size());
+    // Cheap to refuse: almost every value.
+    if (std::abs(apart[i]) <= deviations * least) continue;
+    sizes.clear();
+    for (std::size_t k = from; k < to; ++k) sizes.push_back(std::abs(apart[k]));
+    const double scale = std::max(median(sizes) / normal_median, least);
+    out[i] = scale > 0.0 && std::abs(apart[i]) > deviations * scale ? 1 : 0;
+  }
+  // What lasts longer is an event, not a spike.
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    std::size_t end = i;
+    while (end < out.size() && out[end] != 0) ++end;
+    if (end - i > longest_spike)
+      std::fill(out.begin() + static_cast<std::ptrdiff_t>(i), out.begin() + static_cast<std::ptrdiff_t>(end), char{0});
+    i = std::max(i, end);
+  }
+  return out;
+}
+
+std::vector<double> without_spikes(std::vector<double> values) {
+  const std::vector<char> found = spikes(values);
+  const std::size_t n = values.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (found[i] == 0) continue;
+    std::size_t end = i;
+    while (end < n && found[end] != 0) ++end;
+    const double left = i > 0 ? values[i - 1] : (end < n ? values[end] : 0.0);
+    const double right = end < n ? values[end] : left;
+    for (std::size_t k = i; k < end; ++k)
+      values[k] = left + (right - left) * static_cast<double>(k - i + 1) / static_cast<double>(end - i + 1);
+    i = end;
+  }
+  return values;
+}
+
+}  // namespace coilwright::measurement::noise

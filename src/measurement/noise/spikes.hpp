@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace coilwright::measurement::noise {
+
+/// For each value whether it is a spike: up to three values in a row that lie more than six local standard deviations
+/// from the median of their neighbours. The local standard deviation is that of the same differences within 50 values
+/// to both sides, by their median, and at least `least`; so neither a slow curve nor a noisy stretch is a spike.
+[[nodiscard]] std::vector<char> spikes(std::span<const double> values, double least = 0.0);
+
+/// The values with spikes replaced by straight lines between what is beside them.
+[[nodiscard]] std::vector<double> without_spikes(std::vector<double> values);
+
+}  // namespace coilwright::measurement::noise

@@ -1,0 +1,98 @@
+#include "measurement/replay/input_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "coilwright/measurement/noise/noise_level.hpp"
+#include "measurement/noise/whittaker_smoother.hpp"
+
+namespace coilwright::measurement::replay {
+namespace {
+
+constexpr double least_share = 0.003;  // of the range: less is the resolution of a logger
+constexpr double most_alike = 0.2;     // of the neighbours: more, and the column is a command
+constexpr double edge_deviations = 8.0;
+constexpr std::size_t fewest_samples = 40;
+constexpr std::size_t shortest_level = 3;  // samples on each side of an edge
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// First samples after an edge: the medians of the levels on both sides differ by more than the noise can.
+std::vector<std::size_t> edges_of(const std::vector<double>& values, double sigma) {
+  std::vector<std::size_t> out;
+  const double least = edge_deviations * sigma;
+  for (std::size_t i = shortest_level; i + shortest_level <= values.size(); ++i) {
+    const auto at = [&](std::size_t k) { return values.begin() + static_cast<std::ptrdiff_t>(k); };
+    const double before = median({at(i - shortest_level), at(i)});
+    const double after = median({at(i), at(i + shortest_level)});
+    if (std::abs(after - before) < least) continue;
+    // Of the places beside one another that qualify, the largest single step is the edge.
+    if (!out.empty() && i - out.back() < 2 * shortest_level) {
+      if (std::abs(values[i] - values[i - 1]) > std::abs(values[out.back()] - values[out.back() - 1])) out.back() = i;
+    } else {
+      out.push_back(i);
+    }
+  }
+  return out;
+}
+
+struct SmoothColumn {
+  std::vector<double> values{};
+  double sigma{};
+};
+
+std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std::vector<double>& values) {
+  if (values.size() < fewest_samples) return std::nullopt;
+  std::size_t alike = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) alike += values[i] == values[i - 1] ? 1 : 0;
+  if (static_cast<double>(alike) > most_alike * static_cast<double>(values.size())) return std::nullopt;
+  data::Run record{.kind = data::RunKind::transient, .times = times};
+  record.channels = {{.name = "input", .kind = data::ChannelKind::torque, .values = values}};
+  const noise::NoiseLevel level = noise::noise_of(record, record.channels.front());
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (level.sigma < least_share * (*most - *least)) return std::nullopt;
+  std::vector<std::size_t> starts{0};
+  for (const std::size_t edge : edges_of(values, level.sigma)) starts.push_back(edge);
+  starts.push_back(values.size());
+  std::vector<noise::SampledSegment> segments;
+  for (std::size_t s = 0; s + 1 < starts.size(); ++s)
+    segments.push_back({.times = std::span(times).subspan(starts[s], starts[s + 1] - starts[s]),
+                        .values = std::span(values).subspan(starts[s], starts[s + 1] - starts[s])});
+  const double penalty = noise::best_penalty(segments, level.sigma);
+  SmoothColumn out{.sigma = level.sigma};
+  for (const noise::SampledSegment& segment : segments) {
+    constexpr std::size_t fewest_for_third_differences = 4;
+    if (segment.values.size() < fewest_for_third_differences) {
+      out.values.insert(out.values.end(), segment.values.begin(), segment.values.end());
+      continue;
+    }
+    const std::vector<double> smooth = noise::smoothed(segment.times, segment.values, penalty);
+    out.values.insert(out.values.end(), smooth.begin(), smooth.end());
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<CleanInput> without_noise(const data::Run& run) {
+  if (run.inputs.empty() || run.times_of_inputs().size() != run.inputs.size()) return std::nullopt;
+  CleanInput out{.rows = run.inputs};
+  for (std::size_t column = 0; column < run.inputs.front().size(); ++column) {
+    std::vector<double> values;
+    for (const std::vector<double>& row : run.inputs) values.push_back(row[column]);
+    const auto smooth = smoothed(run.times_of_inputs(), values);
+    if (!smooth) continue;
+    out.sigma = std::max(out.sigma, smooth->sigma);
+    for (std::size_t i = 0; i < values.size(); ++i) out.rows[i][column] = smooth->values[i];
+  }
+  if (out.sigma == 0.0) return std::nullopt;
+  return out;
+}
+
+}  // namespace coilwright::measurement::replay

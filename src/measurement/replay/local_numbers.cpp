@@ -1,0 +1,69 @@
+#include "measurement/replay/local_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coilwright::measurement::replay {
+namespace {
+
+// An edge lies anywhere between two samples: the standard deviation of an even distribution over them.
+const double even_over_half_width = 1.0 / std::sqrt(3.0);
+// The hum of a run may be a few times that of the record in which nothing moved.
+constexpr double line_freedom = 3.0;
+
+bool is_angle(const data::Channel& channel) {
+  return channel.kind == data::ChannelKind::bending_angle || channel.kind == data::ChannelKind::joint_angle;
+}
+
+}  // namespace
+
+LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
+    : joints_(static_cast<int>(window.prior.mean.angles.size())), has_state_(prepared.fits_initial_states()) {
+  if (has_state_) {
+    for (int j = 0; j < joints_; ++j) add(window.prior.mean.angles[j], window.prior.sigma.angles[j]);
+    for (int j = 0; j < joints_; ++j) add(window.prior.mean.rates[j], window.prior.sigma.rates[j]);
+  }
+  first_edge_ = size();
+  edges_ = window.edges.size();
+  for (const InputEdge& edge : window.edges) add(0.0, even_over_half_width * edge.half_width);
+  clock_ = size();
+  const data::RecordingClock& clock = prepared.run->clock;
+  has_offset_ = clock.offset_sigma > 0.0;
+  has_rate_ = clock.rate_sigma > 0.0;
+  if (has_offset_) add(0.0, clock.offset_sigma);
+  if (has_rate_) add(0.0, clock.rate_sigma);
+  first_amplitude_ = size();
+  for (const data::Channel& channel : prepared.run->channels)
+    for (const double amplitude : prepared.line_sizes)
+      for (int i = 0; i < 4 && is_angle(channel); ++i) add(0.0, line_freedom * amplitude);
+}
+
+void LocalNumbers::add(double mean, double sigma) {
+  mean_.push_back(mean);
+  sigma_.push_back(sigma);
+}
+
+simulation::State LocalNumbers::initial_state(std::span<const double> values,
+                                              const actuator::InternalStates& internal) const {
+  return {.angles = Eigen::Map<const Eigen::VectorXd>(values.data(), joints_),
+          .rates = Eigen::Map<const Eigen::VectorXd>(values.data() + joints_, joints_),
+          .internal = internal};
+}
+
+std::span<const double> LocalNumbers::edge_shifts(std::span<const double> values) const {
+  return values.subspan(first_edge_, edges_);
+}
+
+double LocalNumbers::clock_offset(std::span<const double> values) const {
+  return has_offset_ ? values[clock_] : 0.0;
+}
+
+double LocalNumbers::clock_rate(std::span<const double> values) const {
+  return has_rate_ ? values[clock_ + (has_offset_ ? 1 : 0)] : 0.0;
+}
+
+std::span<const double> LocalNumbers::line_amplitudes(std::span<const double> values) const {
+  return values.subspan(first_amplitude_);
+}
+
+}  // namespace coilwright::measurement::replay

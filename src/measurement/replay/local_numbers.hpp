@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "measurement/replay/prepared_run.hpp"
+
+namespace coilwright::measurement::replay {
+
+/// What only one window of one run tells, and every fit therefore eliminates: its initial state, the shift and the rate
+/// of its clocks, where the edges of its input lie, and the hum in its readings.
+class LocalNumbers {
+ public:
+  LocalNumbers() = default;
+  LocalNumbers(const PreparedRun& prepared, const Window& window);
+
+  /// Number of them; 0 for a window of a run that starts at rest, with one clock and no hum.
+  [[nodiscard]] std::size_t size() const { return mean_.size(); }
+  /// Their prior: independent normal distributions.
+  [[nodiscard]] const std::vector<double>& mean() const { return mean_; }
+  [[nodiscard]] const std::vector<double>& sigma() const { return sigma_; }
+
+  [[nodiscard]] bool has_initial_state() const { return has_state_; }
+  /// Whether number `i` is an angle or a rate of the initial state.
+  [[nodiscard]] bool is_state(std::size_t i) const { return i < first_edge_; }
+  /// Whether number `i` changes the motion; otherwise it changes only what is shown of it.
+  [[nodiscard]] bool moves(std::size_t i) const { return i < clock_; }
+
+  /// Throws nothing; `values` are as many as size().
+  [[nodiscard]] simulation::State initial_state(std::span<const double> values,
+                                                const actuator::InternalStates& internal) const;
+  /// How much later than in the middle each edge of the window's input lies, s.
+  [[nodiscard]] std::span<const double> edge_shifts(std::span<const double> values) const;
+  [[nodiscard]] double clock_offset(std::span<const double> values) const;  ///< s
+  [[nodiscard]] double clock_rate(std::span<const double> values) const;
+  /// Four amplitudes a line and angle channel: cosine, sine, and both growing over the window; rad.
+  [[nodiscard]] std::span<const double> line_amplitudes(std::span<const double> values) const;
+
+ private:
+  void add(double mean, double sigma);
+
+  int joints_{};
+  bool has_state_{}, has_offset_{}, has_rate_{};
+  std::size_t edges_{}, first_edge_{}, clock_{}, first_amplitude_{};
+  std::vector<double> mean_, sigma_;
+};
+
+}  // namespace coilwright::measurement::replay

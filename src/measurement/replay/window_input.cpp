@@ -1,0 +1,198 @@
+#include "measurement/replay/window_input.hpp"
+
+#include "measurement/replay/rig_change.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace coilwright::measurement::replay {
+namespace {
+
+using simulation::ModelInput;
+
+// Between rows at most this far apart a cubic gives the motion of a finger at 10 Hz within 1e-5 of its amplitude.
+constexpr double densest_needed = 0.004;  // s
+// A straight input is held for at most this long: the mean of what is held is that of the straight line.
+constexpr double held_on_a_slope = 0.002;  // s
+// The input reaches so far beyond the samples for each standard deviation of the clocks.
+constexpr double clock_deviations = 4.0;
+// And at least so far: a camera may stamp late.
+constexpr double least_reach = 0.005;  // s
+// A step between two samples counts as an edge where it exceeds this share of what the input does in the run ...
+constexpr double edge_share = 0.2;
+// ... and this many times the median step that is not zero.
+constexpr double edge_over_median = 4.0;
+
+using Row = std::vector<double>;
+
+// Rows of the command and the time from which each is in force.
+struct Rows {
+  std::vector<double> times{};
+  std::vector<Row> rows{};
+  std::vector<double> half_widths{};  // of the edge with which a row begins; 0 where it begins at a known time
+
+  void add(double time, Row row, double half_width = 0.0) {
+    times.push_back(time);
+    rows.push_back(std::move(row));
+    half_widths.push_back(half_width);
+  }
+};
+
+double size_of_step(const Row& from, const Row& to) {
+  double size = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) size = std::max(size, std::abs(to[i] - from[i]));
+  return size;
+}
+
+Row between(const Row& from, const Row& to, double share) {
+  Row out(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) out[i] = (1.0 - share) * from[i] + share * to[i];
+  return out;
+}
+
+// The smallest step between two samples of the input that counts as an edge.
+double edge_of(const std::vector<Row>& rows) {
+  Row least = rows.front();
+  Row most = rows.front();
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t c = 0; c < least.size(); ++c) {
+      least[c] = std::min(least[c], rows[i][c]);
+      most[c] = std::max(most[c], rows[i][c]);
+    }
+    if (i == 0) continue;
+    if (const double step = size_of_step(rows[i - 1], rows[i]); step > 0.0) steps.push_back(step);
+  }
+  const double range = size_of_step(least, most);
+  if (steps.empty()) return range;
+  // A few edges and nothing else: they are their own median.
+  constexpr std::size_t few = 20;
+  if (10 * steps.size() < rows.size() || steps.size() < few) return edge_share * range;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::max(edge_share * range, edge_over_median * *middle);
+}
+
+// Straight from sample to sample; a step of at least `edge` is an edge in the middle.
+Rows straight(const data::Run& run, const std::vector<Row>& rows, std::optional<double> edge) {
+  const std::vector<double>& times = run.times_of_inputs();
+  Rows out;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    const Row& from = rows[i];
+    const Row& to = rows[i + 1];
+    const double step = size_of_step(from, to);
+    const double duration = times[i + 1] - times[i];
+    if (step == 0.0) {
+      out.add(times[i], from);
+    } else if (edge && step >= *edge) {
+      out.add(times[i], from);
+      out.add(times[i] + 0.5 * duration, to, 0.5 * duration);
+    } else {
+      const auto parts = static_cast<std::size_t>(std::ceil(duration / held_on_a_slope));
+      for (std::size_t k = 0; k < parts; ++k) {
+        const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(parts);
+        out.add(times[i] + duration * static_cast<double>(k) / static_cast<double>(parts), between(from, to, share));
+      }
+    }
+  }
+  out.add(times.back(), rows.back());
+  return out;
+}
+
+Rows rows_of(const data::Run& run, const std::vector<Row>& rows) {
+  switch (run.hold) {
+    case data::InputHold::zero_order:
+      break;
+    case data::InputHold::linear:
+      return straight(run, rows, std::nullopt);
+    case data::InputHold::unknown_within_sample:
+      return straight(run, rows, edge_of(rows));
+  }
+  return {.times = run.times_of_inputs(), .rows = rows, .half_widths = std::vector(rows.size(), 0.0)};
+}
+
+// How far beyond its samples a window may be shown.
+double reach_of(const data::Run& run, double duration) {
+  const data::RecordingClock& clock = run.clock;
+  if (clock.offset_sigma == 0.0 && clock.rate_sigma == 0.0 && clock.exposure == 0.0) return 0.0;
+  return least_reach + clock_deviations * (clock.offset_sigma + clock.rate_sigma * duration) + 0.5 * clock.exposure;
+}
+
+}  // namespace
+
+void set_input(Window& window, const data::Run& run, const std::vector<std::vector<double>>& rows,
+               const actuator::Model& nominal) {
+  const Rows all = rows_of(run, rows);
+  const double first = run.times[window.range.first];
+  const double last = run.times[window.range.last - 1];
+  const double end = last + reach_of(run, last - first);
+  // The row in force at the first sample.
+  const auto after = std::upper_bound(all.times.begin(), all.times.end(), first);
+  auto row = static_cast<std::size_t>(after - all.times.begin());
+  if (row > 0) --row;
+  simulation::CommandedInput command = run.command();
+  command.times.clear();
+  command.rows.clear();
+  window.edges.clear();
+  const auto fill_until = [&](double until) {
+    const double from = command.times.back();
+    const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
+    for (std::size_t k = 1; k < parts; ++k) {
+      command.times.push_back(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts));
+      command.rows.push_back(command.rows.back());
+    }
+  };
+  command.times.push_back(first);
+  command.rows.push_back(all.rows[row]);
+  for (++row; row < all.times.size() && all.times[row] <= end; ++row) {
+    if (all.times[row] <= first) continue;
+    fill_until(all.times[row]);
+    if (all.half_widths[row] > 0.0)
+      window.edges.push_back({.row = command.times.size(), .half_width = all.half_widths[row]});
+    command.times.push_back(all.times[row]);
+    command.rows.push_back(all.rows[row]);
+  }
+  if (command.times.back() < end) {
+    fill_until(end);
+    command.times.push_back(end);
+    command.rows.push_back(command.rows.back());
+  }
+  window.input = simulation::model_input(nominal, command);
+  if (!current_flows(run.rig))
+    for (actuator::CoilCurrents& currents : window.input.currents) currents.setZero();
+}
+
+ModelInput with_moved_edges(const Window& window, std::span<const double> shifts) {
+  ModelInput out = window.input;
+  for (std::size_t e = 0; e < window.edges.size(); ++e) {
+    const InputEdge& edge = window.edges[e];
+    const double middle = window.input.times[edge.row];
+    constexpr double furthest = 0.98;  // of the way to the sample
+    const double shift = std::clamp(shifts[e], -furthest * edge.half_width, furthest * edge.half_width);
+    // The rows between the two samples stretch on one side of the edge and close up on the other.
+    const auto moved = [&](double time) { return time + shift * (1.0 - std::abs(time - middle) / edge.half_width); };
+    out.times[edge.row] = middle + shift;
+    for (std::size_t i = edge.row; i-- > 0 && window.input.times[i] > middle - edge.half_width;)
+      out.times[i] = moved(window.input.times[i]);
+    for (std::size_t i = edge.row + 1; i < out.times.size() && window.input.times[i] < middle + edge.half_width; ++i)
+      out.times[i] = moved(window.input.times[i]);
+  }
+  return out;
+}
+
+ModelInput at_samples(const Window& window, const data::Run& run) {
+  ModelInput out;
+  std::size_t row = 0;
+  for (std::size_t i = window.range.first; i < window.range.last; ++i) {
+    while (row + 1 < window.input.times.size() && window.input.times[row + 1] <= run.times[i]) ++row;
+    out.times.push_back(run.times[i]);
+    out.currents.push_back(window.input.currents[row]);
+    if (!window.input.joint_torques.empty()) out.joint_torques.push_back(window.input.joint_torques[row]);
+  }
+  return out;
+}
+
+}  // namespace coilwright::measurement::replay

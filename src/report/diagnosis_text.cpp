@@ -46,6 +46,9 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case Verdict::no_missing_effect:
       return "The declared model lacks nothing that these data show: fitted anew, it reaches the noise.";
+    case Verdict::declared_numbers_off:
+      return "The declared numbers are off: moved further than their tolerances allow, they explain these data, and no "
+             "missing effect does so decisively better.";
     case Verdict::explained:
       return fmt::format("The declared model lacks {}; with it, what is left over is noise.", effects);
     case Verdict::partly_explained:

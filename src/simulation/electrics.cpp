@@ -11,7 +11,8 @@ Electrics electrics_at(const actuator::Assembly& assembly, const OperatingPoint&
   const double current = std::abs(point.current);
   const actuator::Supply& supply = point.supply;
   const thermal::NodeVector resistances =
-      assembly.coil.resistance * coil_temperatures.unaryExpr(&winding::copper_resistance_ratio);
+      (assembly.coil.resistance * (1.0 + winding::copper_temperature_coefficient * (coil_temperatures.array() - 20.0)))
+          .matrix();
   const double hottest = resistances.maxCoeff();
   const double all = resistances.sum();
   const bool series = supply.wiring == actuator::Wiring::series;

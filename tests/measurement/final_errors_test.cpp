@@ -33,7 +33,7 @@ TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
     const compare::FittedHypothesis model =
         fitted_to(declared, slide_run(60, {}, [&] { return noise_sigma * normal(); }));
     const FinalErrors errors(judged, declared,
-                             {.declared = model, .before = model, .after = model, .overdispersion = 1.0});
+                             {.declared = model, .before = model, .after = model, .overdispersion = 1.0}, {});
     ASSERT_EQ(errors.errors().size(), 1U);
     observed += std::pow(errors.errors().front().after.rmse, 2);
     stated += std::pow(errors.errors().front().uncertainty_rmse, 2);

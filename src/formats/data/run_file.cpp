@@ -293,7 +293,7 @@ RunFile run_file(const RunEntry& entry, Read&& read) {
   Run run = run_of(table, columns, entry);
   if (entry.input_file) {
     add_input_file(run, entry, columns, ignored);
-    columns.input = InputColumns{.drive = run.drive};
+    columns.input = InputColumns{.drive = run.drive, .addressing = {}, .quantities = {}};
   }
   return {.run = std::move(run), .objection = objection(table, columns)};
 }

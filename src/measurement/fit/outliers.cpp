@@ -12,8 +12,7 @@ namespace {
 // The noise of the record without the samples that are set aside: their values straight between those beside them.
 void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel) {
   noise::NoiseLevel& level = prepared.noise[channel];
-  const bool from_the_run = !level.given && prepared.whiteners[channel] == nullptr;
-  if (!from_the_run) return;
+  if (!level.from_the_run) return;
   const data::Run& run = *prepared.run;
   data::Run cleaned{.name = run.name, .kind = run.kind, .times = run.times, .channels = {run.channels[channel]}};
   std::vector<double>& values = cleaned.channels.front().values;

@@ -196,6 +196,7 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
     return level;
   }
 
+  level.from_the_run = true;
   const bool over_time = !run.times.empty();
   const std::vector<Curve> curves = over_time ? std::vector<Curve>{{run.times, values}} : bench_curves(run, values);
   std::vector<ScaleEstimate> found;

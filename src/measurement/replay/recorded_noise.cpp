@@ -109,6 +109,7 @@ void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
     if (const auto colour = colour_of_all(stretches, fewest_still_samples); colour && colour->sigma > 0.0) {
       if (!level.given) {
         level.sigma = std::max(colour->sigma, 1e-12);
+        level.from_the_run = false;
         level.freedom = colour->freedom;
         level.source = fmt::format("the still run, {:.0f} samples", colour->freedom);
       }
@@ -125,6 +126,7 @@ void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
     if (colour->is_white && colour->lines.empty()) continue;
     if (!level.given) {
       level.sigma = std::max(colour->sigma, 1e-12);
+      level.from_the_run = false;
       level.freedom = colour->freedom;
       level.source = fmt::format("the parts at rest, {:.0f} samples", colour->freedom);
     }

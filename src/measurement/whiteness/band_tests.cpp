@@ -47,7 +47,7 @@ void test_pooled_bands(std::span<const NormalisedRun> runs, WorstTest& worst) {
   for (const std::size_t scale : scales) {
     PooledEnergy pooled;
     for (const NormalisedRun& run : runs) {
-      if (!run.is_long() && !std::isinf(run.residual->freedom)) continue;
+      if (!run.is_long() && run.residual->own_estimate) continue;
       const std::size_t count = coefficients(run, scale);
       pooled.add(low_energy(run, count), {.count = static_cast<double>(count),
                                           .degrees_of_freedom = run.freedom_of_lowest(count),

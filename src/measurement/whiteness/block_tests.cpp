@@ -65,7 +65,7 @@ void test_blocks(std::span<const NormalisedRun> runs, WorstTest& worst) {
                         .allowed_energy = block.run->allowed_energy},
                        false_alarms::of_blocks / static_cast<double>(blocks.size()));
     const double sum = of_run.running_sums[block.first + block.size] - of_run.running_sums[block.first];
-    worst.consider(sum * sum / static_cast<double>(block.size), 1.0, limit->second, [&] {
+    worst.consider(sum * sum / (static_cast<double>(block.size) * block.run->noise_variance), 1.0, limit->second, [&] {
       const std::string place = block.run->has_times()
                                     ? fmt::format("{:.4g} s", block.run->residual->times[block.first])
                                     : fmt::format("sample {}", block.first);

@@ -32,6 +32,7 @@ std::vector<LineSpectrum> line_spectra(std::span<const NormalisedRun> runs) {
   for (const NormalisedRun& run : runs) {
     if (!run.is_long()) continue;
     LineSpectrum lines{.run = &run, .spectrum = noise::periodogram(run.residual->values), .first = 0, .last = 0};
+    for (double& power : lines.spectrum.power) power /= run.noise_variance;
     lines.first = (3 * lines.spectrum.size + 2 * run.samples() - 1) / (2 * run.samples());
     lines.last = lines.spectrum.size / 2 - lines.first;
     all.push_back(std::move(lines));

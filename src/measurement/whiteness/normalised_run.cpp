@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "measurement/noise/spectrum.hpp"
 
 namespace coilwright::measurement::whiteness {
@@ -16,6 +18,9 @@ bool NormalisedRun::is_long() const {
 }
 
 double NormalisedRun::freedom_of_lowest(std::size_t count) const {
+  // The upper half of the frequencies told the level.
+  if (residual->own_estimate && is_long())
+    return std::min(residual->freedom, static_cast<double>(samples() - samples() / 2));
   return residual->freedom_below(static_cast<double>(count) / (2.0 * static_cast<double>(samples())));
 }
 
@@ -24,7 +29,17 @@ NormalisedRun normalised(const ScaledResidual& residual) {
   run.residual = &residual;
   const std::size_t n = residual.values.size();
   run.energies = noise::cosine_energies(residual.values);
-  run.allowed_energy = allowed_structure * allowed_structure * static_cast<double>(n);
+  double high = 0.0;
+  for (std::size_t k = n - n / 2; k < n; ++k) high += run.energies[k] / static_cast<double>(n / 2);
+  const double largest = residual.own_estimate ? largest_level_estimated : largest_level_known;
+  if (run.is_long() && residual.bands.empty()) {
+    run.noise_variance = std::min(high, largest * largest);
+    if (!residual.own_estimate) run.noise_variance = std::max(run.noise_variance, 1.0);
+  }
+  // With a variance of zero (a model that reproduces the data to the last digit) anything would be structure.
+  run.noise_variance = std::max(run.noise_variance, allowed_structure * allowed_structure);
+  for (double& energy : run.energies) energy /= run.noise_variance;
+  run.allowed_energy = allowed_structure * allowed_structure * static_cast<double>(n) / run.noise_variance;
   if (run.has_times()) run.interval = (residual.times.back() - residual.times.front()) / static_cast<double>(n - 1);
   return run;
 }

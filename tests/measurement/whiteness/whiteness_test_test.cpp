@@ -46,11 +46,28 @@ TEST(WhitenessTest, LetsNoiseOfAnotherLevelPass) {
     EXPECT_LE(fraction_not_white(200,
                                  [&](Normal& normal) {
                                    std::vector<ScaledResidual> set = white_set(10, 600, normal);
-                                   for (ScaledResidual& run : set)
+                                   for (ScaledResidual& run : set) {
+                                     run.own_estimate = true;
                                      for (double& value : run.values) value *= factor;
+                                   }
                                    return set;
                                  }),
               false_alarms);
+}
+
+TEST(WhitenessTest, FindsThatWhiteNoiseIsLargerThanTheNoiseThatIsKnown) {
+  const auto at_level = [](double level, bool own_estimate) {
+    Normal normal(4);
+    std::vector<ScaledResidual> set = white_set(10, 600, normal);
+    for (ScaledResidual& run : set) {
+      run.own_estimate = own_estimate;
+      for (double& value : run.values) value *= level;
+    }
+    return whiteness_test(set, 4);
+  };
+  EXPECT_GT(at_level(1.15, false).whiteness_ratio, 1.0);
+  EXPECT_GT(at_level(1.6, true).whiteness_ratio, 1.0);
+  EXPECT_LE(at_level(0.7, false).whiteness_ratio, 1.0);
 }
 
 TEST(WhitenessTest, LetsNoisePassOfWhichAFitHasAbsorbedPart) {
@@ -85,6 +102,7 @@ TEST(WhitenessTest, LetsShortBenchesPass) {
                                    for (const int samples : {5, 9, 12, 20, 30}) {
                                      set.push_back(white(samples, normal));
                                      set.back().times.clear();
+                                     set.back().own_estimate = !given;
                                      if (!given) set.back().freedom = 0.5 * samples;
                                    }
                                    return set;

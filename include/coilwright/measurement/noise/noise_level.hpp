@@ -11,8 +11,9 @@ namespace coilwright::measurement::noise {
 struct NoiseLevel {
   std::string run{};
   std::string channel{};
-  double sigma{};                                            ///< standard deviation, SI; > 0
-  bool given{};                                              ///< whether the set gives it; otherwise it is estimated
+  double sigma{};       ///< standard deviation, SI; > 0
+  bool given{};         ///< whether the set gives it; otherwise it is estimated
+  bool from_the_run{};  ///< whether it was estimated from the run itself, not from a record of still instruments
   double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of its square; infinite if given
   std::string source{};                                      ///< "given", or how it was estimated
   std::string colour{};  ///< what is assumed of its spectrum, and from where: "white: nothing shows its colour"

@@ -15,6 +15,9 @@ struct ScaledResidual {
   std::vector<double> times{};         ///< s, increasing; empty on a bench, whose samples are in the order of the file
   std::vector<double> values{};        ///< residual / sigma; finite
   std::vector<std::size_t> starts{0};  ///< first sample of each window, increasing from 0; {0} without windows
+  /// Whether sigma was estimated from the same record: it may then be wrong by more than its degrees of freedom say,
+  /// because motion and colour enter it.
+  bool own_estimate = false;
   /// Degrees of freedom of the estimate of the noise's variance; infinite where it is known.
   double freedom = std::numeric_limits<double>::infinity();
   /// Where the spectrum of the noise was estimated too: how well each part of it is known, from the lowest frequency

@@ -68,14 +68,18 @@ LinearSystem linear_system(const Model& model, const JointVector& angles, const 
   // Of every state: by how much accelerations and slopes change with it.
   std::vector<Eigen::VectorXd> by_state;
   std::vector<int> relaxing;
+  int of_bodies = 0;
   for (int i = 0; i < m; ++i) {
     by_state.push_back(
         slope_by(settled, i, state_step, [&](const InternalStates& states) { return slopes(angles, still, states); }));
-    if (std::abs(by_state.back()[n + i]) > no_relaxation) relaxing.push_back(i);
+    if (model.is_of_a_body(i))
+      ++of_bodies;
+    else if (std::abs(by_state.back()[n + i]) > no_relaxation)
+      relaxing.push_back(i);
   }
   const int r = static_cast<int>(relaxing.size());
 
-  LinearSystem out{.matrix = Eigen::MatrixXd::Zero(2 * n + r, 2 * n + r), .relaxing = r, .sticks = r < m};
+  LinearSystem out{.matrix = Eigen::MatrixXd::Zero(2 * n + r, 2 * n + r), .relaxing = r, .sticks = r + of_bodies < m};
   const Eigen::LLT<JointMatrix> mass(model.chain().mass_matrix(angles));
   out.matrix.block(0, n, n, n).setIdentity();
   out.matrix.block(n, 0, n, n) = -mass.solve(model.tangent_stiffness(angles, currents));

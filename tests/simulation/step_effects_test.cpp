@@ -241,6 +241,23 @@ TEST(PerformanceEffects, AreThereForEveryEffectOfTheCatalogue) {
   EXPECT_GE(there, 20);
 }
 
+// Friction that holds a joint off its equilibrium, and bodies that ring beside it: the step ends all the same.
+TEST(PerformanceEffects, AreThereForFrictionBesideBodies) {
+  const auto kind = [](std::string_view id) { return actuator::standard_effects().find(id); };
+  actuator::Design design = actuator::paper_finger();
+  design.effects = {{kind("dry_friction"), {0.2e-3}}};
+  const auto motion = [&] {
+    return std::get<MotionSummary>(motion_of(actuator::assemble_or_throw(design).model, 1.2));
+  };
+  const MotionSummary firm = motion();
+  design.effects.push_back({kind("backlash"), {0.5 / 57.3}});
+  design.effects.push_back({kind("mount_compliance"), {60.0, 0.3}});
+  const MotionSummary loose = motion();
+  // Within what friction leaves open, tau_c / k = 16 mrad.
+  EXPECT_LT((loose.steady_angles - firm.steady_angles).lpNorm<Eigen::Infinity>(), 0.016);
+  EXPECT_NE(loose.peak_bending_speed, firm.peak_bending_speed);
+}
+
 // The camera shows a * angle + b of a while ago, and the start before that.
 TEST(SimulateSeen, IsLateAndAsTheCameraShowsIt) {
   const Model bare = finger(actuator::Configuration::B).model;

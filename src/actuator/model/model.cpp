@@ -108,6 +108,13 @@ void Model::number_states() {
         fmt::format("effects: at most {} states of their own together; got {}", max_internal_states, internal_states_));
 }
 
+bool Model::is_of_a_body(int internal_state) const {
+  return std::ranges::any_of(terms_, [internal_state](const Term& term) {
+    const int place = internal_state - term.first;
+    return !term.held && place >= 0 && place < 2 * term.effect->bodies();
+  });
+}
+
 std::span<const Model::Term> Model::terms(Stage first, Stage last) const {
   const auto begin = std::ranges::lower_bound(terms_, first, {}, &Term::stage);
   return {begin, std::ranges::upper_bound(begin, terms_.end(), last, {}, &Term::stage)};

@@ -131,14 +131,15 @@ Assembly assemble_fitting(const Design& design) {
   MagneticStage magnetics = magnetics_of(design, size, curves);
   const double sense = magnetics.hinge_pairs().front().sense;
   const CoilElectrics electrics = electrics_of(design, coil);
-  Model model({.chain = chain,
-               .hinges = hinges_of(design, size, chain),
-               .magnetics = std::move(magnetics),
-               .coils = coil_count(design.layout),
-               .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0},
-               .effects = {},
-               .coil_row = coil_row_of(design, size, curves, chain),
-               .coil_resistance = electrics.resistance});
+  Model model(as_built({.chain = chain,
+                        .hinges = hinges_of(design, size, chain),
+                        .magnetics = std::move(magnetics),
+                        .coils = coil_count(design.layout),
+                        .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0},
+                        .effects = {},
+                        .coil_row = coil_row_of(design, size, curves, chain),
+                        .coil_resistance = electrics.resistance},
+                       design.as_built));
   return {.model = std::move(model),
           .dimensions = size,
           .segments = std::move(parts),

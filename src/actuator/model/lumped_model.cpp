@@ -83,13 +83,14 @@ LumpedMagnetics magnetics_of(const LumpedModel& model) {
 }
 
 ModelSpec spec_of(const LumpedModel& model, const LumpedMagnetics& magnetics) {
-  return {.chain = mechanics::PlanarChain(model.links, model.gravity),
-          .hinges = model.hinges,
-          .magnetics = MagneticStage(magnetics.hinge_pairs, {}),
-          .coils = static_cast<int>(magnetics.hinge_pairs.size()),
-          .tip = {.link = static_cast<int>(model.links.size()) - 1, .along = model.links.back().length},
-          .effects = model.effects,
-          .coil_row = magnetics.coil_row};
+  return as_built({.chain = mechanics::PlanarChain(model.links, model.gravity),
+                   .hinges = model.hinges,
+                   .magnetics = MagneticStage(magnetics.hinge_pairs, {}),
+                   .coils = static_cast<int>(magnetics.hinge_pairs.size()),
+                   .tip = {.link = static_cast<int>(model.links.size()) - 1, .along = model.links.back().length},
+                   .effects = model.effects,
+                   .coil_row = magnetics.coil_row},
+                  model.as_built);
 }
 
 }  // namespace coilwright::actuator

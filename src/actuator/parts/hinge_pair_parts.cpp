@@ -12,6 +12,7 @@ std::shared_ptr<const Curve> HingePairParts::curve(magnetics::Fidelity fidelity,
 }
 
 std::shared_ptr<const Curve> HingePairParts::torque() const {
+  if (computed_) return with_error(computed_->torque(), error_);
   if (spec_.fidelity == magnetics::Fidelity::exact) return exact_torque();
   if (spec_.line_of_centres_lower) {
     Curve::Spec wide = spec_.range;
@@ -27,6 +28,7 @@ std::shared_ptr<const Curve> HingePairParts::torque() const {
 
 std::shared_ptr<const Curve> HingePairParts::exact_torque() const {
   const std::lock_guard lock(mutex_);
+  if (!exact_ && computed_) exact_ = with_error(computed_->exact_torque(), error_);
   if (!exact_) exact_ = curve(magnetics::Fidelity::exact, spec_.range);
   return exact_;
 }

@@ -12,6 +12,7 @@
 #include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
+#include "formats/actuator/as_built_format.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -130,8 +131,10 @@ Json copy_of(const text::Node& node) {
 Json lumped_json(const UpdatedLumpedModel& lumped) {
   Json out = Json::object();
   for (const text::Node& member : lumped.document.root().members())
-    if (member.key() != "effects" && member.key() != text::schema_key) out.set(member.key(), copy_of(member));
+    if (member.key() != "effects" && member.key() != "as_built" && member.key() != text::schema_key)
+      out.set(member.key(), copy_of(member));
   if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
+  if (lumped.as_built != AsBuilt{}) out.set("as_built", to_json(lumped.as_built));
   return out;
 }
 
@@ -162,6 +165,7 @@ Json to_json(const Design& design, const std::string& name, const std::optional<
                            {"model", choices_json(design.choices)},
                            {"calibration", calibration_json(design)}});
   if (!design.effects.empty()) out.set("effects", to_json(design.effects));
+  if (design.as_built != AsBuilt{}) out.set("as_built", to_json(design.as_built));
   if (operating_point) out.set("operating_point", to_json(*operating_point));
   return out;
 }

@@ -13,6 +13,7 @@
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
+#include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/operating_point_reader.hpp"
 
@@ -198,6 +199,7 @@ DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& kno
     throw in.node().error_without_value(R"(gives "measured" and "calibration"; only one of them may be there)");
   read_section(in, "calibration", design);
   design.effects = read_effects(in, known);
+  design.as_built = read_as_built(in);
   if (const auto point = in.find("operating_point")) content.operating_point = read_operating_point(*point);
   if (measured) {
     try {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coilwright/magnetics/hinge_torque.hpp"
+#include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
@@ -100,6 +101,7 @@ LumpedModelContent read_lumped_model(ObjectReader& in, const actuator::EffectCat
   if (const auto magnetics = in.find_not_null("magnetics")) read_magnetics(*magnetics, content);
   content.magnetics.coil_row = actuator::coil_row_of(model);
   model.effects = read_effects(in, known);
+  model.as_built = read_as_built(in);
   if (model.effects.empty()) return content;
   const actuator::ModelSpec spec = actuator::spec_of(model, content.magnetics);
   for (std::size_t i = 0; i < model.effects.size(); ++i)

@@ -359,10 +359,10 @@ TEST(LumpedModel, RefusesWhatDoesNotFitTogether) {
             "a.json: /links/0/mass_kg: must be > 0; got -0.017");
   EXPECT_EQ(refusal(changed(lumped, R"("stiffness_Nm_rad": 0.0125)", R"("stiffness_Nmm_rad": 12.5)")),
             R"(a.json: /joints/0/stiffness_Nmm_rad: unknown key; did you mean "stiffness_Nm_rad"?)");
-  EXPECT_EQ(
-      refusal(changed(lumped, R"("links": [)", R"("segments": 3, "links": [)")),
-      "a.json: /segments: unknown key; the keys here are \"description\", \"effects\", \"format\", \"gravity_m_s2\", "
-      "\"joints\", \"links\", \"magnetics\", \"name\"");
+  EXPECT_EQ(refusal(changed(lumped, R"("links": [)", R"("segments": 3, "links": [)")),
+            "a.json: /segments: unknown key; the keys here are \"as_built\", \"description\", \"effects\", \"format\", "
+            "\"gravity_m_s2\", "
+            "\"joints\", \"links\", \"magnetics\", \"name\"");
 }
 
 }  // namespace

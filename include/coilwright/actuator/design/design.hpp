@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coilwright/actuator/design/layout.hpp"
+#include "coilwright/actuator/model/as_built.hpp"
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/magnet_grade.hpp"
@@ -165,6 +166,7 @@ struct Design {
   ModelChoices choices{};
   Calibration calibration{};
   std::vector<Effect> effects{};  ///< that the model has beside its stages; each kind at most once
+  AsBuilt as_built{};             ///< how the one that was built differs from its numbers
 };
 
 }  // namespace coilwright::actuator

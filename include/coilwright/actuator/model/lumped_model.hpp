@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "coilwright/actuator/model/as_built.hpp"
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
 #include "coilwright/actuator/parts/coil_row.hpp"
@@ -42,6 +43,7 @@ struct LumpedModel {
   std::vector<Hinge> hinges{};      ///< one per link
   std::vector<LumpedPair> pairs{};  ///< in the order of their joints, at most one per joint; each has its own current
   std::vector<Effect> effects{};    ///< each kind at most once
+  AsBuilt as_built{};               ///< how the one that was built differs from these numbers
 };
 
 /// What takes long to compute from a lumped model. Immutable; copies share it.
@@ -67,8 +69,8 @@ struct LumpedMagnetics {
 /// All that takes long. Throws as hinge_pair_of() and coil_row_of().
 [[nodiscard]] LumpedMagnetics magnetics_of(const LumpedModel& model);
 
-/// What a Model is made of; `magnetics` are those of `model`. Throws std::invalid_argument where a link breaks its
-/// rules.
+/// What a Model is made of, as it was built; `magnetics` are those of `model`, whose curves have no error. Throws
+/// std::invalid_argument where a link breaks its rules, and as as_built().
 [[nodiscard]] ModelSpec spec_of(const LumpedModel& model, const LumpedMagnetics& magnetics);
 
 }  // namespace coilwright::actuator

@@ -3,7 +3,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
+#include "coilwright/actuator/parts/torque_curve_error.hpp"
 #include "coilwright/magnetics/curve.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
@@ -28,6 +30,9 @@ class HingePairParts {
   };
   /// Keeps the inputs; builds no curve yet.
   explicit HingePairParts(const Spec& spec) : spec_(spec) {}
+  /// The same pair, whose curves have this error; shares the curves of `computed`, not null.
+  HingePairParts(std::shared_ptr<const HingePairParts> computed, const TorqueCurveError& error)
+      : spec_(computed->spec_), computed_(std::move(computed)), error_(error) {}
 
   [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
   /// Torque per ampere by the fidelity of the spec, N m/A over rad: magnetics::torque_curve and its errors.
@@ -40,6 +45,8 @@ class HingePairParts {
                                                               const magnetics::Curve::Spec& range) const;
 
   Spec spec_;
+  std::shared_ptr<const HingePairParts> computed_{};  // null without an error
+  TorqueCurveError error_{};
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const magnetics::Curve> exact_;
 };

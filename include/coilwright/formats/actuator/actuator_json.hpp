@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/model/as_built.hpp"
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/text/json/document.hpp"
@@ -16,8 +17,9 @@ namespace coilwright::formats {
 
 /// A lumped model's file with other numbers.
 struct UpdatedLumpedModel {
-  text::Document document;                ///< as it was read, but for its numbers; its "effects" count no more
+  text::Document document;  ///< as it was read, but for its numbers; its "effects" and "as_built" count no more
   std::vector<actuator::Effect> effects;  ///< all of the model
+  actuator::AsBuilt as_built{};
 };
 
 /// An actuator after a diagnosis, to be written by to_json().

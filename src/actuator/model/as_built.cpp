@@ -1,0 +1,54 @@
+#include "coilwright/actuator/model/as_built.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "coilwright/actuator/model/model_spec.hpp"
+#include "coilwright/actuator/parts/hinge_pair_parts.hpp"
+
+namespace coilwright::actuator {
+namespace {
+
+void spread(std::vector<Hinge>& hinges, double Hinge::*member, double ratio, const char* name) {
+  if (!(ratio >= -2.0 && ratio <= 2.0))
+    throw std::invalid_argument(fmt::format("{} must be from -2 to 2; got {}", name, ratio));
+  for (std::size_t j = 0; j < hinges.size(); ++j) hinges[j].*member *= 1.0 + (j % 2 == 0 ? -0.5 : 0.5) * ratio;
+}
+
+// Pairs that are alike share one curve, and share it still.
+MagneticStage with_curve_error(const MagneticStage& magnetics, const TorqueCurveError& error) {
+  std::vector<HingePair> pairs = magnetics.hinge_pairs();
+  std::map<const magnetics::Curve*, std::shared_ptr<const magnetics::Curve>> curves;
+  std::map<const HingePairParts*, std::shared_ptr<const HingePairParts>> parts;
+  for (HingePair& pair : pairs) {
+    auto& curve = curves[pair.torque_per_ampere.get()];
+    if (!curve) curve = with_error(pair.torque_per_ampere, error);
+    pair.torque_per_ampere = curve;
+    if (!pair.parts) continue;
+    auto& made_of = parts[pair.parts.get()];
+    if (!made_of) made_of = std::make_shared<const HingePairParts>(pair.parts, error);
+    pair.parts = made_of;
+  }
+  return {std::move(pairs), magnetics.distant_pairs()};
+}
+
+}  // namespace
+
+ModelSpec as_built(ModelSpec spec, const AsBuilt& differences) {
+  if (differences.joint_stiffness_ratio != 0.0)
+    spread(spec.hinges, &Hinge::stiffness, differences.joint_stiffness_ratio, "joint_stiffness_ratio");
+  if (differences.joint_damping_ratio != 0.0)
+    spread(spec.hinges, &Hinge::damping, differences.joint_damping_ratio, "joint_damping_ratio");
+  if (differences.face_closing_shift != 0.0)
+    for (Hinge& hinge : spec.hinges) hinge.contact.closing_angle += differences.face_closing_shift;
+  if (differences.force_curve && !differences.force_curve->none())
+    spec.magnetics = with_curve_error(spec.magnetics, *differences.force_curve);
+  return spec;
+}
+
+}  // namespace coilwright::actuator

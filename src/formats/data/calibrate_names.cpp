@@ -25,10 +25,11 @@ void CalibrateNames::claim(std::size_t i, const std::vector<std::string>& pointe
 }
 
 InputError CalibrateNames::error(std::size_t i, const std::string& rule) const {
-  return InputError({.file = calibrate_.file,
-                     .place = std::string(calibrate_.pointer) + "/" + std::to_string(i),
+  const CalibrateName& each = names_[i];
+  return InputError({.file = dataset_,
+                     .place = each.place,
                      .rule = rule,
-                     .value = "text " + in_quotes(name(i))});
+                     .value = each.is_value ? "text " + in_quotes(each.name) : std::string()});
 }
 
 InputError CalibrateNames::leads_nowhere(std::size_t i) const {

@@ -15,15 +15,22 @@
 
 namespace coilwright::formats {
 
+/// A name in a data set, and its place there.
+struct CalibrateName {
+  std::string name;
+  std::string place;      ///< JSON pointer
+  bool is_value = false;  ///< whether the name stands there as a text, and not as a key
+};
+
 /// The names of one data set, gone through from the first to the last.
 class CalibrateNames {
  public:
-  /// `actuator` is the file in which pointers lead.
-  CalibrateNames(const Calibrate& calibrate, std::string actuator)
-      : calibrate_(calibrate), actuator_(std::move(actuator)) {}
+  /// `dataset` is the file in which they stand, `actuator` the one in which pointers lead.
+  CalibrateNames(std::vector<CalibrateName> names, std::string dataset, std::string actuator)
+      : names_(std::move(names)), dataset_(std::move(dataset)), actuator_(std::move(actuator)) {}
 
-  [[nodiscard]] std::size_t size() const { return calibrate_.names.size(); }
-  [[nodiscard]] const std::string& name(std::size_t i) const { return calibrate_.names[i]; }
+  [[nodiscard]] std::size_t size() const { return names_.size(); }
+  [[nodiscard]] const std::string& name(std::size_t i) const { return names_[i].name; }
   /// Throws when it is no JSON pointer.
   [[nodiscard]] std::vector<std::string> steps(std::size_t i) const;
 
@@ -41,7 +48,8 @@ class CalibrateNames {
       std::size_t i, std::span<const std::string> steps, const std::vector<actuator::Effect>& effects) const;
 
  private:
-  Calibrate calibrate_;
+  std::vector<CalibrateName> names_;
+  std::string dataset_;
   std::string actuator_;
   std::set<std::string> claimed_{};
 };

@@ -41,8 +41,9 @@ std::vector<std::string> read_calibrate(ObjectReader& in) {
 }
 
 // What is no pointer into the actuator file.
-constexpr std::array<std::string_view, 4> tolerance_names = {"force_curve", "joint_stiffness_ratio",
-                                                             "joint_damping_ratio", "face_closing_deg"};
+constexpr std::array<std::string_view, 6> tolerance_names = {"force_curve",         "joint_stiffness_ratio",
+                                                             "joint_damping_ratio", "face_closing_deg",
+                                                             "joint_stiffness",     "joint_damping"};
 
 Tolerances read_tolerances(const Node& node) {
   Tolerances out;

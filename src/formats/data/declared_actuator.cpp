@@ -6,23 +6,28 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <set>
 #include <utility>
 #include <variant>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/measurement/replay/declared_design.hpp"
+#include "coilwright/measurement/replay/declared_duplicates.hpp"
 #include "coilwright/measurement/replay/declared_lumped_model.hpp"
 #include "formats/actuator/actuator_reader.hpp"
 #include "formats/data/calibrate_names.hpp"
 #include "formats/data/design_targets.hpp"
 #include "formats/data/lumped_targets.hpp"
+#include "formats/data/tolerance_plan.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 using namespace text;
 using actuator::Effect;
+using measurement::replay::CalibratableNumber;
+using measurement::replay::CalibrationParameter;
 using measurement::replay::DeclaredDesign;
 using measurement::replay::DeclaredLumpedModel;
 
@@ -59,22 +64,111 @@ std::vector<Effect> joined(std::vector<Effect> declared, const std::vector<Effec
   return declared;
 }
 
-DeclaredActuator declare(const std::shared_ptr<const Document>& file, DesignContent content, CalibrateNames& names) {
+// The names that lead into the file or mean all joints; differences stand behind them.
+CalibrateNames names_in_file(const TolerancePlan& plan, const Calibrate& calibrate, const std::string& actuator) {
+  std::vector<CalibrateName> names;
+  for (const PlannedNumber& number : plan.numbers)
+    if (!number.difference)
+      names.push_back({.name = number.name, .place = number.place, .is_value = number.by == MovedBy::calibrate});
+  return {std::move(names), calibrate.file, actuator};
+}
+
+// Adds the differences to the numbers of the file, gives all their tolerances, and leaves out those that are exact.
+template <class Target>
+std::vector<CalibratableNumber<Target>> with_tolerances(std::vector<CalibratableNumber<Target>> in_file,
+                                                        const TolerancePlan& plan) {
+  std::vector<CalibratableNumber<Target>> out;
+  for (std::size_t i = 0; i < plan.numbers.size(); ++i) {
+    const PlannedNumber& number = plan.numbers[i];
+    CalibratableNumber<Target> each =
+        number.difference
+            ? CalibratableNumber<Target>{.parameter = difference_parameter(number),
+                                         .target = std::visit([](const auto& target) { return Target(target); },
+                                                              *number.difference)}
+            : std::move(in_file[i]);
+    set_tolerance(each.parameter, number);
+    if (each.parameter.calibrated || each.parameter.tolerance) out.push_back(std::move(each));
+  }
+  return out;
+}
+
+// A declared model in which the planned numbers move.
+DeclaredActuator declare(const std::shared_ptr<const Document>& file, DesignContent content,
+                         const actuator::ModelSpec& drawn, const TolerancePlan& plan, CalibrateNames names) {
+  if (plan.force_curve) content.design.as_built.force_curve = plan.force_curve;
+  std::vector<DesignNumber> numbers = with_tolerances(design_numbers(*file, content.design, drawn, names), plan);
+  const DeclaredDesign declared(std::move(content.design), content.measured, drawn, std::move(numbers));
+  return {.name = {},
+          .model = {.calibration = declared.parameters(),
+                    .build = [declared](std::span<const double> values) { return declared.spec_at(values); },
+                    .held_exact = plan.held_exact},
+          .updated = [declared](std::span<const double> values, const std::vector<Effect>& effects) {
+            actuator::Design design = declared.design_at(values);
+            design.effects = joined(std::move(design.effects), effects);
+            return UpdatedActuator(std::move(design));
+          }};
+}
+
+DeclaredActuator declare(const std::shared_ptr<const Document>& file, LumpedModelContent content,
+                         const TolerancePlan& plan, CalibrateNames names) {
+  if (plan.force_curve) content.model.as_built.force_curve = plan.force_curve;
+  LumpedNumbers found = lumped_numbers(*file, content.model, names);
+  const DeclaredLumpedModel declared(std::move(content.model), std::move(content.magnetics),
+                                     with_tolerances(std::move(found.numbers), plan));
+  return {.name = {},
+          .model = {.calibration = declared.parameters(),
+                    .build = [declared](std::span<const double> values) { return declared.spec_at(values); },
+                    .held_exact = plan.held_exact},
+          .updated = [declared, file, in_file = std::move(found.in_file)](std::span<const double> values,
+                                                                          const std::vector<Effect>& effects) {
+            actuator::LumpedModel model = declared.model_at(values);
+            std::vector<Effect> all = joined(model.effects, effects);
+            const actuator::AsBuilt as_built = model.as_built;
+            return UpdatedActuator(UpdatedLumpedModel{.document = with_numbers_of(*file, in_file, std::move(model)),
+                                                      .effects = std::move(all),
+                                                      .as_built = as_built});
+          }};
+}
+
+// The plan without defaults that act as other numbers do; what is said by name stays.
+TolerancePlan without_duplicates(TolerancePlan plan, const measurement::replay::DeclaredModel& model) {
+  const auto first = std::ranges::find(model.calibration, false, &CalibrationParameter::calibrated);
+  std::set<std::string> left_out;
+  for (const auto& [number, alike] :
+       measurement::replay::duplicate_numbers(model, static_cast<std::size_t>(first - model.calibration.begin()))) {
+    const CalibrationParameter& parameter = model.calibration[number];
+    if (parameter.tolerance->named) continue;
+    left_out.insert(parameter.key);
+    plan.held_exact.push_back(
+        alike ? fmt::format("{}, which acts as {} does", parameter.key, model.calibration[*alike].key)
+              : fmt::format("{}, which moves nothing", parameter.key));
+  }
+  std::erase_if(plan.numbers, [&](const PlannedNumber& number) {
+    return number.by == MovedBy::defaults && left_out.contains(number.name);
+  });
+  return plan;
+}
+
+// What `declare` makes of the plan, once defaults that act alike have been left out of it.
+template <class Declare>
+DeclaredActuator declared_by_plan(TolerancePlan plan, const Declare& declare) {
+  DeclaredActuator all = declare(plan);
+  const bool defaults = std::ranges::count(plan.numbers, MovedBy::defaults, &PlannedNumber::by) > 0;
+  return defaults ? declare(without_duplicates(std::move(plan), all.model)) : all;
+}
+
+DeclaredActuator declare(const std::shared_ptr<const Document>& file, const DesignContent& content,
+                         const Calibrate& calibrate) {
   try {
     const actuator::Assembly assembly = actuator::assemble_or_throw(content.design);
-    const actuator::ModelSpec& spec = assembly.model.nominal_spec();
-    thermal::Network heat = actuator::heat_network(content.design, assembly);
-    std::vector<DesignNumber> numbers = design_numbers(*file, content.design, spec, names);
-    const DeclaredDesign declared(std::move(content.design), content.measured, spec, std::move(numbers));
-    return {.name = {},
-            .model = {.calibration = declared.parameters(),
-                      .build = [declared](std::span<const double> values) { return declared.spec_at(values); },
-                      .heat = std::move(heat)},
-            .updated = [declared](std::span<const double> values, const std::vector<Effect>& effects) {
-              actuator::Design design = declared.design_at(values);
-              design.effects = joined(std::move(design.effects), effects);
-              return UpdatedActuator(std::move(design));
-            }};
+    actuator::Design drawn_design = content.design;
+    drawn_design.as_built = {};
+    const actuator::ModelSpec drawn = actuator::assemble_or_throw(drawn_design).model.nominal_spec();
+    DeclaredActuator out = declared_by_plan(tolerance_plan(calibrate, content, drawn), [&](const TolerancePlan& plan) {
+      return declare(file, content, drawn, plan, names_in_file(plan, calibrate, file->root().file()));
+    });
+    out.model.heat = actuator::heat_network(content.design, assembly);
+    return out;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const InputError&) {
@@ -84,30 +178,20 @@ DeclaredActuator declare(const std::shared_ptr<const Document>& file, DesignCont
   }
 }
 
-DeclaredActuator declare(const std::shared_ptr<const Document>& file, LumpedModelContent content,
-                         CalibrateNames& names) {
-  LumpedNumbers found = lumped_numbers(*file, content.model, names);
-  const DeclaredLumpedModel declared(std::move(content.model), std::move(content.magnetics), std::move(found.numbers));
-  return {.name = {},
-          .model = {.calibration = declared.parameters(),
-                    .build = [declared](std::span<const double> values) { return declared.spec_at(values); }},
-          .updated = [declared, file, in_file = std::move(found.in_file)](std::span<const double> values,
-                                                                          const std::vector<Effect>& effects) {
-            actuator::LumpedModel model = declared.model_at(values);
-            std::vector<Effect> all = joined(model.effects, effects);
-            return UpdatedActuator(UpdatedLumpedModel{.document = with_numbers_of(*file, in_file, std::move(model)),
-                                                      .effects = std::move(all)});
-          }};
+DeclaredActuator declare(const std::shared_ptr<const Document>& file, const LumpedModelContent& content,
+                         const Calibrate& calibrate) {
+  return declared_by_plan(tolerance_plan(calibrate, content.model), [&](const TolerancePlan& plan) {
+    return declare(file, content, plan, names_in_file(plan, calibrate, file->root().file()));
+  });
 }
 
 DeclaredActuator declared_by(Document document, const Calibrate& calibrate, const actuator::EffectCatalogue& effects) {
   const auto file = std::make_shared<const Document>(std::move(document));
   ActuatorContent read = read_actuator_content(*file, effects);
-  CalibrateNames names(calibrate, file->root().file());
   std::vector<std::string> uncalibrated = uncalibrated_numbers(
       std::visit([](const auto& content) { return effects_of(content); }, read.content), calibrate.names);
   DeclaredActuator out =
-      std::visit([&](auto& content) { return declare(file, std::move(content), names); }, read.content);
+      std::visit([&](const auto& content) { return declare(file, content, calibrate); }, read.content);
   out.name = std::move(read.name);
   out.model.uncalibrated_effect_numbers = std::move(uncalibrated);
   return out;

@@ -25,7 +25,6 @@ using measurement::replay::CalibrationParameter;
 using measurement::replay::GravityNumber;
 using measurement::replay::LumpedNumber;
 using measurement::replay::LumpedShare;
-using measurement::replay::LumpedTarget;
 using measurement::replay::PartNumber;
 using measurement::replay::TableNumber;
 
@@ -104,7 +103,7 @@ class NumberResolver {
     if (const auto number = names_.effect_number(i, steps, model_.effects)) {
       found_.numbers.push_back(
           {.parameter = calibration_parameter(name, model_.effects[number->effect], number->parameter),
-           .target = {LumpedShare{.number = *number}}});
+           .target = std::vector{LumpedShare{.number = *number}}});
       return;
     }
     if (auto known = find(i, steps)) return add(name, *known);
@@ -129,7 +128,7 @@ class NumberResolver {
   void add(const std::string& pointer, const KnownNumber& known) {
     const double declared = number_in(model_, known.number);
     found_.numbers.push_back({.parameter = parameter(pointer, known.key, declared, known.rule),
-                              .target = {LumpedShare{.number = known.number}}});
+                              .target = std::vector{LumpedShare{.number = known.number}}});
     found_.in_file.push_back({pointer, units::split_unit(known.key)->unit, known.number});
   }
 
@@ -141,7 +140,7 @@ class NumberResolver {
     const bool alike =
         std::ranges::all_of(hinges, [&](const Hinge& hinge) { return hinge.*member == hinges.front().*member; });
     if (alike) mean = hinges.front().*member;  // to the bit
-    LumpedTarget target;
+    std::vector<LumpedShare> target;
     std::vector<std::string> pointers;
     for (std::size_t j = 0; j < hinges.size(); ++j) {
       const LumpedNumber number = PartNumber<Hinge>{j, member};

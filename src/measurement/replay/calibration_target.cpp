@@ -41,6 +41,14 @@ struct Place {
 
 }  // namespace
 
+void set_number(actuator::AsBuilt& differences, const ForceCurveNumber& number, double value) {
+  differences.force_curve->coefficients[number.order] = value;
+}
+
+void set_number(actuator::AsBuilt& differences, const AsBuiltNumber& number, double value) {
+  differences.*number.member = value - number.from;
+}
+
 double& number_in(LumpedModel& model, const LumpedNumber& number) {
   return std::visit(Place{model}, number);
 }

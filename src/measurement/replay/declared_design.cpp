@@ -24,6 +24,12 @@ bool only_hangs_otherwise(const DesignParameter& number) {
          number.parameter == actuator::find_parameter("base_tilt_deg");
 }
 
+// The design without what differs from it, which as_built() adds.
+Design as_drawn(Design design) {
+  design.as_built = {};
+  return design;
+}
+
 bool needs_reassembly(const DesignTarget& target) {
   if (const auto* number = std::get_if<DesignParameter>(&target)) return !only_hangs_otherwise(*number);
   return std::holds_alternative<MeasuredNumber>(target);
@@ -56,7 +62,7 @@ class DeclaredDesign::State {
     for (std::size_t i = 0; i < numbers_.size(); ++i)
       if (const auto* number = std::get_if<HingesNumber>(&numbers_[i].target))
         for (Hinge& hinge : spec.hinges) hinge.*number->member = values[i];
-    return spec;
+    return actuator::as_built(std::move(spec), design.as_built);
   }
 
   [[nodiscard]] Design design_at(std::span<const double> values) {
@@ -85,6 +91,10 @@ class DeclaredDesign::State {
         number->parameter->set(design, values[i]);
       if (const auto* number = std::get_if<EffectNumber>(&numbers_[i].target))
         design.effects[number->effect].values[number->parameter] = values[i];
+      if (const auto* number = std::get_if<ForceCurveNumber>(&numbers_[i].target))
+        set_number(design.as_built, *number, values[i]);
+      if (const auto* number = std::get_if<AsBuiltNumber>(&numbers_[i].target))
+        set_number(design.as_built, *number, values[i]);
     }
     return design;
   }
@@ -118,7 +128,7 @@ class DeclaredDesign::State {
     std::vector<double> moved;
     for (std::size_t i = 0; i < numbers_.size(); ++i)
       if (needs_reassembly(numbers_[i].target)) moved.push_back(values[i]);
-    return assembled_.get(moved, [&] { return actuator::assemble_or_throw(design).model.nominal_spec(); });
+    return assembled_.get(moved, [&] { return actuator::assemble_or_throw(as_drawn(design)).model.nominal_spec(); });
   }
 
   Design design_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "measurement/replay/lru_memo.hpp"
 
@@ -29,8 +30,21 @@ bool moves_coils(const LumpedNumber& number) {
 }
 
 bool any_of(const LumpedTarget& target, bool (*is)(const LumpedNumber&)) {
-  return std::ranges::any_of(target, is, &LumpedShare::number);
+  const auto* shares = std::get_if<std::vector<LumpedShare>>(&target);
+  return shares != nullptr && std::ranges::any_of(*shares, is, &LumpedShare::number);
 }
+
+// Puts a value where it belongs.
+struct Setter {
+  LumpedModel& model;
+  double value{};
+
+  void operator()(const std::vector<LumpedShare>& shares) const {
+    for (const LumpedShare& share : shares) number_in(model, share.number) = value * share.ratio;
+  }
+  void operator()(const ForceCurveNumber& number) const { set_number(model.as_built, number, value); }
+  void operator()(const AsBuiltNumber& number) const { set_number(model.as_built, number, value); }
+};
 
 }  // namespace
 
@@ -53,7 +67,7 @@ class DeclaredLumpedModel::State {
           fmt::format("calibration must have {} values; got {}", numbers_.size(), values.size()));
     LumpedModel model = model_;
     for (std::size_t i = 0; i < numbers_.size(); ++i)
-      for (const LumpedShare& share : numbers_[i].target) number_in(model, share.number) = values[i] * share.ratio;
+      std::visit(Setter{.model = model, .value = values[i]}, numbers_[i].target);
     return model;
   }
 

@@ -319,9 +319,10 @@ TEST_F(DatasetFiles, SayHowWellTheirNumbersAreKnown) {
   EXPECT_EQ(wrong("\"none\""), "dataset.json: /tolerances: must be \"exact\" or an object; got text \"none\"");
   EXPECT_EQ(wrong(R"({"/links/0/mass_kg": -1})"),
             "dataset.json: /tolerances/~1links~10~1mass_kg: must be >= 0; got -1");
-  EXPECT_EQ(wrong(R"({"mass": 1})"),
-            R"(dataset.json: /tolerances/mass: must be called "force_curve", "joint_stiffness_ratio", )"
-            R"("joint_damping_ratio", "face_closing_deg" or by a JSON pointer into the actuator file)");
+  EXPECT_EQ(
+      wrong(R"({"mass": 1})"),
+      R"(dataset.json: /tolerances/mass: must be called "force_curve", "joint_stiffness_ratio", )"
+      R"("joint_damping_ratio", "face_closing_deg", "joint_stiffness", "joint_damping" or by a JSON pointer into the actuator file)");
 }
 
 // Blocks of docs/formats.md that begin ```<kind>, by what else is on that line.

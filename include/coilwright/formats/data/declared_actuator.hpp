@@ -9,6 +9,7 @@
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/data/tolerances.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 
 namespace coilwright::formats {
@@ -30,14 +31,19 @@ struct Calibrate {
   /// `joint_stiffness`, `joint_damping`, or a JSON pointer to a number of the actuator file. The two are one value for
   /// all joints; where a lumped model's joints differ, it is their mean, and each keeps its ratio to it.
   std::span<const std::string> names;
-  std::string file;                         ///< dataset.json, for errors about a name
-  std::string_view pointer = "/calibrate";  ///< of the list in it
+  std::string file;                             ///< dataset.json, for errors about a name
+  std::string_view pointer = "/calibrate";      ///< of the list in it
+  Tolerances tolerances = Tolerances::exact();  ///< how well the declared numbers are known
+  std::string_view tolerances_pointer = "/tolerances";
 };
 
-/// Reads the declared model of a data set and finds the numbers that may be calibrated in it. A number that the file
-/// leaves out and that has a default can be named too. Throws InputError: of the actuator file where that is at fault;
-/// of the data set, at the name, where it leads nowhere, to no number or to one that no fit can move (a whole number, a
-/// choice), and where two names mean the same. Its effects are of `effects`, whose kinds the result refers to.
+/// Reads the declared model of a data set and finds the numbers that a fit may move in it: those that are calibrated in
+/// their order (with a prior where `tolerances` name them too), then those that are known within a tolerance only.
+/// Among the latter those of defaults that no motion can tell from another one are left out, which `held_exact` says. A
+/// number that the file leaves out and that has a default can be named too. Throws InputError: of the actuator file
+/// where that is at fault; of the data set, at the name, where it leads nowhere, to no number or to one that no fit can
+/// move (a whole number, a choice), and where two names mean the same. Its effects are of `effects`, whose kinds the
+/// result refers to.
 [[nodiscard]] DeclaredActuator read_declared_actuator(
     const std::filesystem::path& actuator, const Calibrate& calibrate,
     const actuator::EffectCatalogue& effects = actuator::standard_effects());

@@ -7,6 +7,7 @@
 
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/actuator/model/as_built.hpp"
 #include "coilwright/actuator/model/lumped_model.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
 
@@ -33,8 +34,24 @@ struct MeasuredNumber {
   std::optional<double> actuator::Measured::*member{};
 };
 
+/// A coefficient of the error of the torque per ampere over the angle.
+struct ForceCurveNumber {
+  std::size_t order{};  ///< of its polynomial, 0 to 3
+};
+
+/// One number of what differs from the declared numbers: a value less `from`.
+struct AsBuiltNumber {
+  double actuator::AsBuilt::*member{};
+  double from{};
+};
+
+/// Sets such a number of `differences`; the range of a curve's error must be there.
+void set_number(actuator::AsBuilt& differences, const ForceCurveNumber& number, double value);
+void set_number(actuator::AsBuilt& differences, const AsBuiltNumber& number, double value);
+
 /// Which number of a design a calibrated value is.
-using DesignTarget = std::variant<HingesNumber, EffectNumber, DesignParameter, MeasuredNumber>;
+using DesignTarget =
+    std::variant<HingesNumber, EffectNumber, DesignParameter, MeasuredNumber, ForceCurveNumber, AsBuiltNumber>;
 
 /// The gravity of a lumped model.
 struct GravityNumber {};
@@ -70,8 +87,8 @@ struct LumpedShare {
 };
 
 /// Which numbers of a lumped model a calibrated value sets: one, or for "joint_stiffness" and "joint_damping" one of
-/// every hinge, each with its ratio to their mean.
-using LumpedTarget = std::vector<LumpedShare>;
+/// every hinge, each with its ratio to their mean; or what differs from all of them.
+using LumpedTarget = std::variant<std::vector<LumpedShare>, ForceCurveNumber, AsBuiltNumber>;
 
 /// A number that may be calibrated: what a fit must know of it, and where it belongs.
 template <class Target>

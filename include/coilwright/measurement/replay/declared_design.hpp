@@ -16,7 +16,7 @@ namespace coilwright::measurement::replay {
 class DeclaredDesign {
  public:
   /// `measured` are the values from which the calibration factors of `design` followed; `assembled` is the nominal
-  /// model of `design`.
+  /// model of `design` without its `as_built`.
   DeclaredDesign(actuator::Design design, actuator::Measured measured, actuator::ModelSpec assembled,
                  std::vector<CalibratableNumber<DesignTarget>> numbers);
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/actuator/model/model.hpp"
@@ -27,6 +28,7 @@ struct CalibrationParameter {
   double scale{};     ///< typical change, SI; > 0 even if `declared` is 0
   std::optional<Tolerance> tolerance{};  ///< the prior of the fit; nothing: the number is free
   bool calibrated = true;                ///< whether the set calibrates it; a number that is not has a tolerance
+  std::string_view effect{};             ///< id of the effect whose name a change of it alone bears; may be empty
 };
 
 /// The model that the user declares, with the numbers that may be recalibrated.

@@ -98,6 +98,16 @@ void check_output(const Options& options) {
               std::array{folder / actuator_name, folder / "dataset.json"});
 }
 
+// What the clocks of the runs really were; none where they are one.
+std::vector<formats::ClockOfRun> clocks_of(const Options& options, const Experiment& experiment) {
+  std::vector<formats::ClockOfRun> out;
+  const auto clocks = measurement::experiment::true_clocks(experiment, options.seed);
+  for (std::size_t i = 0; i < clocks.size(); ++i)
+    if (clocks[i].shift != 0.0 || clocks[i].rate != 0.0)
+      out.push_back({.run = experiment.runs[i].plan.name, .clock = clocks[i]});
+  return out;
+}
+
 void write(const Options& options, const Experiment& experiment, const std::vector<Effect>& hidden,
            const std::vector<Run>& runs) {
   const std::filesystem::path out = folder_of(options);
@@ -111,12 +121,14 @@ void write(const Options& options, const Experiment& experiment, const std::vect
                                                           .experiment = options.experiment,
                                                           .effects = hidden,
                                                           .instruments = experiment.instruments,
+                                                          .clocks = clocks_of(options, experiment),
                                                           .seed = options.seed})
                          .text();
   std::vector<formats::RunWithRole> in_roles;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     in_roles.push_back({.run = runs[i], .validate = experiment.runs[i].validate});
     formats::write_run(folder.open(runs[i].name), runs[i]);
+    if (const auto input = formats::input_file_name(runs[i])) formats::write_input(folder.open(*input), runs[i]);
   }
   folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
   folder.write(actuator_name, content_of(options.actuator));

@@ -107,7 +107,8 @@ class BadData(ProgramTest):
 
     def test_words_that_do_not_exist(self):
         for key, wrong, choices in (
-                ("kind", "motion", '"transient", "static_torque", "joint_stiffness", "blocked_force", "temperature"'),
+                ("kind", "motion",
+                 '"transient", "static_torque", "joint_stiffness", "blocked_force", "temperature", "still"'),
                 ("role", "train", '"fit", "validate"'), ("drive", "force", '"current", "voltage", "torque"'),
                 ("start", "resting", '"at_rest", "measured", "free"')):
             good = self.set["runs"][0][key]

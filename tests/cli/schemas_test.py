@@ -151,7 +151,7 @@ class Schemas(unittest.TestCase):
             with self.subTest(path.relative_to(ROOT)):
                 self.assertEqual(faults(document), [])
                 met.add(schema_of(document))
-        self.assertEqual(met | {"effects"}, set(VALIDATORS))
+        self.assertEqual(met | {"effects", "as-built"}, set(VALIDATORS))
 
     def test_accept_the_examples_of_the_documents(self):
         examples = [text for page in ("formats.md", "formats-experiment.md")
@@ -199,6 +199,13 @@ class SchemasAndProgram(ProgramTest):
             ("actuator", "/body/shore_hardness_A", 19), ("actuator", "/surroundings/ambient_degC", -300),
             ("actuator", "/model/winding", "shells"), ("actuator", "/measured/mass_g", 3),
             ("actuator", "/calibration", {}), ("actuator", "/name", 3), ("actuator", "/$schema", 3),
+            ("actuator", "/as_built", {"joint_stiffness_ratio": 3}), ("actuator", "/as_built", {"ratio": 0.1}),
+            ("actuator", "/as_built", {"force_curve": {"from_deg": 0, "to_deg": 60, "coefficients": [0, 0, 0]}}),
+            ("dataset", "/tolerances", "none"), ("dataset", "/tolerances", {"mass": 1}),
+            ("dataset", "/tolerances", {"force_curve": -1}),
+            ("dataset", "/runs/0/exposure_s", -1), ("dataset", "/runs/0/rig", {"coil": "closed"}),
+            ("dataset", "/runs/0/input_hold", "held"), ("experiment", "/outliers", {"share": 2}),
+            ("experiment", "/noise_colour", {"angle_deg": {"kind": "low_pass"}}),
             ("actuator", "/effects", {}), ("actuator", "/effects", [{"id": "friction"}]),
             ("actuator", "/effects", [{"id": "dry_friction"}]),
             ("actuator", "/effects", [{"id": "dry_friction", "parameters": {"torque_Nmm": -1}}]),

@@ -86,6 +86,29 @@ class Twin(ProgramTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(result.stdout, "14 runs, 18514 samples in set; the answer is in set.answer.json\n")
 
+    def test_a_laboratory_is_written_as_a_careful_user_would(self):
+        for out, seed in (("set", "3"), ("same", "3"), ("other", "4")):
+            result = run("twin", PAPER_FINGER, "--experiment", CONFIGS / "experiments" / "laboratory.json", "--out", out,
+                         "--seed", seed, cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(self.folder_of("set"), self.folder_of("same"))
+        runs = {each["file"]: each for each in self.result("set/dataset.json")["runs"]}
+        self.assertEqual(runs["still.csv"], {"file": "still.csv", "kind": "still", "role": "fit"})
+        self.assertEqual(runs["hung_weight.csv"],
+                         {"file": "hung_weight.csv", "kind": "transient", "role": "fit", "drive": "current",
+                          "start": "at_rest", "input_file": "hung_weight_input.csv", "clock_offset_s": 0.01,
+                          "clock_rate": 0.001, "exposure_s": 0.008, "rig": {"tip_mass_g": 5}})
+        self.assertEqual(runs["turned_base.csv"]["rig"], {"base_turn_deg": 30})
+        self.assertEqual(list(self.table("set/hung_weight.csv")[0]), ["time_s", "bending_angle_deg"])
+        self.assertEqual(list(self.table("set/hung_weight_input.csv")[0]), ["time_s", "current_A"])
+        clocks = {each["file"]: each for each in self.result("set.answer.json")["clocks"]}
+        self.assertNotIn("still.csv", clocks)
+        self.assertEqual(len(clocks), 8)
+        self.assertEqual(len({each["shift_s"] for each in clocks.values()}), 8)
+        self.assertTrue(all(abs(each["shift_s"]) <= 0.04 for each in clocks.values()))
+        other = {each["file"]: each for each in self.result("other.answer.json")["clocks"]}
+        self.assertNotEqual(clocks["step_0.70A.csv"], other["step_0.70A.csv"])
+
     def assert_twin_refused(self, message, *arguments, actuator=PAPER_FINGER):
         self.assert_refused(["twin", actuator, "--experiment", "plan.json", "--out", "set", *arguments], message)
 

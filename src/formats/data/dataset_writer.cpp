@@ -16,11 +16,30 @@ namespace {
 using namespace text;
 using namespace measurement;
 
+Json rig_json(const data::RigChange& rig) {
+  Json out = Json::object();
+  if (rig.base_turn != 0.0) out.set("base_turn_deg", units::from_memory(rig.base_turn, "base_turn_deg"));
+  if (rig.tip_mass != 0.0) out.set("tip_mass_g", units::from_memory(rig.tip_mass, "tip_mass_g"));
+  if (rig.coil != data::CoilWiring::driven) out.set("coil", name_of(rig.coil));
+  return out;
+}
+
+// What differs from the defaults of the format.
+void add_recording(Json& out, const data::Run& run) {
+  if (const auto input = input_file_name(run)) out.set("input_file", *input);
+  if (run.hold != data::InputHold::zero_order) out.set("input_hold", name_of(run.hold));
+  if (run.clock.offset_sigma > 0.0 || run.has_input_clock()) out.set("clock_offset_s", run.clock.offset_sigma);
+  if (run.clock.rate_sigma > 0.0) out.set("clock_rate", run.clock.rate_sigma);
+  if (run.clock.exposure > 0.0) out.set("exposure_s", run.clock.exposure);
+  if (run.rig != data::RigChange{}) out.set("rig", rig_json(run.rig));
+}
+
 Json run_json(const RunWithRole& each) {
   const data::Run& run = each.run;
   Json out =
       Json::object({{"file", run.name}, {"kind", name_of(run.kind)}, {"role", each.validate ? "validate" : "fit"}});
   if (run.kind == data::RunKind::transient) out.set("drive", name_of(run.drive)).set("start", name_of(run.start));
+  if (run.kind == data::RunKind::transient) add_recording(out, run);
   if (run.window) out.set("window_s", *run.window);
   if (run.sigma) {
     const std::string& column = run.channels.front().name;
@@ -62,7 +81,11 @@ void write_run(std::ostream& out, const data::Run& run) {
   std::vector<std::string> columns;
   if (!run.times.empty()) columns.emplace_back("time_s");
   if (!run.angles.empty()) columns.emplace_back("angle_deg");
-  for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
+  const bool inputs = !run.inputs.empty() && !run.has_input_clock();
+  if (inputs)
+    for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
+  if (!run.openings.empty()) columns.emplace_back("opening_deg");
+  if (!run.heights.empty()) columns.emplace_back("height_mm");
   for (const data::Channel& channel : run.channels) columns.push_back(channel.name);
   CsvWriter csv(out, columns);
   std::vector<double> row;
@@ -70,9 +93,29 @@ void write_run(std::ostream& out, const data::Run& run) {
     row.clear();
     if (!run.times.empty()) row.push_back(run.times[i]);
     if (!run.angles.empty()) row.push_back(units::from_memory(run.angles[i], "angle_deg"));
-    if (!run.inputs.empty()) row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
+    if (inputs) row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
+    if (!run.openings.empty()) row.push_back(units::from_memory(run.openings[i], "opening_deg"));
+    if (!run.heights.empty()) row.push_back(units::from_memory(run.heights[i], "height_mm"));
     for (const data::Channel& channel : run.channels)
       row.push_back(units::from_memory(channel.values[i], channel.name));
+    for (double& value : row) value = twelve_digits(value);
+    csv.row(row);
+  }
+}
+
+std::optional<std::string> input_file_name(const data::Run& run) {
+  if (!run.has_input_clock()) return std::nullopt;
+  return run.name.substr(0, run.name.rfind(".csv")) + "_input.csv";
+}
+
+void write_input(std::ostream& out, const data::Run& run) {
+  std::vector<std::string> columns{"time_s"};
+  for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
+  CsvWriter csv(out, columns);
+  std::vector<double> row;
+  for (std::size_t i = 0; i < run.inputs.size(); ++i) {
+    row.assign(1, run.input_times[i]);
+    row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
     for (double& value : row) value = twelve_digits(value);
     csv.row(row);
   }

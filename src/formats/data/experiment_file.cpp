@@ -47,6 +47,9 @@ constexpr std::array instrument_keys = {
 struct Defaults {
   std::optional<double> rate{};  // samples a second
   std::vector<std::string> measure{"bending_angle_deg"};
+  RecordingClock clock{};
+  InputHold hold{};
+  double input_rate{};  // samples a second; 0: on the clock of the run
 };
 
 std::string_view unit_of(Drive drive) {
@@ -184,6 +187,71 @@ void read_instruments(const Node& node, Instruments& instruments, double Instrum
   });
 }
 
+NoiseColour read_colour(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    using enum NoiseColour::Kind;
+    NoiseColour colour{.kind = in.choice<NoiseColour::Kind>(
+                           "kind", {{"white", white}, {"low_pass", low_pass}, {"one_over_f", one_over_f}})};
+    if (colour.kind == low_pass) colour.frequency = in.quantity("frequency_Hz", rate_rule);
+    return colour;
+  });
+}
+
+void read_colours(const Node& node, Instruments& instruments) {
+  read_object(node, [&](ObjectReader& in) {
+    for (const InstrumentKey& each : instrument_keys)
+      if (const auto colour = in.find(each.key)) (instruments.*each.member).colour = read_colour(*colour);
+    return 0;
+  });
+}
+
+// One frequency, and its amplitude in each instrument.
+void read_hum(const Node& node, Instruments& instruments) {
+  read_object(node, [&](ObjectReader& in) {
+    const double frequency = in.quantity("frequency_Hz", rate_rule);
+    for (const InstrumentKey& each : instrument_keys) {
+      Instrument& instrument = instruments.*each.member;
+      instrument.hum = in.quantity_or(each.key, 0.0, Rule::between(0.0, 1e6));
+      instrument.hum_frequency = frequency;
+    }
+    return 0;
+  });
+}
+
+// The share of samples that are off, and by how much: the smallest and the largest size of each instrument.
+void read_outliers(const Node& node, Instruments& instruments) {
+  read_object(node, [&](ObjectReader& in) {
+    const double share = in.number("share", Rule::between(0.0, 1.0));
+    for (const InstrumentKey& each : instrument_keys) {
+      const auto sizes = in.find(each.key);
+      if (!sizes) continue;
+      const std::vector<double> range = sizes->quantities(Length::exactly(2), Rule::between(0.0, 1e6));
+      if (range[1] < range[0]) throw sizes->error("must give the smallest size first");
+      Instrument& instrument = instruments.*each.member;
+      instrument.outlier_share = share;
+      instrument.smallest_outlier = range[0];
+      instrument.largest_outlier = range[1];
+    }
+    return 0;
+  });
+}
+
+double read_input_noise(const Node& node) {
+  return read_object(node, [](ObjectReader& in) {
+    const std::string key = in.one_of({"current_A", "voltage_V", "torque_Nmm"});
+    return in.quantity(key, Rule::between(0.0, 1e6));
+  });
+}
+
+// How runs are recorded, where they do not say otherwise.
+void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, double& input_rate) {
+  clock.exposure = in.quantity_or("exposure_s", clock.exposure, time_rule);
+  clock.offset_sigma = in.quantity_or("clock_offset_s", clock.offset_sigma, time_rule);
+  clock.rate_sigma = in.number_or("clock_rate", clock.rate_sigma, Rule::between(0.0, 0.2));
+  if (const auto how = in.find("input_hold")) hold = read_input_hold(*how);
+  input_rate = in.quantity_or("input_rate_Hz", input_rate, rate_rule);
+}
+
 // The name of a run is that of its file, beside dataset.json.
 std::string read_file_name(const Node& node) {
   const std::string& name = node.text();
@@ -191,6 +259,13 @@ std::string read_file_name(const Node& node) {
   if (path.has_parent_path() || path.extension() != ".csv" || path.stem().empty() || name.starts_with('.'))
     throw node.error("must be a plain file name that ends in .csv");
   return name;
+}
+
+void require_samples(const ObjectReader& in, const PlannedRun& planned) {
+  const double samples = planned.duration * planned.rate;
+  if (samples < 5.0 || samples > most_samples)
+    throw in.node().error_without_value(
+        fmt::format("duration_s times sampling_rate_Hz must be from 5 to {:.0f}; got {:g}", most_samples, samples));
 }
 
 void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
@@ -201,10 +276,7 @@ void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
   const double of_file = table == nullptr ? 0.0 : table->times.back() - table->times.front();
   planned.duration =
       of_file > 0.0 ? in.quantity_or("duration_s", of_file, duration_rule) : in.quantity("duration_s", duration_rule);
-  const double samples = planned.duration * planned.rate;
-  if (samples < 5.0 || samples > most_samples)
-    throw in.node().error_without_value(
-        fmt::format("duration_s times sampling_rate_Hz must be from 5 to {:.0f}; got {:g}", most_samples, samples));
+  require_samples(in, planned);
 }
 
 void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
@@ -213,8 +285,17 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
   run.drive = drive ? read_drive(*drive) : Drive::current;
   const auto start = in.find("start");
   run.start = start ? read_start(*start) : Start::at_rest;
+  run.clock = defaults.clock;
+  run.hold = defaults.hold;
+  planned.input_rate = defaults.input_rate;
+  read_recording(in, run.clock, run.hold, planned.input_rate);
+  if (const auto rig = in.find("rig")) run.rig = read_rig(*rig);
   if (const auto angles = in.find("start_angles_deg")) {
     if (run.start == Start::at_rest) throw angles->error("must not be there where the start is \"at_rest\"");
+    if (planned.input_rate > 0.0 || run.clock.offset_sigma > 0.0 || run.clock.exposure > 0.0)
+      throw angles->error_without_value(
+          "must not be there beside input_rate_Hz, clock_offset_s or exposure_s: the time of the release is that of "
+          "the first sample");
     planned.start_angles = angles->quantities(Length::at_least(1), angle_rule);
   }
   read_time_axis(in, defaults, planned);
@@ -229,6 +310,17 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
   const auto own = in.find("measure");
   if (own) measure = read_measure(*own);
   for (const std::string& name : measure) run.channels.push_back(channel_named(name, in.node()));
+}
+
+// Nothing moves: only how long and how often the camera looks.
+void read_still(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
+  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, rate_rule)
+                               : in.quantity("sampling_rate_Hz", rate_rule);
+  planned.duration = in.quantity("duration_s", duration_rule);
+  require_samples(in, planned);
+  std::vector<std::string> measure = defaults.measure;
+  if (const auto own = in.find("measure")) measure = read_measure(*own);
+  for (const std::string& name : measure) planned.plan.channels.push_back(channel_named(name, in.node()));
 }
 
 void read_temperature(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
@@ -273,11 +365,17 @@ PlannedRun read_run(const Node& node, const Defaults& defaults) {
   return read_object(node, [&](ObjectReader& in) {
     PlannedRun planned;
     planned.plan.name = read_file_name(in.at("file"));
-    planned.validate = in.choice<bool>("role", {{"fit", false}, {"validate", true}});
     const auto kind = in.find("kind");
     planned.plan.kind = kind ? read_run_kind(*kind) : RunKind::transient;
+    const bool still = planned.plan.kind == RunKind::still;
+    if (const auto role = still ? in.find("role") : std::optional(in.at("role")))
+      planned.validate = role->choice<bool>({{"fit", false}, {"validate", true}});
+    if (still && planned.validate)
+      throw in.at("role").error("must be \"fit\": every run uses a still run, and none is held out");
     if (planned.plan.kind == RunKind::transient)
       read_transient(in, defaults, planned);
+    else if (planned.plan.kind == RunKind::still)
+      read_still(in, defaults, planned);
     else if (planned.plan.kind == RunKind::temperature)
       read_temperature(in, defaults, planned);
     else
@@ -298,6 +396,11 @@ Experiment read_experiment_file(const Document& document) {
     if (const auto noise = in.find("noise")) read_instruments(*noise, experiment.instruments, &Instrument::noise);
     if (const auto resolution = in.find("resolution"))
       read_instruments(*resolution, experiment.instruments, &Instrument::resolution);
+    if (const auto colours = in.find("noise_colour")) read_colours(*colours, experiment.instruments);
+    if (const auto hum = in.find("hum")) read_hum(*hum, experiment.instruments);
+    if (const auto outliers = in.find("outliers")) read_outliers(*outliers, experiment.instruments);
+    if (const auto noise = in.find("input_noise")) experiment.instruments.input_noise = read_input_noise(*noise);
+    read_recording(in, defaults.clock, defaults.hold, defaults.input_rate);
     std::set<std::string> names;
     for (const Node& element : in.elements("runs", Length::from_to(1, most_runs))) {
       experiment.runs.push_back(read_run(element, defaults));

@@ -17,10 +17,8 @@ using measurement::data::Start;
 // In the column's unit. Outside, no instrument: a fit would drown in it, or overflow.
 constexpr Rule sigma_rule = Rule::between(1e-12, 1e12);
 // Far beyond any laboratory, and near enough that nothing overflows.
-constexpr Rule time_rule = Rule::between(0.0, 1e5);       // s
-constexpr Rule rate_rule = Rule::between(0.0, 1.0);       // relative
-constexpr Rule turn_rule = Rule::between(-360.0, 360.0);  // deg
-constexpr Rule mass_rule = Rule::between(0.0, 1e6);       // g
+constexpr Rule time_rule = Rule::between(0.0, 1e5);  // s
+constexpr Rule rate_rule = Rule::between(0.0, 1.0);  // relative
 
 // The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.
 void check_drive(const Run& run, const Node& node) {
@@ -59,15 +57,6 @@ std::vector<std::string> read_ignore(const Node& node) {
     names.push_back(element.text());
   }
   return names;
-}
-
-measurement::data::RigChange read_rig(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    measurement::data::RigChange rig{.base_turn = in.quantity_or("base_turn_deg", 0.0, turn_rule),
-                                     .tip_mass = in.quantity_or("tip_mass_g", 0.0, mass_rule)};
-    if (const auto coil = in.find("coil")) rig.coil = read_coil_wiring(*coil);
-    return rig;
-  });
 }
 
 // What only a camera's record of a motion has; null counts as absent.

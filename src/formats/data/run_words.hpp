@@ -12,5 +12,7 @@ namespace coilwright::formats {
 [[nodiscard]] measurement::data::Start read_start(const text::Node& node);
 [[nodiscard]] measurement::data::InputHold read_input_hold(const text::Node& node);
 [[nodiscard]] measurement::data::CoilWiring read_coil_wiring(const text::Node& node);
+/// The object that says what was changed on the rig.
+[[nodiscard]] measurement::data::RigChange read_rig(const text::Node& node);
 
 }  // namespace coilwright::formats

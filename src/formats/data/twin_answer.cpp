@@ -25,6 +25,13 @@ Json instruments_json(const experiment::Instruments& instruments, double experim
   return out;
 }
 
+Json clocks_json(const std::vector<ClockOfRun>& clocks) {
+  Json out = Json::array();
+  for (const auto& [run, clock] : clocks)
+    out.add(Json::object({{"file", run}, {"shift_s", clock.shift}, {"rate", clock.rate}}));
+  return out;
+}
+
 }  // namespace
 
 Json to_json(const TwinAnswer& answer) {
@@ -35,6 +42,7 @@ Json to_json(const TwinAnswer& answer) {
                        {"effects", to_json(answer.effects)},
                        {"noise", instruments_json(answer.instruments, &experiment::Instrument::noise)},
                        {"resolution", instruments_json(answer.instruments, &experiment::Instrument::resolution)},
+                       {"clocks", clocks_json(answer.clocks)},
                        {"seed", answer.seed}});
 }
 

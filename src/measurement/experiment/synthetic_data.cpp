@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +14,7 @@
 #include "measurement/experiment/apply_instrument.hpp"
 #include "measurement/replay/prediction.hpp"
 #include "measurement/replay/prepared_run.hpp"
+#include "measurement/replay/rig_change.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
@@ -44,22 +48,75 @@ std::vector<double> held_row(const TableShape& table, double time) {
   return table.rows[static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - table.times.begin(), 1) - 1)];
 }
 
+std::vector<double> row_at(const PlannedRun& planned, double time, const Model& model) {
+  // What began before the run, or goes on after it, is held.
+  const double inside = std::clamp(time, 0.0, planned.duration);
+  if (const auto* table = std::get_if<TableShape>(&planned.input)) return held_row(*table, inside);
+  return row_of(planned, level_at(planned.input, inside, planned.duration), model);
+}
+
+bool has_times(const data::Run& run) {
+  return run.kind == data::RunKind::transient || run.kind == data::RunKind::temperature ||
+         run.kind == data::RunKind::still;
+}
+
+// How far the clocks may be apart, beyond chance, s.
+double largest_shift(const PlannedRun& planned) {
+  return 4.0 * (planned.plan.clock.offset_sigma + planned.plan.clock.rate_sigma * planned.duration);
+}
+
 // The planned run with its inputs and with values that are still zero.
 data::Run with_inputs(const PlannedRun& planned, const Model& model) {
   data::Run run = planned.plan;
-  const bool timed = run.kind == data::RunKind::transient || run.kind == data::RunKind::temperature;
-  const auto* table = std::get_if<TableShape>(&planned.input);
-  for (std::size_t i = 0; timed && i < samples_of(planned); ++i) {
-    // A quotient, not a product, so that 0.3 s is the same number as the 0.3 in the time of a step.
-    const double time = static_cast<double>(i) / planned.rate;
-    run.times.push_back(time);
-    run.inputs.push_back(table == nullptr ? row_of(planned, level_at(planned.input, time, planned.duration), model)
-                                          : held_row(*table, time));
+  const bool timed = has_times(run);
+  // Quotients, not products, so that 0.3 s is the same number as the 0.3 in the time of a step.
+  for (std::size_t i = 0; timed && i < samples_of(planned); ++i)
+    run.times.push_back(static_cast<double>(i) / planned.rate);
+  if (planned.input_rate > 0.0) {
+    const double beyond = std::ceil((largest_shift(planned) + 0.5 * run.clock.exposure) * planned.input_rate) + 1.0;
+    const double last = std::ceil(planned.duration * planned.input_rate) + beyond;
+    for (double i = -beyond; i <= last; i += 1.0) run.input_times.push_back(i / planned.input_rate);
   }
+  if (timed && run.kind != data::RunKind::still)
+    for (const double time : run.times_of_inputs()) run.inputs.push_back(row_at(planned, time, model));
   const std::size_t samples = timed ? run.times.size() : std::max(run.angles.size(), run.inputs.size());
   for (data::Channel& channel : run.channels) channel.values.assign(samples, 0.0);
   return run;
 }
+
+// Whether the rig sees the shape itself, and not the recorded samples of it.
+bool shape_drives(const PlannedRun& planned) {
+  return planned.plan.kind == data::RunKind::transient &&
+         (planned.input_rate > 0.0 || planned.plan.hold != data::InputHold::zero_order);
+}
+
+// When the shape jumps.
+std::vector<double> edges(const PlannedRun& planned) {
+  std::vector<double> out;
+  if (const auto* step = std::get_if<StepShape>(&planned.input)) out = {step->at};
+  if (const auto* hold = std::get_if<HoldShape>(&planned.input)) out = {hold->from, hold->until};
+  if (const auto* pulse = std::get_if<PulseShape>(&planned.input))
+    for (double start = 0.0; start <= planned.duration; start += pulse->period)
+      out.insert(out.end(), {start, start + pulse->duty * pulse->period});
+  if (const auto* table = std::get_if<TableShape>(&planned.input))
+    for (const double time : table->times) out.push_back(time - table->times.front());
+  return out;
+}
+
+// Times in an exposure at which the motion is looked at, over the exposure, and their weights: Simpson's rule.
+constexpr std::array<std::pair<double, double>, 5> exposure_points = {
+    {{-0.5, 1.0 / 12.0}, {-0.25, 4.0 / 12.0}, {0.0, 2.0 / 12.0}, {0.25, 4.0 / 12.0}, {0.5, 1.0 / 12.0}}};
+
+// Where the samples of a run lie on the clock of the input.
+struct SampleClock {
+  const data::Run& run;
+  TrueClock clock;
+
+  [[nodiscard]] double at(std::size_t sample, double share) const {
+    const double stamp = run.times[sample];
+    return stamp + clock.shift + clock.rate * stamp + share * run.clock.exposure;
+  }
+};
 
 // The run as it is simulated: in one piece, from its start, with a given noise level, because none can be estimated
 // from zeros. The planned window, start and noise level concern a later fit only.
@@ -67,6 +124,9 @@ data::Run as_simulated(data::Run run) {
   run.window.reset();
   run.start = data::Start::at_rest;
   run.sigma = 1.0;
+  run.clock = {};
+  run.hold = {};
+  run.rig = {};
   return run;
 }
 
@@ -83,43 +143,157 @@ simulation::State initial_state_of(const PlannedRun& planned, const Model& model
       fmt::format("{}: has no stable pose under the first input to start from", planned.plan.name));
 }
 
-Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& run, const replay::DeclaredModel& rig,
-                            const Model& model) {
-  const replay::PreparedRun prepared = replay::prepare_run(run, rig, model);
-  if (!prepared.is_motion()) {
+Eigen::VectorXd motion(const PlannedRun& planned, const replay::PreparedRun& prepared, const replay::Window& window,
+                       const Model& model) {
+  if (const auto predicted = replay::predict_window(model, prepared, window, initial_state_of(planned, model, window)))
+    return predicted->values;
+  throw std::runtime_error(fmt::format("{}: the motion leaves the model", planned.plan.name));
+}
+
+// The same run sampled where the rig moves: at every look of the camera, at every edge, and between them.
+data::Run as_it_moves(const PlannedRun& planned, const data::Run& run, const SampleClock& clock, const Model& model) {
+  std::set<double> times;
+  for (std::size_t i = 0; i < run.times.size(); ++i)
+    for (const auto& [share, weight] : exposure_points) times.insert(clock.at(i, share));
+  const double first = std::min(run.times_of_inputs().front(), *times.begin());
+  const double last = std::max(run.times_of_inputs().back(), *times.rbegin());
+  for (const double edge : edges(planned))
+    if (edge > first && edge < last) times.insert(edge);
+  // A shape that bends is held for a tenth of a sample at most, at its level in the middle of that.
+  const double interval = 0.1 / std::max(planned.rate, planned.input_rate);
+  for (double i = 0.0; first + i * interval < last; i += 1.0) times.insert(first + i * interval);
+  times.insert(last);
+  data::Run out = as_simulated(run);
+  out.input_times.clear();
+  out.times.assign(times.begin(), times.end());
+  out.inputs.clear();
+  for (std::size_t i = 0; i < out.times.size(); ++i)
+    out.inputs.push_back(
+        row_at(planned, std::midpoint(out.times[i], out.times[std::min(i + 1, out.times.size() - 1)]), model));
+  for (data::Channel& channel : out.channels) channel.values.assign(out.times.size(), 0.0);
+  return out;
+}
+
+// What the camera sees of a motion on the run's own stamps: means over the exposure.
+Eigen::VectorXd seen(const data::Run& run, const data::Run& moving, const SampleClock& clock,
+                     const Eigen::VectorXd& values) {
+  const auto samples = static_cast<Eigen::Index>(run.samples());
+  const auto moments = static_cast<Eigen::Index>(moving.times.size());
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(samples * static_cast<Eigen::Index>(run.channels.size()));
+  for (Eigen::Index i = 0; i < samples; ++i)
+    for (const auto& [share, weight] : exposure_points) {
+      const auto found = std::ranges::lower_bound(moving.times, clock.at(static_cast<std::size_t>(i), share));
+      const auto at = static_cast<Eigen::Index>(found - moving.times.begin());
+      for (std::size_t c = 0; c < run.channels.size(); ++c)
+        out[static_cast<Eigen::Index>(c) * samples + i] += weight * values[static_cast<Eigen::Index>(c) * moments + at];
+    }
+  return out;
+}
+
+// Nothing moves: every channel shows the resting angles.
+Eigen::VectorXd at_rest(const data::Run& run, const Model& model) {
+  const simulation::ModelInput nothing{.times = {0.0}, .currents = {model.all_coils(0.0)}};
+  const auto rest = simulation::equilibrium_at_first_input(model, nothing);
+  if (!rest) throw std::runtime_error(fmt::format("{}: has no stable pose to rest in", run.name));
+  const auto samples = static_cast<Eigen::Index>(run.samples());
+  Eigen::VectorXd out(samples * static_cast<Eigen::Index>(run.channels.size()));
+  for (std::size_t c = 0; c < run.channels.size(); ++c) {
+    const data::Channel& channel = run.channels[c];
+    const double angle = channel.kind == data::ChannelKind::bending_angle ? rest->angles.sum()
+                         : channel.kind == data::ChannelKind::joint_angle ? rest->angles[channel.joint]
+                                                                          : 0.0;
+    out.segment(static_cast<Eigen::Index>(c) * samples, samples)
+        .setConstant(channel.kind == data::ChannelKind::joint_rate ? 0.0 : model.observed(angle));
+  }
+  return out;
+}
+
+Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& recorded, const TrueClock& clock,
+                            const replay::DeclaredModel& rig, const Model& model) {
+  if (recorded.kind == data::RunKind::still) return at_rest(recorded, model);
+  data::Run run = recorded;
+  PlannedRun driven = planned;
+  if (!replay::current_flows(run.rig) && run.drive != data::Drive::torque) {
+    // Nothing that is commanded reaches the coils.
+    driven.plan.drive = run.drive = data::Drive::current;
+    driven.input = StepShape{};
+    for (std::vector<double>& row : run.inputs) std::ranges::fill(row, 0.0);
+  }
+  if (run.kind != data::RunKind::transient) {
+    const data::Run simulated = as_simulated(run);
+    const replay::PreparedRun prepared = replay::prepare_run(simulated, rig, model);
     if (const auto values = replay::predict_bench(model, prepared, rig)) return *values;
     throw std::runtime_error(fmt::format("{}: the finger has no equilibrium on this bench", run.name));
   }
-  const replay::Window& window = prepared.windows.front();
-  if (const auto predicted = replay::predict_window(model, prepared, window, initial_state_of(planned, model, window)))
-    return predicted->values;
-  throw std::runtime_error(fmt::format("{}: the motion leaves the model", run.name));
+  const bool plain = !shape_drives(planned) && run.clock.exposure == 0.0 && clock.shift == 0.0 && clock.rate == 0.0;
+  if (plain) {
+    const data::Run simulated = as_simulated(run);
+    const replay::PreparedRun prepared = replay::prepare_run(simulated, rig, model);
+    return motion(planned, prepared, prepared.windows.front(), model);
+  }
+  const SampleClock samples{.run = run, .clock = clock};
+  if (!shape_drives(planned)) {
+    // The recorded samples themselves drive the rig: a table of them.
+    driven.input = TableShape{.times = run.times, .rows = run.inputs};
+    driven.only.reset();
+  }
+  const data::Run moving = as_it_moves(driven, run, samples, model);
+  replay::require_fits_model(moving, rig, model);
+  const replay::Window window{.range = {.first = 0, .last = moving.times.size()},
+                              .input = simulation::model_input(model, moving.command())};
+  return seen(run, moving, samples, motion(planned, {.run = &moving}, window, model));
 }
 
-Model with_effects(const replay::DeclaredModel& rig, std::span<const actuator::Effect> hidden) {
+Model with_effects(const replay::DeclaredModel& rig, std::span<const actuator::Effect> hidden,
+                   const data::RigChange& change) {
   std::vector<double> declared;
   for (const replay::CalibrationParameter& each : rig.calibration) declared.push_back(each.declared);
   actuator::ModelSpec spec = rig.build(declared);
   spec.effects.insert(spec.effects.end(), hidden.begin(), hidden.end());
-  return Model(std::move(spec));
+  return Model(replay::on_changed_rig(std::move(spec), change));
+}
+
+// Noise of the instrument that records the input.
+void add_input_noise(data::Run& run, double deviation, const NoiseStream& stream) {
+  if (deviation <= 0.0 || run.inputs.empty() || run.kind != data::RunKind::transient) return;
+  const std::size_t width = run.inputs.front().size();
+  const std::vector<double> noise = normal_numbers(stream, run.inputs.size() * width);
+  for (std::size_t i = 0; i < noise.size(); ++i) run.inputs[i / width][i % width] += deviation * noise[i];
 }
 
 }  // namespace
 
+std::vector<TrueClock> true_clocks(const Experiment& experiment, std::uint64_t seed) {
+  constexpr std::size_t clock_stream = 1'000'000;  // beyond any channel
+  std::vector<TrueClock> out;
+  for (const PlannedRun& planned : experiment.runs) {
+    const auto draws = normal_numbers({.seed = seed, .run = out.size(), .channel = clock_stream}, 2);
+    const data::RecordingClock& clock = planned.plan.clock;
+    // Beyond four deviations a recorded input would not cover the run.
+    const auto drawn = [](double sigma, double draw) { return sigma * std::clamp(draw, -4.0, 4.0); };
+    out.push_back({.shift = drawn(clock.offset_sigma, draws[0]), .rate = drawn(clock.rate_sigma, draws[1])});
+  }
+  return out;
+}
+
 std::vector<data::Run> simulate_experiment(const Experiment& experiment, const replay::DeclaredModel& rig,
                                            std::span<const actuator::Effect> hidden, std::uint64_t seed) {
-  const Model model = with_effects(rig, hidden);
+  constexpr std::size_t input_stream = 1'000'001;
+  const std::vector<TrueClock> clocks = true_clocks(experiment, seed);
   std::vector<data::Run> out;
   for (const PlannedRun& planned : experiment.runs) {
+    const Model model = with_effects(rig, hidden, planned.plan.rig);
     data::Run run = with_inputs(planned, model);
-    const Eigen::VectorXd values = true_values(planned, as_simulated(run), rig, model);
+    const Eigen::VectorXd values = true_values(planned, run, clocks[out.size()], rig, model);
     const auto samples = static_cast<Eigen::Index>(run.samples());
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const auto of_channel = values.segment(static_cast<Eigen::Index>(c) * samples, samples);
-      run.channels[c].values =
-          apply_instrument(experiment.instruments.of(run.channels[c].kind),
-                           {.seed = seed, .run = out.size(), .channel = c}, {of_channel.begin(), of_channel.end()});
+      run.channels[c].values = apply_instrument(experiment.instruments.of(run.channels[c].kind),
+                                                {.seed = seed, .run = out.size(), .channel = c}, run.times,
+                                                {of_channel.begin(), of_channel.end()});
     }
+    add_input_noise(run, experiment.instruments.input_noise,
+                    {.seed = seed, .run = out.size(), .channel = input_stream});
     out.push_back(std::move(run));
   }
   return out;

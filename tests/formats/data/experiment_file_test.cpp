@@ -49,6 +49,74 @@ TEST(ExperimentFile, TheShippedOneIsLikeThePapers) {
   EXPECT_EQ(experiment.runs[9].rate, 250.0);
 }
 
+TEST(ExperimentFile, SaysHowALaboratoryRecords) {
+  const Experiment experiment = parse_experiment(R"({
+    "format": "experiment/1", "name": "x", "sampling_rate_Hz": 60, "exposure_s": 0.008, "clock_offset_s": 0.01,
+    "clock_rate": 0.002, "input_hold": "linear", "input_rate_Hz": 100,
+    "noise": {"angle_deg": 0.3}, "noise_colour": {"angle_deg": {"kind": "low_pass", "frequency_Hz": 10}},
+    "hum": {"frequency_Hz": 50, "angle_deg": 0.2}, "outliers": {"share": 0.02, "angle_deg": [3, 10]},
+    "input_noise": {"current_A": 0.02},
+    "runs": [{"file": "still.csv", "kind": "still", "duration_s": 5},
+             {"file": "a.csv", "role": "fit", "duration_s": 2, "input": {"step": {"after_A": 1, "at_s": 0.1}},
+              "exposure_s": 0, "input_hold": "zero_order",
+              "rig": {"base_turn_deg": 90, "tip_mass_g": 5, "coil": "open"}},
+             {"file": "b.csv", "role": "fit", "duration_s": 2, "input": {"step": {"after_A": 1, "at_s": 0.1}}}]})",
+                                                 "x.json");
+  const Instrument& camera = experiment.instruments.angle;
+  EXPECT_EQ(camera.colour.kind, NoiseColour::Kind::low_pass);
+  EXPECT_EQ(camera.colour.frequency, 10.0);
+  EXPECT_DOUBLE_EQ(camera.hum, 0.2 * degree);
+  EXPECT_EQ(camera.hum_frequency, 50.0);
+  EXPECT_EQ(camera.outlier_share, 0.02);
+  EXPECT_DOUBLE_EQ(camera.smallest_outlier, 3.0 * degree);
+  EXPECT_DOUBLE_EQ(camera.largest_outlier, 10.0 * degree);
+  EXPECT_EQ(experiment.instruments.torque.outlier_share, 0.0);
+  EXPECT_EQ(experiment.instruments.input_noise, 0.02);
+  const PlannedRun& still = experiment.runs[0];
+  EXPECT_EQ(still.plan.kind, RunKind::still);
+  EXPECT_FALSE(still.validate);
+  EXPECT_EQ(still.duration, 5.0);
+  EXPECT_EQ(still.rate, 60.0);
+  const PlannedRun& own = experiment.runs[1];
+  EXPECT_EQ(own.plan.clock.exposure, 0.0);
+  EXPECT_EQ(own.plan.clock.offset_sigma, 0.01);
+  EXPECT_EQ(own.plan.hold, InputHold::zero_order);
+  EXPECT_DOUBLE_EQ(own.plan.rig.base_turn, 90.0 * degree);
+  EXPECT_EQ(own.plan.rig.tip_mass, 5e-3);
+  EXPECT_EQ(own.plan.rig.coil, CoilWiring::open);
+  const PlannedRun& usual = experiment.runs[2];
+  EXPECT_EQ(usual.plan.clock.exposure, 0.008);
+  EXPECT_EQ(usual.plan.clock.rate_sigma, 0.002);
+  EXPECT_EQ(usual.plan.hold, InputHold::linear);
+  EXPECT_EQ(usual.input_rate, 100.0);
+}
+
+TEST(ExperimentFile, RefusesWhatNoLaboratoryHas) {
+  const auto with = [](const std::string& keys) {
+    return text::testing::error_of([&] {
+      (void)parse_experiment(R"({"format": "experiment/1", "name": "x", "sampling_rate_Hz": 60, )" + keys +
+                                 R"(, "runs": [{"file": "s.csv", "kind": "still", "duration_s": 5}]})",
+                             "x.json");
+    });
+  };
+  EXPECT_EQ(
+      with(R"("noise_colour": {"angle_deg": {"kind": "pink"}})"),
+      R"(x.json: /noise_colour/angle_deg/kind: must be one of "white", "low_pass", "one_over_f"; got text "pink")");
+  EXPECT_EQ(with(R"("noise_colour": {"angle_deg": {"kind": "low_pass"}})"),
+            "x.json: /noise_colour/angle_deg/frequency_Hz: is missing");
+  EXPECT_EQ(with(R"("outliers": {"share": 2})"), "x.json: /outliers/share: must be from 0 to 1; got 2");
+  EXPECT_EQ(with(R"("outliers": {"share": 0.1, "angle_deg": [10, 3]})"),
+            "x.json: /outliers/angle_deg: must give the smallest size first; got an array of 2");
+  EXPECT_EQ(with(R"("clock_rate": 0.5)"), "x.json: /clock_rate: must be from 0 to 0.2; got 0.5");
+  EXPECT_EQ(refusal(R"({"file": "a.csv", "kind": "still", "role": "validate", "duration_s": 5})"),
+            "x.json: /runs/0/role: must be \"fit\": every run uses a still run, and none is held out; got text "
+            "\"validate\"");
+  EXPECT_EQ(refusal(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "start": "free", "start_angles_deg": [9, 9],
+                        "exposure_s": 0.01, "input": {"step": {"after_A": 1, "at_s": 0.1}}})"),
+            "x.json: /runs/0/start_angles_deg: must not be there beside input_rate_Hz, clock_offset_s or exposure_s: "
+            "the time of the release is that of the first sample");
+}
+
 TEST(ExperimentFile, HasAShapeForEachOfTheMenu) {
   const auto step = std::get<StepShape>(driven_by(R"({"step": {"before_A": 0.1, "after_A": 1.4, "at_s": 0.2}})").input);
   EXPECT_EQ(step.before, 0.1);

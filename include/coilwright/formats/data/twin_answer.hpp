@@ -3,12 +3,19 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
+
+/// What the clock of a run really was.
+struct ClockOfRun {
+  std::string run{};  ///< its file
+  measurement::experiment::TrueClock clock{};
+};
 
 /// What is hidden in the data of a twin, and how they came about.
 struct TwinAnswer {
@@ -17,6 +24,7 @@ struct TwinAnswer {
   std::string experiment{};
   std::span<const actuator::Effect> effects{};
   const measurement::experiment::Instruments& instruments;
+  std::vector<ClockOfRun> clocks{};  ///< of the runs that have two clocks
   std::uint64_t seed{};
 };
 

@@ -12,8 +12,8 @@ namespace coilwright::measurement::experiment {
 
 /// A run that somebody plans to record.
 struct PlannedRun {
-  /// Name, kind, drive, start and channels. Times, angles, inputs and values are still empty, except angles and inputs
-  /// of a bench, which are complete.
+  /// Name, kind, drive, start, channels, clock, hold and rig. Times, angles, inputs and values are still empty, except
+  /// angles and inputs of a bench, which are complete.
   data::Run plan;
   bool validate{};
   InputShape input{};                  ///< of a kind with time
@@ -21,6 +21,7 @@ struct PlannedRun {
   std::vector<double> start_angles{};  ///< joint angles from which the finger is released, rad; empty: in equilibrium
   double duration{};                   ///< s
   double rate{};                       ///< samples per second
+  double input_rate{};                 ///< samples per second of the input on a clock of its own; 0: on that of the run
 };
 
 /// The runs that are planned on one rig.

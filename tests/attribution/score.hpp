@@ -4,27 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "attribution/count.hpp"
 #include "attribution/plan.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "truth/data_set.hpp"
 
 namespace attribution {
-
-/// A number of hits among a number of cases.
-struct Count {
-  int hits{};
-  int of{};
-
-  void add(bool hit) {
-    hits += hit ? 1 : 0;
-    ++of;
-  }
-  Count& operator+=(const Count& other) {
-    hits += other.hits;
-    of += other.of;
-    return *this;
-  }
-};
 
 /// A diagnosis compared with the answer.
 struct Outcome {

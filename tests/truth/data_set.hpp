@@ -20,10 +20,10 @@ struct DataSetRequest {
   std::uint64_t seed = 1;
   Camera camera = Camera::bending_angle;
   Programme programme = Programme::paper;
-  double weakest = 3.0;               ///< smallest strength, in standard deviations of the noise
-  double strongest = 15.0;            ///< largest strength
-  bool states_exact_numbers = false;  ///< whether the set says that the declared numbers are exact
-  bool find_confounders = false;      ///< whether to search confounders of a single hidden effect, which takes seconds
+  double weakest = 3.0;              ///< smallest strength, in standard deviations of the noise
+  double strongest = 15.0;           ///< largest strength
+  bool states_exact_numbers = true;  ///< whether the set says that the declared numbers are exact
+  bool find_confounders = false;     ///< whether to search confounders of a single hidden effect, which takes seconds
 };
 
 /// What the diagnosis is not told.

@@ -119,6 +119,7 @@ TEST(DataSet, WritesTheFormatAndKeepsTheAnswerElsewhere) {
   write_answer(set.answer, folder.path() / "answer.json");
   const auto index = nlohmann::json::parse(text_of(folder.path() / "set/dataset.json"));
   EXPECT_EQ(index.at("format"), "measured-data/1");
+  EXPECT_EQ(index.at("tolerances"), "exact");
   EXPECT_EQ(index.at("runs").size(), set.runs.size());
   std::size_t files = 2;
   for (const auto& run : index.at("runs")) {

@@ -1,0 +1,134 @@
+// Diagnoses the sets of a laboratory, whose answers are known, with the command line program, and counts how often it
+// is right. Each outcome is a file of its own in --out: a run that was stopped goes on where it was, and several runs
+// may share the work. summary.txt has no times: the same bytes for any number of threads.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "attribution/laboratory/outcome_file.hpp"
+#include "attribution/laboratory/run_case.hpp"
+#include "attribution/laboratory/summary.hpp"
+#include "run_program.hpp"
+#include "truth/laboratory/laboratory_set.hpp"
+
+namespace {
+
+namespace laboratory = attribution::laboratory;
+
+struct Settings {
+  laboratory::PlanName plan = laboratory::PlanName::development;
+  std::string program{};
+  std::string out{};
+  std::string values{};
+  std::string sets{};
+  int first = 0;
+  int count = 1000000;
+  int jobs = 2;
+  int threads = 1;
+};
+
+std::filesystem::path file_of(const Settings& settings, const laboratory::Case& asked) {
+  return std::filesystem::path(settings.out) / "outcomes" / fmt::format("{:04}.json", asked.number);
+}
+
+// Every job has one diagnosis at a time. Returns the number of failures.
+int run_all(const std::vector<laboratory::Case>& cases, const Settings& settings) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<int> failures{0};
+  std::mutex printing;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < cases.size(); i = next++) {
+      if (std::filesystem::exists(file_of(settings, cases[i]))) continue;
+      try {
+        const laboratory::Outcome outcome = laboratory::run_case(cases[i], settings.program, settings.threads);
+        laboratory::write_outcome(outcome, file_of(settings, cases[i]));
+        const std::lock_guard lock(printing);
+        fmt::print("{}  ({:.1f} s)\n", laboratory::set_line(outcome), outcome.seconds);
+        std::fflush(stdout);
+      } catch (const std::exception& error) {
+        ++failures;
+        const std::lock_guard lock(printing);
+        fmt::print("set {} could not be diagnosed: {}\n", cases[i].number, error.what());
+        std::fflush(stdout);
+      }
+    }
+  };
+  std::vector<std::thread> workers;
+  for (int t = 0; t < settings.jobs; ++t) workers.emplace_back(work);
+  for (std::thread& worker : workers) worker.join();
+  return failures;
+}
+
+void write_sets(const std::vector<laboratory::Case>& cases, const std::filesystem::path& folder) {
+  for (const laboratory::Case& each : cases) {
+    const auto set = truth::laboratory::make_laboratory_set(each.request);
+    truth::laboratory::write_laboratory_set(set, folder / fmt::format("{:04}", each.number));
+    truth::laboratory::write_answer(set, folder / fmt::format("{:04}_answer.json", each.number));
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Measures whether diagnose stays true on records as laboratories make them", "laboratory_benchmark");
+  Settings settings;
+  app.add_option("--plan", settings.plan, "development, or kept for the end")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, laboratory::PlanName>{
+          {"development", laboratory::PlanName::development}, {"kept", laboratory::PlanName::kept}}));
+  app.add_option("--program", settings.program, "The program coilwright")->check(CLI::ExistingFile);
+  app.add_option("--out", settings.out, "Folder of the outcomes and of summary.txt");
+  app.add_option("--values", settings.values,
+                 "JSON of the values to hide in sets of one effect: by condition, by effect, in the unit of its first "
+                 "number");
+  app.add_option("--write-sets", settings.sets, "Only write the sets and their answers into this folder");
+  app.add_option("--first", settings.first, "Number of the first set")->check(CLI::NonNegativeNumber);
+  app.add_option("--sets", settings.count, "Number of sets (default all)")->check(CLI::PositiveNumber);
+  app.add_option("--jobs", settings.jobs, "Diagnoses at once")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--threads", settings.threads, "Threads of each")->check(CLI::PositiveNumber)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+
+  laboratory::Values values;
+  if (!settings.values.empty()) {
+    std::ifstream in(settings.values);
+    values = nlohmann::json::parse(in).get<laboratory::Values>();
+  }
+  std::vector<laboratory::Case> cases;
+  for (laboratory::Case& each : laboratory::plan(settings.plan, values))
+    if (each.number >= settings.first && each.number - settings.first < settings.count)
+      cases.push_back(std::move(each));
+  if (!settings.sets.empty()) {
+    write_sets(cases, settings.sets);
+    return 0;
+  }
+  if (settings.program.empty() || settings.out.empty()) {
+    fmt::print(stderr, "laboratory_benchmark: --program and --out are needed\n");
+    return 2;
+  }
+  const std::filesystem::path outcomes = std::filesystem::path(settings.out) / "outcomes";
+  std::filesystem::create_directories(outcomes);
+  const int failures = run_all(cases, settings);
+
+  const std::vector<laboratory::Outcome> all = laboratory::read_outcomes(outcomes);
+  const std::string text = laboratory::summary(all);
+  std::ofstream(std::filesystem::path(settings.out) / "summary.txt", std::ios::binary) << text;
+  fmt::print("\n{}\n{}", text, laboratory::times(all));
+  if (failures > 0) fmt::print(stderr, "laboratory_benchmark: {} sets could not be diagnosed\n", failures);
+  return failures > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("laboratory_benchmark", [&] { return run(argc, argv); });
+}

@@ -42,9 +42,8 @@ inline constexpr std::array<double, 4> force_curve_shares = {0.0, 1.549193338482
 inline constexpr double widest_working_angle = 60.0 * std::numbers::pi / 180.0;
 
 /// Effects whose names changes of numbers of a file bear.
-inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> effects_of_numbers = {
-    {{"/magnet/remanence_T", "force_gain"},
-     {"/measured/tip_segment_mass_g", "added_mass"},
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 3> effects_of_numbers = {
+    {{"/measured/tip_segment_mass_g", "added_mass"},
      {"/calibration/coil_segment_mass_factor", "added_mass"},
      {"/surroundings/base_tilt_deg", "base_tilt"}}};
 

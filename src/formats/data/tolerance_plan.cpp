@@ -180,6 +180,7 @@ class Planner {
   // The last link of a lumped model has the payload.
   [[nodiscard]] std::string_view effect_of(std::string_view name) const {
     if (name == fmt::format("/links/{}/mass_kg", model_.hinges.size() - 1)) return "added_mass";
+    if (name.ends_with("/magnet/remanence_T")) return "force_gain";
     for (const auto& [number, effect] : effects_of_numbers)
       if (number == name) return effect;
     return "";

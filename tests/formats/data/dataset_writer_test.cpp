@@ -120,5 +120,42 @@ TEST(DatasetWriter, HasTheWordOfTheFormatForEachKindDriveAndStart) {
   EXPECT_THAT(entry({.start = data::Start::free}), HasSubstr(R"("start": "free")"));
 }
 
+TEST(DatasetWriter, WritesClocksAndRigsThatReadBack) {
+  data::Run run = motion();
+  run.input_times = {-0.01, 0.003, 0.0164, 0.03};
+  run.inputs = {{0.0, 0.1}, {1.4, 0.1}, {1.4, 0.2}, {1.4, 0.2}};
+  run.hold = data::InputHold::linear;
+  run.clock = {.offset_sigma = 0.004, .rate_sigma = 0.001, .exposure = 0.0015};
+  run.rig = {.base_turn = -30.0 * degree, .tip_mass = 5e-3, .coil = data::CoilWiring::shorted};
+  const data::Run still{
+      .name = "still.csv",
+      .kind = data::RunKind::still,
+      .times = {0.0, 0.1},
+      .channels = {{.name = "theta1_deg", .kind = data::ChannelKind::joint_angle, .values = {0.1, 0.2}}}};
+  EXPECT_EQ(input_file_name(run), "step_input.csv");
+  EXPECT_FALSE(input_file_name(still));
+
+  const coilwright::testing::TemporaryFolder folder;
+  const std::vector<RunWithRole> runs = {{.run = run}, {.run = still}};
+  const auto path = folder.file("dataset.json", dataset_json("x", "a.json", runs).text());
+  folder.file("step.csv", table_of(run));
+  folder.file("still.csv", table_of(still));
+  std::ostringstream input;
+  write_input(input, run);
+  folder.file("step_input.csv", input.str());
+  const data::Dataset back = read_dataset(path).data;
+  ASSERT_EQ(back.fit.size(), 1u);
+  EXPECT_EQ(back.fit[0].input_times, run.input_times);
+  EXPECT_EQ(back.fit[0].inputs, run.inputs);
+  EXPECT_EQ(back.fit[0].times, run.times);
+  EXPECT_EQ(back.fit[0].hold, run.hold);
+  EXPECT_EQ(back.fit[0].clock.offset_sigma, 0.004);
+  EXPECT_EQ(back.fit[0].clock.rate_sigma, 0.001);
+  EXPECT_EQ(back.fit[0].clock.exposure, 0.0015);
+  EXPECT_EQ(back.fit[0].rig, run.rig);
+  ASSERT_EQ(back.still.size(), 1u);
+  EXPECT_EQ(back.still[0].times, still.times);
+}
+
 }  // namespace
 }  // namespace coilwright::formats

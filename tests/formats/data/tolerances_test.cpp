@@ -226,6 +226,14 @@ TEST(Tolerances, OfACalibratedNumberAreItsPrior) {
   EXPECT_DOUBLE_EQ(actuator.model.calibration[1].tolerance->deviation, 0.002);
 }
 
+TEST(Tolerances, OfAMagnetStandForTheGainOfALumpedModel) {
+  const DeclaredActuator actuator =
+      declared(lumped, hinge_names, {.named = {{"/magnetics/1/magnet/remanence_T", 0.02}}});
+  EXPECT_EQ(parameter(actuator, "/magnetics/1/magnet/remanence_T").effect, "force_gain");
+  EXPECT_THAT(keys(actuator), ::testing::Not(::testing::Contains("force_curve_0")));
+  EXPECT_EQ(parameter(declared(lumped, hinge_names, {}), "force_curve_0").effect, "force_gain");
+}
+
 TEST(Tolerances, LeaveOutDefaultsThatNoMotionCanTellApart) {
   // An axis without gravity: mass and place of its centre are one number.
   const std::string axis = R"({"format": "lumped-model/1", "gravity_m_s2": 0,

@@ -18,6 +18,9 @@ constexpr double stop_damping_ratio = 0.3;
 constexpr double iron_blur = 0.5;  // share of the range: iron has an extent
 // Friction that is a smooth function of the rate reaches three quarters of its torque at this rate, rad/s.
 constexpr double creeping_rate = 0.3;
+// A loose magnet on its seat: silicone gives way to it at this natural frequency, rad/s, with this damping ratio.
+constexpr double seat_pulsation = 1200.0;
+constexpr double seat_damping = 0.4;
 constexpr double contact_width = 0.03;  // rad: of the angle over which a leak between the coils closes
 
 Vector2d turned(const Vector2d& v) {
@@ -40,11 +43,14 @@ Dynamics::Dynamics(const Finger& finger, const UnmodelledEffects& effects, const
   if (effects_.mount_compliance > 0.0 && effects_.bend_share > 0.0)
     throw std::invalid_argument("simulated finger: must have a compliant mount or a bending segment; got both");
   effects_.base_tilt += rig_.base_turn;
-  if (effects_.stop_stiffness <= 0.0) return;
-  // 0.3 of the critical damping, with the effective inertia of a joint in the straight finger while the other is free.
+  if (effects_.stop_stiffness <= 0.0 && effects_.backlash <= 0.0) return;
+  // The effective inertia of a joint in the straight finger while the other is free is one over its mobility.
   const Eigen::Matrix2d mobility = balance({}, 0.0).inertia.topLeftCorner<2, 2>().inverse();
-  for (int j = 0; j < 2; ++j)
+  for (int j = 0; j < 2; ++j) {
+    // 0.3 of the critical damping.
     stop_damping_[j] = 2.0 * stop_damping_ratio * std::sqrt(effects_.stop_stiffness / mobility(j, j));
+    if (effects_.backlash > 0.0) loose_inertia_[j] = effects_.backlash_inertia / mobility(j, j);
+  }
 }
 
 bool Dynamics::is_disconnected(double command) const {
@@ -97,21 +103,52 @@ double Dynamics::friction_at(double rate) const {
   return effects_.friction * (1.0 + (effects_.stribeck_ratio - 1.0) * std::exp(-share * share));
 }
 
-Vector2d Dynamics::joint_torques(const StateVector& state, double t) const {
-  const double cold_current = current(t);
-  const double warm_current = cold_current / (1.0 + state[StateIndex::coil_heat]);
-  double strength = effects_.force_gain * (1.0 - state[StateIndex::magnet_heat]) * warm_current;
-  strength *= 1.0 - effects_.iron_saturation * std::abs(warm_current);
+double Dynamics::warm_current(const StateVector& state, double t) const {
+  return current(t) / (1.0 + state[StateIndex::coil_heat]);
+}
+
+double Dynamics::torque_per_ampere(const StateVector& state, int joint) const {
+  const double angle = state[StateIndex::angle + joint];
+  const double per_ampere = effects_.off_axis ? curves::exact(angle) : curves::line_of_centres(angle);
+  return per_ampere * (finger_.force_factor[joint] * (1.0 + curve_error(finger_.curve_error, angle)));
+}
+
+Vector2d Dynamics::drive_torques(const StateVector& state, double t) const {
+  const double warm = warm_current(state, t);
+  double strength = effects_.force_gain * (1.0 - state[StateIndex::magnet_heat]) * warm;
+  strength *= 1.0 - effects_.iron_saturation * std::abs(warm);
   const double leak = effects_.contact_share == 0.0
                           ? 0.0
                           : effects_.contact_share /
                                 (1.0 + std::exp((effects_.contact_angle - state[StateIndex::angle]) / contact_width));
   Vector2d torques;
   for (int j = 0; j < 2; ++j) {
+    double drive = strength * (j == 0 ? 1.0 - leak : 1.0 + leak);
+    if (effects_.magnet_shift != 0.0)
+      drive *= 1.0 - effects_.magnet_shift * (1.0 - std::exp(-state[StateIndex::travel + j] / effects_.shift_travel));
+    torques[j] = drive * torque_per_ampere(state, j);
+  }
+  return torques;
+}
+
+// Of a loose magnet on its joint, N m: a spring and a damper on either side of the gap, which push and never pull.
+double Dynamics::seat_torque(const StateVector& state, int joint) const {
+  const double from_middle = state[StateIndex::magnet + joint];
+  const double side = from_middle < 0.0 ? -1.0 : 1.0;
+  const double depth = std::abs(from_middle) - 0.5 * effects_.backlash;
+  if (depth <= 0.0) return 0.0;
+  const double deeper = side * state[StateIndex::magnet_rate + joint];
+  return side * loose_inertia_[joint] *
+         std::max(seat_pulsation * seat_pulsation * depth + 2.0 * seat_damping * seat_pulsation * deeper, 0.0);
+}
+
+Vector2d Dynamics::joint_torques(const StateVector& state, double t) const {
+  const Vector2d drive = drive_torques(state, t);
+  Vector2d torques;
+  for (int j = 0; j < 2; ++j) {
     const double angle = state[StateIndex::angle + j];
     const double rate = state[StateIndex::rate + j];
-    double per_ampere = effects_.off_axis ? curves::exact(angle) : curves::line_of_centres(angle);
-    per_ampere *= finger_.force_factor[j] * (1.0 + curve_error(finger_.curve_error, angle));
+    const double per_ampere = torque_per_ampere(state, j);
     double stiffness = finger_.stiffness * input.stiffness *
                        (j == 1 ? finger_.second_stiffness_ratio * effects_.second_stiffness_ratio : 1.0);
     const double damping = finger_.damping * (j == 1 ? finger_.second_damping_ratio : 1.0);
@@ -119,11 +156,9 @@ Vector2d Dynamics::joint_torques(const StateVector& state, double t) const {
       stiffness *=
           1.0 - effects_.mullins *
                     (1.0 - std::exp(-std::max(input.largest_angle[j], std::abs(angle)) / effects_.mullins_angle));
-    double drive = strength * (j == 0 ? 1.0 - leak : 1.0 + leak);
-    if (effects_.magnet_shift != 0.0)
-      drive *= 1.0 - effects_.magnet_shift * (1.0 - std::exp(-state[StateIndex::travel + j] / effects_.shift_travel));
-    double torque = drive * per_ampere - stiffness * (angle - effects_.rest_angle) -
-                    stiffness * effects_.hardening * angle * angle * angle - damping * rate + input.pull;
+    double torque = (effects_.backlash > 0.0 ? seat_torque(state, j) : drive[j]) -
+                    stiffness * (angle - effects_.rest_angle) - stiffness * effects_.hardening * angle * angle * angle -
+                    damping * rate + input.pull;
     torque -= motional_conductance() * per_ampere * per_ampere * rate;
     torque -= effects_.drag * rate * std::abs(rate);
     torque -= effects_.creep_share * stiffness * (angle - state[StateIndex::creep + j]);
@@ -152,7 +187,8 @@ Vector2d Dynamics::joint_torques(const StateVector& state, double t) const {
   }
   if (effects_.coil_coil) {
     const CoilCoilTorque between = curves::coil_coil(state[StateIndex::angle], state[StateIndex::angle + 1]);
-    torques += warm_current * warm_current * Vector2d(between.first, between.second);
+    const double warm = warm_current(state, t);
+    torques += warm * warm * Vector2d(between.first, between.second);
   }
   return torques;
 }
@@ -203,6 +239,7 @@ Dynamics::Balance Dynamics::balance(const StateVector& state, double t) const {
     out.force += rig_.tip_mass * by_tip.transpose() * (field - centripetal);
   }
   out.force.head<2>() += joint_torques(state, t);
+  for (int j = 0; j < 2; ++j) out.inertia(j, j) -= loose_inertia_[j];  // a loose magnet goes its own way
   if (m3 > 0.0) {  // this part of the tip segment turns about the second joint by a further angle
     const double bent = second + state[StateIndex::mount];
     const double bent_rate = second_rate + state[StateIndex::mount + 1];
@@ -258,6 +295,13 @@ void Dynamics::operator()(const StateVector& state, StateVector& slope, double t
     if (effects_.hysteresis != 0.0)
       slope[StateIndex::hysteresis + j] =
           effects_.hysteresis_sharpness * (rate - std::abs(rate) * state[StateIndex::hysteresis + j]);
+  }
+  if (effects_.backlash > 0.0) {
+    const Vector2d drive = drive_torques(state, t);
+    for (int j = 0; j < 2; ++j) {
+      slope[StateIndex::magnet + j] = state[StateIndex::magnet_rate + j];
+      slope[StateIndex::magnet_rate + j] = (drive[j] - seat_torque(state, j)) / loose_inertia_[j] - acceleration[j];
+    }
   }
   // The power of a coil under a given voltage is u i, proportional to the cold times the warm current. The power in a
   // magnet is proportional to the square of the warm current.
@@ -330,6 +374,13 @@ StateVector Dynamics::settled(const Vector2d& angles) const {
   const double warm_current = input.target / (1.0 + rise);
   state[StateIndex::coil_heat] = effects_.warm_start * rise;
   state[StateIndex::magnet_heat] = effects_.warm_start * effects_.magnet_loss * warm_current * warm_current;
+  if (effects_.backlash > 0.0) {  // in the middle where nothing pushes them
+    const Vector2d drive = drive_torques(state, input.since);
+    for (int j = 0; j < 2; ++j)
+      if (drive[j] != 0.0)
+        state[StateIndex::magnet + j] = std::copysign(0.5 * effects_.backlash, drive[j]) +
+                                        drive[j] / (loose_inertia_[j] * seat_pulsation * seat_pulsation);
+  }
   return state;
 }
 

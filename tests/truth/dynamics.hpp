@@ -23,7 +23,9 @@ struct StateIndex {
   static constexpr int tracking = 12;   // two: the angles that the tracker shows
   static constexpr int travel = 14;     // two: the way of each joint, rad
   static constexpr int friction_heat = 16;
-  static constexpr int count = 17;
+  static constexpr int magnet = 17;       // two: angles of loose magnets from the middles of their seats
+  static constexpr int magnet_rate = 19;  // two
+  static constexpr int count = 21;
 };
 using StateVector = std::array<double, StateIndex::count>;
 
@@ -95,6 +97,10 @@ class Dynamics {
   };
   [[nodiscard]] Eigen::Vector3d solve(const Balance& balance, const Eigen::Vector2d& rates) const;
   [[nodiscard]] double motional_conductance() const;
+  [[nodiscard]] double warm_current(const StateVector& state, double t) const;
+  [[nodiscard]] double torque_per_ampere(const StateVector& state, int joint) const;
+  [[nodiscard]] Eigen::Vector2d drive_torques(const StateVector& state, double t) const;
+  [[nodiscard]] double seat_torque(const StateVector& state, int joint) const;
   [[nodiscard]] Ringing ringing(double t) const;
   [[nodiscard]] double bent_by_gravity(double angle) const;
   [[nodiscard]] Eigen::Vector2d joint_torques(const StateVector& state, double t) const;
@@ -103,6 +109,7 @@ class Dynamics {
   UnmodelledEffects effects_;
   Rig rig_;
   std::array<double, 2> stop_damping_{};
+  std::array<double, 2> loose_inertia_{};  // kg m^2, of loose magnets
 };
 
 }  // namespace truth

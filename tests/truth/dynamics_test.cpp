@@ -141,7 +141,7 @@ TEST(HiddenKinds, ContainEveryIdOfTheFormatAndOutsidersOfWhichSomeAreKept) {
         "force_gain",        "coil_lag",          "back_emf",           "coil_heating",   "magnet_heating",
         "driver_saturation", "driver_deadband",   "current_offset",     "off_axis_force", "coil_coil_force",
         "static_attraction", "measurement_delay", "angle_offset",       "angle_scale",    "mount_compliance",
-        "mullins_softening", "tracking_lag",      "stribeck_friction"}) {
+        "mullins_softening", "tracking_lag",      "stribeck_friction",  "backlash"}) {
     EXPECT_FALSE(hidden_kind(id).outsider()) << id;
     --ids;
   }

@@ -157,12 +157,13 @@ std::vector<HiddenKind> all_kinds() {
       outsider(plain("shaken_base", {{"acceleration_m_s2", &Q::shake}, {"frequency_Hz", &Q::shake_frequency}},
                      &Q::shake, 0.0, 20.0, between(&Q::shake_frequency, 2.0, 25.0))),
       outsider(two_sided("drifting_stiffness", {{"share_1_h", &Q::drift}}, &Q::drift, 0.0, -1.2, 1.2)),
-      beyond_calibration(plain("mullins_softening", {{"share", &Q::mullins}, {"angle_deg", &Q::mullins_angle, degrees}},
-                               &Q::mullins, 0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
+      beyond_calibration(plain("mullins_softening",
+                               {{"softening", &Q::mullins}, {"angle_deg", &Q::mullins_angle, degrees}}, &Q::mullins,
+                               0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
       outsider(plain("random_cable", {{"torque_Nmm_s0.5", &Q::cable, milli}}, &Q::cable, 0.0, 4e-3)),
       beyond_calibration(plain("mount_compliance",
                                {{"mass_ratio", &Q::mount_compliance},
-                                {"frequency_Hz", &Q::mount_frequency},
+                                {"mount_frequency_Hz", &Q::mount_frequency},
                                 {"damping_ratio", &Q::mount_damping}},
                                &Q::mount_compliance, 0.0, 3.0,
                                [](Random& random, UnmodelledEffects& effects) {
@@ -185,6 +186,9 @@ std::vector<HiddenKind> all_kinds() {
                      })),
 
       stribeck_friction(),
+      plain("backlash", {{"gap_deg", &Q::backlash, degrees}, {"inertia_share", &Q::backlash_inertia}}, &Q::backlash,
+            0.0, 10.0 / degrees,
+            [](Random& random, UnmodelledEffects& effects) { effects.backlash_inertia = random.uniform(0.13, 0.17); }),
       plain("tracking_lag", {{"time_constant_ms", &Q::tracking_time, milli}}, &Q::tracking_time, 0.0, 0.06),
 
       outsider(plain("friction_of_bent_hinge", {{"torque_Nmm_rad", &Q::angle_friction, milli}}, &Q::angle_friction, 0.0,

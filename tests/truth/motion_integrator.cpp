@@ -53,6 +53,8 @@ double MotionIntegrator::indicator(const Event& event, const StateVector& state,
       return state[StateIndex::angle + event.joint] - effects.stop_angle;
     case EventKind::meets_faces:
       return state[StateIndex::angle + event.joint] - dynamics_.finger().faces.angle;
+    case EventKind::meets_seat:
+      return std::abs(state[StateIndex::magnet + event.joint]) - 0.5 * effects.backlash;
   }
   return 0.0;
 }
@@ -79,12 +81,13 @@ void MotionIntegrator::step(double until) {
   const Event* first = nullptr;
   double when = length_taken;
   const bool has_friction = dynamics_.effects().friction > 0.0;
-  std::array<Event, 6> possible{};
+  std::array<Event, 8> possible{};
   int count = 0;
   for (int j = 0; j < 2; ++j) {
     if (has_friction) possible[count++] = {dynamics_.modes[j] == 0 ? EventKind::breaks_away : EventKind::sticks, j};
     if (dynamics_.effects().stop_stiffness > 0.0) possible[count++] = {EventKind::meets_stop, j};
     if (dynamics_.finger().faces.stiffness > 0.0) possible[count++] = {EventKind::meets_faces, j};
+    if (dynamics_.effects().backlash > 0.0) possible[count++] = {EventKind::meets_seat, j};
   }
   for (int i = 0; i < count; ++i) {
     if (!happens(possible[i], after, t)) continue;
@@ -124,6 +127,10 @@ double MotionIntegrator::locate(const Event& event, double length) {
   return 0.5 * (lower + upper);
 }
 
+int MotionIntegrator::angle_of(const Event& event) {
+  return (event.kind == EventKind::meets_seat ? StateIndex::magnet : StateIndex::angle) + event.joint;
+}
+
 void MotionIntegrator::pass(const Event& event) {
   if (event.kind == EventKind::sticks) {
     dynamics_.modes[event.joint] = 0;
@@ -131,10 +138,14 @@ void MotionIntegrator::pass(const Event& event) {
   }
   if (event.kind == EventKind::breaks_away)
     dynamics_.modes[event.joint] = dynamics_.holding_torques(state_, time_)[event.joint] > 0.0 ? 1 : -1;
-  if (is_place(event.kind))  // moved slightly past it, so that the next step is on one side
-    state_[StateIndex::angle + event.joint] += std::copysign(1e-12, state_[StateIndex::rate + event.joint]);
-  else
+  if (is_place(event.kind)) {  // moved slightly past it, so that the next step is on one side
+    const int angle = angle_of(event);
+    const int rate = angle + (event.kind == EventKind::meets_seat ? StateIndex::magnet_rate - StateIndex::magnet
+                                                                  : StateIndex::rate - StateIndex::angle);
+    state_[angle] += std::copysign(1e-12, state_[rate]);
+  } else {
     settle_modes();
+  }
 }
 
 // A joint at rest is either held by friction or slides in the direction in which it then accelerates.

@@ -21,17 +21,17 @@ class MotionIntegrator {
 
  private:
   using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<StateVector>;
-  enum class EventKind { sticks, breaks_away, meets_stop, meets_faces };
+  enum class EventKind { sticks, breaks_away, meets_stop, meets_faces, meets_seat };
   /// Whether it happens at an angle, in either direction.
-  [[nodiscard]] static bool is_place(EventKind kind) {
-    return kind == EventKind::meets_stop || kind == EventKind::meets_faces;
-  }
+  [[nodiscard]] static bool is_place(EventKind kind) { return kind >= EventKind::meets_stop; }
   struct Event {
     EventKind kind;
     int joint;
   };
 
   [[nodiscard]] double indicator(const Event& event, const StateVector& state, double t) const;
+  /// Of the state vector: the angle that an event at a place is about.
+  [[nodiscard]] static int angle_of(const Event& event);
   [[nodiscard]] bool happens(const Event& event, const StateVector& after, double t_after) const;
   [[nodiscard]] double locate(const Event& event, double length);
   void step(double until);

@@ -140,6 +140,40 @@ TEST(Stribeck, HoldsWithMoreThanItSlidesWith) {
   EXPECT_GT(largest_gap(ours, plain), 1e-3);
 }
 
+// Across its gap a magnet takes its torque and its inertia with it; on its seat it gives back both.
+TEST(Backlash, KeepsTheTorqueFromTheJointWithinTheGap) {
+  const UnmodelledEffects loose{.backlash = 0.08, .backlash_inertia = 0.15};
+  EXPECT_NEAR(bending(loose, 1.0), bending(UnmodelledEffects{}, 1.0), 1e-12);
+  const Finger f;
+  const double m22 = f.second_mass * (f.axis_offset * f.axis_offset + f.second_com * f.second_com);
+  const auto row = [&](double a2) {
+    const double m12 =
+        m22 + f.second_mass * 2 * f.half_pitch * (f.second_com * std::cos(a2) + f.axis_offset * std::sin(a2));
+    const double m11 = f.first_mass * (f.axis_offset * f.axis_offset + f.half_pitch * f.half_pitch) + 2 * m12 - m22 +
+                       f.second_mass * 4 * f.half_pitch * f.half_pitch;
+    return std::array{m11, m12};
+  };
+  const auto [s11, s12] = row(0.0);
+  const double determinant = s11 * m22 - s12 * s12;
+  const double first = 0.15 * determinant / m22;
+  const double second = 0.15 * determinant / s11;
+  Dynamics dynamics({}, loose);
+  dynamics.input.target = dynamics.input.from = 1.0;
+  StateVector state{};
+  state[0] = 0.3;
+  state[1] = 0.4;
+  const auto flying = dynamics.accelerations(state, 0.0);
+  const auto falling = accelerations({}, {}, {.angles = {0.3, 0.4}, .rates = {}}, 0.0);  // no current, whole inertia
+  const auto [m11, m12] = row(0.4);
+  EXPECT_NEAR((m11 - first) * flying[0] + m12 * flying[1], m11 * falling[0] + m12 * falling[1], 1e-12);
+  EXPECT_NEAR(m12 * flying[0] + (m22 - second) * flying[1], m12 * falling[0] + m22 * falling[1], 1e-12);
+  // Pressed steadily, magnet and joint move as one.
+  const auto both = simulate({}, loose, ramp(0.5, 1.2, 2.0));
+  const auto one = simulate({}, {}, ramp(0.5, 1.2, 2.0));
+  EXPECT_LT(largest_gap(both, one), 1e-4);
+  EXPECT_GT(largest_gap(simulate({}, loose, release(1.4, 0.5)), simulate({}, {}, release(1.4, 0.5))), 5e-3);
+}
+
 TEST(Tracking, IsAFilterOfTheFirstOrder) {
   const double time = 0.02;
   const Experiment experiment = release(1.4, 0.5);

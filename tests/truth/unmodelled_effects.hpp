@@ -25,6 +25,9 @@ struct UnmodelledEffects {
   double attraction = 0.0;            ///< N m on the first joint at angle 0: iron on which its magnet pulls
   double attraction_range = 1.0;      ///< rad from angle 0 to the iron
   double attraction_side = -1.0;      ///< side of the iron: 1 opening, -1 closing
+  double backlash = 0.0;              ///< rad: each magnet is loose by so much, from one side of its seat to the other
+  double backlash_inertia =
+      0.15;  ///< of a loose magnet, over the effective inertia of its joint in the straight finger
   // hinge
   double friction = 0.0;        ///< N m
   double stribeck_ratio = 1.0;  ///< friction of a joint at rest over that of a fast one

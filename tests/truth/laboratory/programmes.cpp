@@ -128,7 +128,7 @@ std::vector<PlannedRun> plan_runs(Programme programme, Edges edges, bool shorted
              Planner::sine(0.7, 0.7, 10, 0.5),
              plan.release("release_1.4A"),
              plan.hold(1.3, 15.0)};
-      validate = {plan.step(0.55), plan.step(1.25), Planner::sine(0.6, 0.5, 1.5, 1.4), plan.pulses(1.05, 5.0)};
+      validate = {plan.step(0.55), plan.step(1.25), Planner::sine(0.6, 0.5, 1.5, 1.4), plan.pulses(0.8, 3.0)};
       break;
     case Programme::few:
       fit = {plan.step(0.35), plan.step(0.9), plan.step(1.4), plan.release("release_1.4A")};
@@ -155,7 +155,7 @@ std::vector<PlannedRun> plan_runs(Programme programme, Edges edges, bool shorted
       break;
     case Programme::hold:
       fit = {plan.step(1.3), plan.hold(1.3, 20.0), plan.step(0.8), plan.release("release_1.4A")};
-      validate = {plan.step(1.1), plan.pulses(1.05, 5.0)};
+      validate = {plan.step(1.1), plan.pulses(0.8, 3.0)};
       break;
   }
   std::vector<PlannedRun> all = std::move(fit);

@@ -119,8 +119,8 @@ Found find(const Options& options) {
   const EndOnSignal nothing_to_save;
   const formats::DatasetFile set = formats::read_dataset(options.dataset);
   const std::filesystem::path declared_file = declared_path(options, set);
-  const formats::DeclaredActuator declared =
-      formats::read_declared_actuator(declared_file, {.names = set.calibrate, .file = set.file});
+  const formats::DeclaredActuator declared = formats::read_declared_actuator(
+      declared_file, {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances});
   check_output(options, set, declared_file);
   Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);

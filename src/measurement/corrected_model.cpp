@@ -22,7 +22,9 @@ std::vector<actuator::Effect> effects_of(const Diagnosis& diagnosis) {
 }
 
 std::vector<double> calibration_of(const Diagnosis& diagnosis) {
-  return values_of(diagnosis.calibration);
+  std::vector<double> values = values_of(diagnosis.calibration);
+  for (const MovedNumber& number : diagnosis.nominal) values.push_back(number.estimate.value);
+  return values;
 }
 
 actuator::ModelSpec corrected_model(const replay::DeclaredModel& declared, const Diagnosis& diagnosis) {

@@ -20,8 +20,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 measurement::Diagnosis diagnose(const std::filesystem::path& folder, int threads) {
   const formats::DatasetFile set = formats::read_dataset(folder);
-  const formats::DeclaredActuator declared =
-      formats::read_declared_actuator(set.actuator.value(), {.names = set.calibrate, .file = set.file});
+  const formats::DeclaredActuator declared = formats::read_declared_actuator(
+      set.actuator.value(), {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances});
   return measurement::diagnose(set.data, declared.model, {.threads = threads});
 }
 

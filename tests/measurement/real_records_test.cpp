@@ -54,8 +54,8 @@ struct Found {
 
 Found diagnosed(const fs::path& folder, std::size_t runs, std::size_t stride, std::size_t samples) {
   formats::DatasetFile set = formats::read_dataset(folder);
-  const formats::DeclaredActuator declared =
-      formats::read_declared_actuator(set.actuator.value(), {.names = set.calibrate, .file = set.file});
+  const formats::DeclaredActuator declared = formats::read_declared_actuator(
+      set.actuator.value(), {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances});
   set.data.fit.resize(std::min(runs, set.data.fit.size()));
   for (data::Run& run : set.data.fit) thin(run, stride, samples);
   return {diagnose(set.data, declared.model, {.threads = 2})};

@@ -10,7 +10,7 @@ namespace coilwright::measurement {
 /// The effects that a diagnosis added, each with its fitted numbers.
 [[nodiscard]] std::vector<actuator::Effect> effects_of(const Diagnosis& diagnosis);
 
-/// The fitted calibration, SI, as DeclaredModel::build takes it.
+/// The fitted calibration and the declared numbers as the data moved them, SI, as DeclaredModel::build takes them.
 [[nodiscard]] std::vector<double> calibration_of(const Diagnosis& diagnosis);
 
 /// The declared model after its diagnosis: with the fitted calibration and with the effects that were added. An added

@@ -7,6 +7,8 @@ namespace coilwright::actuator::effects {
 namespace {
 
 constexpr double longest = 1.0;  // s; the slowest camera chains take a sixth of that
+// A camera that stamps a picture when it has begun to expose it, or a bus that stamps it in advance.
+constexpr double earliest = -0.05;  // s
 
 class DelayTerm final : public EffectTerm {
  public:
@@ -28,7 +30,7 @@ class MeasurementDelay final : public DescribedEffect {
                          .source = "definition",
                          .parameters = {{.key = "delay_ms",
                                          .text = "between motion and record",
-                                         .lower = 0.0,
+                                         .lower = earliest,
                                          .upper = longest,
                                          .absent = 0.0}}}) {}
 

@@ -1,7 +1,10 @@
 #include "measurement/fit/outliers.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "measurement/noise/spikes.hpp"
 #include "measurement/replay/prediction.hpp"
@@ -9,25 +12,55 @@
 namespace coilwright::measurement::fit {
 namespace {
 
-// The noise of the record without the samples that are set aside: their values straight between those beside them.
-void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel) {
+// The predictions of one channel, one per sample of the run; nothing where windows leave samples out.
+std::optional<std::vector<double>> predictions_of(const replay::PreparedRun& prepared, std::size_t channel,
+                                                  const Eigen::VectorXd& predictions) {
+  std::vector<double> out;
+  Eigen::Index at = 0;
+  for (const replay::SampleRange& range : prepared.sample_ranges()) {
+    const auto n = static_cast<Eigen::Index>(range.samples());
+    for (Eigen::Index i = 0; i < n; ++i) out.push_back(predictions[at + static_cast<Eigen::Index>(channel) * n + i]);
+    at += n * static_cast<Eigen::Index>(prepared.run->channels.size());
+  }
+  if (out.size() != prepared.run->samples()) return std::nullopt;
+  return out;
+}
+
+noise::NoiseLevel level_without_outliers(const replay::PreparedRun& prepared, std::size_t channel,
+                                         const std::vector<double>& values) {
+  const data::Run& run = *prepared.run;
+  const std::vector<char>& aside = prepared.set_aside[channel];
+  data::Run cleaned{.name = run.name, .kind = run.kind};
+  data::Channel kept{.name = run.channels[channel].name, .kind = run.channels[channel].kind};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!aside.empty() && aside[i] != 0) continue;
+    cleaned.times.push_back(run.times[i]);
+    kept.values.push_back(values[i]);
+  }
+  cleaned.channels = {kept};
+  return noise::noise_of(cleaned, kept);
+}
+
+// The noise of a channel whose own record tells it, without the samples that are set aside. Where pictures are few, the
+// motion between them counts as noise: then what the model leaves, which moves less, tells it better, by the same
+// polynomials. Both err upwards only, so the smaller one is taken where they differ by more than chance.
+void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const Eigen::VectorXd& predictions) {
   noise::NoiseLevel& level = prepared.noise[channel];
   if (!level.from_the_run) return;
-  const data::Run& run = *prepared.run;
-  data::Run cleaned{.name = run.name, .kind = run.kind, .times = run.times, .channels = {run.channels[channel]}};
-  std::vector<double>& values = cleaned.channels.front().values;
-  const std::vector<char>& aside = prepared.set_aside[channel];
-  std::vector<double> times;
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (aside[i] != 0) continue;
-    times.push_back(run.times[i]);
-    kept.push_back(values[i]);
-  }
-  cleaned.times = std::move(times);
-  values = std::move(kept);
+  const std::vector<double>& measured = prepared.run->channels[channel].values;
   std::string colour = std::move(level.colour);
-  level = noise::noise_of(cleaned, cleaned.channels.front());
+  if (!prepared.set_aside[channel].empty()) level = level_without_outliers(prepared, channel, measured);
+  if (const auto predicted = predictions_of(prepared, channel, predictions)) {
+    std::vector<double> left = measured;
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] -= (*predicted)[i];
+    const noise::NoiseLevel of_left = level_without_outliers(prepared, channel, left);
+    constexpr double beyond_chance = 3.0;
+    const double chance = 1.0 / std::sqrt(2.0 * of_left.freedom) + 1.0 / std::sqrt(2.0 * level.freedom);
+    if (of_left.sigma < level.sigma * (1.0 - std::min(beyond_chance * chance, 0.25))) {
+      level = of_left;
+      level.source = "of what the recalibrated model leaves, " + level.source;
+    }
+  }
   level.colour = std::move(colour);
 }
 
@@ -62,9 +95,8 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
       }
     }
     for (std::size_t c = 0; c < channels; ++c) {
-      if (changed[c] == 0) continue;
-      any = true;
-      take_noise_anew(prepared, c);
+      if (changed[c] != 0) any = true;
+      take_noise_anew(prepared, c, fitted.runs[r].predictions);
     }
   }
   return any;

@@ -11,6 +11,15 @@ const double even_over_half_width = 1.0 / std::sqrt(3.0);
 // The hum of a run may be a few times that of the record in which nothing moved.
 constexpr double line_freedom = 3.0;
 
+// An input whose edges lie anywhere between two samples was read at no better known a time: where it is smooth, it is
+// early or late by a tenth of the interval.
+double unknown_reading_time(const data::Run& run) {
+  constexpr double share = 0.1;
+  if (run.hold != data::InputHold::unknown_within_sample) return 0.0;
+  const std::vector<double>& times = run.times_of_inputs();
+  return share * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
 bool is_angle(const data::Channel& channel) {
   return channel.kind == data::ChannelKind::bending_angle || channel.kind == data::ChannelKind::joint_angle;
 }
@@ -28,9 +37,10 @@ LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
   for (const InputEdge& edge : window.edges) add(0.0, even_over_half_width * edge.half_width);
   clock_ = size();
   const data::RecordingClock& clock = prepared.run->clock;
-  has_offset_ = clock.offset_sigma > 0.0;
+  const double offset_sigma = std::max(clock.offset_sigma, unknown_reading_time(*prepared.run));
+  has_offset_ = offset_sigma > 0.0;
   has_rate_ = clock.rate_sigma > 0.0;
-  if (has_offset_) add(0.0, clock.offset_sigma);
+  if (has_offset_) add(0.0, offset_sigma);
   if (has_rate_) add(0.0, clock.rate_sigma);
   first_amplitude_ = size();
   for (const data::Channel& channel : prepared.run->channels)

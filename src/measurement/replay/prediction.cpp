@@ -166,6 +166,18 @@ std::optional<Trajectory> simulated(const Model& model, const ModelInput& input,
   return out;
 }
 
+// The motion as a camera with states of its own shows it.
+Trajectory as_shown(const Model& model, const Trajectory& motion) {
+  Trajectory out{.times = motion.times};
+  out.states.reserve(motion.states.size());
+  for (const State& state : motion.states) {
+    const auto shown = model.shown(state.angles, state.rates,
+                                   {state.internal.data(), static_cast<std::size_t>(state.internal.size())});
+    out.states.push_back({.angles = shown.angles, .rates = shown.rates, .internal = {}});
+  }
+  return out;
+}
+
 }  // namespace
 
 State Trajectory::at(double time) const {
@@ -192,8 +204,10 @@ std::optional<Trajectory> simulate_window(const Model& model, const Window& wind
 }
 
 Eigen::VectorXd observed_values(const Model& model, const PreparedRun& prepared, const Window& window,
-                                const Trajectory& trajectory, LocalValues local) {
+                                const Trajectory& motion, LocalValues local) {
   const data::Run& run = *prepared.run;
+  const Trajectory filtered = model.camera_filters() ? as_shown(model, motion) : Trajectory{};
+  const Trajectory& trajectory = model.camera_filters() ? filtered : motion;
   const auto samples = static_cast<Eigen::Index>(window.samples());
   Eigen::VectorXd out(prepared.values_in(window.range));
   const double first = run.times[window.range.first];

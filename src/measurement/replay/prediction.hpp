@@ -34,7 +34,7 @@ struct LocalValues {
 /// What the instruments show of it: channel after channel, SI: (channels * samples). Delay, shutter, scale and offset
 /// of the camera, the clocks and the hum are in it.
 [[nodiscard]] Eigen::VectorXd observed_values(const actuator::Model& model, const PreparedRun& prepared,
-                                              const Window& window, const Trajectory& trajectory, LocalValues local);
+                                              const Window& window, const Trajectory& motion, LocalValues local);
 
 /// A simulated window as the cameras would show it.
 struct WindowPrediction {

@@ -29,13 +29,16 @@ void build_in_chain_effects(ModelSpec& spec) {
 Link with_point_mass(const Link& link, double mass) {
   const double whole = link.mass + mass;
   const double along = (link.mass * link.com_along + mass * link.length) / whole;
+  const double offset = link.mass * link.com_offset / whole;
   const double from_link = along - link.com_along;
+  const double across_link = offset - link.com_offset;
   const double from_mass = along - link.length;
   return {.length = link.length,
           .com_along = along,
-          .com_offset = link.com_offset,
+          .com_offset = offset,
           .mass = whole,
-          .inertia = link.inertia + link.mass * from_link * from_link + mass * from_mass * from_mass};
+          .inertia = link.inertia + link.mass * (from_link * from_link + across_link * across_link) +
+                     mass * (from_mass * from_mass + offset * offset)};
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace coilwright::measurement::replay {
 
 /// The model on a rig that was changed for one run: its base turned, a weight hung at the tip (a point mass at the end
-/// of the last link, in the middle of its width, as its centre of mass is), the circuit of the coils open. What an open
+/// of the last link, on its hinge line), the circuit of the coils open. What an open
 /// circuit takes away is EffectKind::needs_closed_circuit()'s to say; that no current flows is the input's
 /// (current_flows()).
 [[nodiscard]] actuator::ModelSpec on_changed_rig(actuator::ModelSpec spec, const data::RigChange& change);

@@ -76,6 +76,7 @@ void write_sets(const std::vector<laboratory::Case>& cases, const std::filesyste
   for (const laboratory::Case& each : cases) {
     const auto set = truth::laboratory::make_laboratory_set(each.request);
     truth::laboratory::write_laboratory_set(set, folder / fmt::format("{:04}", each.number));
+    truth::laboratory::write_experiment(set, folder / fmt::format("{:04}_experiment", each.number));
     truth::laboratory::write_answer(set, folder / fmt::format("{:04}_answer.json", each.number));
   }
 }
@@ -88,10 +89,10 @@ int run(int argc, char** argv) {
           {"development", laboratory::PlanName::development}, {"kept", laboratory::PlanName::kept}}));
   app.add_option("--program", settings.program, "The program coilwright")->check(CLI::ExistingFile);
   app.add_option("--out", settings.out, "Folder of the outcomes and of summary.txt");
-  app.add_option("--values", settings.values,
-                 "JSON of the values to hide in sets of one effect: by condition, by effect, in the unit of its first "
-                 "number");
-  app.add_option("--write-sets", settings.sets, "Only write the sets and their answers into this folder");
+  app.add_option(
+      "--values", settings.values,
+      "JSON object: by the number of a set of one effect the value to hide, in the unit of its first number");
+  app.add_option("--write-sets", settings.sets, "Only write the sets, their experiments and answers into this folder");
   app.add_option("--first", settings.first, "Number of the first set")->check(CLI::NonNegativeNumber);
   app.add_option("--sets", settings.count, "Number of sets (default all)")->check(CLI::PositiveNumber);
   app.add_option("--jobs", settings.jobs, "Diagnoses at once")->check(CLI::PositiveNumber)->capture_default_str();
@@ -101,7 +102,7 @@ int run(int argc, char** argv) {
   laboratory::Values values;
   if (!settings.values.empty()) {
     std::ifstream in(settings.values);
-    values = nlohmann::json::parse(in).get<laboratory::Values>();
+    for (const auto& [number, value] : nlohmann::json::parse(in).items()) values[std::stoi(number)] = value;
   }
   std::vector<laboratory::Case> cases;
   for (laboratory::Case& each : laboratory::plan(settings.plan, values))

@@ -128,7 +128,7 @@ class Turns {
 
 class Planner {
  public:
-  Planner(const Amounts& amounts, const Values& values) : values_(values), random_(amounts.seed) {}
+  explicit Planner(const Amounts& amounts) : random_(amounts.seed) {}
 
   void add(Category category, const Names& conditions, const Names& hidden = {}) {
     Case next{.number = 0, .category = category, .conditions = conditions, .request = {}};
@@ -159,26 +159,26 @@ class Planner {
     cases_.back().conditions = {"sines", "colour_unknown"};
   }
 
-  std::vector<Case> finish() {
+  std::vector<Case> finish(const Values& values) {
     shuffle(cases_, random_);
-    for (std::size_t i = 0; i < cases_.size(); ++i) cases_[i].number = static_cast<int>(i);
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      cases_[i].number = static_cast<int>(i);
+      const auto value = values.find(cases_[i].number);
+      if (cases_[i].category == Category::one && value != values.end()) cases_[i].request.values = {value->second};
+    }
     return std::move(cases_);
   }
 
   Random& random() { return random_; }
 
  private:
+  // One in three.
   void set_strength(Case& next) {
-    const std::string& kind = next.request.hidden.front();
-    const auto given = values_.find(joined(next.conditions));
-    if (given != values_.end() && given->second.contains(kind))
-      next.request.values = {given->second.at(kind)};
-    else if (ones_++ % 3 == 2)
-      next.request.at_bound = true;
-    if (next.request.at_bound) next.request.strongest = 40.0;
+    if (ones_++ % 3 != 2) return;
+    next.request.at_bound = true;
+    next.request.strongest = 40.0;
   }
 
-  const Values& values_;
   Random random_;
   std::vector<Case> cases_;
   int ones_ = 0;
@@ -225,7 +225,7 @@ std::string joined(const std::vector<std::string>& conditions) {
 
 std::vector<Case> plan(PlanName name, const Values& values) {
   const Amounts amounts = amounts_of(name);
-  Planner planner(amounts, values);
+  Planner planner(amounts);
   for (const Names& one : all_alone())
     for (int i = 0; i < amounts.alone; ++i) planner.add(Category::nothing, one);
   for (const Names& pair : all_pairs())
@@ -243,7 +243,7 @@ std::vector<Case> plan(PlanName name, const Values& values) {
   for (int i = 0; i < amounts.two; ++i) planner.add(Category::two, conditions.next(), several(effects, 2));
   for (int i = 0; i < amounts.three; ++i) planner.add(Category::three, conditions.next(), several(effects, 3));
   for (int i = 0; i < amounts.outsiders; ++i) planner.add(Category::outsider, conditions.next(), {outsiders.next()});
-  return planner.finish();
+  return planner.finish(values);
 }
 
 }  // namespace attribution::laboratory

@@ -28,9 +28,9 @@ struct Case {
 /// the end.
 enum class PlanName { development, kept };
 
-/// Values of the first number of effects, in the unit of its key, by condition (the names joined with "+") and name of
-/// the kind: what is to be hidden in place of a drawn strength.
-using Values = std::map<std::string, std::map<std::string, double>>;
+/// Values of the first number of the effect, in the unit of its key, by the number of the set: what is to be hidden in
+/// place of a drawn strength.
+using Values = std::map<int, double>;
 
 /// The sets of a plan, in an order in which each stretch has a bit of everything. development has 372: 160 with nothing
 /// hidden (each fault alone, in pairs, all at once, each camera and programme), 14 with numbers far off, 12 in a colour

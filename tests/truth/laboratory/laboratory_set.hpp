@@ -34,6 +34,11 @@ struct LaboratorySet {
 /// has one of its own.
 void write_laboratory_set(const LaboratorySet& set, const std::filesystem::path& folder);
 
+/// Writes experiment.json (experiment/1), with every fault of the record that the format knows, the input of each run
+/// as it was driven, and finger.json, the declared model: what a person could have asked before anything was filmed.
+/// Runs in which nobody drives are in it only where its format can say so: on one clock and without exposure.
+void write_experiment(const LaboratorySet& set, const std::filesystem::path& folder);
+
 /// Writes everything that is true of the set as JSON; it belongs outside the folder of the set.
 void write_answer(const LaboratorySet& set, const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 #include "truth/declared_finger.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
 #include "truth/laboratory/names.hpp"
+#include "truth/laboratory/run_keys.hpp"
 #include "truth/text_file.hpp"
 
 namespace truth::laboratory {
@@ -21,28 +22,12 @@ bool has_input_file(const Request& request) {
   return request.clocks.log != InputLog::beside_pictures;
 }
 
-// A record of every change is what the driver holds; samples miss what is between them.
-std::string_view hold_of(const Request& request, const PlannedRun& run) {
-  const bool sees_all = request.clocks.log == InputLog::every_change ||
-                        (request.clocks.log == InputLog::beside_pictures && request.camera.frame_rate == 500.0);
-  if (sees_all) return "zero_order";
-  return run.smooth ? "linear" : "unknown_within_sample";
-}
-
 // In a file of clocks that agree, a standard deviation of zero is the default; with a file of the input one sample is.
 void add_clock(const Request& request, Json& run) {
   const ClockFaults& clocks = request.clocks;
-  const double middle = 0.5 * (clocks.smallest_offset + clocks.largest_offset);
-  if (middle > 0.0 || has_input_file(request)) run["clock_offset_s"] = middle;
+  const double offset = stated_offset(clocks);
+  if (offset > 0.0 || has_input_file(request)) run["clock_offset_s"] = offset;
   if (clocks.rate > 0.0) run["clock_rate"] = clocks.rate;
-}
-
-Json rig_of(const Rig& rig) {
-  Json out = Json::object();
-  if (rig.base_turn != 0.0) out["base_turn_deg"] = std::round(rig.base_turn * degrees * 1e6) / 1e6;
-  if (rig.tip_mass != 0.0) out["tip_mass_g"] = rig.tip_mass * 1e3;
-  if (rig.coil != CoilState::driven) out["coil"] = rig.coil == CoilState::open ? "open" : "shorted";
-  return out;
 }
 
 Json run_entry(const LaboratorySet& set, const RecordedRun& run) {

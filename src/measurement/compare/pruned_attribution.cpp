@@ -27,10 +27,12 @@ double explained_fraction(const FittedHypothesis& without, const FittedHypothesi
 }
 
 bool is_supported(const FittedHypothesis& without, const FittedHypothesis& with, const Evidence& evidence) {
+  // Whatever it explains where it was fitted: an effect must not make runs worse that were left out.
+  if (evidence.cross_validated_gain <= 0.0) return false;
   if (with.whiteness.is_white()) return true;
   const double least = without.hypothesis.effects().empty() ? decision_thresholds.least_explained
                                                             : decision_thresholds.least_explained_later;
-  return explained_fraction(without, with) >= least && !(evidence.cross_validated_gain <= 0.0);
+  return explained_fraction(without, with) >= least;
 }
 
 bool all_effects_present(const FittedHypothesis& fitted, const std::vector<Estimate>& estimates) {

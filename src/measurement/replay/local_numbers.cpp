@@ -11,11 +11,11 @@ const double even_over_half_width = 1.0 / std::sqrt(3.0);
 // The hum of a run may be a few times that of the record in which nothing moved.
 constexpr double line_freedom = 3.0;
 
-// An input whose edges lie anywhere between two samples was read at no better known a time: where it is smooth, it is
-// early or late by a tenth of the interval.
+// An input that changes between its samples was read at a time that nobody knows better than to a tenth of their
+// interval: a driver that holds its own samples is late by half of their interval.
 double unknown_reading_time(const data::Run& run) {
   constexpr double share = 0.1;
-  if (run.hold != data::InputHold::unknown_within_sample) return 0.0;
+  if (run.hold == data::InputHold::zero_order) return 0.0;
   const std::vector<double>& times = run.times_of_inputs();
   return share * (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
@@ -35,6 +35,12 @@ LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
   first_edge_ = size();
   edges_ = window.edges.size();
   for (const InputEdge& edge : window.edges) add(0.0, even_over_half_width * edge.half_width);
+  has_bend_ = !window.bend.times.empty();
+  if (has_bend_) {
+    // A logger that says `linear` knows as little of what is between its samples as another one.
+    const bool straight = prepared.run->hold == data::InputHold::linear;
+    add(straight ? 0.5 : 1.0, straight ? 0.5 : 0.3);
+  }
   clock_ = size();
   const data::RecordingClock& clock = prepared.run->clock;
   const double offset_sigma = std::max(clock.offset_sigma, unknown_reading_time(*prepared.run));
@@ -62,6 +68,10 @@ simulation::State LocalNumbers::initial_state(std::span<const double> values,
 
 std::span<const double> LocalNumbers::edge_shifts(std::span<const double> values) const {
   return values.subspan(first_edge_, edges_);
+}
+
+double LocalNumbers::bend(std::span<const double> values) const {
+  return has_bend_ ? values[first_edge_ + edges_] : 0.0;
 }
 
 double LocalNumbers::clock_offset(std::span<const double> values) const {

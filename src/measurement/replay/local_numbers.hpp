@@ -30,6 +30,8 @@ class LocalNumbers {
   /// Throws nothing; `values` are as many as size().
   [[nodiscard]] simulation::State initial_state(std::span<const double> values,
                                                 const actuator::InternalStates& internal) const;
+  /// How much of the window's `bend` the input has: 0 is straight between samples, 1 smooth.
+  [[nodiscard]] double bend(std::span<const double> values) const;
   /// How much later than in the middle each edge of the window's input lies, s.
   [[nodiscard]] std::span<const double> edge_shifts(std::span<const double> values) const;
   [[nodiscard]] double clock_offset(std::span<const double> values) const;  ///< s
@@ -41,7 +43,7 @@ class LocalNumbers {
   void add(double mean, double sigma);
 
   int joints_{};
-  bool has_state_{}, has_offset_{}, has_rate_{};
+  bool has_state_{}, has_bend_{}, has_offset_{}, has_rate_{};
   std::size_t edges_{}, first_edge_{}, clock_{}, first_amplitude_{};
   std::vector<double> mean_, sigma_;
 };

@@ -194,9 +194,11 @@ State Trajectory::at(double time) const {
 
 std::optional<Trajectory> simulate_window(const Model& model, const Window& window, LocalValues local,
                                           const actuator::InternalStates& internal) {
-  const std::span<const double> shifts = local.numbers->edge_shifts(local.values);
-  const ModelInput moved = window.edges.empty() ? ModelInput{} : with_moved_edges(window, shifts);
-  const ModelInput& input = window.edges.empty() ? window.input : moved;
+  const bool as_planned = window.edges.empty() && window.bend.times.empty();
+  const ModelInput driven =
+      as_planned ? ModelInput{}
+                 : as_driven(window, local.numbers->edge_shifts(local.values), local.numbers->bend(local.values));
+  const ModelInput& input = as_planned ? window.input : driven;
   if (local.numbers->has_initial_state())
     return simulated(model, input, local.numbers->initial_state(local.values, internal));
   const auto rest = simulation::equilibrium_at_first_input(model, input);

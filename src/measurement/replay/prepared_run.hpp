@@ -39,6 +39,8 @@ struct Window {
   simulation::ModelInput input{};  ///< that drives it, on the input's clock; its rows are dense enough to interpolate
                                    ///< the motion between them, and may reach beyond the samples
   std::vector<InputEdge> edges{};
+  simulation::ModelInput bend{};  ///< what a smooth curve through the samples of the input adds to straight lines
+                                  ///< between them, row by row; empty where that is next to nothing
   InitialStatePrior prior{};  ///< from the first samples of the measurement; empty for runs that start at rest
 
   [[nodiscard]] std::size_t samples() const { return range.samples(); }

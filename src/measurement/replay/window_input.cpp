@@ -14,6 +14,9 @@ namespace {
 
 using simulation::ModelInput;
 
+// Less than this share of what the input does in a window is no bend.
+constexpr double least_bend = 0.003;
+
 // Between rows at most this far apart a cubic gives the motion of a finger at 10 Hz within 1e-5 of its amplitude.
 constexpr double densest_needed = 0.004;  // s
 // A straight input is held for at most this long: the mean of what is held is that of the straight line.
@@ -34,11 +37,19 @@ struct Rows {
   std::vector<double> times{};
   std::vector<Row> rows{};
   std::vector<double> half_widths{};  // of the edge with which a row begins; 0 where it begins at a known time
+  std::vector<Row> bends{};           // what a smooth curve has more than the row
 
   void add(double time, Row row, double half_width = 0.0) {
     times.push_back(time);
+    bends.emplace_back(row.size(), 0.0);
     rows.push_back(std::move(row));
     half_widths.push_back(half_width);
+  }
+  void add_straight(double time, Row row, const Row& smooth) {
+    Row bend(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) bend[i] = smooth[i] - row[i];
+    add(time, std::move(row));
+    bends.back() = std::move(bend);
   }
 };
 
@@ -121,8 +132,8 @@ class SmoothInput {
   std::vector<boost::math::interpolators::cubic_hermite<std::vector<double>>> columns_;
 };
 
-// From sample to sample, straight or, where edges may be between them, smooth from edge to edge: a step of at least
-// `edge` is an edge in the middle.
+// From sample to sample, straight, and what a smooth curve from edge to edge has more: a step of at least `edge` is an
+// edge in the middle.
 Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::optional<double> edge) {
   const std::vector<double>& times = run.times_of_inputs();
   Rows out;
@@ -132,10 +143,12 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
     const Row& to = rows[i + 1];
     const double step = size_of_step(from, to);
     const double duration = times[i + 1] - times[i];
-    const bool starts_a_part = i == 0 || size_of_step(rows[i - 1], from) >= edge.value_or(0.0);
-    if (edge && step < *edge && starts_a_part) {
+    // Straight lines may have corners, which smooth curves round off as little as edges.
+    const double corner = edge.value_or(edge_of(rows));
+    const bool starts_a_part = i == 0 || size_of_step(rows[i - 1], from) >= corner;
+    if (step < corner && starts_a_part) {
       std::size_t last = i + 1;
-      while (last < rows.size() && size_of_step(rows[last - 1], rows[last]) < *edge) ++last;
+      while (last < rows.size() && size_of_step(rows[last - 1], rows[last]) < corner) ++last;
       smooth.emplace(times, rows, i, last);
     }
     if (step == 0.0) {
@@ -148,8 +161,12 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
       for (std::size_t k = 0; k < parts; ++k) {
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(parts);
         const double middle = times[i] + share * duration;
-        out.add(times[i] + duration * static_cast<double>(k) / static_cast<double>(parts),
-                edge && smooth ? smooth->at(middle) : between(from, to, share));
+        Row row = between(from, to, share);
+        const double time = times[i] + duration * static_cast<double>(k) / static_cast<double>(parts);
+        if (smooth && step < corner)
+          out.add_straight(time, std::move(row), smooth->at(middle));
+        else
+          out.add(time, std::move(row));
       }
     }
   }
@@ -166,7 +183,7 @@ Rows rows_of(const data::Run& run, const std::vector<Row>& rows) {
     case data::InputHold::unknown_within_sample:
       return between_samples(run, rows, edge_of(rows));
   }
-  return {.times = run.times_of_inputs(), .rows = rows, .half_widths = std::vector(rows.size(), 0.0)};
+  return {.times = run.times_of_inputs(), .rows = rows, .half_widths = std::vector(rows.size(), 0.0), .bends = {}};
 }
 
 // How far beyond its samples a window may be shown.
@@ -183,44 +200,69 @@ void set_input(Window& window, const data::Run& run, const std::vector<std::vect
   const double first = run.times[window.range.first];
   const double last = run.times[window.range.last - 1];
   const double end = last + reach_of(run, last - first);
+  const Row flat(rows.front().size(), 0.0);
+  const auto bend_of = [&](std::size_t row) { return all.bends.empty() ? flat : all.bends[row]; };
+  simulation::CommandedInput command = run.command();
+  command.times.clear();
+  command.rows.clear();
+  simulation::CommandedInput bend = command;
+  window.edges.clear();
+  const auto add = [&](double time, const Row& row, const Row& more) {
+    command.times.push_back(time);
+    command.rows.push_back(row);
+    bend.times.push_back(time);
+    bend.rows.push_back(more);
+  };
+  const auto fill_until = [&](double until) {
+    const double from = command.times.back();
+    const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
+    for (std::size_t k = 1; k < parts; ++k)
+      add(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts), Row(command.rows.back()),
+          Row(bend.rows.back()));
+  };
   // The row in force at the first sample.
   const auto after = std::upper_bound(all.times.begin(), all.times.end(), first);
   auto row = static_cast<std::size_t>(after - all.times.begin());
   if (row > 0) --row;
-  simulation::CommandedInput command = run.command();
-  command.times.clear();
-  command.rows.clear();
-  window.edges.clear();
-  const auto fill_until = [&](double until) {
-    const double from = command.times.back();
-    const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
-    for (std::size_t k = 1; k < parts; ++k) {
-      command.times.push_back(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts));
-      command.rows.push_back(command.rows.back());
-    }
-  };
-  command.times.push_back(first);
-  command.rows.push_back(all.rows[row]);
+  if (run.hold == data::InputHold::zero_order) {
+    add(first, all.rows[row], flat);
+  } else {
+    // A run starts at rest under its first sample; what is held first is the mean over the first part of a slope.
+    constexpr double instant = 1e-6;  // s
+    const std::vector<double>& times = run.times_of_inputs();
+    const auto next = std::upper_bound(times.begin(), times.end(), first);
+    add(first, rows[next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1], flat);
+    add(first + instant, all.rows[row], bend_of(row));
+  }
   for (++row; row < all.times.size() && all.times[row] <= end; ++row) {
-    if (all.times[row] <= first) continue;
+    if (all.times[row] <= command.times.back()) continue;
     fill_until(all.times[row]);
     if (all.half_widths[row] > 0.0)
       window.edges.push_back({.row = command.times.size(), .half_width = all.half_widths[row]});
-    command.times.push_back(all.times[row]);
-    command.rows.push_back(all.rows[row]);
+    add(all.times[row], all.rows[row], bend_of(row));
   }
   if (command.times.back() < end) {
     fill_until(end);
-    command.times.push_back(end);
-    command.rows.push_back(command.rows.back());
+    add(end, Row(command.rows.back()), flat);
   }
   window.input = simulation::model_input(nominal, command);
-  if (!current_flows(run.rig))
-    for (actuator::CoilCurrents& currents : window.input.currents) currents.setZero();
+  double largest_bend = 0.0;
+  double largest = 0.0;
+  for (const Row& each : bend.rows) largest_bend = std::max(largest_bend, size_of_step(flat, each));
+  for (const Row& each : command.rows) largest = std::max(largest, size_of_step(command.rows.front(), each));
+  window.bend = {};
+  if (largest_bend > least_bend * largest) window.bend = simulation::model_input(nominal, bend);
+  if (current_flows(run.rig)) return;
+  window.bend = {};
+  for (actuator::CoilCurrents& currents : window.input.currents) currents.setZero();
 }
 
-ModelInput with_moved_edges(const Window& window, std::span<const double> shifts) {
+ModelInput as_driven(const Window& window, std::span<const double> shifts, double bend) {
   ModelInput out = window.input;
+  for (std::size_t i = 0; i < window.bend.times.size(); ++i) {
+    out.currents[i] += bend * window.bend.currents[i];
+    if (!out.joint_torques.empty()) out.joint_torques[i] += bend * window.bend.joint_torques[i];
+  }
   for (std::size_t e = 0; e < window.edges.size(); ++e) {
     const InputEdge& edge = window.edges[e];
     const double middle = window.input.times[edge.row];

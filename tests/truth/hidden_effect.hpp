@@ -21,6 +21,9 @@ struct HiddenEffect {
   double strength_after_calibration{};
   /// Whether that is visible in the noise: at least six standard deviations over all samples of the fit runs together.
   bool visible = false;
+  /// In a set of the laboratory: the same standard deviations that are left when the numbers of the declared model move
+  /// within their tolerances, and the clocks within theirs, as suits best (in white noise).
+  double evidence{};
   std::vector<std::string> confounders{};  ///< ids of effects that fit these data as well; empty unless searched
 };
 

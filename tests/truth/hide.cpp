@@ -118,13 +118,16 @@ HiddenEffect hide(const HidingPlace& place, const Hiding& asked, Random& random,
                                          .nominal = place.nominal,
                                          .moved = moved,
                                          .noise = place.noise});
-  for (const HiddenNumber& number : kind.numbers) {
-    all.*number.member = alone.*number.member;
+  for (const HiddenNumber& number : kind.numbers)
     effect.numbers.push_back({.key = number.key, .value = alone.*number.member * number.denominator});
-  }
-  all.off_axis = all.off_axis || alone.off_axis;
-  all.coil_coil = all.coil_coil || alone.coil_coil;
+  add_effect(kind, alone, all);
   return effect;
+}
+
+void add_effect(const HiddenKind& kind, const UnmodelledEffects& from, UnmodelledEffects& to) {
+  for (const HiddenNumber& number : kind.numbers) to.*number.member = from.*number.member;
+  to.off_axis = to.off_axis || from.off_axis;
+  to.coil_coil = to.coil_coil || from.coil_coil;
 }
 
 }  // namespace truth

@@ -36,4 +36,7 @@ struct Hiding {
 /// Draws sign, shape and strength of an effect, and adds it to `all`.
 [[nodiscard]] HiddenEffect hide(const HidingPlace& place, const Hiding& asked, Random& random, UnmodelledEffects& all);
 
+/// Copies the numbers of one kind.
+void add_effect(const HiddenKind& kind, const UnmodelledEffects& from, UnmodelledEffects& to);
+
 }  // namespace truth

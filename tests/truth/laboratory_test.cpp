@@ -97,6 +97,22 @@ TEST(Clocks, LeaveEdgesBetweenPictures) {
   }
 }
 
+// An input that is declared to go straight between its samples does.
+TEST(Inputs, GoStraightBetweenTheSamplesOfSmoothRuns) {
+  Request request{.seed = 5, .programme = Programme::sines};
+  request.camera.frame_rate = 30.0;
+  const LaboratorySet set = make_laboratory_set(request);
+  const RecordedRun& fast = set.runs[3];  // 8 Hz: four samples a period
+  const Experiment& driven = fast.planned.experiment;
+  for (std::size_t i = 0; i + 1 < fast.input_times.size(); ++i) {
+    const double middle = 0.5 * (fast.input_times[i] + fast.input_times[i + 1]);
+    const auto at = static_cast<std::size_t>(middle / 0.5e-3);
+    EXPECT_NEAR(driven.currents[at], 0.5 * (fast.currents[i] + fast.currents[i + 1]),
+                0.5e-3 * 30.0 * std::abs(fast.currents[i + 1] - fast.currents[i]) + 1e-12);
+  }
+  EXPECT_NEAR(fast.currents[1], 0.7 + 0.7 * std::sin(2.0 * std::numbers::pi * 8.0 / 30.0), 1e-12);
+}
+
 TEST(Exposure, AveragesWhatThePictureSees) {
   Request request{.seed = 4, .programme = Programme::sines};
   request.camera = {.frame_rate = 30.0, .exposure_share = 0.8};
@@ -351,9 +367,35 @@ TEST(LaboratorySet, HidesAnEffectAtAValueOrAtItsBound) {
   EXPECT_THROW((void)make_laboratory_set({.hidden = {"force_gain"}, .values = {1.0, 2.0}}), std::invalid_argument);
 }
 
+// What tolerances can do is no effect's: the less a set vouches for, the less is left of an effect.
+TEST(LaboratorySet, KnowsWhatTolerancesAndClocksLeaveOfAnEffect) {
+  const auto evidence = [](const std::string& id, double value, const auto& change) {
+    Request request{.hidden = {id}, .seed = 12, .programme = Programme::few};
+    request.camera.frame_rate = 120.0;
+    request.clocks.log = InputLog::every_change;
+    request.values = {value};
+    change(request);
+    return make_laboratory_set(request).answer.common.hidden[0];
+  };
+  const auto nothing = [](Request&) {};
+  const auto listed = [](Request& request) { request.tolerances = Tolerances::listed; };
+  const auto clocks = [](Request& request) {
+    request.clocks.smallest_offset = 0.005;
+    request.clocks.largest_offset = 0.015;
+  };
+  // 1 g at the tip segment is a tolerance of its mass: what is left is at most its one standard deviation.
+  EXPECT_GT(evidence("added_mass", 1.0, nothing).evidence, 10.0);
+  EXPECT_LT(evidence("added_mass", 1.0, listed).evidence, 1.0);
+  // 4 ms are less than the clocks may be apart: four runs that agree on it leave at most four times 0.4.
+  EXPECT_GT(evidence("measurement_delay", 4.0, listed).evidence, 20.0);
+  EXPECT_LT(evidence("measurement_delay", 4.0, clocks).evidence, 2.0);
+  // Neither has anything to do with friction.
+  EXPECT_GT(evidence("dry_friction", 0.3, listed).evidence, 30.0);
+}
+
 TEST(LaboratorySet, IsTheSameForTheSameRequestAndTellsNobody) {
   Request request{.hidden = {"hysteresis"}, .seed = 5, .programme = Programme::few};
-  request.camera.jitter = 0.02;
+  request.camera.jitter = 1e-4;
   request.noise.outliers = 0.02;
   const LaboratorySet first = make_laboratory_set(request);
   const LaboratorySet second = make_laboratory_set(request);

@@ -10,6 +10,7 @@ using namespace truth::laboratory;
 using truth::Random;
 
 constexpr double degree = 0.017453292519943295;
+constexpr double jitter = 1e-4;  // s, of a camera without a trigger
 
 void numbers(Random& random, Request& request) {
   request.deviation = Deviation::within;
@@ -51,7 +52,7 @@ void faces(Random& random, Request& request) {
 void exposure(Random& random, Request& request) {
   request.camera.frame_rate = random.uniform() < 0.5 ? 60.0 : 120.0;
   request.camera.exposure_share = random.uniform(0.3, 0.8);
-  request.camera.jitter = 0.02;
+  request.camera.jitter = jitter;
 }
 
 template <int rate>
@@ -68,7 +69,7 @@ void coloured_at_rest(Random& /*random*/, Request& request) {  // seen in parts 
 
 template <int rate>
 void filmed_at(Random& /*random*/, Request& request) {
-  request.camera = {.frame_rate = rate, .exposure_share = 0.5, .jitter = 0.02};
+  request.camera = {.frame_rate = rate, .exposure_share = 0.5, .jitter = jitter};
 }
 
 template <Programme programme>

@@ -14,7 +14,8 @@ struct Outcome {
   std::string category;
   std::vector<std::string> conditions;
   std::vector<std::string> hidden;  ///< ids
-  bool visible = true;              ///< whether the noise lets every hidden effect be seen at all
+  bool visible = true;              ///< whether every hidden effect is clear enough that it must be found
+  double evidence{};                ///< of the weakest: HiddenEffect::evidence
   bool at_bound = false;
   bool state_dependent = false;  ///< whether an outsider acts on angle, rate or current, so that a correction can help
 

@@ -19,6 +19,11 @@ using truth::laboratory::Tolerances;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
+// Standard deviations over all samples that must be left of an effect when tolerances and clocks have taken theirs:
+// five times six, with which an effect can be told from noise at all; at its physical bound twice that.
+constexpr double clear = 30.0;
+constexpr double clear_at_bound = 12.0;
+
 bool contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
@@ -159,9 +164,11 @@ Outcome score(const Case& asked, const LaboratorySet& set, const std::string& di
   outcome.ambiguous = diagnosis.at("indistinguishable").get<std::vector<std::vector<std::string>>>();
   for (const truth::HiddenEffect& hidden : set.answer.common.hidden) {
     outcome.hidden.push_back(hidden.id);
-    outcome.visible = outcome.visible && hidden.visible;
+    outcome.evidence = outcome.hidden.size() == 1 ? hidden.evidence : std::min(outcome.evidence, hidden.evidence);
     outcome.state_dependent = outcome.state_dependent || depends_on_state(hidden.id);
   }
+
+  outcome.visible = outcome.evidence >= (asked.request.at_bound ? clear_at_bound : clear);
 
   const std::vector<std::string> allowed = true_names(set);
   const auto is_true = [&](const std::string& reported) {

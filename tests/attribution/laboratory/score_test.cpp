@@ -34,7 +34,7 @@ LaboratorySet hiding(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
     truth::HiddenEffect effect;
     effect.id = id;
-    effect.visible = true;
+    effect.evidence = 100.0;
     set.answer.common.hidden.push_back(effect);
   }
   set.runs.emplace_back().planned.validate = true;
@@ -65,6 +65,17 @@ TEST(LaboratoryScore, FindsWhatIsReportedOrInASetReported) {
   EXPECT_FALSE(half.invented);
   EXPECT_TRUE(half.explained_wrong);
   EXPECT_TRUE(scored(Category::outsider, hiding({"gusts"}), diagnosis("explained", {"drag"})).explained_wrong);
+}
+
+TEST(LaboratoryScore, AsksForEffectsThatAreClear) {
+  LaboratorySet set = hiding({"drag", "tilt"});
+  EXPECT_TRUE(scored(Category::two, set, diagnosis("unexplained")).visible);
+  set.answer.common.hidden[1].evidence = 29.0;
+  const Outcome weak = scored(Category::two, set, diagnosis("unexplained"));
+  EXPECT_FALSE(weak.visible);
+  EXPECT_EQ(weak.evidence, 29.0);
+  set.request.at_bound = true;
+  EXPECT_TRUE(scored(Category::two, set, diagnosis("unexplained")).visible);
 }
 
 TEST(LaboratoryScore, KnowsTheRightVerdictWhereNothingIsHidden) {

@@ -93,17 +93,14 @@ std::vector<Figure> figures(const std::vector<Outcome>& outcomes) {
        .count = colour,
        .share = 0.0,
        .at_most = true},
-      {.text = "one effect that can be seen: named, or in the set reported",
-       .column = "one",
-       .count = found,
-       .share = 0.92},
+      {.text = "one clear effect: named, or in the set reported", .column = "one", .count = found, .share = 0.92},
       {.text = "  with a further effect that is invented",
        .column = "further",
        .count = invented,
        .share = 0.05,
        .at_most = true},
-      {.text = "both of two", .column = "two", .count = two, .share = 0.75},
-      {.text = "all of three", .column = "three", .count = three, .share = 0.5},
+      {.text = "both of two clear effects", .column = "two", .count = two, .share = 0.75},
+      {.text = "all of three clear effects", .column = "three", .count = three, .share = 0.5},
       {.text = "outsiders explained", .column = "outside", .count = outsiders, .share = 0.05, .at_most = true},
       {.text = "`explained` and wrong, of all sets", .column = "wrong", .count = wrong, .share = 0.02, .at_most = true},
       {.text = "true effect parameters inside the 95 % intervals",
@@ -171,7 +168,7 @@ std::string summary(const std::vector<Outcome>& outcomes) {
     text += '\n';
   }
 
-  text += "\nwhere something went wrong (?: too weak to be seen in the noise; last: error after over the noise)\n";
+  text += "\nwhere something went wrong (?: too weak to be asked for; last: error after over the noise)\n";
   for (const Outcome& outcome : outcomes)
     if (!fault_of(outcome).empty()) text += set_line(outcome) + "\n";
   return text;

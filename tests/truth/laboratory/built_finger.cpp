@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 
 namespace truth::laboratory {
 namespace {
@@ -135,6 +136,15 @@ BuiltFinger build_finger(Random& random, Deviation deviation, Tolerances toleran
   }
   if (off[curve] > 0.0) built.finger.curve_error = draw_curve(random, off[curve]);
   return built;
+}
+
+void set_number(const std::string& name, double factor, Finger& finger) {
+  for (const Kind& kind : kinds()) {
+    if (name != kind.name || !kind.set) continue;
+    kind.set(finger, factor);
+    return;
+  }
+  throw std::out_of_range("declared number: must be one with a factor; got " + name);
 }
 
 }  // namespace truth::laboratory

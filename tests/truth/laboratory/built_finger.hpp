@@ -31,4 +31,7 @@ struct BuiltFinger {
 /// one or two of five numbers are off by eight tolerances and more, which are then a quarter of the usual ones.
 [[nodiscard]] BuiltFinger build_finger(Random& random, Deviation deviation, Tolerances tolerances);
 
+/// Multiplies a number by a factor. Throws std::out_of_range for the name of none, and for force_curve.
+void set_number(const std::string& name, double factor, Finger& finger);
+
 }  // namespace truth::laboratory

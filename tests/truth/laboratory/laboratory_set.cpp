@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "truth/hide.hpp"
+#include "truth/laboratory/absorption.hpp"
 #include "truth/laboratory/recorder.hpp"
+#include "truth/laboratory/run_keys.hpp"
 
 namespace truth::laboratory {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double still_duration = 6.0;  // s
+constexpr double still_duration = 15.0;  // s
 
 // Faces of soft silicone, which a release of the straight finger presses by a few degrees.
 constexpr Faces usual_faces{.angle = 4.0 * degree, .stiffness = 0.12, .damping = 4e-4};
@@ -27,7 +30,8 @@ void check(const Request& request) {
   require(camera.frame_rate > 0.0, "frame rate must be > 0", camera.frame_rate);
   require(camera.exposure_share >= 0.0 && camera.exposure_share <= 0.9, "exposure share must be 0 to 0.9",
           camera.exposure_share);
-  require(camera.jitter >= 0.0 && camera.jitter <= 0.05, "jitter must be 0 to 0.05", camera.jitter);
+  require(camera.jitter >= 0.0 && camera.jitter * camera.frame_rate <= 0.1,
+          "jitter must be 0 to a tenth of the time between pictures", camera.jitter);
   require(request.clocks.own_rate > 0.0, "own rate of the input must be > 0", request.clocks.own_rate);
   require(request.values.empty() || request.values.size() == request.hidden.size(),
           "values must be none or one for each hidden effect", static_cast<double>(request.values.size()));
@@ -61,7 +65,10 @@ LaboratorySet make_laboratory_set(const Request& request) {
                        .resolution = resolution_deg * degree};
 
   const bool shorted = std::find(request.hidden.begin(), request.hidden.end(), "back_emf") != request.hidden.end();
-  const std::vector<PlannedRun> planned = plan_runs(request.programme, edges_of(request), shorted, random);
+  std::vector<PlannedRun> planned = plan_runs(request.programme, edges_of(request), shorted, random);
+  // What is declared of an input between its samples is true of it.
+  for (PlannedRun& run : planned)
+    if (hold_of(request, run) == "linear") run = drawn_through(run, input_times_of(request, run));
   Recorder recorder(request, random);
   std::vector<Recorder::Session> sessions;
   std::vector<Experiment> fit;
@@ -76,8 +83,16 @@ LaboratorySet make_laboratory_set(const Request& request) {
   all.chance = random.seed();
   if (!request.hidden.empty()) {
     const HidingPlace place(request.channels, built.finger, fit, request.noise.level);
-    for (std::size_t i = 0; i < request.hidden.size(); ++i)
-      set.answer.common.hidden.push_back(
+    const Absorption absorption({.request = request,
+                                 .built = built,
+                                 .planned = planned,
+                                 .fit = fit,
+                                 .nominal = place.nominal,
+                                 .noise = request.noise.level});
+    for (std::size_t i = 0; i < request.hidden.size(); ++i) {
+      UnmodelledEffects alone;
+      alone.chance = all.chance;
+      HiddenEffect effect =
           hide(place,
                {.name = request.hidden[i],
                 .weakest = request.weakest,
@@ -85,7 +100,11 @@ LaboratorySet make_laboratory_set(const Request& request) {
                 .at_bound = request.at_bound,
                 .value = request.values.empty() ? std::nullopt : std::optional<double>(request.values[i]),
                 .find_confounders = request.find_confounders && request.hidden.size() == 1},
-               random, all));
+               random, alone);
+      effect.evidence = absorption.left_of(recorded_angles(request.channels, built.finger, alone, fit));
+      add_effect(hidden_kind(request.hidden[i]), alone, all);
+      set.answer.common.hidden.push_back(std::move(effect));
+    }
   }
   all.angle_scale *= built.angle_scale;
 

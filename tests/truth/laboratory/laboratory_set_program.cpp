@@ -40,7 +40,7 @@ int run(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(words<DeclaredFaces>(3)));
   app.add_option("--frame-rate", request.camera.frame_rate, "Pictures per second")->capture_default_str();
   app.add_option("--exposure", request.camera.exposure_share, "Exposure over the time between pictures");
-  app.add_option("--jitter", request.camera.jitter, "Jitter of the pictures over the time between them");
+  app.add_option("--jitter-s", request.camera.jitter, "Jitter of the pictures");
   app.add_option("--input", request.clocks.log, "Where the input is logged")
       ->transform(CLI::CheckedTransformer(words<InputLog>(3)));
   app.add_option("--smallest-offset-s", request.clocks.smallest_offset, "Smallest offset of the clocks");

@@ -19,7 +19,7 @@ double rounded(double current) {
 }
 
 PlannedRun smooth(std::string name, double duration, const std::function<double(double)>& current) {
-  PlannedRun run{.experiment = {}, .begins = 0.0, .duration = duration, .smooth = true, .validate = false};
+  PlannedRun run{.experiment = {}, .begins = 0.0, .duration = duration, .wave = current, .validate = false};
   run.experiment.name = std::move(name);
   for (int i = 0; i * update < duration; ++i) {
     run.experiment.times.push_back(i * update);
@@ -35,7 +35,7 @@ struct Edge {
 
 // The updates between edges repeat the current: effects that are held between samples see them.
 PlannedRun stepped(std::string name, double duration, double from, const std::vector<Edge>& edges) {
-  PlannedRun run{.experiment = {}, .begins = 0.0, .duration = duration, .smooth = false, .validate = false};
+  PlannedRun run{.experiment = {}, .begins = 0.0, .duration = duration, .wave = {}, .validate = false};
   run.experiment.name = std::move(name);
   double current = from;
   std::size_t next = 0;
@@ -111,6 +111,23 @@ constexpr double turn = std::numbers::pi / 6.0;
 constexpr double hung_mass = 5e-3;  // kg
 
 }  // namespace
+
+PlannedRun drawn_through(PlannedRun run, const std::vector<double>& samples) {
+  constexpr double step = 0.5e-3;  // s: the steps that the integrator sees, each with the current of its middle
+  run.experiment.times.clear();
+  run.experiment.currents.clear();
+  std::size_t next = 1;
+  for (int i = 0; i * step < run.duration; ++i) {
+    const double middle = (i + 0.5) * step;
+    while (next + 1 < samples.size() && samples[next] < middle) ++next;
+    const double before = rounded(run.wave(samples[next - 1]));
+    const double after = rounded(run.wave(samples[next]));
+    const double share = (middle - samples[next - 1]) / (samples[next] - samples[next - 1]);
+    run.experiment.times.push_back(i * step);
+    run.experiment.currents.push_back(before + std::min(share, 1.0) * (after - before));
+  }
+  return run;
+}
 
 std::vector<PlannedRun> plan_runs(Programme programme, Edges edges, bool shorted, Random& random) {
   Planner plan(edges, random);

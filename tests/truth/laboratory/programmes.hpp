@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "truth/laboratory/request.hpp"
@@ -13,9 +14,12 @@ struct PlannedRun {
   Experiment experiment;  ///< every change of the current, at the driver's 500 updates per second and at edges
   double begins{};        ///< s: the record begins so long after the run, when the finger moves already
   double duration{};      ///< s, of the record
-  bool smooth = false;    ///< whether the input has no edges
+  std::function<double(double)> wave{};  ///< A over the time of the run, s; nothing for an input with edges
   bool validate = false;
 };
+
+/// The same run driven by a generator that goes straight from one of these samples of its wave to the next.
+[[nodiscard]] PlannedRun drawn_through(PlannedRun run, const std::vector<double>& samples);
 
 /// Where the edges of an input lie: on the driver's updates, or anywhere.
 enum class Edges { on_updates, anywhere };

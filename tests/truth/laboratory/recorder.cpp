@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "truth/laboratory/noise.hpp"
+#include "truth/laboratory/run_keys.hpp"
 
 namespace truth::laboratory {
 namespace {
@@ -28,6 +29,29 @@ double current_at(const Experiment& experiment, double time) {
 
 }  // namespace
 
+std::vector<double> picture_times(const Request& request, const PlannedRun& run) {
+  std::vector<double> out;
+  const double interval = 1.0 / request.camera.frame_rate;
+  for (int i = 0; i * interval < run.duration - 1e-9; ++i) out.push_back(i * interval);
+  return out;
+}
+
+std::vector<double> input_times_of(const Request& request, const PlannedRun& run) {
+  std::vector<double> out;
+  switch (request.clocks.log) {
+    case InputLog::beside_pictures:
+      return picture_times(request, run);
+    case InputLog::every_change:
+      for (const double time : run.experiment.times)
+        if (time >= run.begins) out.push_back(time - run.begins);
+      break;
+    case InputLog::own_samples:
+      for (int i = 0; i / request.clocks.own_rate < run.duration; ++i) out.push_back(i / request.clocks.own_rate);
+      break;
+  }
+  return out;
+}
+
 Recorder::Recorder(const Request& request, Random& random) : request_(request), random_(random) {
   rate_ = random_.sign() * request.clocks.rate;
 }
@@ -38,11 +62,9 @@ Recorder::Session Recorder::open_session(const PlannedRun& planned) {
                             .rate = rate_},
                   .stamps = {},
                   .middles = {}};
-  const double interval = 1.0 / request_.camera.frame_rate;
   double before = 0.0;
-  for (int i = 0; i * interval < planned.duration - 1e-9; ++i) {
-    const double stamp = i * interval;
-    const double is = stamp + request_.camera.jitter * interval * random_.normal();
+  for (const double stamp : picture_times(request_, planned)) {
+    const double is = stamp + request_.camera.jitter * random_.normal();
     before = std::max(before, planned.begins + (1.0 + session.clock.rate) * is + session.clock.offset);
     session.stamps.push_back(stamp);
     session.middles.push_back(before);
@@ -79,7 +101,7 @@ RecordedRun Recorder::record(const PlannedRun& planned, const Session& session, 
 }
 
 RecordedRun Recorder::record_still(const Finger& finger, const UnmodelledEffects& effects, double duration) {
-  PlannedRun planned{.experiment = {}, .begins = 0.0, .duration = duration, .smooth = true, .validate = false};
+  PlannedRun planned{.experiment = {}, .begins = 0.0, .duration = duration, .wave = {}, .validate = false};
   planned.experiment.name = "still";
   planned.experiment.times = {0.0};
   planned.experiment.currents = {0.0};
@@ -118,21 +140,10 @@ void Recorder::add_outliers(RecordedRun& run) {
 
 void Recorder::log_input(RecordedRun& run) {
   const Experiment& experiment = run.planned.experiment;
-  switch (request_.clocks.log) {
-    case InputLog::beside_pictures:
-      run.input_times = run.stamps;
-      break;
-    case InputLog::every_change:
-      for (const double time : experiment.times)
-        if (time >= run.planned.begins) run.input_times.push_back(time - run.planned.begins);
-      break;
-    case InputLog::own_samples:
-      for (int i = 0; i / request_.clocks.own_rate < run.planned.duration; ++i)
-        run.input_times.push_back(i / request_.clocks.own_rate);
-      break;
-  }
+  run.input_times = input_times_of(request_, run.planned);
+  const bool between = hold_of(request_, run.planned) == "linear";
   for (const double time : run.input_times)
-    run.currents.push_back(current_at(experiment, run.planned.begins + time) +
+    run.currents.push_back((between ? run.planned.wave(time) : current_at(experiment, run.planned.begins + time)) +
                            (request_.noise.input_noise > 0.0 ? request_.noise.input_noise * random_.normal() : 0.0));
 }
 

@@ -8,6 +8,10 @@
 
 namespace truth::laboratory {
 
+/// The stamps of the pictures of a run, and the times at which its input is logged, s, each on its own clock.
+[[nodiscard]] std::vector<double> picture_times(const Request& request, const PlannedRun& run);
+[[nodiscard]] std::vector<double> input_times_of(const Request& request, const PlannedRun& run);
+
 /// The bench: films fingers and writes down what it sees.
 class Recorder {
  public:

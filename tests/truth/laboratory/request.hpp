@@ -28,7 +28,7 @@ enum class Programme { paper, few, one, sines, rig_changes, hold };
 struct CameraFaults {
   double frame_rate = 500.0;    ///< 1/s
   double exposure_share = 0.0;  ///< exposure over the time between pictures, 0 to 0.9
-  double jitter = 0.0;          ///< standard deviation of a picture's time about its stamp, over that time; <= 0.05
+  double jitter = 0.0;  ///< s, standard deviation of a picture's time about its stamp; at most a tenth of that time
 };
 
 struct ClockFaults {

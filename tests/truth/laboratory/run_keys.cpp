@@ -12,7 +12,7 @@ std::string_view hold_of(const Request& request, const PlannedRun& run) {
   const bool sees_all = request.clocks.log == InputLog::every_change ||
                         (request.clocks.log == InputLog::beside_pictures && request.camera.frame_rate == 500.0);
   if (sees_all) return "zero_order";
-  return run.smooth ? "linear" : "unknown_within_sample";
+  return run.wave ? "linear" : "unknown_within_sample";
 }
 
 Json rig_of(const Rig& rig) {

@@ -90,6 +90,7 @@ Json effects_of(const Answer& answer) {
                    {"strength", effect.strength},
                    {"strength_after_calibration", effect.strength_after_calibration},
                    {"visible", effect.visible},
+                   {"evidence", effect.evidence},
                    {"rivals", effect.confounders}});
   }
   return out;
@@ -174,7 +175,7 @@ void write_answer(const LaboratorySet& set, const std::filesystem::path& file) {
       {"camera",
        {{"frame_rate_Hz", request.camera.frame_rate},
         {"exposure_s", request.camera.exposure_share / request.camera.frame_rate},
-        {"jitter_s", request.camera.jitter / request.camera.frame_rate}}},
+        {"jitter_s", request.camera.jitter}}},
       {"runs", runs_of(set)}};
   write_text(file, all.dump(2) + "\n");
 }

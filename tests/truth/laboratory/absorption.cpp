@@ -1,0 +1,136 @@
+#include "truth/laboratory/absorption.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "truth/laboratory/run_keys.hpp"
+
+namespace truth::laboratory {
+namespace {
+
+constexpr double part = 0.25;    // of a standard deviation: the step of a slope
+constexpr double change = 1e-3;  // of stiffness and damping
+
+Eigen::VectorXd joined(const RecordedAngles& runs) {
+  Eigen::Index size = 0;
+  for (const auto& run : runs) size += run.size();
+  Eigen::VectorXd out(size);
+  Eigen::Index at = 0;
+  for (const auto& run : runs) {
+    out.segment(at, run.size()) = run;
+    at += run.size();
+  }
+  return out;
+}
+
+// The coefficients of a curve error for one standard deviation of each: as build_finger() draws them.
+std::array<double, 4> curve_deviations(double tolerance) {
+  std::array<double, 4> weights{1.0, 0.7, 0.49, 0.343};
+  static constexpr std::array<double, 4> mean_squares{1.0 / 3.0, 7.0 / 15.0, 17.0 / 35.0, 31.0 / 63.0};
+  double square = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) square += weights[i] * weights[i] * mean_squares[i];
+  for (double& weight : weights) weight *= tolerance / std::sqrt(square);
+  return weights;
+}
+
+}  // namespace
+
+Absorption::Absorption(const Place& place) : place_(place) {
+  unknowns_.push_back({[](Bench& bench, double by) { bench.finger.stiffness *= 1.0 + by; }, change, 0.0});
+  unknowns_.push_back({[](Bench& bench, double by) { bench.finger.damping *= 1.0 + by; }, change, 0.0});
+  if (place.request.tolerances != Tolerances::exact) add_numbers();
+  add_clocks();
+  const auto count = static_cast<Eigen::Index>(unknowns_.size());
+  const Eigen::VectorXd nominal = joined(place.nominal);
+  slope_ = Eigen::MatrixXd::Zero(nominal.size() + count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Unknown& unknown = unknowns_[static_cast<std::size_t>(i)];
+    slope_.col(i).head(nominal.size()) =
+        (seen_with(unknown.step * Eigen::VectorXd::Unit(count, i)) - nominal) / (unknown.step * place.noise);
+    slope_(nominal.size() + i, i) = unknown.prior;
+  }
+}
+
+void Absorption::add_numbers() {
+  for (const Number& number : place_.built.numbers) {
+    if (number.declared == 0.0) {
+      const std::array<double, 4> deviations = curve_deviations(number.tolerance);
+      for (std::size_t i = 0; i < deviations.size(); ++i)
+        unknowns_.push_back(
+            {[=](Bench& bench, double by) { bench.finger.curve_error[i] += by * deviations[i]; }, part, 1.0});
+      continue;
+    }
+    unknowns_.push_back({[name = number.name, share = number.tolerance / number.declared](Bench& bench, double by) {
+                           set_number(name, 1.0 + by * share, bench.finger);
+                         },
+                         part, 1.0});
+  }
+}
+
+void Absorption::add_clocks() {
+  const ClockFaults& clocks = place_.request.clocks;
+  // An edge that lies anywhere between two samples is a shift of the input.
+  const double interval =
+      clocks.log == InputLog::own_samples ? 1.0 / clocks.own_rate : 1.0 / place_.request.camera.frame_rate;
+  for (std::size_t run = 0; run < place_.fit.size(); ++run) {
+    const bool unknown_edge = hold_of(place_.request, place_.planned[run]) == "unknown_within_sample";
+    const double shift = std::hypot(stated_offset(clocks), unknown_edge ? interval / std::sqrt(12.0) : 0.0);
+    if (shift > 0.0)
+      unknowns_.push_back({[=](Bench& bench, double by) { bench.clocks[run].offset += by * shift; }, part, 1.0});
+    if (clocks.rate > 0.0)
+      unknowns_.push_back(
+          {[=, rate = clocks.rate](Bench& bench, double by) { bench.clocks[run].rate += by * rate; }, part, 1.0});
+  }
+}
+
+// Runs whose finger and clock nothing has moved are not simulated again.
+Eigen::VectorXd Absorption::seen_with(const Eigen::VectorXd& moves) const {
+  Bench bench{.finger = place_.built.finger, .clocks = std::vector<RunClock>(place_.fit.size())};
+  bool another_finger = false;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    const double by = moves[static_cast<Eigen::Index>(i)];
+    if (by == 0.0) continue;
+    const std::vector<RunClock> before = bench.clocks;
+    unknowns_[i].move(bench, by);
+    const bool clock_only =
+        !std::equal(before.begin(), before.end(), bench.clocks.begin(),
+                    [](const RunClock& a, const RunClock& b) { return a.offset == b.offset && a.rate == b.rate; });
+    another_finger = another_finger || !clock_only;
+  }
+  RecordedAngles seen = place_.nominal;
+  for (std::size_t run = 0; run < place_.fit.size(); ++run) {
+    const RunClock& clock = bench.clocks[run];
+    if (!another_finger && clock.offset == 0.0 && clock.rate == 0.0) continue;
+    Experiment filmed = place_.fit[run];
+    for (double& time : filmed.seen) time = std::max((1.0 + clock.rate) * time + clock.offset, 0.0);
+    seen[run] = camera_view(place_.request.channels, {}, filmed, simulate(bench.finger, {}, filmed));
+  }
+  return joined(seen);
+}
+
+double Absorption::left_of(const RecordedAngles& moved) const {
+  const auto count = static_cast<Eigen::Index>(unknowns_.size());
+  const Eigen::VectorXd target = joined(moved);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(slope_);
+  Eigen::VectorXd moves = Eigen::VectorXd::Zero(count);
+  double least = (target - joined(place_.nominal)).norm() / place_.noise;
+  constexpr int steps = 4;
+  for (int step = 0; step < steps; ++step) {
+    Eigen::VectorXd left(target.size() + count);
+    try {
+      left.head(target.size()) = (target - seen_with(moves)) / place_.noise;
+    } catch (const std::runtime_error&) {
+      break;  // such a finger leaves its range of angles
+    }
+    for (Eigen::Index i = 0; i < count; ++i)
+      left[target.size() + i] = -unknowns_[static_cast<std::size_t>(i)].prior * moves[i];
+    least = std::min(least, left.norm());
+    moves += solver.solve(left);
+  }
+  return least;
+}
+
+}  // namespace truth::laboratory

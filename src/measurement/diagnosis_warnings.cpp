@@ -4,8 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/simulation/modes.hpp"
+#include "measurement/fit/hypothesis.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -22,6 +28,100 @@ std::string reason_for_larger_error(const ErrorComparison& errors) {
   return errors.after.rmse <= expected
              ? "no more than the uncertainty of the fitted numbers leaves open there; fit such a run too"
              : "another regime, a start that is not as declared, or another effect";
+}
+
+// Fewer pictures a period show ringing badly: what acts on it (damping, friction, drag) and lags look alike.
+constexpr double pictures_a_period = 8.0;
+// A longer exposure, in periods, blurs ringing: by a tenth at a quarter of one.
+constexpr double longest_exposure = 0.25;
+// A shorter lag or delay, in intervals between pictures, does not show.
+constexpr double shortest_lag = 0.2;
+
+double mean_interval(const data::Run& run) {
+  return (run.times.back() - run.times.front()) / static_cast<double>(run.times.size() - 1);
+}
+
+// The motion that is recorded most slowly; nothing if none is recorded.
+const data::Run* slowest_record(std::span<const replay::PreparedRun> runs) {
+  const data::Run* out = nullptr;
+  for (const replay::PreparedRun& prepared : runs)
+    if (prepared.is_motion() && (out == nullptr || mean_interval(*prepared.run) > mean_interval(*out)))
+      out = prepared.run;
+  return out;
+}
+
+// The model as the diagnosis recalibrated it, without its effects.
+actuator::Model recalibrated(const Diagnosis& diagnosis, const replay::DeclaredModel& declared) {
+  const fit::Hypothesis hypothesis(declared, {});
+  Eigen::VectorXd values = hypothesis.start();
+  Eigen::Index i = 0;
+  for (const compare::Estimate& each : diagnosis.calibration) values[i++] = each.value;
+  for (const MovedNumber& each : diagnosis.nominal) values[i++] = each.estimate.value;
+  return hypothesis.model_at(hypothesis.clamped(values));
+}
+
+// Frequency in Hz of the slowest ringing about rest without current; nothing if the model does not ring.
+std::optional<double> ringing_frequency(const actuator::Model& model) {
+  const actuator::CoilCurrents none = actuator::CoilCurrents::Zero(model.coils());
+  const auto rest = simulation::find_equilibrium(model, none, mechanics::JointVector::Zero(model.joints()));
+  if (!rest) return std::nullopt;
+  for (const simulation::Mode& mode : simulation::modes(model, *rest, none))
+    if (mode.natural_frequency > 0.0 && mode.damping_ratio < 1.0) return mode.natural_frequency;
+  return std::nullopt;
+}
+
+void warn_of_ringing(std::vector<data::Warning>& out, const data::Run& slowest, double frequency,
+                     std::span<const replay::PreparedRun> runs) {
+  const double rate = 1.0 / mean_interval(slowest);
+  if (rate < pictures_a_period * frequency)
+    out.push_back({.run = slowest.name,
+                   .text = fmt::format("{:.3g} samples a second are {:.2g} a period of the slowest ringing ({:.3g} "
+                                       "Hz): damping, friction and lags look alike; from {:.0f} a second they show "
+                                       "apart",
+                                       rate, rate / frequency, frequency, std::ceil(pictures_a_period * frequency))});
+  for (const replay::PreparedRun& prepared : runs)
+    if (prepared.is_motion() && prepared.run->clock.exposure * frequency > longest_exposure)
+      out.push_back(
+          {.run = prepared.run->name,
+           .text = fmt::format("an exposure of {:.3g} ms blurs ringing at {:.3g} Hz; at most {:.2g} ms show it",
+                               1e3 * prepared.run->clock.exposure, frequency, 1e3 * longest_exposure / frequency)});
+}
+
+// A reported lag or delay that is short beside the time between samples.
+void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagnosis, const data::Run& slowest) {
+  const double interval = mean_interval(slowest);
+  for (const AddedEffect& effect : diagnosis.effects) {
+    const std::string_view id = effect.kind->id();
+    if (id != "measurement_delay" && id != "coil_lag" && id != "tracking_lag") continue;
+    for (const compare::Estimate& each : effect.parameters) {
+      if (each.key != "delay_ms" && each.key != "time_constant_ms") continue;
+      const double size = std::abs(each.value);
+      if (size >= shortest_lag * interval || size <= 0.0) continue;
+      out.push_back({.run = slowest.name,
+                     .text = fmt::format("{} of {:.3g} ms is less than a fifth of the {:.3g} ms between samples, which "
+                                         "do not show it; {:.0f} samples a second would",
+                                         id, 1e3 * size, 1e3 * interval, std::ceil(shortest_lag / size))});
+    }
+  }
+}
+
+// Whether a record without motion has told the spectrum of the noise (replay::give_recorded_noise).
+bool colour_is_known(const noise::NoiseLevel& level) {
+  return level.colour.starts_with("white, as") || level.colour.starts_with("coloured");
+}
+
+// Noise that is correlated from picture to picture looks like structure of the motion.
+void warn_of_unknown_colour(std::vector<data::Warning>& out, const Diagnosis& diagnosis,
+                            std::span<const replay::PreparedRun> runs) {
+  if (diagnosis.after.is_white()) return;
+  for (const replay::PreparedRun& prepared : runs) {
+    if (!prepared.is_motion() || std::ranges::all_of(prepared.noise, colour_is_known)) continue;
+    out.push_back({.run = "",
+                   .text = "what is left is not white, and no still run tells how the noise is coloured: a filter in "
+                           "the camera or the tracker, or hum, cannot be told from a missing effect; ten seconds of a "
+                           "still finger, recorded as the motions were, would tell (kind still)"});
+    return;
+  }
 }
 
 }  // namespace
@@ -44,6 +144,12 @@ std::vector<data::Warning> warnings_of(const Diagnosis& diagnosis, std::span<con
   for (const ErrorComparison& errors : diagnosis.validate_errors)
     if (errors.after.rmse > errors.before.rmse + notable_growth * errors.noise_floor_rmse)
       warn("on the runs that no fit has seen the effects make the error larger");
+  if (const data::Run* slowest = slowest_record(runs)) {
+    if (const auto frequency = ringing_frequency(recalibrated(diagnosis, declared)))
+      warn_of_ringing(out, *slowest, *frequency, runs);
+    warn_of_short_lags(out, diagnosis, *slowest);
+  }
+  warn_of_unknown_colour(out, diagnosis, runs);
   if (diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained) return out;
   for (const ErrorComparison& errors : diagnosis.validate_errors)
     if (errors.after.rmse > notable_ratio * errors.noise_floor_rmse)

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,13 +11,15 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
+#include "report/diagnosis_advice.hpp"
+#include "report/diagnosis_assumptions.hpp"
+#include "report/diagnosis_numbers.hpp"
 #include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {
 
 using formats::error_unit;
-using formats::EstimateInUnit;
 using formats::ids;
 using formats::in_unit;
 using formats::main_first;
@@ -29,16 +29,6 @@ using enum TextTable::Align;
 constexpr std::size_t most_candidates = 5;
 constexpr std::size_t most_dependences = 4;
 
-// Four digits: what the intervals of a fit bear, and a line holds.
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.4g}", value) : "none";
-}
-
-std::string in_unit_text(double value, const units::Unit& unit) {
-  const std::string readable = readable_unit(unit.suffix);
-  return number(units::from_si(value, unit)) + (readable.empty() ? "" : " " + readable);
-}
-
 std::string verdict_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const AddedEffect& each : diagnosis.effects) names.emplace_back(each.kind->id());
@@ -47,8 +37,8 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
     case Verdict::no_missing_effect:
       return "The declared model lacks nothing that these data show: fitted anew, it reaches the noise.";
     case Verdict::declared_numbers_off:
-      return "The declared numbers are off: moved further than their tolerances allow, they explain these data, and no "
-             "missing effect does so decisively better.";
+      return "The declared numbers are off: moved further than their tolerances make likely, they explain these data, "
+             "and no missing effect does so decisively better.";
     case Verdict::explained:
       return fmt::format("The declared model lacks {}; with it, what is left over is noise.", effects);
     case Verdict::partly_explained:
@@ -60,70 +50,69 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
   return "";
 }
 
-// Digits that a number bears whose interval is this wide: two of the half width's.
-int digits_of(const EstimateInUnit& shown) {
-  const double half_width = 0.5 * (shown.upper - shown.lower);
-  if (!std::isfinite(half_width) || half_width <= 0.0 || std::abs(shown.value) <= half_width) return 3;
-  const double places = std::floor(std::log10(std::abs(shown.value))) - std::floor(std::log10(half_width));
-  return std::clamp(static_cast<int>(places) + 2, 3, 12);
-}
-
-std::string interval_text(const compare::Estimate& estimate, const EstimateInUnit& shown, int digits) {
-  if (!estimate.determined) return "not determined by these data";
-  const bool lower = std::isfinite(shown.lower);
-  const bool upper = std::isfinite(shown.upper);
-  if (lower && upper) return fmt::format("{:.{}g} to {:.{}g} (95 %)", shown.lower, digits, shown.upper, digits);
-  if (lower) return fmt::format("at least {} (95 %)", number(shown.lower));
-  if (upper) return fmt::format("at most {} (95 %)", number(shown.upper));
-  return "no bound on either side (95 %)";
-}
-
-std::vector<std::string> estimate_row(const compare::Estimate& estimate) {
-  const EstimateInUnit shown = in_unit(estimate);
-  const int digits = digits_of(shown);
-  return {estimate.key, fmt::format("{:.{}g}", shown.value, digits), interval_text(estimate, shown, digits)};
-}
-
 std::string parameters_text(const AddedEffect& effect) {
   if (effect.parameters.empty()) return "    (no number of its own)\n";
   TextTable table;
   for (const compare::Estimate& each : effect.parameters) {
     if (each.chosen)
-      table.row({each.key, number(in_unit(each).value), "(chosen)"});
+      table.row({each.key, number_text(in_unit(each).value), "(chosen)"});
     else
       table.row(estimate_row(each));
   }
   return table.text(4, {left, right, left});
 }
 
-std::string effects_text(const Diagnosis& diagnosis) {
-  if (diagnosis.effects.empty()) return {};
-  std::string text = "\nWhat it lacks\n";
-  for (const AddedEffect& each : diagnosis.effects) {
-    text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->description());
-    text += parameters_text(each);
-    const compare::Evidence& evidence = each.evidence;
-    text += fmt::format("    chi^2 on the fit runs {} -> {}", number(evidence.chi_square_before),
-                        number(evidence.chi_square_after));
-    if (std::isfinite(evidence.cross_validated_gain))
-      // More than all of it is what noise makes of it.
-      text += fmt::format("; takes away {} % of the error above the noise on runs left out in turn",
-                          number(100.0 * std::min(1.0, evidence.cross_validated_gain)));
-    text += '\n';
-  }
+// Values that the fits compared with the model, without those that were set aside.
+std::size_t values_fitted(const Diagnosis& diagnosis) {
+  std::size_t values = 0;
+  std::size_t aside = 0;
+  for (const ErrorComparison& each : diagnosis.fit_errors) values += each.samples;
+  for (const Outliers& each : diagnosis.outliers) aside += each.times.size();
+  return values > aside ? values - aside : 0;
+}
+
+// Rms residual on the fit runs over the noise, of a chi-square: 1 is noise alone.
+double over_noise(const Diagnosis& diagnosis, double chi_square) {
+  const std::size_t values = values_fitted(diagnosis);
+  return values > 0 ? std::sqrt(chi_square / static_cast<double>(values)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& evidence) {
+  std::string text = fmt::format("    residual on the fit runs: {} times the noise without it, {} with it (rms)\n",
+                                 number_text(over_noise(diagnosis, evidence.chi_square_before)),
+                                 number_text(over_noise(diagnosis, evidence.chi_square_after)));
+  if (std::isfinite(evidence.cross_validated_gain))
+    // More than all of it is what noise makes of it.
+    text += fmt::format("    on runs left out in turn: takes away {:.0f} % of the squared error above the noise\n",
+                        100.0 * std::min(1.0, evidence.cross_validated_gain));
   return text;
 }
 
-std::string calibration_text(const Diagnosis& diagnosis) {
-  if (diagnosis.calibration.empty()) return {};
-  TextTable table;
-  for (const compare::Estimate& each : diagnosis.calibration) table.row(estimate_row(each));
-  return "\nDeclared numbers, fitted anew\n" + table.text(2, {left, right, left});
+// An effect may do no more than let the declared numbers stay where their tolerances put them.
+std::string declared_text(const Diagnosis& diagnosis) {
+  if (diagnosis.nominal.empty()) return {};
+  const double probability = diagnosis.probability_of_declared;
+  const std::string share = probability < 1e-4 ? "fewer than 0.01 %" : fmt::format("{:.2g} %", 100.0 * probability);
+  return fmt::format(
+      "  Without an effect the declared numbers would have to be as far off, all together, as their tolerances let\n"
+      "  them be in {} of rigs (below 1 %: they are off).\n",
+      share);
+}
+
+std::string found_text(const Diagnosis& diagnosis) {
+  std::string text = "\nWhat was found\n";
+  for (const AddedEffect& each : diagnosis.effects) {
+    text += fmt::format("  {}: {}\n", each.kind->id(), each.kind->description());
+    text += parameters_text(each);
+    text += evidence_text(diagnosis, each.evidence);
+  }
+  if (diagnosis.effects.empty()) text += "  No effect that the data support.\n";
+  return text + declared_text(diagnosis);
 }
 
 std::string comparison_text(const ErrorComparison& comparison) {
   const units::Unit unit = error_unit(comparison.kind);
-  const auto shown = [&](double value) { return number(units::from_si(value, unit)); };
+  const auto shown = [&](double value) { return number_text(units::from_si(value, unit)); };
   const auto line = [&](const char* name, double Errors::*member) -> std::vector<std::string> {
     return {name, shown(comparison.declared.*member), shown(comparison.before.*member),
             shown(comparison.after.*member)};
@@ -155,30 +144,28 @@ std::string hypothesis(const compare::ComparedHypothesis& candidate) {
 }
 
 std::string compared_text(const Diagnosis& diagnosis) {
-  if (diagnosis.compared_hypotheses.empty()) return {};
+  const auto compared = formats::compared_as_reported(diagnosis);
+  if (compared.empty()) return {};
   TextTable table;
-  table.row({"", "chi^2"});
-  for (const compare::ComparedHypothesis& each :
-       std::span(diagnosis.compared_hypotheses).first(std::min(diagnosis.compared_hypotheses.size(), most_candidates)))
-    table.row({hypothesis(each), each.evidence ? number(each.evidence->chi_square_after) : "none", each.remark});
-  return "\nCompared, best first\n" + table.text(2, {left, right, left});
+  table.row({"", "residual", "gain", ""});
+  for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
+    table.row({hypothesis(each),
+               each.evidence ? number_text(over_noise(diagnosis, each.evidence->chi_square_after)) : "none",
+               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none",
+               formats::is_reported(diagnosis, each.effects) ? "reported" : each.remark});
+  return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
+         "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
+         "model\n  fitted anew, each further number charged; a lead of 6 is odds of 20 to 1, less decides nothing.\n";
 }
 
 std::string rivals_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const auto& set : diagnosis.indistinguishable)
-    text += fmt::format("  these data cannot tell apart: {}\n", fmt::join(ids(set), ", "));
-  if (!text.empty()) text = "\nWhat else it could be\n" + text;
-  return text + compared_text(diagnosis);
-}
-
-std::string experiment_text(const Diagnosis& diagnosis) {
-  if (!diagnosis.next_experiment) return {};
-  const experiment::NextExperiment& next = *diagnosis.next_experiment;
-  std::string text = fmt::format("\nThe experiment that would tell\n  {}: {}\n  {}", next.kind, next.input, next.why);
-  if (std::isfinite(next.separation))
-    text += fmt::format(" (predictions differ by {} times the noise)", number(next.separation));
-  return text + '\n';
+    text += fmt::format("  These data cannot tell apart: {}. The simplest of them is reported.\n",
+                        fmt::join(ids(set), ", "));
+  if (!diagnosis.effects.empty() && text.empty())
+    text += "  Nothing else that was tried explains these data as well.\n";
+  return "\nHow sure, and what else it could be\n" + text + compared_text(diagnosis);
 }
 
 // Only where something is left over: on a residual that is noise there is nothing to name.
@@ -195,10 +182,10 @@ std::string residual_text(const Diagnosis& diagnosis) {
     table.row({fmt::format("on {}", each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
   }
   if (table.rows() > 0) text += "  depends\n" + table.text(4, {left, right});
-  if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number(*residual.frequency));
+  if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number_text(*residual.frequency));
   if (!diagnosis.after.where.empty())
     text += fmt::format("  worst in {} ({} times what noise may show)\n", diagnosis.after.where,
-                        number(diagnosis.after.whiteness_ratio));
+                        number_text(diagnosis.after.whiteness_ratio));
   return text;
 }
 
@@ -211,69 +198,16 @@ std::string warnings_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-// A line a channel: how noisy it is over its runs, and whether that was given or estimated.
-std::string noise_text(const Diagnosis& diagnosis) {
-  struct Channel {
-    double least = std::numeric_limits<double>::infinity();
-    double most = 0.0;
-    int given = 0;  // runs
-    int estimated = 0;
-
-    [[nodiscard]] std::string source() const {
-      const auto runs = [](int count) { return fmt::format("{} {}", count, count == 1 ? "run" : "runs"); };
-      constexpr const char* how = "estimated (diagnosis.json says how)";
-      if (estimated == 0) return fmt::format("in {}, given", runs(given));
-      if (given == 0) return fmt::format("in {}, {}", runs(estimated), how);
-      return fmt::format("given in {}, in {} {}", runs(given), runs(estimated), how);
-    }
-  };
-  std::map<std::string, Channel> channels;
-  for (const noise::NoiseLevel& each : diagnosis.noise) {
-    Channel& channel = channels[each.channel];
-    channel.least = std::min(channel.least, each.sigma);
-    channel.most = std::max(channel.most, each.sigma);
-    ++(each.given ? channel.given : channel.estimated);
-  }
-  TextTable table;
-  for (const auto& [name, channel] : channels) {
-    const units::Unit unit = units::difference_unit(name);
-    const std::string most = in_unit_text(channel.most, unit);
-    const std::string range = channel.least == channel.most
-                                  ? most
-                                  : fmt::format("{} to {}", number(units::from_si(channel.least, unit)), most);
-    table.row({name, fmt::format("{} {}", range, channel.source())});
-  }
-  return table.rows() == 0 ? std::string() : "\nNoise\n" + table.text(2, {left, left});
-}
-
-// Files of the runs with that role, each once, in their order.
-std::vector<std::string> runs_of(const Diagnosis& diagnosis, bool validate) {
-  std::vector<std::string> out;
-  std::set<std::string> seen;
-  for (const Replay& each : diagnosis.replays)
-    if (each.validate == validate && seen.insert(each.run).second) out.push_back(each.run);
-  return out;
-}
-
-std::string runs_text(const formats::DiagnosisReport& report) {
-  std::string text;
-  const auto line = [&text](const char* name, const std::vector<std::string>& runs) {
-    if (!runs.empty()) text += fmt::format("  {} {}\n", name, fmt::join(runs, ", "));
-  };
-  line("fitted:", runs_of(report.diagnosis, false));
-  line("kept from the fit:", runs_of(report.diagnosis, true));
-  line("chosen for that by the tool (the set names none):", report.held_out);
-  return text.empty() ? text : "\nRuns\n" + text;
-}
-
 }  // namespace
 
 std::string to_text(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
-  return fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis)) +
-         warnings_text(diagnosis) + effects_text(diagnosis) + errors_text(diagnosis) + rivals_text(diagnosis) +
-         experiment_text(diagnosis) + residual_text(diagnosis) + calibration_text(diagnosis) + noise_text(diagnosis) +
-         runs_text(report);
+  std::string head =
+      fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis));
+  for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
+  return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
+         errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(diagnosis, report.updated_actuator) +
+         residual_text(diagnosis);
 }
 
 }  // namespace coilwright::report

@@ -16,53 +16,117 @@ std::string text_of(const Diagnosis& diagnosis) {
   return to_text(report_of(diagnosis));
 }
 
-TEST(DiagnosisText, SaysInAMinuteWhatIsMissingAndHowSureThatIs) {
+TEST(DiagnosisText, SaysInAMinuteWhatWasAssumedAndFoundAndHowSureThatIs) {
   Diagnosis diagnosis = example();
   diagnosis.next_experiment = {
       .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
+  diagnosis.nominal = {
+      {.estimate = {.key = "force_curve", .value = -0.015}, .declared = 0.0, .tolerance = 0.03},
+      {.estimate = {.key = "/measured/tip_segment_mass_g", .value = 0.0205, .lower = 0.02, .upper = 0.021},
+       .declared = 0.02,
+       .tolerance = 0.0005,
+       .named = true}};
+  diagnosis.probability_of_declared = 0.25;
+  diagnosis.held_exact = {"/magnet/remanence_T"};
   diagnosis.noise = {
       {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .given = true, .source = "given"}};
-  diagnosis.noise.push_back({.run = "b.csv", .channel = "torque_Nmm", .sigma = 2e-5, .source = "estimated from x"});
-  diagnosis.noise.push_back({.run = "c.csv", .channel = "torque_Nmm", .sigma = 1e-5, .source = "estimated from y"});
+  diagnosis.noise.push_back({.run = "b.csv", .channel = "torque_Nmm", .sigma = 2e-5, .from_the_run = true});
+  diagnosis.noise.push_back({.run = "c.csv", .channel = "torque_Nmm", .sigma = 1e-5, .colour = "white, as at rest"});
+  diagnosis.outliers = {{.run = "a.csv", .channel = "bending_angle_deg", .times = {0.5, 0.75, 1.0, 1.25, 1.5, 1.75}}};
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12006, 0.3 * degree)};
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}};
   diagnosis.replays = {{.run = "a.csv", .validate = false}, {.run = "b.csv", .validate = true}};
-  EXPECT_EQ(text_of(diagnosis),
-            "finger-2024-03-11: explained\n"
-            "\n"
-            "The declared model lacks dry_friction; with it, what is left over is noise.\n"
-            "\n"
-            "Warnings\n"
-            "  a.csv: saturated\n"
-            "\n"
-            "What it lacks\n"
-            "  dry_friction: Coulomb friction at the hinges\n"
-            "    torque_Nmm  0.61  0.58 to 0.64 (95 %)\n"
-            "    chi^2 on the fit runs 5.2e+04 -> 1.2e+04; takes away 97 % of the error above the noise on runs left "
-            "out in turn\n"
-            "\n"
-            "Errors on the runs that no fit has seen\n"
-            "  angle, deg  as declared  fitted anew  with effects\n"
-            "    mean              2.9          1.1          0.24\n"
-            "    rmse              3.5          1.4           0.3  noise alone: 0.3\n"
-            "    largest           9.1            5           1.2\n"
-            "\n"
-            "What else it could be\n"
-            "  these data cannot tell apart: coil_heating, magnet_heating\n"
-            "\n"
-            "The experiment that would tell\n"
-            "  hot_hold: 1.05 A for 60 s\n"
-            "  they part when hot (predictions differ by 8.5 times the noise)\n"
-            "\n"
-            "Declared numbers, fitted anew\n"
-            "  joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)\n"
-            "\n"
-            "Noise\n"
-            "  bending_angle_deg  0.3 deg in 1 run, given\n"
-            "  torque_Nmm         0.01 to 0.02 Nmm in 2 runs, estimated (diagnosis.json says how)\n"
-            "\n"
-            "Runs\n"
-            "  fitted: a.csv\n"
-            "  kept from the fit: b.csv\n");
+  EXPECT_EQ(text_of(diagnosis), R"(finger-2024-03-11: explained
+
+The declared model lacks dry_friction; with it, what is left over is noise.
+
+Warnings
+  a.csv: saturated
+
+What was assumed
+  Runs fitted: a.csv
+  Runs kept from the fit, for the errors only: b.csv
+  Numbers fitted freely:
+    joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)
+  2 declared numbers could move, each at the price of its tolerance (one standard deviation):
+                                  declared  tolerance       moved to  tolerances moved
+    /measured/tip_segment_mass_g        20  0.5                 20.5              +1.0
+    force_curve                          0  0.03 (default)    -0.015              -0.5
+  Taken as exact:
+    /magnet/remanence_T
+  Noise, one standard deviation:
+    bending_angle_deg: 0.3 deg, given in 1 run
+    torque_Nmm: 0.01 to 0.02 Nmm, measured at rest for 1 run, estimated in 1 run
+      white, as at rest
+  Left out, because no motion can show them (all in diagnosis.json):
+    a.csv, bending_angle_deg: 6 samples at 0.5, 0.75, 1, 1.25, 1.5, ... s
+
+What was found
+  dry_friction: Coulomb friction at the hinges
+    torque_Nmm  0.61  0.58 to 0.64 (95 %)
+    residual on the fit runs: 2.082 times the noise without it, 1 with it (rms)
+    on runs left out in turn: takes away 97 % of the squared error above the noise
+  Without an effect the declared numbers would have to be as far off, all together, as their tolerances let
+  them be in 25 % of rigs (below 1 %: they are off).
+
+Errors on the runs that no fit has seen
+  angle, deg  as declared  fitted anew  with effects
+    mean              2.9          1.1          0.24
+    rmse              3.5          1.4           0.3  noise alone: 0.3
+    largest           9.1            5           1.2
+
+How sure, and what else it could be
+  These data cannot tell apart: coil_heating, magnet_heating. The simplest of them is reported.
+
+What to do next
+  Record this run (hot_hold): 1.05 A for 60 s: they part when hot; the explanations that are left differ there by 8.5 times the noise.
+  Then go on with actuator.json: evaluate, simulate and size take it.
+)");
+}
+
+TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
+  Diagnosis diagnosis = example();
+  diagnosis.validate_errors.front().after = degrees(1.3, 1.6, 5.5);
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("noise.\nOn the runs that no fit has seen the error of the angle rises from 1.4 without the "
+                        "effects to 1.6 deg with them (rmse).\n"));
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n  Fit a run of the kind that was kept from the fit"));
+  // A tenth of the noise is no rise.
+  diagnosis.validate_errors.front().after = degrees(1.1, 1.42, 5.0);
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("rises")));
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::declared_numbers_off;
+  diagnosis.validate_errors.front().declared = degrees(1.0, 1.2, 4.0);
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("rises from 1.2 as declared to 1.42 deg fitted anew (rmse).\n"));
+}
+
+TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.verdict = Verdict::declared_numbers_off;
+  diagnosis.probability_of_declared = 2e-5;
+  diagnosis.nominal = {
+      {.estimate = {.key = "/links/0/mass_kg", .value = 0.0202}, .declared = 0.02, .tolerance = 0.0005},
+      {.estimate = {.key = "/links/1/mass_kg", .value = 0.0185}, .declared = 0.02, .tolerance = 0.0005}};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text, HasSubstr("The declared numbers are off: moved further than their tolerances make likely, they "
+                              "explain these data, and no missing effect does so decisively better.\n"));
+  EXPECT_THAT(text, HasSubstr("in fewer than 0.01 % of rigs (below 1 %: they are off).\n"));
+  EXPECT_THAT(text, HasSubstr("What to do next\n"
+                              "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
+                              "actuator file and diagnose again.\n"
+                              "  Then go on with actuator.json: evaluate, simulate and size take it.\n"));
+  // A shape is measured on a bench, once for all of its numbers.
+  for (const char* key : {"force_curve_1", "force_curve_2"})
+    diagnosis.nominal.push_back({.estimate = {.key = key, .value = 0.2}, .declared = 0.0, .tolerance = 0.03});
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("Weigh or measure the torque over the angle at one current (a "
+                                            "static_torque bench), whose shape is off, /links/1/mass_kg (declared"));
+  diagnosis.nominal.resize(2);
+  // None moved far, but together they did.
+  diagnosis.nominal[1].estimate.value = 0.0191;
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
 }
 
 TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
@@ -74,6 +138,10 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("What is left over, as a joint torque")));
   diagnosis.verdict = Verdict::partly_explained;
   diagnosis.after.whiteness_ratio = 3.0;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("ten seconds")));
+  diagnosis.noise = {
+      {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .colour = "taken as white: x"}};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("Record ten seconds of the finger at rest (kind still)"));
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What is left over, as a joint torque\n"
                                             "  rms 0.2 Nmm, where noise alone gives 0.05 Nmm\n"
                                             "  depends\n"
@@ -115,27 +183,31 @@ TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
 
 TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
   Diagnosis diagnosis = example();
-  const auto with_chi_square = [](double value) {
-    return compare::Evidence{.chi_square_after = value, .correlation_time = 4.0};
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  const auto evidence = [](double chi_square, double gain) {
+    return compare::Evidence{.chi_square_after = chi_square, .quasi_bic_gain = gain, .correlation_time = 4.0};
   };
   diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating, &magnet_heating}, .evidence = with_chi_square(444.25), .remark = ""},
-      {.effects = {&dry_friction}, .evidence = with_chi_square(12000.0), .remark = "interval includes absent"},
-      {.effects = {}, .evidence = with_chi_square(52000.0), .remark = ""},
+      {.effects = {&coil_heating, &magnet_heating}, .evidence = evidence(11900.0, 803.0), .remark = ""},
+      {.effects = {&dry_friction}, .evidence = evidence(12345.0, 700.0), .remark = ""},
+      {.effects = {&magnet_heating}, .evidence = evidence(52000.0, -8.5), .remark = "interval includes absent"},
       {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("Compared, best first\n"
-                                            "                                   chi^2\n"
-                                            "  coil_heating + magnet_heating    444.2\n"
-                                            "  dry_friction                   1.2e+04  interval includes absent\n"
-                                            "  no effect                      5.2e+04\n"
-                                            "  coil_heating                      none  no coils\n"));
+  // Of the reported one the numbers of the report, not those of the search.
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("  Compared, best first\n"
+                                            "                                   residual   gain\n"
+                                            "    coil_heating + magnet_heating    0.9958  803.0\n"
+                                            "    dry_friction                          1  800.0  reported\n"
+                                            "    magnet_heating                    2.082   -8.5  interval includes "
+                                            "absent\n"
+                                            "    coil_heating                       none   none  no coils\n"
+                                            "  residual: rms on the fit runs over the noise, 1 is noise alone."));
 }
 
 TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {
   const Diagnosis diagnosis = example();
   formats::DiagnosisReport report = report_of(diagnosis);
   report.held_out = {"b.csv", "f.csv"};
-  EXPECT_THAT(to_text(report), HasSubstr("chosen for that by the tool (the set names none): b.csv, f.csv\n"));
+  EXPECT_THAT(to_text(report), HasSubstr("Chosen for that by the tool, because the set names none: b.csv, f.csv\n"));
 }
 
 }  // namespace

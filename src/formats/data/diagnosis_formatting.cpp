@@ -1,6 +1,7 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
@@ -25,7 +26,6 @@ std::vector<std::string> ids(std::span<const actuator::EffectKind* const> kinds)
   return out;
 }
 
-// The residual of any fit has a correlation time of at least one sample.
 std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> comparisons) {
   std::vector<const ErrorComparison*> out;
   for (const ErrorComparison& each : comparisons) out.push_back(&each);
@@ -43,6 +43,41 @@ EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
   return {.value = units::from_memory(estimate.value, key),
           .lower = units::from_memory(estimate.lower, key),
           .upper = units::from_memory(estimate.upper, key)};
+}
+
+MovedNumberInUnit in_unit(const measurement::MovedNumber& number) {
+  const std::string_view key = key_with_unit(number.estimate.key);
+  return {.declared = units::from_memory(number.declared, key),
+          .tolerance = units::from_si(number.tolerance, units::difference_unit(key))};
+}
+
+double tolerances_moved(const measurement::MovedNumber& number) {
+  return (number.estimate.value - number.declared) / number.tolerance;
+}
+
+bool is_reported(const measurement::Diagnosis& diagnosis, std::span<const actuator::EffectKind* const> kinds) {
+  return !kinds.empty() && kinds.size() == diagnosis.effects.size() &&
+         std::ranges::all_of(diagnosis.effects, [&](const measurement::AddedEffect& effect) {
+           return std::ranges::find(kinds, effect.kind) != kinds.end();
+         });
+}
+
+std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(const measurement::Diagnosis& diagnosis) {
+  std::vector<measurement::compare::ComparedHypothesis> out = diagnosis.compared_hypotheses;
+  for (measurement::compare::ComparedHypothesis& candidate : out) {
+    if (!candidate.evidence || !is_reported(diagnosis, candidate.effects)) continue;
+    const measurement::compare::Evidence& last = diagnosis.effects.back().evidence;
+    measurement::compare::Evidence reported{.chi_square_before = diagnosis.effects.front().evidence.chi_square_before,
+                                            .chi_square_after = last.chi_square_after,
+                                            .cross_validated_gain = diagnosis.effects.size() == 1
+                                                                        ? last.cross_validated_gain
+                                                                        : std::numeric_limits<double>::quiet_NaN(),
+                                            .correlation_time = last.correlation_time};
+    for (const measurement::AddedEffect& effect : diagnosis.effects)
+      reported.quasi_bic_gain += effect.evidence.quasi_bic_gain;
+    candidate.evidence = reported;
+  }
+  return out;
 }
 
 }  // namespace coilwright::formats

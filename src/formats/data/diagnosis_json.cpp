@@ -52,6 +52,31 @@ Json estimates_json(std::span<const compare::Estimate> estimates) {
   return out;
 }
 
+// The declared numbers that the fit moved within their tolerances.
+Json nominal_json(const Diagnosis& diagnosis) {
+  Json out = Json::object();
+  for (const MovedNumber& each : diagnosis.nominal) {
+    const MovedNumberInUnit shown = in_unit(each);
+    Json number = estimate_json(each.estimate);
+    number.set("declared", number_or_null(shown.declared))
+        .set("tolerance", number_or_null(shown.tolerance))
+        .set("tolerance_from", each.named ? "set" : "default");
+    out.set(each.estimate.key, std::move(number));
+  }
+  return out;
+}
+
+Json outliers_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const Outliers& each : diagnosis.outliers) {
+    Json times = Json::array();
+    for (const double time : each.times) times.add(time);
+    out.add(Json::object(
+        {{"run", each.run}, {"channel", each.channel}, {"samples", each.times.size()}, {"times_s", std::move(times)}}));
+  }
+  return out;
+}
+
 Json evidence_json(const compare::Evidence& evidence) {
   return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
                        {"chi_square_after", number_or_null(evidence.chi_square_after)},
@@ -116,7 +141,7 @@ Json next_experiment_json(const Diagnosis& diagnosis) {
 
 Json candidates_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
-  for (const compare::ComparedHypothesis& candidate : diagnosis.compared_hypotheses)
+  for (const compare::ComparedHypothesis& candidate : compared_as_reported(diagnosis))
     out.add(Json::object({{"effects", ids_json(candidate.effects)},
                           {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json(nullptr)},
                           {"remark", text_or_null(candidate.remark)}}));
@@ -162,7 +187,8 @@ Json noise_json(const Diagnosis& diagnosis) {
     out.add(Json::object({{"run", each.run},
                           {"channel", each.channel},
                           {with_unit("sigma", unit), in_unit_or_null(each.sigma, unit)},
-                          {"source", each.source}}));
+                          {"source", each.source},
+                          {"colour", text_or_null(each.colour)}}));
   }
   return out;
 }
@@ -185,7 +211,10 @@ Json to_json(const DiagnosisReport& report) {
   out.set("calibration", estimates_json(diagnosis.calibration));
   out.set("updated_actuator", report.updated_actuator);
   out.set("next_experiment", next_experiment_json(diagnosis));
+  out.set("nominal", nominal_json(diagnosis)).set("outliers", outliers_json(diagnosis));
   // Beyond the format.
+  out.set("probability_of_declared", number_or_null(diagnosis.probability_of_declared));
+  out.set("held_exact", words_json(diagnosis.held_exact));
   out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));
   out.set("adequacy",
           Json::object({{"before", adequacy_json(diagnosis.before)}, {"after", adequacy_json(diagnosis.after)}}));

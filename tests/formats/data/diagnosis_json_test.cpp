@@ -81,7 +81,8 @@ TEST(DiagnosisJson, HasAWordForEachVerdict) {
   Diagnosis diagnosis;
   for (const auto& [verdict, word] :
        {std::pair(Verdict::no_missing_effect, "no_missing_effect"), std::pair(Verdict::explained, "explained"),
-        std::pair(Verdict::partly_explained, "partly_explained"), std::pair(Verdict::unexplained, "unexplained")}) {
+        std::pair(Verdict::partly_explained, "partly_explained"), std::pair(Verdict::unexplained, "unexplained"),
+        std::pair(Verdict::declared_numbers_off, "declared_numbers_off")}) {
     diagnosis.verdict = verdict;
     EXPECT_EQ(json_of(diagnosis)["verdict"], word);
   }
@@ -162,7 +163,11 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
       .frequency = 5.0};
   diagnosis.noise = {
       {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .given = true, .source = "given"},
-      {.run = "b.csv", .channel = "torque_Nm", .sigma = 0.002, .source = "second differences"},
+      {.run = "b.csv",
+       .channel = "torque_Nm",
+       .sigma = 0.002,
+       .source = "second differences",
+       .colour = "white, as the still run"},
       {.run = "c.csv", .channel = "temperature_degC", .sigma = 0.5, .given = true, .source = "given"}};
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}, {.run = "", .text = "few runs"}};
   const auto json = json_of(diagnosis);
@@ -176,9 +181,10 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
       {"variable": "current history", "explained": 0.25, "at": [1.0], "residual_Nmm": [null]}],
       "frequency_Hz": 5.0})"));
   EXPECT_EQ(json["noise"], ordered_json::parse(R"([
-      {"run": "a.csv", "channel": "bending_angle_deg", "sigma_deg": 0.3, "source": "given"},
-      {"run": "b.csv", "channel": "torque_Nm", "sigma_Nm": 0.002, "source": "second differences"},
-      {"run": "c.csv", "channel": "temperature_degC", "sigma_K": 0.5, "source": "given"}])"));
+      {"run": "a.csv", "channel": "bending_angle_deg", "sigma_deg": 0.3, "source": "given", "colour": null},
+      {"run": "b.csv", "channel": "torque_Nm", "sigma_Nm": 0.002, "source": "second differences",
+       "colour": "white, as the still run"},
+      {"run": "c.csv", "channel": "temperature_degC", "sigma_K": 0.5, "source": "given", "colour": null}])"));
   EXPECT_EQ(json["warnings"],
             ordered_json::parse(R"([{"run": "a.csv", "text": "saturated"}, {"run": null, "text": "few runs"}])"));
   EXPECT_EQ(json["adequacy"]["after"]["noise_only"], true);
@@ -198,6 +204,57 @@ TEST(DiagnosisJson, HasNoEvidenceOfAHypothesisThatWasRuledOutWithoutAFit) {
   EXPECT_EQ(candidates[1]["evidence"]["chi_square_after"], 12000.0);
   EXPECT_EQ(candidates[2],
             ordered_json::parse(R"({"effects": ["coil_heating"], "evidence": null, "remark": "no coils"})"));
+}
+
+TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
+  Diagnosis diagnosis = example();
+  diagnosis.nominal = {
+      {.estimate = {.key = "/measured/tip_segment_mass_g", .value = 0.0205, .lower = 0.02, .upper = 0.021},
+       .declared = 0.02,
+       .tolerance = 0.0005,
+       .named = true},
+      {.estimate = {.key = "force_curve", .value = 0.01, .lower = -infinity, .upper = infinity, .determined = false},
+       .declared = 0.0,
+       .tolerance = 0.03}};
+  diagnosis.probability_of_declared = 0.25;
+  diagnosis.held_exact = {"/magnet/remanence_T"};
+  const auto json = json_of(diagnosis);
+  EXPECT_EQ(json["nominal"], ordered_json::parse(R"({
+      "/measured/tip_segment_mass_g": {"value": 20.5, "ci95": [20.0, 21.0], "declared": 20.0, "tolerance": 0.5,
+                                       "tolerance_from": "set"},
+      "force_curve": {"value": 0.01, "ci95": [null, null], "determined": false, "declared": 0.0, "tolerance": 0.03,
+                      "tolerance_from": "default"}})"));
+  EXPECT_EQ(json["probability_of_declared"], 0.25);
+  EXPECT_EQ(json["held_exact"], ordered_json({"/magnet/remanence_T"}));
+}
+
+TEST(DiagnosisJson, ListsOutliers) {
+  Diagnosis diagnosis = example();
+  EXPECT_EQ(json_of(diagnosis)["outliers"], ordered_json::array());
+  diagnosis.outliers = {{.run = "a.csv", .channel = "bending_angle_deg", .times = {0.5, 1.25}}};
+  EXPECT_EQ(json_of(diagnosis)["outliers"], ordered_json::parse(R"([
+      {"run": "a.csv", "channel": "bending_angle_deg", "samples": 2, "times_s": [0.5, 1.25]}])"));
+}
+
+TEST(DiagnosisJson, StatesOfTheReportedHypothesisWhatTheReportDoes) {
+  Diagnosis diagnosis = example();  // chi-square 12000 with dry_friction
+  const compare::Evidence of_the_search{
+      .chi_square_before = 52000.0, .chi_square_after = 12345.0, .quasi_bic_gain = 700.0, .correlation_time = 5.0};
+  diagnosis.compared_hypotheses = {{.effects = {&coil_heating}, .evidence = of_the_search, .remark = ""},
+                                   {.effects = {&dry_friction}, .evidence = of_the_search, .remark = ""}};
+  auto json = json_of(diagnosis);
+  EXPECT_EQ(json["candidates"][0]["evidence"]["chi_square_after"], 12345.0);
+  EXPECT_EQ(json["candidates"][1]["evidence"], json["effects"][0]["evidence"]);
+  // Of two effects, in whatever order, the evidence is that of both steps.
+  diagnosis.effects.push_back(stopped());
+  diagnosis.effects[1].evidence = {
+      .chi_square_before = 12000.0, .chi_square_after = 9000.0, .quasi_bic_gain = 150.0, .correlation_time = 2.0};
+  diagnosis.compared_hypotheses[0].effects = {&end_stop, &dry_friction};
+  json = json_of(diagnosis);
+  EXPECT_EQ(json["candidates"][0]["evidence"],
+            ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 9000.0, "criterion_gain": 950.0,
+                                    "cross_validated_gain": null, "correlation_time_samples": 2.0})"));
+  EXPECT_EQ(json["candidates"][1]["evidence"]["chi_square_after"], 12345.0);
 }
 
 TEST(DiagnosisJson, SaysNothingOfTime) {

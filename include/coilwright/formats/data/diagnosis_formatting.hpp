@@ -26,4 +26,23 @@ struct EstimateInUnit {
 };
 [[nodiscard]] EstimateInUnit in_unit(const measurement::compare::Estimate& estimate);
 
+/// A declared number that a fit moved, in the unit of its key.
+struct MovedNumberInUnit {
+  double declared{}, tolerance{};
+};
+[[nodiscard]] MovedNumberInUnit in_unit(const measurement::MovedNumber& number);
+
+/// How far a declared number has moved, in its tolerances: + where it is larger than declared.
+[[nodiscard]] double tolerances_moved(const measurement::MovedNumber& number);
+
+/// Whether these are the effects that the diagnosis reports, in any order; never for none.
+[[nodiscard]] bool is_reported(const measurement::Diagnosis& diagnosis,
+                               std::span<const actuator::EffectKind* const> kinds);
+
+/// The compared hypotheses with the evidence that the report states of its own one: its effects were fitted again, from
+/// where their intervals lead, after the search had ranked it. The gain and the chi-squares are over the declared
+/// model; of several effects no cross-validated gain is known.
+[[nodiscard]] std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(
+    const measurement::Diagnosis& diagnosis);
+
 }  // namespace coilwright::formats

@@ -1,0 +1,101 @@
+#include "report/diagnosis_advice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coilwright/formats/data/measured_unit.hpp"
+#include "report/diagnosis_numbers.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace measurement;
+
+// An error has risen if it is larger by more than this fraction of the noise.
+constexpr double notable_rise = 0.1;
+// A number that moved by so many tolerances is worth a measurement.
+constexpr double far = 2.0;
+constexpr std::size_t most_to_measure = 3;
+
+// Declared numbers that moved far; if none did, and they are off together, those that moved most.
+std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
+  std::vector<const MovedNumber*> ordered;
+  for (const MovedNumber& each : diagnosis.nominal) ordered.push_back(&each);
+  const auto moved = [](const MovedNumber* each) { return std::abs(formats::tolerances_moved(*each)); };
+  std::ranges::stable_sort(ordered, std::greater{}, moved);
+  const bool together = diagnosis.verdict == Verdict::declared_numbers_off;
+  std::vector<std::string> out;
+  for (const MovedNumber* each : ordered) {
+    if (out.size() == most_to_measure || (moved(each) <= far && !(together && out.empty()))) continue;
+    // The numbers of its shape mean nothing by themselves.
+    std::string what =
+        each->estimate.key.starts_with("force_curve")
+            ? std::string("the torque over the angle at one current (a static_torque bench), whose shape is off")
+            : fmt::format("{} (declared {}, these data say {})", each->estimate.key,
+                          number_text(formats::in_unit(*each).declared),
+                          number_text(formats::in_unit(each->estimate).value));
+    if (std::ranges::find(out, what) == out.end()) out.push_back(std::move(what));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
+  for (const ErrorComparison* errors : formats::main_first(diagnosis.validate_errors)) {
+    const units::Unit unit = formats::error_unit(errors->kind);
+    const double most = notable_rise * errors->noise_floor_rmse;
+    const auto add = [&](double from, const char* what_before, double to, const char* what_after) {
+      out.push_back(
+          fmt::format("On the runs that no fit has seen the error of the {} rises from {} {} to {} {} (rmse).",
+                      formats::name_of(errors->kind), number_text(units::from_si(from, unit)), what_before,
+                      in_unit_text(to, unit), what_after));
+    };
+    if (!diagnosis.effects.empty() && errors->after.rmse > errors->before.rmse + most)
+      add(errors->before.rmse, "without the effects", errors->after.rmse, "with them");
+    else if (errors->after.rmse > errors->declared.rmse + most)
+      add(errors->declared.rmse, "as declared", errors->after.rmse, "fitted anew");
+  }
+  return out;
+}
+
+std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_actuator) {
+  std::vector<std::string> steps;
+  const bool structure = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
+  if (!risen_errors(diagnosis).empty())
+    steps.emplace_back(
+        "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");
+  if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
+    steps.push_back(
+        fmt::format("Weigh or measure {}, correct the actuator file and diagnose again.", fmt::join(measure, ", ")));
+  if (diagnosis.next_experiment) {
+    const experiment::NextExperiment& next = *diagnosis.next_experiment;
+    std::string step = fmt::format("Record this run ({}): {}: {}", next.kind, next.input, next.why);
+    if (std::isfinite(next.separation))
+      step += fmt::format("; the explanations that are left differ there by {} times the noise",
+                          number_text(next.separation));
+    steps.push_back(step + ".");
+  }
+  const bool colour_unknown = std::ranges::any_of(
+      diagnosis.noise, [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); });
+  if (structure && colour_unknown)
+    steps.emplace_back(
+        "Record ten seconds of the finger at rest (kind still): it tells whether what is left is noise of the camera.");
+  if (structure)
+    steps.emplace_back("Look at what is left over, below, and at residuals.csv: on what it depends names the cause.");
+  if (structure && diagnosis.verdict == Verdict::partly_explained)
+    steps.emplace_back(
+        "Do not take the numbers of the effects for those of the finger: what is missing distorts them.");
+  if (!structure)
+    steps.push_back(fmt::format("{} with {}: evaluate, simulate and size take it.",
+                                steps.empty() ? "Go on" : "Then go on", updated_actuator));
+  std::string text = "\nWhat to do next\n";
+  for (const std::string& step : steps) text += fmt::format("  {}\n", step);
+  return text;
+}
+
+}  // namespace coilwright::report

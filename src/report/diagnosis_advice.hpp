@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coilwright/measurement/diagnosis.hpp"
+
+namespace coilwright::report {
+
+/// Where the error on the runs that no fit has seen is larger than before effects were added, or before anything was
+/// fitted: one sentence a quantity.
+[[nodiscard]] std::vector<std::string> risen_errors(const measurement::Diagnosis& diagnosis);
+
+/// What a person would do next, the most useful first: which number to weigh or measure, which run to record, or
+/// whether to go on with the updated actuator.
+[[nodiscard]] std::string advice_text(const measurement::Diagnosis& diagnosis, const std::string& updated_actuator);
+
+}  // namespace coilwright::report

@@ -1,0 +1,149 @@
+#include "report/diagnosis_assumptions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "report/diagnosis_numbers.hpp"
+#include "report/text_table.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace measurement;
+using enum TextTable::Align;
+
+constexpr std::size_t most_numbers = 8;
+constexpr std::size_t most_times = 5;
+
+// Files of the runs with that role, each once, in their order.
+std::vector<std::string> runs_of(const Diagnosis& diagnosis, bool validate) {
+  std::vector<std::string> out;
+  std::set<std::string> seen;
+  for (const Replay& each : diagnosis.replays)
+    if (each.validate == validate && seen.insert(each.run).second) out.push_back(each.run);
+  return out;
+}
+
+std::string runs_text(const formats::DiagnosisReport& report) {
+  std::string text;
+  const auto line = [&text](const char* name, const std::vector<std::string>& runs) {
+    if (!runs.empty()) text += fmt::format("  {} {}\n", name, fmt::join(runs, ", "));
+  };
+  line("Runs fitted:", runs_of(report.diagnosis, false));
+  line("Runs kept from the fit, for the errors only:", runs_of(report.diagnosis, true));
+  line("Chosen for that by the tool, because the set names none:", report.held_out);
+  return text;
+}
+
+std::string calibration_text(const Diagnosis& diagnosis) {
+  if (diagnosis.calibration.empty()) return {};
+  TextTable table;
+  for (const compare::Estimate& each : diagnosis.calibration) table.row(estimate_row(each));
+  return "  Numbers fitted freely:\n" + table.text(4, {left, right, left});
+}
+
+// The declared numbers, those first that moved furthest.
+std::string nominal_text(const Diagnosis& diagnosis) {
+  if (diagnosis.nominal.empty()) return {};
+  std::vector<const MovedNumber*> ordered;
+  for (const MovedNumber& each : diagnosis.nominal) ordered.push_back(&each);
+  const auto distance = [](const MovedNumber* each) { return -std::abs(formats::tolerances_moved(*each)); };
+  std::ranges::stable_sort(ordered, {}, distance);
+  std::string text = fmt::format("  {} could move, each at the price of its tolerance (one standard deviation):\n",
+                                 counted(ordered.size(), "declared number"));
+  TextTable table;
+  table.row({"", "declared", "tolerance", "moved to", "tolerances moved"});
+  for (const MovedNumber* each : std::span(ordered).first(std::min(ordered.size(), most_numbers))) {
+    const formats::MovedNumberInUnit shown = formats::in_unit(*each);
+    table.row({each->estimate.key, number_text(shown.declared),
+               fmt::format("{}{}", number_text(shown.tolerance), each->named ? "" : " (default)"),
+               number_text(formats::in_unit(each->estimate).value),
+               fmt::format("{:+.1f}", formats::tolerances_moved(*each))});
+  }
+  text += table.text(4, {left, right, left, right, right});
+  if (ordered.size() > most_numbers)
+    text += fmt::format("    and {} that moved less (nominal in diagnosis.json)\n", ordered.size() - most_numbers);
+  return text;
+}
+
+std::string exact_text(const Diagnosis& diagnosis) {
+  if (diagnosis.held_exact.empty()) return {};
+  std::string text = "  Taken as exact:\n";
+  for (const std::string& each : diagnosis.held_exact) text += fmt::format("    {}\n", each);
+  return text;
+}
+
+// How noisy a channel is over its runs, and whether that was given or estimated.
+struct Channel {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  std::size_t given = 0;      // runs
+  std::size_t from_run = 0;   // estimated from themselves
+  std::size_t from_rest = 0;  // known from a record without motion
+  std::set<std::string> colours{};
+
+  void add(const noise::NoiseLevel& level) {
+    least = std::min(least, level.sigma);
+    most = std::max(most, level.sigma);
+    if (level.given)
+      ++given;
+    else
+      ++(level.from_the_run ? from_run : from_rest);
+    if (!level.colour.empty()) colours.insert(level.colour);
+  }
+
+  [[nodiscard]] std::string source() const {
+    std::vector<std::string> parts;
+    if (given > 0) parts.push_back(fmt::format("given in {}", counted(given, "run")));
+    if (from_rest > 0) parts.push_back(fmt::format("measured at rest for {}", counted(from_rest, "run")));
+    if (from_run > 0) parts.push_back(fmt::format("estimated in {}", counted(from_run, "run")));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
+};
+
+std::string noise_text(const Diagnosis& diagnosis) {
+  std::map<std::string, Channel> channels;
+  for (const noise::NoiseLevel& each : diagnosis.noise) channels[each.channel].add(each);
+  std::string text;
+  for (const auto& [name, channel] : channels) {
+    const units::Unit unit = units::difference_unit(name);
+    const std::string most = in_unit_text(channel.most, unit);
+    const std::string range = channel.least == channel.most
+                                  ? most
+                                  : fmt::format("{} to {}", number_text(units::from_si(channel.least, unit)), most);
+    text += fmt::format("    {}: {}, {}\n", name, range, channel.source());
+    for (const std::string& colour : channel.colours) text += fmt::format("      {}\n", colour);
+  }
+  return text.empty() ? text : "  Noise, one standard deviation:\n" + text;
+}
+
+std::string outliers_text(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const Outliers& each : diagnosis.outliers) {
+    const std::size_t shown = std::min(each.times.size(), most_times);
+    std::vector<std::string> times;
+    for (const double time : std::span(each.times).first(shown)) times.push_back(number_text(time));
+    text += fmt::format("    {}, {}: {} at {}{} s\n", each.run, each.channel, counted(each.times.size(), "sample"),
+                        fmt::join(times, ", "), each.times.size() > shown ? ", ..." : "");
+  }
+  return text.empty() ? text : "  Left out, because no motion can show them (all in diagnosis.json):\n" + text;
+}
+
+}  // namespace
+
+std::string diagnosis_assumptions(const formats::DiagnosisReport& report) {
+  const Diagnosis& diagnosis = report.diagnosis;
+  const std::string text = runs_text(report) + calibration_text(diagnosis) + nominal_text(diagnosis) +
+                           exact_text(diagnosis) + noise_text(diagnosis) + outliers_text(diagnosis);
+  return text.empty() ? text : "\nWhat was assumed\n" + text;
+}
+
+}  // namespace coilwright::report

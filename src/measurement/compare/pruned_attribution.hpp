@@ -17,8 +17,8 @@ struct PrunedAttribution {
   long simulated_runs{};              ///< for estimates and evidence
 };
 
-/// Removes effects, the last first, that explain too little (DecisionThresholds), improve no held-out run, or have an
-/// interval that contains the value at which the effect is absent.
+/// Removes effects, the last first, that gain or explain too little (DecisionThresholds), make runs worse that were
+/// left out, or have an interval that contains the value at which the effect is absent.
 [[nodiscard]] PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs,
                                                           Attribution attribution);
 

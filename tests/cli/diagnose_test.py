@@ -185,6 +185,7 @@ class Diagnose(ProgramTest):
         self.twin("--effect", "dry_friction:torque_Nmm=25")
         data = self.result("set/dataset.json")
         data["calibrate"] = []
+        data["tolerances"] = "exact"
         self.write("set/dataset.json", json.dumps(data))
         self.diagnose("out")
         found = self.result("out/diagnosis.json")

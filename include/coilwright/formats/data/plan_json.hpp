@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "coilwright/measurement/experiment/experiment_plan.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// What an experiment could show, with the files that it was planned for.
+struct PlanReport {
+  const measurement::experiment::ExperimentPlan& plan;
+  std::string experiment{};  ///< file, as it was given
+  std::string actuator{};
+};
+
+/// The plan as JSON; its keys are in docs/how_to/plan_experiment.md.
+[[nodiscard]] text::Json to_json(const PlanReport& report);
+
+/// A run that an experiment/1 can list under `runs`. Throws std::invalid_argument for an input from a file.
+[[nodiscard]] text::Json run_json(const measurement::experiment::PlannedRun& run);
+
+}  // namespace coilwright::formats

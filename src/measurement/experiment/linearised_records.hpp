@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coilwright/measurement/experiment/experiment.hpp"
+#include "measurement/compare/fitted_hypothesis.hpp"
+#include "measurement/fit/counted.hpp"
+#include "measurement/replay/prepared_run.hpp"
+
+namespace coilwright::measurement::experiment {
+
+/// Records of the rig as it is declared, prepared as a diagnosis does, and the declared model's residuals in them with
+/// their derivatives. Nothing is fitted but local numbers: the declared numbers are the true ones.
+class LinearisedRecords {
+ public:
+  /// Simulates the fit runs of `experiment`, and its still runs to learn the noise from. Throws as
+  /// simulate_experiment() does, and std::invalid_argument if no run can be fitted.
+  LinearisedRecords(const Experiment& experiment, const replay::DeclaredModel& rig, std::uint64_t seed);
+  LinearisedRecords(const LinearisedRecords&) = delete;
+  LinearisedRecords& operator=(const LinearisedRecords&) = delete;
+
+  [[nodiscard]] std::span<const replay::PreparedRun> runs() const noexcept { return prepared_; }
+  [[nodiscard]] const compare::FittedHypothesis& base() const noexcept { return *base_; }
+  [[nodiscard]] long simulated_runs() const noexcept { return simulated_runs_; }
+
+  /// What an effect changes in the residuals, projected on what the local numbers cannot absorb; rows as
+  /// fit::Fit::stacked_residuals. Nothing if the motion cannot be simulated with it.
+  [[nodiscard]] fit::Counted<std::optional<Eigen::VectorXd>> change_by(const actuator::Effect& effect) const;
+  /// A change, projected on what the numbers of the declared model cannot absorb either.
+  [[nodiscard]] Eigen::VectorXd beyond_declared(const Eigen::VectorXd& change) const;
+  /// How many numbers a fit of this effect would have.
+  [[nodiscard]] Eigen::Index numbers_of(const actuator::Effect& effect) const;
+
+ private:
+  std::vector<data::Run> recorded_;
+  std::vector<replay::PreparedRun> prepared_;
+  std::optional<compare::FittedHypothesis> base_;
+  long simulated_runs_ = 0;
+};
+
+}  // namespace coilwright::measurement::experiment

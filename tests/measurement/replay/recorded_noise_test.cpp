@@ -1,0 +1,126 @@
+#include "measurement/replay/recorded_noise.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "measurement/fit/hypothesis.hpp"
+#include "measurement/slider_model.hpp"
+
+namespace coilwright::measurement::replay {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// White noise through a filter of first order, of standard deviation `sigma`.
+std::vector<double> filtered_noise(std::size_t samples, double r, double sigma, std::uint64_t seed) {
+  Normal normal(seed);
+  std::vector<double> out{sigma * normal()};
+  while (out.size() < samples) out.push_back(r * out.back() + sigma * std::sqrt(1.0 - r * r) * normal());
+  return out;
+}
+
+data::Run still_run(std::vector<double> values) {
+  data::Run run{.name = "still.csv", .kind = data::RunKind::still};
+  run.channels = {{.name = "theta1_rad", .kind = data::ChannelKind::joint_angle, .values = std::move(values)}};
+  for (std::size_t i = 0; i < run.channels.front().values.size(); ++i)
+    run.times.push_back(interval * static_cast<double>(i));
+  return run;
+}
+
+struct Told {
+  PreparedRun prepared{};
+  const noise::NoiseLevel& level() const { return prepared.noise.front(); }
+};
+
+// What a motion whose sigma is not given takes over.
+Told told(const data::Run& run, const std::vector<data::Run>& still) {
+  const DeclaredModel declared = slide(true_mass, true_damping);
+  const fit::Hypothesis hypothesis(declared, {});
+  Told out{.prepared = prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
+  give_recorded_noise(out.prepared, still, std::span(&run, 1));
+  return out;
+}
+
+data::Run motion() {
+  Normal normal(9);
+  data::Run run = slide_run(300, {}, [&] { return noise_sigma * normal(); });
+  run.sigma.reset();
+  return run;
+}
+
+TEST(RecordedNoise, IsTakenAsWhiteWhereNothingShowsIt) {
+  const data::Run run = motion();
+  const Told none = told(run, {});
+  EXPECT_EQ(none.level().colour, "taken as white: no still run and no part at rest shows it");
+  EXPECT_TRUE(none.level().from_the_run);
+  EXPECT_EQ(none.prepared.whiteners.front(), nullptr);
+}
+
+TEST(RecordedNoise, OfAWhiteStillRunIsItsLevel) {
+  const data::Run run = motion();
+  const Told white = told(run, {still_run(filtered_noise(2000, 0.0, 0.003, 1))});
+  EXPECT_THAT(white.level().colour, StartsWith("white, as the still run"));
+  EXPECT_THAT(white.level().source, StartsWith("the still run, 1999 samples"));
+  EXPECT_NEAR(white.level().sigma, 0.003, 4.0 * 0.003 / std::sqrt(4000.0));
+  EXPECT_FALSE(white.level().from_the_run);
+  EXPECT_EQ(white.prepared.whiteners.front(), nullptr);
+}
+
+TEST(RecordedNoise, OfAColouredStillRunIsWhitened) {
+  const data::Run run = motion();
+  const Told coloured = told(run, {still_run(filtered_noise(4000, 0.8, 0.003, 2))});
+  EXPECT_THAT(coloured.level().colour, StartsWith("coloured, its spectrum from the still run in "));
+  ASSERT_NE(coloured.prepared.whiteners.front(), nullptr);
+  const std::vector<double> other = filtered_noise(1000, 0.8, 1.0, 3);
+  Eigen::VectorXd white = Eigen::Map<const Eigen::VectorXd>(other.data(), 1000);
+  coloured.prepared.whiteners.front()->apply(white);
+  // Neighbours were alike by 0.8.
+  EXPECT_NEAR(white.head(999).dot(white.tail(999)) / white.squaredNorm(), 0.0, 4.0 / std::sqrt(1000.0));
+  EXPECT_NEAR(white.norm() / std::sqrt(1000.0), 1.0, 0.1);
+}
+
+TEST(RecordedNoise, ASigmaOfTheRunKeepsItsLevel) {
+  data::Run run = motion();
+  run.sigma = 0.002;
+  const Told given = told(run, {still_run(filtered_noise(2000, 0.8, 0.003, 4))});
+  EXPECT_EQ(given.level().sigma, 0.002);
+  EXPECT_THAT(given.level().colour, StartsWith("coloured"));
+}
+
+TEST(RecordedNoise, OfHumIsALineOfTheRun) {
+  const data::Run run = motion();
+  std::vector<double> values = filtered_noise(2000, 0.0, 0.003, 5);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] += 0.002 * std::sin(2.0 * std::numbers::pi * 13.0 * interval * static_cast<double>(i));
+  const Told hum = told(run, {still_run(values)});
+  EXPECT_THAT(hum.level().colour, HasSubstr(", hum at 13 Hz"));
+  ASSERT_EQ(hum.prepared.lines.size(), 1u);
+  EXPECT_NEAR(hum.prepared.lines.front(), 13.0, 0.01);
+  EXPECT_NEAR(hum.prepared.line_sizes.front(), 0.002, 0.0004);
+}
+
+TEST(RecordedNoise, OfThePartsAtRestCountsWhereItIsColoured) {
+  data::Run run = slide_run(300, {}, no_error);
+  run.sigma.reset();
+  // Two seconds of rest before the slide is pushed.
+  std::vector<double>& values = run.channels.front().values;
+  values.insert(values.begin(), 200, 0.0);
+  run.inputs.insert(run.inputs.begin(), 200, {0.0});
+  const std::vector<double> noise = filtered_noise(values.size(), 0.9, 0.003, 6);
+  run.times.clear();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    run.times.push_back(interval * static_cast<double>(i));
+    values[i] += noise[i];
+  }
+  const Told rest = told(run, {});
+  EXPECT_THAT(rest.level().colour, StartsWith("coloured, its spectrum from the parts at rest"));
+  EXPECT_THAT(rest.level().source, StartsWith("the parts at rest"));
+  EXPECT_NE(rest.prepared.whiteners.front(), nullptr);
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::replay

@@ -132,6 +132,13 @@ TEST(LaboratoryScore, CountsIntervalsInTheUnitsOfTheirKeys) {
   EXPECT_EQ(outcome.effect_intervals.hits, 1);
   EXPECT_EQ(outcome.number_intervals.of, 3);
   EXPECT_EQ(outcome.number_intervals.hits, 2);  // not the damping
+  // A second joint that is 8 % stiffer: the mean is 4 % above the first.
+  LaboratorySet unlike = set;
+  unlike.answer.built.numbers = {{.name = "joint_stiffness_ratio", .declared = 1.0, .is = 1.08, .tolerance = 0.06}};
+  json mean = found;
+  mean["calibration"] = {{"joint_stiffness_Nmm_rad", {{"value", 13.0}, {"ci95", {12.95, 13.05}}}}};
+  mean["nominal"] = {{"joint_stiffness_ratio", {{"value", 0.0769}, {"ci95", {0.076, 0.078}}}}};
+  EXPECT_EQ(scored(Category::one, unlike, mean).number_intervals.hits, 2);
   found["effects"][0]["parameters"]["torque_Nmm"]["ci95"] = {0.19, nullptr};
   found["calibration"]["joint_damping_Nmms_rad"]["determined"] = false;
   outcome = scored(Category::one, set, found);

@@ -26,8 +26,8 @@ namespace {
 struct Options {
   std::string experiment;
   std::string actuator;
-  std::vector<std::string> calibrate;
-  std::vector<std::string> noise;  // "angle_deg=0.3"
+  std::vector<std::string> calibrate{"joint_stiffness", "joint_damping"};  // as a data set that names none
+  std::vector<std::string> noise;                                          // "angle_deg=0.3"
   std::uint64_t seed = 1;
   int threads = 0;
   bool exact{false};
@@ -76,7 +76,8 @@ void add_plan_command(CLI::App& app, Outcome&) {
   command
       ->add_option(
           "--calibrate", options->calibrate,
-          "Number that the diagnosis will recalibrate, as a data set names it: joint_stiffness; may be repeated")
+          "Number that the diagnosis will recalibrate, as a data set names it; may be repeated; replaces the default "
+          "(default joint_stiffness and joint_damping)")
       ->allow_extra_args(false);
   command
       ->add_option(

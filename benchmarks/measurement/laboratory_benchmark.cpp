@@ -21,6 +21,7 @@
 #include "attribution/laboratory/outcome_file.hpp"
 #include "attribution/laboratory/run_case.hpp"
 #include "attribution/laboratory/summary.hpp"
+#include "attribution/laboratory/visible_strength.hpp"
 #include "run_program.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
 
@@ -34,6 +35,7 @@ struct Settings {
   std::string out{};
   std::string values{};
   std::string sets{};
+  bool plans = false;
   int first = 0;
   int count = 1000000;
   int jobs = 2;
@@ -53,7 +55,12 @@ int run_all(const std::vector<laboratory::Case>& cases, const Settings& settings
     for (std::size_t i = next++; i < cases.size(); i = next++) {
       if (std::filesystem::exists(file_of(settings, cases[i]))) continue;
       try {
-        const laboratory::Outcome outcome = laboratory::run_case(cases[i], settings.program, settings.threads);
+        laboratory::Case asked = cases[i];
+        if (settings.plans && asked.category == laboratory::Category::one && !asked.request.at_bound) {
+          const auto value = laboratory::five_times_visible(asked, settings.program, settings.threads);
+          if (value) asked.request.values = {*value};
+        }
+        const laboratory::Outcome outcome = laboratory::run_case(asked, settings.program, settings.threads);
         laboratory::write_outcome(outcome, file_of(settings, cases[i]));
         const std::lock_guard lock(printing);
         fmt::print("{}  ({:.1f} s)\n", laboratory::set_line(outcome), outcome.seconds);
@@ -92,6 +99,8 @@ int run(int argc, char** argv) {
   app.add_option(
       "--values", settings.values,
       "JSON object: by the number of a set of one effect the value to hide, in the unit of its first number");
+  app.add_flag("--five-times-visible", settings.plans,
+               "Hide single effects at five times what the program's plan of each experiment says could be seen");
   app.add_option("--write-sets", settings.sets, "Only write the sets, their experiments and answers into this folder");
   app.add_option("--first", settings.first, "Number of the first set")->check(CLI::NonNegativeNumber);
   app.add_option("--sets", settings.count, "Number of sets (default all)")->check(CLI::PositiveNumber);

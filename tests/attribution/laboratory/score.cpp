@@ -20,7 +20,8 @@ using truth::laboratory::Tolerances;
 constexpr double degree = std::numbers::pi / 180.0;
 
 // Standard deviations over all samples that must be left of an effect when tolerances and clocks have taken theirs:
-// five times six, with which an effect can be told from noise at all; at its physical bound twice that.
+// five times six, with which an effect can be told from noise at all; of one at its physical bound, or at five times
+// what a plan says, twice that.
 constexpr double clear = 30.0;
 constexpr double clear_at_bound = 12.0;
 
@@ -181,7 +182,8 @@ Outcome score(const Case& asked, const LaboratorySet& set, const std::string& di
     outcome.state_dependent = outcome.state_dependent || depends_on_state(hidden.id);
   }
 
-  outcome.visible = outcome.evidence >= (asked.request.at_bound ? clear_at_bound : clear);
+  outcome.visible =
+      outcome.evidence >= (asked.request.at_bound || !asked.request.values.empty() ? clear_at_bound : clear);
 
   const std::vector<std::string> allowed = true_names(set);
   const auto is_true = [&](const std::string& reported) {

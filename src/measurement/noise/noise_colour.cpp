@@ -71,7 +71,8 @@ std::optional<double> strongest_line(const Series& values) {
   const std::size_t per_ordinate = std::max<std::size_t>(1, spectrum.size / values.size());
   const std::size_t first = 3 * per_ordinate;
   const std::size_t last = spectrum.size / 2;
-  const double ordinates = 0.5 * static_cast<double>(values.size());
+  const double ordinates =
+      static_cast<double>(spectrum.size / 2);  // of the padded transform, all of which are searched
   const double limit = std::log(ordinates / chance_of_a_line);
   double best = 1.0;
   std::optional<std::size_t> found;
@@ -139,11 +140,19 @@ std::vector<NoiseColour::Band> bands_of(const std::vector<Series>& pieces, doubl
 // Whether the energies of the bands agree with one level: each is its density times chi-square of its freedom.
 bool agree_with_white(const std::vector<NoiseColour::Band>& bands) {
   if (bands.size() < 2) return true;
-  double sum = 0.0;  // of squared deviations of the logarithms, each of variance 2 / freedom
+  // Bartlett's test of equal variances (Proc. R. Soc. A 160, 268, 1937).
+  double freedom = 0.0;
+  double energy = 0.0;
+  double inverse = 0.0;
+  double logarithms = 0.0;
   for (const NoiseColour::Band& band : bands) {
-    const double deviation = std::log(std::max(band.density, 1e-300)) + 1.0 / band.freedom;
-    sum += deviation * deviation * band.freedom / 2.0;
+    freedom += band.freedom;
+    energy += band.freedom * band.density;
+    inverse += 1.0 / band.freedom;
+    logarithms += band.freedom * std::log(std::max(band.density, 1e-300));
   }
+  const double correction = 1.0 + (inverse - 1.0 / freedom) / (3.0 * (static_cast<double>(bands.size()) - 1.0));
+  const double sum = (freedom * std::log(energy / freedom) - logarithms) / correction;
   const boost::math::chi_squared_distribution<double> distribution(static_cast<double>(bands.size() - 1));
   return sum <= boost::math::quantile(boost::math::complement(distribution, chance_of_colour));
 }

@@ -28,8 +28,9 @@ struct ScaledResidual {
   };
   std::vector<KnownBand> bands{};
 
-  /// Degrees of freedom of the noise's level below a frequency, and at it, in cycles per sample.
+  /// Degrees of freedom of the noise's level below a frequency, in cycles per sample.
   [[nodiscard]] double freedom_below(double frequency) const;
+  /// The same at a frequency.
   [[nodiscard]] double freedom_at(double frequency) const;
 };
 

@@ -145,7 +145,6 @@ class Planner {
     request.seed = random_.seed();
     request.hidden = hidden;
     if (request.seed == 0) request.seed = 1;
-    request.find_confounders = hidden.size() == 1;
     request.weakest = 8.0;
     request.strongest = 20.0;
     if (category == Category::one) set_strength(next);

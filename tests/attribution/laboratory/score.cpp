@@ -182,8 +182,8 @@ Outcome score(const Case& asked, const LaboratorySet& set, const std::string& di
     outcome.state_dependent = outcome.state_dependent || depends_on_state(hidden.id);
   }
 
-  outcome.visible =
-      outcome.evidence >= (asked.request.at_bound || !asked.request.values.empty() ? clear_at_bound : clear);
+  const bool eased = asked.request.at_bound || !asked.request.values.empty();
+  outcome.visible = outcome.hidden.empty() || outcome.evidence >= (eased ? clear_at_bound : clear);
 
   const std::vector<std::string> allowed = true_names(set);
   const auto is_true = [&](const std::string& reported) {

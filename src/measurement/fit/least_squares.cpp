@@ -162,6 +162,8 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
   options.max_num_iterations = request.effort.iterations;
   options.function_tolerance = request.effort.tolerance;
   options.parameter_tolerance = 1e-9;
+  // A first step may lead where there is no model (a mass of nothing); each shorter one comes closer.
+  options.max_num_consecutive_invalid_steps = 20;
   // Steps that leave the bounds are projected onto them; the line search along them that Ceres would add costs more
   // simulated runs than it saves.
   options.max_num_line_search_step_size_iterations = 0;

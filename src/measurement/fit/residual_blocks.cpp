@@ -132,7 +132,7 @@ Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::Vec
     const auto displaced = displaced_models(parameters);
     if (!displaced) return no_model;
     simulated_runs += static_cast<long>(displaced->size() * runs);
-    if (!add_jacobian(*displaced, out)) return {.value = std::nullopt, .simulated_runs = simulated_runs};
+    add_jacobian(parameters, *displaced, out);
     add_known_columns(out);
   }
   if (!add_local_jacobian(*models, found, out)) return {.value = std::nullopt, .simulated_runs = simulated_runs};
@@ -197,32 +197,43 @@ std::optional<std::vector<ResidualBlocks::Displaced>> ResidualBlocks::displaced_
   std::vector<Displaced> out;
   for (Eigen::Index i = 0; i < parameters.size(); ++i) {
     if (request_.held_parameter == i || takes_known_column(i)) continue;
-    Eigen::VectorXd at = parameters;
-    const double step = difference_step(parameters, i);
-    at[i] += step;
-    std::optional<Models> models = models_at(at);
+    // At the edge of what makes a model there may be one to the other side only.
+    double step = difference_step(parameters, i);
+    std::optional<Models> models;
+    for (int side = 0; side < 2 && !models; ++side) {
+      if (side == 1) step = -step;
+      Eigen::VectorXd at = parameters;
+      at[i] += step;
+      models = models_at(at);
+    }
     if (!models) return std::nullopt;
     out.push_back({.parameter = i, .step = step, .models = std::move(*models)});
   }
   return out;
 }
 
-// Whether all of them could be simulated.
-bool ResidualBlocks::add_jacobian(const std::vector<Displaced>& displaced, ResidualValues& values) const {
+// Where a displaced model has no motion to either side (a pose about to lose its equilibrium), the derivatives of that
+// run are left at zero: the fit then moves on by the others, and takes no step that does not lower its objective.
+void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,
+                                  ResidualValues& values) const {
   const std::size_t runs = request_.runs.size();
-  std::vector<char> simulated(displaced.size() * runs, 0);
-  tbb::parallel_for(std::size_t{0}, simulated.size(), [&](std::size_t task) {
+  tbb::parallel_for(std::size_t{0}, displaced.size() * runs, [&](std::size_t task) {
     const Displaced& to = displaced[task / runs];
     const std::size_t r = task % runs;
-    const auto there = evaluate_run(to.models, r);
+    double step = to.step;
+    auto there = evaluate_run(to.models, r);
+    if (!there) {
+      step = -step;
+      Eigen::VectorXd at = parameters;
+      at[to.parameter] += step;
+      if (const std::optional<Models> other = models_at(at)) there = evaluate_run(*other, r);
+    }
     if (!there) return;
     for (std::size_t b = 0; b < there->residuals.size(); ++b) {
       ResidualValues::Block& block = values.blocks[first_block_[r] + b];
-      block.jacobian.col(to.parameter) = (there->residuals[b] - block.residuals) / to.step;
+      block.jacobian.col(to.parameter) = (there->residuals[b] - block.residuals) / step;
     }
-    simulated[task] = 1;
   });
-  return std::ranges::count(simulated, 0) == 0;
 }
 
 void ResidualBlocks::add_known_columns(ResidualValues& values) const {

@@ -29,7 +29,8 @@ double explained_fraction(const FittedHypothesis& without, const FittedHypothesi
 bool is_supported(const FittedHypothesis& without, const FittedHypothesis& with, const Evidence& evidence) {
   // Whatever it explains where it was fitted: an effect must not make runs worse that were left out.
   if (evidence.cross_validated_gain <= 0.0) return false;
-  // The search compared it with a fit of the smaller hypothesis that may have ended elsewhere; this is the best of both.
+  // The search compared it with a fit of the smaller hypothesis that may have ended elsewhere; this is the best of
+  // both.
   if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain) return false;
   if (with.whiteness.is_white()) return true;
   const double least = without.hypothesis.effects().empty() ? decision_thresholds.least_explained

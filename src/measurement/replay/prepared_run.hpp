@@ -41,7 +41,7 @@ struct Window {
   std::vector<InputEdge> edges{};
   simulation::ModelInput bend{};  ///< what a smooth curve through the samples of the input adds to straight lines
                                   ///< between them, row by row; empty where that is next to nothing
-  InitialStatePrior prior{};  ///< from the first samples of the measurement; empty for runs that start at rest
+  InitialStatePrior prior{};      ///< from the first samples of the measurement; empty for runs that start at rest
 
   [[nodiscard]] std::size_t samples() const { return range.samples(); }
 };

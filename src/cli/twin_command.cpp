@@ -1,30 +1,27 @@
 #include <fmt/format.h>
-#include <array>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdint>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "coilwright/formats/actuator/effect_argument.hpp"
 #include "coilwright/formats/data/dataset_writer.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
-#include "coilwright/formats/data/experiment_file.hpp"
 #include "coilwright/formats/data/twin_answer.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "experiment_options.hpp"
 #include "keep_inputs.hpp"
-#include "number_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -37,10 +34,8 @@ constexpr const char* actuator_name = "actuator.json";
 
 struct Options {
   std::string actuator;
-  std::string experiment;
+  ExperimentOptions experiment;
   std::vector<std::string> effects;  // "dry_friction:torque_Nmm=0.6"
-  std::vector<std::string> noise;    // "angle_deg=0.3"
-  std::uint64_t seed = 1;
   std::string out;
 };
 
@@ -50,13 +45,6 @@ std::filesystem::path folder_of(const Options& options) {
   return out.has_filename() ? out : out.parent_path();
 }
 
-Experiment read_experiment(const Options& options) {
-  Experiment experiment = formats::read_experiment(options.experiment);
-  for (const std::string& argument : options.noise) formats::set_noise(experiment.instruments, argument);
-  return experiment;
-}
-
-// The effects to be hidden, each of which this actuator must be able to have, once.
 std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpec& nominal) {
   std::vector<Effect> hidden;
   for (const std::string& argument : options.effects) {
@@ -74,16 +62,9 @@ std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpe
 
 std::vector<Run> act_out(const Options& options, const Experiment& experiment,
                          const measurement::replay::DeclaredModel& rig, const std::vector<Effect>& hidden) {
-  const auto refuse = [&](const std::exception& reason) {
-    return text::InputError({.file = options.experiment, .rule = reason.what()});
-  };
-  try {
-    return measurement::experiment::simulate_experiment(experiment, rig, hidden, options.seed);
-  } catch (const std::invalid_argument& misfit) {
-    throw refuse(misfit);
-  } catch (const std::runtime_error& lost) {
-    throw refuse(lost);
-  }
+  return blaming_the_experiment(options.experiment, [&] {
+    return measurement::experiment::simulate_experiment(experiment, rig, hidden, options.experiment.seed);
+  });
 }
 
 std::string content_of(const std::string& path) {
@@ -94,14 +75,14 @@ std::string content_of(const std::string& path) {
 // Writing over the actuator or the experiment would lose it.
 void check_output(const Options& options) {
   const std::filesystem::path folder = folder_of(options);
-  keep_inputs(std::array<std::filesystem::path, 2>{options.actuator, options.experiment},
+  keep_inputs(std::array<std::filesystem::path, 2>{options.actuator, options.experiment.file},
               std::array{folder / actuator_name, folder / "dataset.json"});
 }
 
 // What the clocks of the runs really were; none where they are one.
 std::vector<formats::ClockOfRun> clocks_of(const Options& options, const Experiment& experiment) {
   std::vector<formats::ClockOfRun> out;
-  const auto clocks = measurement::experiment::true_clocks(experiment, options.seed);
+  const auto clocks = measurement::experiment::true_clocks(experiment, options.experiment.seed);
   for (std::size_t i = 0; i < clocks.size(); ++i)
     if (clocks[i].shift != 0.0 || clocks[i].rate != 0.0)
       out.push_back({.run = experiment.runs[i].plan.name, .clock = clocks[i]});
@@ -118,11 +99,11 @@ void write(const Options& options, const Experiment& experiment, const std::vect
   text::OutputFile answer(beside);
   answer.stream() << formats::to_json(formats::TwinAnswer{.dataset = out.filename().string(),
                                                           .actuator = options.actuator,
-                                                          .experiment = options.experiment,
+                                                          .experiment = options.experiment.file,
                                                           .effects = hidden,
                                                           .instruments = experiment.instruments,
                                                           .clocks = clocks_of(options, experiment),
-                                                          .seed = options.seed})
+                                                          .seed = options.experiment.seed})
                          .text();
   std::vector<formats::RunWithRole> in_roles;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -145,7 +126,7 @@ void run_twin(const Options& options) {
   check_output(options);
   const formats::DeclaredActuator rig =
       formats::read_declared_actuator(options.actuator, {.names = {}, .file = options.actuator});
-  const Experiment experiment = read_experiment(options);
+  const Experiment experiment = read_experiment(options.experiment);
   const std::vector<Effect> hidden = read_hidden(options, rig.model.build({}));
   write(options, experiment, hidden, act_out(options, experiment, rig.model, hidden));
 }
@@ -160,21 +141,14 @@ void add_twin_command(CLI::App& app, Outcome&) {
                    "File of a design (actuator/1) or of a lumped model (lumped-model/1)")
       ->required();
   command
-      ->add_option("--experiment", options->experiment,
+      ->add_option("--experiment", options->experiment.file,
                    "Runs to simulate and the instruments that record them (experiment/1)")
       ->required();
   command
       ->add_option("--effect", options->effects,
                    "ID:KEY=VALUE,..: effect to simulate that is not declared in ACTUATOR.json; may be repeated")
       ->allow_extra_args(false);
-  command
-      ->add_option(
-          "--noise", options->noise,
-          "QUANTITY=VALUE: standard deviation of the noise of one instrument, for example angle_deg=0.3; overrides the "
-          "experiment's; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "Random seed for the noise (default 1)")
-      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
+  add_noise_and_seed(*command, options->experiment);
   command->add_option("--out", options->out, "Folder for the data set; it is created if it does not exist")->required();
   command->footer(
       "Writes a data set (measured-data/1) into the folder: dataset.json, actuator.json as it was given, and one\n"

@@ -1,0 +1,25 @@
+#include "experiment_options.hpp"
+
+#include "coilwright/formats/data/experiment_file.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+
+void add_noise_and_seed(CLI::App& command, ExperimentOptions& options) {
+  command
+      .add_option(
+          "--noise", options.noise,
+          "QUANTITY=VALUE: standard deviation of the noise of one instrument, for example angle_deg=0.3; overrides the "
+          "experiment's; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--seed", options.seed, "Random seed for the noise (default 1)")
+      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
+}
+
+measurement::experiment::Experiment read_experiment(const ExperimentOptions& options) {
+  measurement::experiment::Experiment experiment = formats::read_experiment(options.file);
+  for (const std::string& argument : options.noise) formats::set_noise(experiment.instruments, argument);
+  return experiment;
+}
+
+}  // namespace coilwright::cli

@@ -111,7 +111,8 @@ int run(int argc, char** argv) {
   laboratory::Values values;
   if (!settings.values.empty()) {
     std::ifstream in(settings.values);
-    for (const auto& [number, value] : nlohmann::json::parse(in).items()) values[std::stoi(number)] = value;
+    const nlohmann::json parsed = nlohmann::json::parse(in);  // named: items() only refers to it
+    for (const auto& [number, value] : parsed.items()) values[std::stoi(number)] = value;
   }
   std::vector<laboratory::Case> cases;
   for (laboratory::Case& each : laboratory::plan(settings.plan, values))

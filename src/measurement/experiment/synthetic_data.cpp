@@ -15,6 +15,7 @@
 #include "measurement/replay/prediction.hpp"
 #include "measurement/replay/prepared_run.hpp"
 #include "measurement/replay/rig_change.hpp"
+#include "measurement/replay/window_input.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
@@ -228,8 +229,11 @@ Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& recorded
   const bool plain = !shape_drives(planned) && run.clock.exposure == 0.0 && clock.shift == 0.0 && clock.rate == 0.0;
   if (plain) {
     const data::Run simulated = as_simulated(run);
-    const replay::PreparedRun prepared = replay::prepare_run(simulated, rig, model);
-    return motion(planned, prepared, prepared.windows.front(), model);
+    replay::require_fits_model(simulated, rig, model);
+    // Its rows as they are: a fast sine that is sampled a few times a period would pass as noise of a recorded input.
+    replay::Window window{.range = {.first = 0, .last = simulated.times.size()}};
+    replay::set_input(window, simulated, simulated.inputs, model);
+    return motion(planned, {.run = &simulated}, window, model);
   }
   const SampleClock samples{.run = run, .clock = clock};
   if (!shape_drives(planned)) {

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "coilwright/formats/simulation/commanded_input_file.hpp"
-#include "coilwright/text/argument.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
-#include "coilwright/text/spelling.hpp"
+#include "formats/data/input_shape_format.hpp"
+#include "formats/data/instruments_format.hpp"
 #include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {
@@ -33,16 +31,6 @@ constexpr double most_samples = 1e6;
 constexpr std::size_t most_points = 100'000;
 constexpr std::size_t most_runs = 1000;
 
-// What instruments are called in the file and on the command line.
-struct InstrumentKey {
-  std::string_view key;
-  Instrument Instruments::*member;
-};
-constexpr std::array instrument_keys = {
-    InstrumentKey{"angle_deg", &Instruments::angle}, InstrumentKey{"rate_deg_s", &Instruments::rate},
-    InstrumentKey{"torque_Nmm", &Instruments::torque}, InstrumentKey{"force_N", &Instruments::force},
-    InstrumentKey{"temperature_K", &Instruments::temperature}};
-
 // What holds for every run that does not say otherwise.
 struct Defaults {
   std::optional<double> rate{};  // samples a second
@@ -51,94 +39,6 @@ struct Defaults {
   InputHold hold{};
   double input_rate{};  // samples a second; 0: on the clock of the run
 };
-
-std::string_view unit_of(Drive drive) {
-  switch (drive) {
-    case Drive::current:
-      return "A";
-    case Drive::voltage:
-      return "V";
-    case Drive::torque:
-      break;
-  }
-  return "Nmm";
-}
-
-// Keys of a shape's levels carry the unit of the drive.
-class ShapeReader {
- public:
-  ShapeReader(ObjectReader& in, Drive drive) : in_(in), unit_(unit_of(drive)) {}
-  [[nodiscard]] double level(std::string_view name) {
-    return in_.quantity(fmt::format("{}_{}", name, unit_), level_rule);
-  }
-  [[nodiscard]] double level_or_zero(std::string_view name) {
-    return in_.quantity_or(fmt::format("{}_{}", name, unit_), 0.0, level_rule);
-  }
-  [[nodiscard]] double time(std::string_view key) { return in_.quantity(key, time_rule); }
-  [[nodiscard]] double frequency(std::string_view key) { return in_.quantity(key, rate_rule); }
-  [[nodiscard]] ObjectReader& in() { return in_; }
-
- private:
-  ObjectReader& in_;
-  std::string_view unit_;
-};
-
-StepShape read_step(ShapeReader in) {
-  return {.before = in.level_or_zero("before"), .after = in.level("after"), .at = in.time("at_s")};
-}
-
-StepShape read_release(ShapeReader in) {
-  return {.before = in.level("level"), .after = 0.0, .at = in.time("at_s")};
-}
-
-SineShape read_sine(ShapeReader in) {
-  return {.amplitude = in.level("amplitude"),
-          .offset = in.level_or_zero("offset"),
-          .frequency = in.frequency("frequency_Hz")};
-}
-
-ChirpShape read_chirp(ShapeReader in) {
-  return {.amplitude = in.level("amplitude"),
-          .offset = in.level_or_zero("offset"),
-          .from = in.frequency("from_Hz"),
-          .to = in.frequency("to_Hz")};
-}
-
-HoldShape read_hold(ShapeReader in) {
-  HoldShape hold{.level = in.level("level"), .from = in.time("from_s"), .until = in.time("until_s")};
-  if (hold.until <= hold.from) throw in.in().at("until_s").error(fmt::format("must exceed from_s ({})", hold.from));
-  return hold;
-}
-
-PulseShape read_pulses(ShapeReader in) {
-  return {.low = in.level_or_zero("low"),
-          .high = in.level("high"),
-          .period = in.in().quantity("period_s", duration_rule),
-          .duty = in.in().number_or("duty", 0.5, Rule::above(0.0).and_also(Rule::below(1.0)))};
-}
-
-TableShape read_table(const Node& node, Drive drive) {
-  simulation::CommandedInput command = read_commanded_input(node.path());
-  if (command.drive != drive) throw node.error("must have an input column of this run's drive");
-  return {.times = std::move(command.times), .rows = std::move(command.rows)};
-}
-
-InputShape read_shape(const Node& node, Drive drive) {
-  return read_object(node, [drive](ObjectReader& in) -> InputShape {
-    const std::string name = in.one_of({"step", "sine", "chirp", "release", "hold", "pulses", "file"});
-    const Node shape = in.at(name);
-    if (name == "file") return read_table(shape, drive);
-    return read_object(shape, [&](ObjectReader& keys) -> InputShape {
-      const ShapeReader levels(keys, drive);
-      if (name == "step") return read_step(levels);
-      if (name == "sine") return read_sine(levels);
-      if (name == "chirp") return read_chirp(levels);
-      if (name == "release") return read_release(levels);
-      if (name == "hold") return read_hold(levels);
-      return read_pulses(levels);
-    });
-  });
-}
 
 // The number in "theta2" for the stem "theta", from 1; nothing for another name.
 std::optional<int> numbered(std::string_view name, std::string_view stem) {
@@ -179,70 +79,6 @@ std::vector<std::string> read_measure(const Node& node) {
   return names;
 }
 
-void read_instruments(const Node& node, Instruments& instruments, double Instrument::*what) {
-  read_object(node, [&](ObjectReader& in) {
-    for (const InstrumentKey& each : instrument_keys)
-      (instruments.*each.member).*what = in.quantity_or(each.key, 0.0, Rule::between(0.0, 1e6));
-    return 0;
-  });
-}
-
-NoiseColour read_colour(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    using enum NoiseColour::Kind;
-    NoiseColour colour{.kind = in.choice<NoiseColour::Kind>(
-                           "kind", {{"white", white}, {"low_pass", low_pass}, {"one_over_f", one_over_f}})};
-    if (colour.kind == low_pass) colour.frequency = in.quantity("frequency_Hz", rate_rule);
-    return colour;
-  });
-}
-
-void read_colours(const Node& node, Instruments& instruments) {
-  read_object(node, [&](ObjectReader& in) {
-    for (const InstrumentKey& each : instrument_keys)
-      if (const auto colour = in.find(each.key)) (instruments.*each.member).colour = read_colour(*colour);
-    return 0;
-  });
-}
-
-// One frequency, and its amplitude in each instrument.
-void read_hum(const Node& node, Instruments& instruments) {
-  read_object(node, [&](ObjectReader& in) {
-    const double frequency = in.quantity("frequency_Hz", rate_rule);
-    for (const InstrumentKey& each : instrument_keys) {
-      Instrument& instrument = instruments.*each.member;
-      instrument.hum = in.quantity_or(each.key, 0.0, Rule::between(0.0, 1e6));
-      instrument.hum_frequency = frequency;
-    }
-    return 0;
-  });
-}
-
-// The share of samples that are off, and by how much: the smallest and the largest size of each instrument.
-void read_outliers(const Node& node, Instruments& instruments) {
-  read_object(node, [&](ObjectReader& in) {
-    const double share = in.number("share", Rule::between(0.0, 1.0));
-    for (const InstrumentKey& each : instrument_keys) {
-      const auto sizes = in.find(each.key);
-      if (!sizes) continue;
-      const std::vector<double> range = sizes->quantities(Length::exactly(2), Rule::between(0.0, 1e6));
-      if (range[1] < range[0]) throw sizes->error("must give the smallest size first");
-      Instrument& instrument = instruments.*each.member;
-      instrument.outlier_share = share;
-      instrument.smallest_outlier = range[0];
-      instrument.largest_outlier = range[1];
-    }
-    return 0;
-  });
-}
-
-double read_input_noise(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    const std::string key = in.one_of({"current_A", "voltage_V", "torque_Nmm"});
-    return in.quantity(key, Rule::between(0.0, 1e6));
-  });
-}
-
 // How runs are recorded, where they do not say otherwise.
 void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, double& input_rate) {
   clock.exposure = in.quantity_or("exposure_s", clock.exposure, time_rule);
@@ -271,8 +107,8 @@ void require_samples(const ObjectReader& in, const PlannedRun& planned) {
 void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
   planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, rate_rule)
                                : in.quantity("sampling_rate_Hz", rate_rule);
-  planned.input = read_shape(in.at("input"), planned.plan.drive);
-  const auto* table = std::get_if<TableShape>(&planned.input);
+  planned.input = read_input_shape(in.at("input"), planned.plan.drive);
+  const auto* table = in.at("input").find("file") ? std::get_if<TableShape>(&planned.input) : nullptr;
   const double of_file = table == nullptr ? 0.0 : table->times.back() - table->times.front();
   planned.duration =
       of_file > 0.0 ? in.quantity_or("duration_s", of_file, duration_rule) : in.quantity("duration_s", duration_rule);
@@ -303,7 +139,7 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
   if (const auto only = in.find(one)) {
     if (run.drive == Drive::voltage) throw only->error("must not be there under a voltage, which all coils share");
     if (std::holds_alternative<TableShape>(planned.input))
-      throw only->error("must not be there beside a file, whose columns say what is driven");
+      throw only->error("must not be there beside a table, whose columns say what is driven");
     planned.only = only->integer(Rule::at_least(1)) - 1;
   }
   std::vector<std::string> measure = defaults.measure;
@@ -393,13 +229,7 @@ Experiment read_experiment_file(const Document& document) {
     Defaults defaults;
     defaults.rate = in.optional_quantity("sampling_rate_Hz", rate_rule);
     if (const auto measure = in.find("measure")) defaults.measure = read_measure(*measure);
-    if (const auto noise = in.find("noise")) read_instruments(*noise, experiment.instruments, &Instrument::noise);
-    if (const auto resolution = in.find("resolution"))
-      read_instruments(*resolution, experiment.instruments, &Instrument::resolution);
-    if (const auto colours = in.find("noise_colour")) read_colours(*colours, experiment.instruments);
-    if (const auto hum = in.find("hum")) read_hum(*hum, experiment.instruments);
-    if (const auto outliers = in.find("outliers")) read_outliers(*outliers, experiment.instruments);
-    if (const auto noise = in.find("input_noise")) experiment.instruments.input_noise = read_input_noise(*noise);
+    experiment.instruments = read_instruments(in);
     read_recording(in, defaults.clock, defaults.hold, defaults.input_rate);
     std::set<std::string> names;
     for (const Node& element : in.elements("runs", Length::from_to(1, most_runs))) {
@@ -419,20 +249,6 @@ Experiment read_experiment(const std::filesystem::path& path) {
 
 Experiment parse_experiment(std::string_view text, std::string file) {
   return read_experiment_file(parse_json(text, std::move(file)));
-}
-
-void set_noise(Instruments& instruments, std::string_view argument) {
-  const NameAndValue assignment = split_assignment(argument, argument, "angle_deg=0.3");
-  const auto found = std::ranges::find(instrument_keys, assignment.name, &InstrumentKey::key);
-  if (found == instrument_keys.end()) {
-    std::vector<std::string> keys;
-    for (const InstrumentKey& each : instrument_keys) keys.emplace_back(each.key);
-    throw argument_error(argument, "is not a noise of an instrument" + did_you_mean(assignment.name, keys));
-  }
-  const double value = number_of(argument, assignment.value);
-  const Rule rule = Rule::between(0.0, 1e6);
-  if (!rule.allows(value)) throw argument_error(argument, rule.text());
-  (instruments.*(found->member)).noise = units::to_si(value, units::split_unit(found->key)->unit);
 }
 
 }  // namespace coilwright::formats

@@ -1,9 +1,9 @@
 #include "coilwright/formats/data/plan_json.hpp"
 
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "coilwright/formats/data/experiment_writer.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
@@ -12,7 +12,6 @@ namespace {
 using namespace text;
 using namespace measurement::experiment;
 using actuator::Effect;
-using measurement::data::Drive;
 
 Json parameters_json(const Effect& effect) {
   Json out = Json::object();
@@ -34,52 +33,6 @@ Json effect_json(const VisibleEffect& effect) {
   return out;
 }
 
-// A level under its name with the unit of the drive: "after_A".
-class Shape {
- public:
-  explicit Shape(Drive drive) : suffix_(drive == Drive::torque ? "_Nmm" : drive == Drive::voltage ? "_V" : "_A") {}
-
-  Json operator()(const StepShape& step) const {
-    return one("step", {level("before", step.before), level("after", step.after), {"at_s", step.at}});
-  }
-  Json operator()(const HoldShape& hold) const {
-    return one("hold", {level("level", hold.level), {"from_s", hold.from}, {"until_s", hold.until}});
-  }
-  Json operator()(const SineShape& sine) const {
-    return one("sine",
-               {level("amplitude", sine.amplitude), level("offset", sine.offset), {"frequency_Hz", sine.frequency}});
-  }
-  Json operator()(const ChirpShape& chirp) const {
-    return one("chirp", {level("amplitude", chirp.amplitude),
-                         level("offset", chirp.offset),
-                         {"from_Hz", chirp.from},
-                         {"to_Hz", chirp.to}});
-  }
-  Json operator()(const PulseShape& pulse) const {
-    return one("pulses",
-               {level("low", pulse.low), level("high", pulse.high), {"period_s", pulse.period}, {"duty", pulse.duty}});
-  }
-  Json operator()(const TableShape& /*table*/) const {
-    throw std::invalid_argument("an input from a file has no keys of its own");
-  }
-
- private:
-  [[nodiscard]] Json::Member level(std::string name, double value) const {
-    name += suffix_;
-    const double in_unit = units::from_si(value, name);
-    return {std::move(name), in_unit};
-  }
-  static Json one(const char* shape, std::vector<Json::Member> members) {
-    return Json::object({{shape, Json::object(std::move(members))}});
-  }
-
-  std::string suffix_;
-};
-
-const char* word_of(Drive drive) {
-  return drive == Drive::torque ? "torque" : drive == Drive::voltage ? "voltage" : "current";
-}
-
 Json added_run_json(const AddedRun& run) {
   return Json::object({{"kind", run.kind},
                        {"input", run.input},
@@ -91,27 +44,6 @@ Json added_run_json(const AddedRun& run) {
 }
 
 }  // namespace
-
-Json run_json(const PlannedRun& run) {
-  const measurement::data::Run& plan = run.plan;
-  Json measure = Json::array();
-  for (const measurement::data::Channel& channel : plan.channels) measure.add(channel.name);
-  Json out = Json::object({{"file", plan.name},
-                           {"role", run.validate ? "validate" : "fit"},
-                           {"duration_s", run.duration},
-                           {"sampling_rate_Hz", run.rate},
-                           {"measure", std::move(measure)},
-                           {"input", std::visit(Shape(plan.drive), run.input)}});
-  if (plan.drive != Drive::current) out.set("drive", word_of(plan.drive));
-  if (run.only) out.set(plan.drive == Drive::torque ? "joint" : "coil", *run.only + 1);
-  if (plan.rig == measurement::data::RigChange{}) return out;
-  Json rig = Json::object();
-  if (plan.rig.base_turn != 0.0) rig.set("base_turn_deg", units::from_si(plan.rig.base_turn, "base_turn_deg"));
-  if (plan.rig.tip_mass > 0.0) rig.set("tip_mass_g", units::from_si(plan.rig.tip_mass, "tip_mass_g"));
-  if (plan.rig.coil != measurement::data::CoilWiring::driven) rig.set("coil", name_of(plan.rig.coil));
-  out.set("rig", std::move(rig));
-  return out;
-}
 
 Json to_json(const PlanReport& report) {
   const ExperimentPlan& plan = report.plan;

@@ -17,7 +17,4 @@ struct PlanReport {
 /// The plan as JSON; its keys are in docs/how_to/plan_experiment.md.
 [[nodiscard]] text::Json to_json(const PlanReport& report);
 
-/// A run that an experiment/1 can list under `runs`. Throws std::invalid_argument for an input from a file.
-[[nodiscard]] text::Json run_json(const measurement::experiment::PlannedRun& run);
-
 }  // namespace coilwright::formats

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "coilwright/measurement/experiment/instrument.hpp"
+#include "coilwright/text/json/json.hpp"
+#include "coilwright/text/json/object_reader.hpp"
+
+namespace coilwright::formats {
+
+/// The keys of an experiment about its instruments: `noise`, `resolution`, `noise_colour`, `hum`, `outliers`,
+/// `input_noise`. Throws InputError.
+[[nodiscard]] measurement::experiment::Instruments read_instruments(text::ObjectReader& in);
+
+/// Adds the keys that read back as these instruments; what an instrument does not have is not there. The unit of
+/// `input_noise` is that of the drive.
+void add_instruments(text::Json& out, const measurement::experiment::Instruments& instruments,
+                     measurement::data::Drive drive);
+
+}  // namespace coilwright::formats

@@ -151,7 +151,7 @@ class Schemas(unittest.TestCase):
             with self.subTest(path.relative_to(ROOT)):
                 self.assertEqual(faults(document), [])
                 met.add(schema_of(document))
-        self.assertEqual(met | {"effects", "as-built"}, set(VALIDATORS))
+        self.assertEqual(met | {"effects", "as-built", "torque-correction"}, set(VALIDATORS))
 
     def test_accept_the_examples_of_the_documents(self):
         examples = [text for page in ("formats.md", "formats-experiment.md")
@@ -201,6 +201,9 @@ class SchemasAndProgram(ProgramTest):
             ("actuator", "/calibration", {}), ("actuator", "/name", 3), ("actuator", "/$schema", 3),
             ("actuator", "/as_built", {"joint_stiffness_ratio": 3}), ("actuator", "/as_built", {"ratio": 0.1}),
             ("actuator", "/as_built", {"force_curve": {"from_deg": 0, "to_deg": 60, "coefficients": [0, 0, 0]}}),
+            ("actuator", "/torque_correction", {"torque_Nmm": [1, 2, 3]}),
+            ("actuator", "/torque_correction", {"angle_deg": [0, 1], "torque_Nmm": [1, 2]}),
+            ("actuator", "/torque_correction", {"angle_deg": [0, 1, 2], "linear_below_rad_s": 1, "torque_Nmm": [1, 2, 3]}),
             ("dataset", "/tolerances", "none"), ("dataset", "/tolerances", {"mass": 1}),
             ("dataset", "/tolerances", {"force_curve": -1}),
             ("dataset", "/runs/0/exposure_s", -1), ("dataset", "/runs/0/rig", {"coil": "closed"}),

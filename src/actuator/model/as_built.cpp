@@ -48,6 +48,7 @@ ModelSpec as_built(ModelSpec spec, const AsBuilt& differences) {
     for (Hinge& hinge : spec.hinges) hinge.contact.closing_angle += differences.face_closing_shift;
   if (differences.force_curve && !differences.force_curve->none())
     spec.magnetics = with_curve_error(spec.magnetics, *differences.force_curve);
+  if (differences.torque_correction) spec.torque_correction = differences.torque_correction;
   return spec;
 }
 

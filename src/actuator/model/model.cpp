@@ -76,14 +76,18 @@ void check_stages(const Model::Spec& spec) {
 
 Model::Model(Spec spec) : spec_(std::move(spec)) {
   check_stages(spec_);
-  if (spec_.effects.empty()) return;
+  if (spec_.effects.empty() && !spec_.torque_correction) return;
   const std::vector<Effect> row = effect_row(spec_);
-  nominal_ = std::make_shared<const Spec>(spec_);
+  if (!row.empty()) nominal_ = std::make_shared<const Spec>(spec_);
   for (const Effect& effect : row) {
     if (std::shared_ptr<const EffectTerm> term = effect.kind->build(effect.values, spec_))
       terms_.push_back({.effect = std::move(term), .stage = effect.kind->stage()});
   }
   check_stages(spec_);
+  if (spec_.torque_correction) {
+    const auto after_chain = std::ranges::upper_bound(terms_, Stage::chain, {}, &Term::stage);
+    terms_.insert(after_chain, Term{.effect = correction_term(*spec_.torque_correction, spec_), .stage = Stage::chain});
+  }
   number_states();
 }
 

@@ -13,6 +13,7 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/as_built_format.hpp"
+#include "formats/actuator/torque_correction_format.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -131,10 +132,11 @@ Json copy_of(const text::Node& node) {
 Json lumped_json(const UpdatedLumpedModel& lumped) {
   Json out = Json::object();
   for (const text::Node& member : lumped.document.root().members())
-    if (member.key() != "effects" && member.key() != "as_built" && member.key() != text::schema_key)
+    if (member.key() != "effects" && member.key() != "as_built" && member.key() != torque_correction_key &&
+        member.key() != text::schema_key)
       out.set(member.key(), copy_of(member));
   if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
-  if (lumped.as_built != AsBuilt{}) out.set("as_built", to_json(lumped.as_built));
+  set_as_built(out, lumped.as_built);
   return out;
 }
 
@@ -165,7 +167,7 @@ Json to_json(const Design& design, const std::string& name, const std::optional<
                            {"model", choices_json(design.choices)},
                            {"calibration", calibration_json(design)}});
   if (!design.effects.empty()) out.set("effects", to_json(design.effects));
-  if (design.as_built != AsBuilt{}) out.set("as_built", to_json(design.as_built));
+  set_as_built(out, design.as_built);
   if (operating_point) out.set("operating_point", to_json(*operating_point));
   return out;
 }

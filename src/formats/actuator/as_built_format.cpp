@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "coilwright/units/unit.hpp"
+#include "formats/actuator/torque_correction_format.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -31,10 +33,11 @@ TorqueCurveError read_force_curve(const Node& node) {
 }  // namespace
 
 AsBuilt read_as_built(ObjectReader& in) {
+  const std::optional<actuator::TorqueCorrection> correction = read_torque_correction(in);
   const auto node = in.find("as_built");
-  if (!node) return {};
-  return read_object(*node, [](ObjectReader& keys) {
-    AsBuilt out;
+  if (!node) return {.torque_correction = correction};
+  return read_object(*node, [&](ObjectReader& keys) {
+    AsBuilt out{.torque_correction = correction};
     if (const auto curve = keys.find("force_curve")) out.force_curve = read_force_curve(*curve);
     out.joint_stiffness_ratio = keys.number_or("joint_stiffness_ratio", 0.0, ratio_rule);
     out.joint_damping_ratio = keys.number_or("joint_damping_ratio", 0.0, ratio_rule);
@@ -43,7 +46,11 @@ AsBuilt read_as_built(ObjectReader& in) {
   });
 }
 
-Json to_json(const AsBuilt& differences) {
+void set_as_built(Json& file, const AsBuilt& differences) {
+  if (differences.torque_correction) file.set(torque_correction_key, to_json(*differences.torque_correction));
+  AsBuilt named = differences;
+  named.torque_correction.reset();
+  if (named == AsBuilt{}) return;
   Json out = Json::object();
   if (const auto& curve = differences.force_curve)
     out.set("force_curve",
@@ -54,7 +61,7 @@ Json to_json(const AsBuilt& differences) {
   if (differences.joint_damping_ratio != 0.0) out.set("joint_damping_ratio", differences.joint_damping_ratio);
   if (differences.face_closing_shift != 0.0)
     out.set("face_closing_shift_deg", units::from_memory(differences.face_closing_shift, "face_closing_shift_deg"));
-  return out;
+  file.set("as_built", std::move(out));
 }
 
 }  // namespace coilwright::formats

@@ -6,11 +6,11 @@
 
 namespace coilwright::formats {
 
-/// The key "as_built" of an actuator file, with what it leaves out as it was designed; nothing different where the file
-/// has no such key.
+/// The keys "as_built" and "torque_correction" of an actuator file, with what they leave out as it was designed;
+/// nothing different where the file has neither.
 [[nodiscard]] actuator::AsBuilt read_as_built(text::ObjectReader& in);
 
-/// What read_as_built() reads back to the bit: of what differs.
-[[nodiscard]] text::Json to_json(const actuator::AsBuilt& differences);
+/// Sets the same keys of `file`, each where something differs: read back, they are the same.
+void set_as_built(text::Json& file, const actuator::AsBuilt& differences);
 
 }  // namespace coilwright::formats

@@ -30,11 +30,20 @@ double value_of(std::string_view text, std::string_view value, const actuator::P
   return number;
 }
 
+// A correction was fitted to the motions of one finger.
+void require_corrected_geometry(const actuator::Design& design, std::string_view text) {
+  if (design.as_built.torque_correction)
+    throw argument_error(text,
+                         "must not change: the actuator has a nameless torque correction, which holds for the finger "
+                         "that was measured alone");
+}
+
 }  // namespace
 
 actuator::Design with_assignment(actuator::Design design, std::string_view text) {
   const NameAndValue assignment = split_assignment(text, text, "gap_mm=1.2");
   if (assignment.name == "configuration") {
+    require_corrected_geometry(design, text);
     design.layout = actuator::layout_of(configuration_of(text, assignment.value));
     return design;
   }
@@ -44,6 +53,7 @@ actuator::Design with_assignment(actuator::Design design, std::string_view text)
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
     throw argument_error(text, "is not a number of a design" + did_you_mean(assignment.name, names));
   }
+  if (parameter->section != "surroundings") require_corrected_geometry(design, text);
   if (!parameter->names().empty()) {
     const std::optional<double> named = actuator::value_named(*parameter, assignment.value);
     if (!named) throw argument_error(text, name_rule(*parameter, assignment.value));

@@ -200,6 +200,9 @@ DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& kno
   read_section(in, "calibration", design);
   design.effects = read_effects(in, known);
   design.as_built = read_as_built(in);
+  if (const auto& correction = design.as_built.torque_correction; correction && correction->joint)
+    if (const auto joints = design.layout.size() - 1; static_cast<std::size_t>(*correction->joint) >= joints)
+      throw in.at("torque_correction").find("joint")->error(fmt::format("must be from 1 to {}", joints));
   if (const auto point = in.find("operating_point")) content.operating_point = read_operating_point(*point);
   if (measured) {
     try {

@@ -362,7 +362,7 @@ TEST(LumpedModel, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(refusal(changed(lumped, R"("links": [)", R"("segments": 3, "links": [)")),
             "a.json: /segments: unknown key; the keys here are \"as_built\", \"description\", \"effects\", \"format\", "
             "\"gravity_m_s2\", "
-            "\"joints\", \"links\", \"magnetics\", \"name\"");
+            "\"joints\", \"links\", \"magnetics\", \"name\", \"torque_correction\"");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "coilwright/actuator/model/torque_correction.hpp"
 #include "coilwright/actuator/parts/torque_curve_error.hpp"
 
 namespace coilwright::actuator {
@@ -17,6 +18,7 @@ struct AsBuilt {
   double joint_stiffness_ratio = 0.0;
   double joint_damping_ratio = 0.0;  ///< the same of their damping
   double face_closing_shift = 0.0;   ///< added to the angle at which the faces of every joint touch, rad
+  std::optional<TorqueCorrection> torque_correction{};  ///< what no effect explains
   friend bool operator==(const AsBuilt&, const AsBuilt&) = default;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/actuator/model/torque_correction.hpp"
 #include "coilwright/actuator/parts/coil_row.hpp"
 #include "coilwright/actuator/parts/magnetic_stage.hpp"
 #include "coilwright/mechanics/face_contact.hpp"
@@ -31,6 +32,7 @@ struct ModelSpec {
   /// Where the coils are, for the forces among them that `magnetics` leaves out; null where their places are not known.
   std::shared_ptr<const CoilRow> coil_row{};
   std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
+  std::optional<TorqueCorrection> torque_correction{};  ///< that a fit found and that has no name
 };
 
 }  // namespace coilwright::actuator

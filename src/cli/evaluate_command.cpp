@@ -12,10 +12,13 @@
 #include "actuator_input.hpp"
 #include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "coilwright/formats/simulation/assumptions_json.hpp"
+#include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
+#include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -84,13 +87,17 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
   const std::vector<simulation::PartLimit> limits = simulation::part_limits(view);
   const std::vector<simulation::ChoiceEffect> effects = simulation::choice_effects(design, point);
+  const std::vector<simulation::CorrectionReach> reach =
+      simulation::correction_reach(assembly.model, view.performance.cold, point.current);
   if (options.json) {
     text::Json out = formats::to_json(view);
     out.set("operating_point", formats::to_json(point));
     out.set("part_limits", formats::to_json(limits)).set("assumptions", formats::to_json(effects));
+    if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
     std::cout << out.text();
   } else {
-    std::cout << report::to_text(view) << report::to_text(limits) << report::to_text(view, effects);
+    std::cout << report::to_text(view) << report::to_text(limits) << report::to_text(view, effects)
+              << report::to_text(reach);
   }
 }
 
@@ -100,8 +107,14 @@ void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const 
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
     throw no_performance(options.actuator.file, *why);
   const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
-  std::cout << (options.json ? formats::to_json(motion, *options.current).text()
-                             : report::to_text(motion, *options.current));
+  const std::vector<simulation::CorrectionReach> reach = simulation::correction_reach(model, motion, *options.current);
+  if (!options.json) {
+    std::cout << report::to_text(motion, *options.current) << report::to_text(reach);
+    return;
+  }
+  text::Json out = formats::to_json(motion, *options.current);
+  if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
+  std::cout << out.text();
 }
 
 }  // namespace

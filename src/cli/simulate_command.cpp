@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -16,6 +17,8 @@
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
+#include "coilwright/report/simulation/correction_text.hpp"
+#include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/transient.hpp"
@@ -145,8 +148,10 @@ void run_simulate(const Options& options) {
   const CommandedInput command = read_command(options, model);
   const ModelInput input = model_input(options, model, command);
   text::OutputFile file(options.out);
-  write(file.stream(), command, record(model, input, start_of(options, model, input)));
+  const Recording recording = record(model, input, start_of(options, model, input));
+  write(file.stream(), command, recording);
   file.commit();
+  std::cerr << report::to_text(simulation::correction_reach(model, recording.states, input.currents));
 }
 
 }  // namespace

@@ -9,9 +9,12 @@
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
+#include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/size_text.hpp"
+#include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/sizing/search/search.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
@@ -70,6 +73,14 @@ std::vector<sizing::AssumptionEffect> assumptions_of(const DesignProblem& proble
   return sizing::assumption_effects(problem, *result.best, {.search = search});
 }
 
+// Where a nameless correction of the actuator is used by the design found; empty without one.
+std::vector<simulation::CorrectionReach> reach_of(const std::optional<DesignResult>& best) {
+  const auto* evaluated = best ? std::get_if<EvaluatedDesign>(&*best) : nullptr;
+  if (evaluated == nullptr) return {};
+  const simulation::DesignView view = evaluated->view();
+  return simulation::correction_reach(view.assembly.model, view.performance.cold, view.point.current);
+}
+
 ExitCode run_size(const StudyOptions& options) {
   const DesignProblem problem(
       read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"}));
@@ -95,7 +106,14 @@ ExitCode run_size(const StudyOptions& options) {
                                    .base_seen = base_seen,
                                    .assumptions = assumptions_of(problem, result, interruption)};
   write_results(folder, problem, answer);
-  std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
+  const std::vector<simulation::CorrectionReach> reach = reach_of(best);
+  if (options.json) {
+    text::Json out = formats::to_json(answer);
+    if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
+    std::cout << out.text();
+  } else {
+    std::cout << report::to_text(answer) << report::to_text(reach);
+  }
   if (interruption.requested()) return ExitCode::interrupted;
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }

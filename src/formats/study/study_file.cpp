@@ -229,6 +229,19 @@ actuator::Design read_base(const Node& node, const actuator::EffectCatalogue& ef
   return std::get<actuator::Design>(std::move(file.content));
 }
 
+// A correction was fitted to the motions of one finger.
+void require_corrected_geometry(const Study& study, const Node& actuator) {
+  if (!study.base.as_built.torque_correction) return;
+  for (const StudyVariable& variable : study.variables) {
+    if (std::holds_alternative<CurrentVariable>(variable)) continue;
+    const auto* number = std::get_if<ParameterVariable>(&variable);
+    if (number != nullptr && number->parameter->section == "surroundings") continue;
+    throw actuator.error_without_value(fmt::format(
+        "has a nameless torque correction, which holds for the finger that was measured alone: {} must not vary",
+        name_of(variable)));
+  }
+}
+
 bool varies_current(const Study& study) {
   return std::ranges::any_of(study.variables,
                              [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
@@ -266,6 +279,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base = read_base(in.at("actuator"), effects);
+    require_corrected_geometry(study, in.at("actuator"));
     return study;
   });
 }

@@ -38,6 +38,7 @@ using measurement::Diagnosis;
 
 constexpr const char* diagnosis_name = "diagnosis.json";
 constexpr const char* actuator_name = "actuator.json";
+constexpr const char* corrected_name = "corrected_actuator.json";
 constexpr const char* residuals_name = "residuals.csv";
 constexpr const char* summary_name = "summary.txt";
 
@@ -65,7 +66,7 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
   std::vector<std::filesystem::path> outputs;
-  for (const char* name : {diagnosis_name, actuator_name, residuals_name, summary_name})
+  for (const char* name : {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name})
     outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
   // Known before the work, whether it can be written.
@@ -107,12 +108,24 @@ std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredAct
   return text;
 }
 
+// The actuator with the nameless correction, read back as well; empty where there is none.
+std::string corrected_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
+  const auto& found = diagnosis.correction.found;
+  if (!found) return {};
+  formats::UpdatedActuator actuator = declared.updated(found->calibration, found->effects);
+  std::visit([&](auto& content) { content.as_built.torque_correction = found->torque; }, actuator);
+  std::string text = formats::to_json(actuator, declared.name).text();
+  (void)formats::parse_actuator(text, corrected_name);
+  return text;
+}
+
 // All that is to be written.
 struct Found {
   Diagnosis diagnosis;
   std::string dataset;
   std::vector<std::string> held_out;
   std::string actuator;
+  std::string corrected;  // empty: none
 };
 
 Found find(const Options& options) {
@@ -125,22 +138,30 @@ Found find(const Options& options) {
   Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   std::string actuator = actuator_text(diagnosis, declared);
+  std::string corrected = corrected_text(diagnosis, declared);
   return {.diagnosis = std::move(diagnosis),
           .dataset = set.data.name,
           .held_out = set.data.held_out,
-          .actuator = std::move(actuator)};
+          .actuator = std::move(actuator),
+          .corrected = std::move(corrected)};
 }
 
 void write(const Options& options, const Found& found) {
   const formats::DiagnosisReport answer{.diagnosis = found.diagnosis,
                                         .dataset = found.dataset,
                                         .updated_actuator = actuator_name,
+                                        .corrected_actuator = found.corrected.empty() ? "" : corrected_name,
                                         .held_out = found.held_out,
                                         .seed = options.seed};
   text::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
   folder.write(diagnosis_name, formats::to_json(answer).text());
   folder.write(actuator_name, found.actuator);
+  // One of an earlier diagnosis must not stand beside this one.
+  if (found.corrected.empty())
+    folder.remove(corrected_name);
+  else
+    folder.write(corrected_name, found.corrected);
   formats::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
   folder.write(summary_name, summary);
   folder.commit();

@@ -10,6 +10,7 @@
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
+#include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/diagnosis_warnings.hpp"
 #include "measurement/experiment/separating_experiment.hpp"
@@ -133,13 +134,19 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                            .evidence = pruned.evidence[i]});
   out.residual = localise::localise(runs, found.after());
   timer.end_phase("localisation", 0);
+  correction::FoundCorrection nameless;
+  if (out.verdict == Verdict::partly_explained || out.verdict == Verdict::unexplained)
+    nameless = correction::find_correction(runs, found, out.residual);
+  out.correction = nameless.outcome;
+  timer.end_phase("nameless correction", nameless.simulated_runs);
   out.next_experiment = experiment::separating_experiment(runs, found);
   timer.end_phase("next experiment", 0);
 
   const ThreeModels models{.declared = {.hypothesis = as_declared, .fit = {.values = as_declared.start()}},
                            .before = found.before(),
                            .after = found.after(),
-                           .overdispersion = pruned.overdispersion};
+                           .overdispersion = pruned.overdispersion,
+                           .corrected = nameless.fitted};
   const FinalErrors fitted(usable.runs, declared, models, data.still);
   const FinalErrors validated(data.validate, declared, models, data.still);
   out.fit_errors = fitted.errors();

@@ -93,9 +93,10 @@ class ErrorSums {
   // `set_aside`: for each sample whether it counts not; empty: all count.
   void add(const Replay& replay, const std::vector<double>& deviations, double sigma,
            const std::vector<char>& set_aside) {
-    const std::array models{&replay.declared, &replay.before, &replay.after};
+    const std::array models{&replay.declared, &replay.before, &replay.after, &replay.corrected};
     const auto counts = [&](std::size_t i) { return set_aside.empty() || set_aside[i] == 0; };
-    for (std::size_t m = 0; m < models.size(); ++m) {
+    has_correction_ = !replay.corrected.empty();
+    for (std::size_t m = 0; m < models.size() - (has_correction_ ? 0 : 1); ++m) {
       for (std::size_t i = 0; i < replay.measured.size(); ++i) {
         if (!counts(i)) continue;
         const double error = std::abs(replay.measured[i] - (*models[m])[i]);
@@ -122,12 +123,14 @@ class ErrorSums {
             .declared = errors(0),
             .before = errors(1),
             .after = errors(2),
+            .corrected = has_correction_ ? std::optional(errors(3)) : std::nullopt,
             .noise_floor_rmse = std::sqrt(noise_square_ / n),
             .uncertainty_rmse = std::sqrt(uncertainty_square_ / n)};
   }
 
  private:
-  std::array<double, 3> absolute_{}, square_{}, largest_{};
+  std::array<double, 4> absolute_{}, square_{}, largest_{};
+  bool has_correction_{};
   double noise_square_{};
   double uncertainty_square_{};
   std::size_t samples_{};
@@ -181,21 +184,22 @@ void FinalErrors::take(const std::vector<data::Run>& runs, const replay::Declare
     if (found.value) (void)fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
   }
   const Eigen::MatrixXd covariance = parameter_covariance(models.after, models.overdispersion);
-  const std::array three{&models.declared, &models.before, &models.after};
-  std::vector<std::array<CountedPrediction, 3>> predictions(prepared_runs.size());
-  tbb::parallel_for(std::size_t{0}, 3 * prepared_runs.size(), [&](std::size_t task) {
-    const PreparedRun& prepared = prepared_runs[task / 3];
-    const std::size_t m = task % 3;
-    predictions[task / 3][m] =
-        m == 2 ? predict_with_deviations(prepared, models.after, covariance) : predict(prepared, *three[m]);
+  std::vector<const FittedHypothesis*> all{&models.declared, &models.before, &models.after};
+  if (models.corrected) all.push_back(&*models.corrected);
+  std::vector<std::array<CountedPrediction, 4>> predictions(prepared_runs.size());
+  tbb::parallel_for(std::size_t{0}, all.size() * prepared_runs.size(), [&](std::size_t task) {
+    const PreparedRun& prepared = prepared_runs[task / all.size()];
+    const std::size_t m = task % all.size();
+    predictions[task / all.size()][m] =
+        m == 2 ? predict_with_deviations(prepared, models.after, covariance) : predict(prepared, *all[m]);
   });
   std::vector<data::ChannelKind> order;
   std::vector<ErrorSums> sums;
   for (std::size_t r = 0; r < prepared_runs.size(); ++r) {
     const PreparedRun& prepared = prepared_runs[r];
     for (const CountedPrediction& each : predictions[r]) simulated_runs_ += each.simulated_runs;
-    const auto& [as_declared, before, after] = predictions[r];
-    if (!as_declared.value || !before.value || !after.value) {
+    const auto& [as_declared, before, after, corrected] = predictions[r];
+    if (!as_declared.value || !before.value || !after.value || (models.corrected && !corrected.value)) {
       warnings_.push_back({.run = prepared.run->name, .text = "one of the models cannot be simulated here; left out"});
       continue;
     }
@@ -211,7 +215,8 @@ void FinalErrors::take(const std::vector<data::Run>& runs, const replay::Declare
           .measured = {channel.values.begin(), channel.values.begin() + static_cast<std::ptrdiff_t>(at.size())},
           .declared = as_declared.value->values[c],
           .before = before.value->values[c],
-          .after = after.value->values[c]};
+          .after = after.value->values[c],
+          .corrected = corrected.value ? corrected.value->values[c] : std::vector<double>{}};
       const data::ChannelKind kind = error_kind(channel.kind);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,11 @@ namespace coilwright::measurement {
 
 /// Three finished models of the same actuator.
 struct ThreeModels {
-  compare::FittedHypothesis declared;  ///< as the file declares it
-  compare::FittedHypothesis before;    ///< recalibrated
-  compare::FittedHypothesis after;     ///< with the effects
-  double overdispersion{};             ///< of the residual of `after`
+  compare::FittedHypothesis declared;                    ///< as the file declares it
+  compare::FittedHypothesis before;                      ///< recalibrated
+  compare::FittedHypothesis after;                       ///< with the effects
+  double overdispersion{};                               ///< of the residual of `after`
+  std::optional<compare::FittedHypothesis> corrected{};  ///< `after` with a nameless correction of the torque
 };
 
 /// The errors of finished models. This class alone can read sealed runs.

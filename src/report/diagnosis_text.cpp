@@ -13,6 +13,7 @@
 #include "coilwright/report/diagnosis_text.hpp"
 #include "report/diagnosis_advice.hpp"
 #include "report/diagnosis_assumptions.hpp"
+#include "report/diagnosis_correction.hpp"
 #include "report/diagnosis_numbers.hpp"
 #include "report/text_table.hpp"
 
@@ -117,15 +118,23 @@ std::string comparison_text(const ErrorComparison& comparison) {
     return {name, shown(comparison.declared.*member), shown(comparison.before.*member),
             shown(comparison.after.*member)};
   };
-  std::vector<std::string> rmse = line("  rmse", &Errors::rmse);
+  const bool corrected = comparison.corrected.has_value();
+  const auto with_correction = [&](std::vector<std::string> cells, double Errors::*member) {
+    if (corrected) cells.push_back(shown((*comparison.corrected).*member));
+    return cells;
+  };
+  std::vector<std::string> rmse = with_correction(line("  rmse", &Errors::rmse), &Errors::rmse);
   rmse.push_back(fmt::format("noise alone: {}", shown(comparison.noise_floor_rmse)));
   TextTable rows;
-  rows.row({fmt::format("{}, {}", formats::name_of(comparison.kind), readable_unit(unit.suffix)), "as declared",
-            "fitted anew", "with effects"});
-  rows.row(line("  mean", &Errors::mae));
+  std::vector<std::string> head{fmt::format("{}, {}", formats::name_of(comparison.kind), readable_unit(unit.suffix)),
+                                "as declared", "fitted anew", "with effects"};
+  if (corrected) head.emplace_back("corrected");
+  rows.row(std::move(head));
+  rows.row(with_correction(line("  mean", &Errors::mae), &Errors::mae));
   rows.row(std::move(rmse));
-  rows.row(line("  largest", &Errors::max));
-  return rows.text(2, {left, right, right, right, left});
+  rows.row(with_correction(line("  largest", &Errors::max), &Errors::max));
+  return rows.text(2, corrected ? std::vector{left, right, right, right, right, left}
+                                : std::vector{left, right, right, right, left});
 }
 
 std::string errors_text(const Diagnosis& diagnosis) {
@@ -207,7 +216,7 @@ std::string to_text(const formats::DiagnosisReport& report) {
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
   return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
          errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(diagnosis, report.updated_actuator) +
-         residual_text(diagnosis);
+         residual_text(diagnosis) + correction_text(report);
 }
 
 }  // namespace coilwright::report

@@ -10,6 +10,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/compare/estimate.hpp"
 #include "coilwright/measurement/compare/evidence.hpp"
+#include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
 #include "coilwright/measurement/experiment/next_experiment.hpp"
@@ -76,6 +77,9 @@ struct Diagnosis {
   std::vector<compare::ComparedHypothesis> compared_hypotheses{};  ///< best first
   whiteness::WhitenessResult before{}, after{};
   std::optional<localise::ResidualTorque> residual{};  ///< of the model with the effects; nothing if no run is a motion
+  /// A torque without a name, where structure remains (partly_explained, unexplained) and the data carry one. It
+  /// decides nothing: verdict and effects are those without it.
+  correction::CorrectionOutcome correction{};
   std::optional<experiment::NextExperiment> next_experiment{};
   std::vector<ErrorComparison> fit_errors{}, validate_errors{};
   std::vector<Replay> replays{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ErrorComparison {
   data::ChannelKind kind{};  ///< joint_angle for both kinds of angles, whose errors are taken together
   std::size_t samples{};
   Errors declared{}, before{}, after{};
+  std::optional<Errors> corrected{};  ///< of `after` with a nameless correction of the torque, where there is one
   double noise_floor_rmse{};
   /// Standard deviation of the predictions of `after` due to parameter uncertainty (first order), rms over these runs.
   double uncertainty_rmse{};
@@ -33,6 +35,7 @@ struct Replay {
   std::string channel{};
   std::vector<double> at{};  ///< s, or rad or A on a bench without time
   std::vector<double> measured{}, declared{}, before{}, after{};
+  std::vector<double> corrected{};  ///< empty where there is no nameless correction
 };
 
 }  // namespace coilwright::measurement

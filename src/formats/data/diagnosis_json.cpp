@@ -111,6 +111,7 @@ void add_comparison(Json& out, const ErrorComparison& comparison) {
   out.set("declared", errors_json(comparison.declared, unit));
   out.set("before", errors_json(comparison.before, unit));
   out.set("after", errors_json(comparison.after, unit));
+  if (comparison.corrected) out.set("corrected", errors_json(*comparison.corrected, unit));
   out.set(with_unit("noise_floor_rmse", unit), in_unit_or_null(comparison.noise_floor_rmse, unit));
   out.set(with_unit("uncertainty_rmse", unit), in_unit_or_null(comparison.uncertainty_rmse, unit));
   out.set("samples", comparison.samples);
@@ -137,6 +138,42 @@ Json next_experiment_json(const Diagnosis& diagnosis) {
   const experiment::NextExperiment& next = *diagnosis.next_experiment;
   return Json::object(
       {{"kind", next.kind}, {"input", next.input}, {"why", next.why}, {"separation", number_or_null(next.separation)}});
+}
+
+Json place_json(const correction::NamelessCorrection& found, const correction::CorrectionPlace& place) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < place.at.size(); ++i) {
+    const std::string_view name = name_of(found.torque.axes[i].variable);
+    const units::Unit unit = variable_unit(name);
+    out.set(with_unit(name, unit), in_unit_or_null(place.at[i], unit));
+  }
+  const units::Unit torque = error_unit(data::ChannelKind::torque);
+  return std::move(out.set(with_unit("torque", torque), in_unit_or_null(place.torque, torque)));
+}
+
+// The nodes themselves are in the file of the corrected actuator.
+Json correction_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.correction.found) return nullptr;
+  const correction::NamelessCorrection& found = *diagnosis.correction.found;
+  Json variables = Json::array();
+  for (const actuator::CorrectionAxis& axis : found.torque.axes) {
+    const units::Unit unit = variable_unit(name_of(axis.variable));
+    variables.add(Json::object({{"variable", name_of(axis.variable)},
+                                {with_unit("from", unit), in_unit_or_null(axis.nodes.front(), unit)},
+                                {with_unit("to", unit), in_unit_or_null(axis.nodes.back(), unit)}}));
+  }
+  const units::Unit torque = error_unit(data::ChannelKind::torque);
+  Json stay = Json::array();
+  for (const actuator::Effect& effect : found.effects) stay.add(effect.kind->id());
+  return Json::object({{"variables", std::move(variables)},
+                       {"effects", std::move(stay)},
+                       {with_unit("rms", torque), in_unit_or_null(found.rms, torque)},
+                       {"explained", number_or_null(found.explained)},
+                       {"cross_validated_gain", number_or_null(found.cross_validated_gain)},
+                       {"degrees_of_freedom", number_or_null(found.degrees_of_freedom)},
+                       {"products", Json::numbers(found.products)},
+                       {"largest", place_json(found, found.largest)},
+                       {"smallest", place_json(found, found.smallest)}});
 }
 
 Json candidates_json(const Diagnosis& diagnosis) {
@@ -212,12 +249,15 @@ Json to_json(const DiagnosisReport& report) {
   out.set("updated_actuator", report.updated_actuator);
   out.set("next_experiment", next_experiment_json(diagnosis));
   out.set("nominal", nominal_json(diagnosis)).set("outliers", outliers_json(diagnosis));
+  out.set("corrected_actuator", text_or_null(report.corrected_actuator));
   // Beyond the format.
   out.set("probability_of_declared", number_or_null(diagnosis.probability_of_declared));
   out.set("held_exact", words_json(diagnosis.held_exact));
   out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));
   out.set("adequacy",
           Json::object({{"before", adequacy_json(diagnosis.before)}, {"after", adequacy_json(diagnosis.after)}}));
+  out.set("nameless_correction", correction_json(diagnosis));
+  out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis)).set("candidates", candidates_json(diagnosis));
   out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis));
   return out;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "coilwright/text/csv/csv_writer.hpp"
@@ -30,10 +32,15 @@ CsvCell cell(double value, std::string_view column) {
   return units::from_si(value, units::difference_unit(column)) + 0.0;  // no -0
 }
 
+bool has_correction(const Replay& replay) {
+  return !replay.corrected.empty();
+}
+
 void check(const Replay& replay) {
   const std::size_t samples = replay.measured.size();
-  for (const std::vector<double>* each : {&replay.at, &replay.declared, &replay.before, &replay.after})
-    if (each->size() != samples)
+  for (const std::vector<double>* each :
+       {&replay.at, &replay.declared, &replay.before, &replay.after, &replay.corrected})
+    if (each->size() != samples && !(each == &replay.corrected && each->empty()))
       throw std::invalid_argument(fmt::format("replay of {} in {}: vectors must be {} long; got {}", replay.channel,
                                               replay.run, samples, each->size()));
 }
@@ -42,18 +49,30 @@ void check(const Replay& replay) {
 
 void write_residuals(std::ostream& out, std::span<const Replay> replays) {
   for (const Replay& replay : replays) check(replay);
-  CsvWriter csv(
-      out, {"run", "role", "channel", "time_s", "angle_deg", "current_A", "measured", "declared", "before", "after"});
+  std::vector<std::string> columns{"run",       "role",     "channel",  "time_s", "angle_deg",
+                                   "current_A", "measured", "declared", "before", "after"};
+  const bool corrected = std::ranges::any_of(replays, has_correction);
+  if (corrected) columns.emplace_back("corrected");
+  CsvWriter csv(out, columns);
   for (const Replay& replay : replays) {
     const Axis axis = axis_of(replay);
     const auto at = [&](Axis column, std::string_view name, double value) {
       return column == axis ? cell(value, name) : CsvCell();
     };
-    for (std::size_t i = 0; i < replay.measured.size(); ++i)
-      csv.row({replay.run, replay.validate ? "validate" : "fit", replay.channel, at(Axis::time, "time_s", replay.at[i]),
-               at(Axis::angle, "angle_deg", replay.at[i]), at(Axis::current, "current_A", replay.at[i]),
-               cell(replay.measured[i], replay.channel), cell(replay.declared[i], replay.channel),
-               cell(replay.before[i], replay.channel), cell(replay.after[i], replay.channel)});
+    for (std::size_t i = 0; i < replay.measured.size(); ++i) {
+      std::vector<CsvCell> row{replay.run,
+                               replay.validate ? "validate" : "fit",
+                               replay.channel,
+                               at(Axis::time, "time_s", replay.at[i]),
+                               at(Axis::angle, "angle_deg", replay.at[i]),
+                               at(Axis::current, "current_A", replay.at[i]),
+                               cell(replay.measured[i], replay.channel),
+                               cell(replay.declared[i], replay.channel),
+                               cell(replay.before[i], replay.channel),
+                               cell(replay.after[i], replay.channel)};
+      if (corrected) row.push_back(has_correction(replay) ? cell(replay.corrected[i], replay.channel) : CsvCell());
+      csv.row(row);
+    }
   }
 }
 

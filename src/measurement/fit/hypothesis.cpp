@@ -36,7 +36,9 @@ Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuat
       parameters_.push_back({.key = std::string(numbers[i].key),
                              .lower = numbers[i].lower,
                              .upper = numbers[i].upper,
-                             .scale = scale_of(numbers[i], effect.values[i])});
+                             .scale = numbers[i].deviation.value_or(scale_of(numbers[i], effect.values[i])),
+                             .declared = numbers[i].absent.value_or(0.0),
+                             .tolerance = numbers[i].deviation.value_or(std::numeric_limits<double>::infinity())});
     }
     effect_parameters_.push_back(std::move(placed));
   }

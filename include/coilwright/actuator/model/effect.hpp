@@ -50,6 +50,9 @@ struct EffectParameter {
   std::optional<double> absent{};
   /// One of a few values instead of a range (the side of a stop): never fitted by slope, each is tried. Empty: a range.
   std::span<const double> choices{};
+  /// One standard deviation, SI, > 0, of a normal prior about `absent`: for a number that is one of many of a smooth
+  /// function. Nothing: free within its bounds, as numbers of physical effects are.
+  std::optional<double> deviation{};
 };
 
 /// What an effect does while the model runs: hooks into the row of stages. Each effect overrides those of its own

@@ -1,0 +1,86 @@
+#include "measurement/correction/held_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace coilwright::measurement::correction {
+namespace {
+
+constexpr std::size_t most_groups = 5;
+// From the fit to all runs to that without a group it is not far.
+constexpr fit::FitEffort effort{.iterations = 2, .tolerance = 1e-2};
+
+// The runs of a fit that `keep` selects, with what another fit takes over of it.
+struct Part {
+  std::vector<replay::PreparedRun> runs{};
+  fit::Fit fit{};
+};
+
+template <typename Keep>
+Part part_of(std::span<const replay::PreparedRun> runs, const fit::Fit& fitted, const Keep& keep) {
+  Part out{.fit = {.values = fitted.values}};
+  std::size_t block = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::size_t blocks = runs[r].sample_ranges().size();
+    if (keep(r)) {
+      out.runs.push_back(runs[r]);
+      out.fit.runs.push_back(fitted.runs[r]);
+      for (std::size_t b = 0; b < blocks; ++b) out.fit.nominal_columns.push_back(fitted.nominal_columns[block + b]);
+    }
+    block += blocks;
+  }
+  return out;
+}
+
+}  // namespace
+
+fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::PreparedRun> runs,
+                                                   const compare::FittedHypothesis& fitted) {
+  fit::Counted<std::vector<double>> out{.value =
+                                            std::vector<double>(runs.size(), std::numeric_limits<double>::infinity())};
+  const std::size_t groups = std::min(most_groups, runs.size());
+  for (std::size_t group = 0; group < groups; ++group) {
+    const Part others = part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups != group; });
+    const auto refitted = fit::fit({.hypothesis = &fitted.hypothesis,
+                                    .runs = others.runs,
+                                    .start = fitted.fit.values,
+                                    .local_numbers_from = &others.fit,
+                                    .nominal_columns_from = &others.fit,
+                                    .effort = effort});
+    out.simulated_runs += refitted.simulated_runs;
+    if (!refitted.value) continue;
+    const Part left_out = part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups == group; });
+    const auto there = fit::evaluate_at({.hypothesis = &fitted.hypothesis,
+                                         .runs = left_out.runs,
+                                         .start = refitted.value->values,
+                                         .local_numbers_from = &left_out.fit});
+    out.simulated_runs += there.simulated_runs;
+    if (!there.value) continue;
+    std::size_t at = 0;
+    for (std::size_t r = group; r < runs.size(); r += groups)
+      out.value[r] = there.value->runs[at++].residuals.squaredNorm();
+  }
+  return out;
+}
+
+double mean_gain(std::span<const replay::PreparedRun> runs, const std::vector<double>& without,
+                 const std::vector<double>& with) {
+  double sum = 0.0;
+  double motions = 0.0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (!runs[r].is_motion()) continue;
+    motions += 1.0;
+    if (!std::isfinite(with[r]) || !std::isfinite(without[r])) {
+      sum += std::isfinite(with[r]) ? 1.0 : -1.0;
+      continue;
+    }
+    const auto noise = static_cast<double>(runs[r].values() - runs[r].values_set_aside());
+    // Less than three standard deviations of the noise's own is no excess.
+    const double excess = std::max({without[r] - noise, with[r] - noise, 3.0 * std::sqrt(2.0 * noise)});
+    sum += (without[r] - with[r]) / excess;
+  }
+  return motions > 0.0 ? sum / motions : 0.0;
+}
+
+}  // namespace coilwright::measurement::correction

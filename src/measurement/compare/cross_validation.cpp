@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -45,16 +47,20 @@ fit::Counted<double> cross_validated_gain(std::span<const replay::PreparedRun> r
     chi_square_without[r] = held_out_chi_square(runs, without, r);
     chi_square_with[r] = held_out_chi_square(runs, with, r);
   });
-  double above_noise_with = 0.0;
-  double above_noise_without = 0.0;
+  double fall = 0.0;
+  double above_noise = 0.0;
+  double values = 0.0;
   long simulated_runs = 0;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto noise = static_cast<double>(without.fit.runs[r].residuals.size());
-    above_noise_with += chi_square_with[r].value - noise;
-    above_noise_without += chi_square_without[r].value - noise;
+    fall += chi_square_without[r].value - chi_square_with[r].value;
+    above_noise += chi_square_without[r].value - noise;
+    values += noise;
     simulated_runs += chi_square_with[r].simulated_runs + chi_square_without[r].simulated_runs;
   }
-  return {.value = 1.0 - above_noise_with / above_noise_without, .simulated_runs = simulated_runs};
+  // Of a model that nearly reaches the noise, what is above it may be less than nothing: its standard deviation is the
+  // least that a share can be taken of.
+  return {.value = fall / std::max(above_noise, std::sqrt(2.0 * values)), .simulated_runs = simulated_runs};
 }
 
 }  // namespace coilwright::measurement::compare

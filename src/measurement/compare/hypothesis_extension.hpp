@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
@@ -9,14 +7,11 @@
 
 namespace coilwright::measurement::compare {
 
-using CountedFit = fit::Counted<std::optional<FittedHypothesis>>;
-
-/// A hypothesis to be extended: by one effect from the best of several initial guesses, or by all `effects` jointly.
-/// Refers to the hypothesis.
+/// Effects to be added to a hypothesis: one or several of the same kinds, from each of several starts. Refers to the
+/// hypothesis.
 struct PlannedExtension {
   const FittedHypothesis* base{};
-  std::vector<actuator::Effect> effects{};
-  bool joint{};
+  std::vector<std::vector<actuator::Effect>> starts{};  ///< at least one
 
   /// The effects of the extended hypothesis, in an order that depends on nothing but the set.
   [[nodiscard]] std::vector<const actuator::EffectKind*> kinds() const;
@@ -25,11 +20,7 @@ struct PlannedExtension {
 /// The planned extensions, each set of effects only once: by the first extension that reaches it.
 [[nodiscard]] std::vector<PlannedExtension> without_repetitions(std::vector<PlannedExtension> planned);
 
-/// Nothing if the model cannot be simulated.
-[[nodiscard]] CountedFit fit_extension(std::span<const replay::PreparedRun> runs, const PlannedExtension& planned);
-
-/// The same effects with one of their discrete choices (a side, a warm start) changed: the choice that is better for an
-/// effect alone may not be better in combination. Refers to `fitted`.
-[[nodiscard]] std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted);
+/// The extension of `base` by one effect from each of its starts.
+[[nodiscard]] PlannedExtension one_more(const FittedHypothesis& base, const std::vector<actuator::Effect>& starts);
 
 }  // namespace coilwright::measurement::compare

@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "measurement/compare/hypothesis_extension.hpp"
+#include "measurement/compare/joint_screening.hpp"
 #include "measurement/compare/linear_screening.hpp"
+#include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/rig_scale.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
@@ -25,6 +27,7 @@ using actuator::EffectKind;
 using actuator::Model;
 using fit::Counted;
 
+using CountedFit = Counted<std::optional<FittedHypothesis>>;
 using Screened = std::vector<ScreenedEffect>;
 using Level = std::vector<FittedHypothesis>;  // hypotheses with the same number of effects
 
@@ -64,10 +67,17 @@ Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs
                                        const replay::DeclaredModel& declared) {
   PlannedFit plan{.hypothesis = fit::Hypothesis(declared, {})};
   plan.start = plan.hypothesis.start();
-  auto fitted = fit_to_convergence(runs, plan);
+  auto fitted = fit_exactly(runs, plan);
   if (!fitted.value)
     throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(runs, plan));
-  return {.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
+  Counted<FittedHypothesis> out{.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
+  const FittedHypothesis first = out.value;
+  for (const PlannedFit& other : with_other_starts(first, 0)) {
+    auto there = fit_exactly(runs, other);
+    out.simulated_runs += there.simulated_runs;
+    if (there.value && there.value->fit.objective() < out.value.fit.objective()) out.value = std::move(*there.value);
+  }
+  return out;
 }
 
 struct ApplicableKinds {
@@ -109,7 +119,7 @@ class HypothesisSearch {
     std::ranges::move(selection.steps, std::back_inserter(out.steps));
     out.rivals = std::move(selection.rivals);
     out.indistinguishable = std::move(selection.indistinguishable);
-    for (auto* part : {&selection.ranked, &applicable.inapplicable, &selection.ruled_out})
+    for (auto* part : {&selection.ranked, &applicable.inapplicable, &failed_, &selection.ruled_out})
       std::ranges::move(*part, std::back_inserter(out.compared));
     out.simulated_runs = simulated_runs_ + selection.simulated_runs;
     return out;
@@ -136,7 +146,7 @@ class HypothesisSearch {
     const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
     for (std::size_t size = 1;; ++size) {
       std::ranges::stable_sort(level, {}, bic);
-      level = counted(with_better_choices(std::move(level)));
+      level = counted(with_better_optima(std::move(level)));
       std::ranges::stable_sort(level, {}, bic);
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
@@ -150,9 +160,16 @@ class HypothesisSearch {
       all.insert(all.end(), level.begin(), level.end());
       if (adequate || before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
-      if (size > 1 && left > search_effort.worth_another_effect * above_noise) break;
+      const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
+      auto combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
+      // Where one effect more is not worth its runs, only effects that help together are.
+      if (!worth_extending)
+        std::erase_if(combined, [&](const ScreenedCombination& each) {
+          return before.chi_square_above_noise() - each.predicted_chi_square_fall >
+                 search_effort.worth_another_effect * left;
+        });
       above_noise = left;
-      Level next = counted(larger_hypotheses(level, size == 1 ? &before : nullptr, screened));
+      Level next = counted(larger_hypotheses(before, worth_extending ? level : Level{}, combined));
       if (next.empty()) break;
       level = std::move(next);
     }
@@ -160,29 +177,57 @@ class HypothesisSearch {
   }
 
   [[nodiscard]] Counted<Screened> screen(const FittedHypothesis& base) const {
-    return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_, .seed = request_.seed});
+    return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
   }
 
-  // Every effect alone: a short fit of each, of which the best are continued to convergence.
-  [[nodiscard]] Counted<Level> single_effects(const FittedHypothesis& base, const Screened& screened) const {
-    std::vector<Counted<std::optional<ShortFit>>> short_fits(kinds_.size());
+  // Every effect alone.
+  [[nodiscard]] Counted<Level> single_effects(const FittedHypothesis& base, const Screened& screened) {
+    std::vector<PlannedExtension> planned;
+    for (const EffectKind* kind : kinds_) planned.push_back(one_more(base, starts_for_short_fit(kind, screened)));
+    return best_of(planned, search_effort.refined_singles);
+  }
+
+  // Hypotheses with one effect more than those of `level` (sorted, best first), and `combined` effects added to `base`.
+  [[nodiscard]] Counted<Level> larger_hypotheses(const FittedHypothesis& base, const Level& level,
+                                                 const std::vector<ScreenedCombination>& combined) {
+    std::vector<PlannedExtension> planned;
+    long simulated_runs = 0;
+    for (std::size_t i = 0; i < std::min(search_effort.beam, level.size()); ++i) {
+      const Counted<Screened> more = screen(level[i]);
+      simulated_runs += more.simulated_runs;
+      for (const EffectKind* kind : kinds_by_predicted_fall(more.value, search_effort.extensions))
+        planned.push_back(one_more(level[i], starts_for_short_fit(kind, more.value)));
+    }
+    for (const ScreenedCombination& each : combined) planned.push_back({.base = &base, .starts = {each.effects}});
+    Counted<Level> out = best_of(without_repetitions(std::move(planned)), search_effort.refined_extensions);
+    out.simulated_runs += simulated_runs;
+    return out;
+  }
+
+  // A short fit of each; the best `refined` are continued to convergence.
+  [[nodiscard]] Counted<Level> best_of(const std::vector<PlannedExtension>& planned, std::size_t refined) {
+    std::vector<Counted<std::optional<ShortFit>>> short_fits(planned.size());
     std::mutex reporting;
     std::size_t done = 0;
-    tbb::parallel_for(std::size_t{0}, kinds_.size(), [&](std::size_t i) {
-      short_fits[i] = short_fit(runs_, base, starts_for_short_fit(kinds_[i], screened));
+    tbb::parallel_for(std::size_t{0}, planned.size(), [&](std::size_t i) {
+      short_fits[i] = short_fit(runs_, *planned[i].base, planned[i].starts);
       const std::scoped_lock lock(reporting);
-      if (++done % 8 == 0) report(fmt::format("{} of {} effects compared", done, kinds_.size()));
+      if (++done % 8 == 0) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
     });
     std::vector<ShortFit> found;
     long simulated_runs = 0;
-    for (Counted<std::optional<ShortFit>>& each : short_fits) {
-      simulated_runs += each.simulated_runs;
-      if (each.value) found.push_back(std::move(*each.value));
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+      simulated_runs += short_fits[i].simulated_runs;
+      if (short_fits[i].value)
+        found.push_back(std::move(*short_fits[i].value));
+      else if (planned[i].kinds().size() == 1)
+        failed_.push_back(
+            {.effects = planned[i].kinds(), .remark = "leaves the model from every start that was tried"});
     }
     std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.objective(); });
     std::vector<CountedFit> fits(found.size());
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-      if (i < search_effort.refined_singles)
+      if (i < refined)
         fits[i] = refine(runs_, found[i]);
       else
         fits[i].value = score(runs_, std::move(found[i].plan.hypothesis), std::move(found[i].fitted));
@@ -192,45 +237,42 @@ class HypothesisSearch {
     return out;
   }
 
-  // A level (sorted, best first) whose best hypotheses have other discrete choices where those are better.
-  [[nodiscard]] Counted<Level> with_better_choices(Level level) const {
-    const std::size_t count = std::min(search_effort.reconsidered, level.size());
-    std::vector<long> simulated_runs(count, 0);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      if (level[i].whiteness.is_white()) return;
-      const FittedHypothesis as_found = level[i];
-      for (const PlannedFit& plan : with_other_choices(as_found)) {
-        auto other = fit_to_convergence(runs_, plan);
-        simulated_runs[i] += other.simulated_runs;
-        if (other.value && other.value->fit.objective() < level[i].fit.objective()) level[i] = std::move(*other.value);
-      }
-    });
+  // A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
+  // is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise,
+  // the ones behind it are not worth their runs.
+  [[nodiscard]] Counted<Level> with_better_optima(Level level) const {
     Counted<Level> out{.value = std::move(level)};
-    for (const long each : simulated_runs) out.simulated_runs += each;
+    const std::size_t count = std::min(search_effort.reconsidered, out.value.size());
+    const auto take_better = [&](const std::vector<PlannedFit>& plans, FittedHypothesis& best) {
+      const CountedFit other = best_fit(plans);
+      out.simulated_runs += other.simulated_runs;
+      if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (std::ranges::any_of(out.value, [](const FittedHypothesis& each) { return each.whiteness.is_white(); })) break;
+      const FittedHypothesis as_found = out.value[i];
+      take_better(with_other_choices(as_found), out.value[i]);
+      if (i < search_effort.restarted) take_better(with_other_starts(as_found, request_.seed), out.value[i]);
+      if (out.value[i].whiteness.is_white()) break;
+      const FittedHypothesis smaller = out.value[i];
+      CountedFit larger = best_fit(with_further_numbers(smaller, scale_));
+      out.simulated_runs += larger.simulated_runs;
+      if (larger.value) out.value.push_back(std::move(*larger.value));
+    }
     return out;
   }
 
-  // Hypotheses with one effect more than those of `level` (sorted, best first); with `base`, also pairs added to it.
-  [[nodiscard]] Counted<Level> larger_hypotheses(const Level& level, const FittedHypothesis* base,
-                                                 const Screened& screened) const {
-    std::vector<PlannedExtension> planned;
-    long simulated_runs = 0;
-    for (std::size_t i = 0; i < std::min(search_effort.beam, level.size()); ++i) {
-      const Counted<Screened> more = screen(level[i]);
-      simulated_runs += more.simulated_runs;
-      for (const EffectKind* kind : kinds_by_predicted_fall(more.value, search_effort.extensions))
-        planned.push_back({.base = &level[i], .effects = starts_for_short_fit(kind, more.value)});
+  // The best of several fits, each continued to convergence; nothing if there is none.
+  [[nodiscard]] CountedFit best_fit(const std::vector<PlannedFit>& plans) const {
+    std::vector<CountedFit> fits(plans.size());
+    tbb::parallel_for(std::size_t{0}, plans.size(),
+                      [&](std::size_t i) { fits[i] = fit_to_convergence(runs_, plans[i]); });
+    CountedFit out;
+    for (CountedFit& each : fits) {
+      out.simulated_runs += each.simulated_runs;
+      if (each.value && (!out.value || each.value->fit.objective() < out.value->fit.objective()))
+        out.value = std::move(each.value);
     }
-    if (base != nullptr) {
-      for (auto& [first, second] : pairs_by_predicted_fall(*base, screened, search_effort.extensions))
-        planned.push_back({.base = base, .effects = {std::move(first), std::move(second)}, .joint = true});
-    }
-    planned = without_repetitions(std::move(planned));
-    std::vector<CountedFit> fits(planned.size());
-    tbb::parallel_for(std::size_t{0}, planned.size(),
-                      [&](std::size_t i) { fits[i] = fit_extension(runs_, planned[i]); });
-    Counted<Level> out = succeeded(std::move(fits));
-    out.simulated_runs += simulated_runs;
     return out;
   }
 
@@ -238,6 +280,7 @@ class HypothesisSearch {
   std::span<const replay::PreparedRun> runs_;
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
+  std::vector<ComparedHypothesis> failed_;
   double overdispersion_ = 1.0;
   long simulated_runs_ = 0;
 };

@@ -95,14 +95,11 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
 EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
                                        double overdispersion) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
-  // The search took the derivatives with respect to declared numbers from the model without effects.
-  const auto& numbers = out.fitted.hypothesis.declared().calibration;
-  if (!out.fitted.hypothesis.effects().empty() &&
-      !std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) {
-    auto anew = fit_to_convergence(runs, {.hypothesis = out.fitted.hypothesis,
-                                          .start = out.fitted.fit.values,
-                                          .local_numbers_from = &out.fitted.fit,
-                                          .known_columns = false});
+  // The search took the derivatives with respect to declared and local numbers where it began to converge.
+  if (!out.fitted.hypothesis.effects().empty()) {
+    auto anew = fit_exactly(
+        runs,
+        {.hypothesis = out.fitted.hypothesis, .start = out.fitted.fit.values, .local_numbers_from = &out.fitted.fit});
     out.simulated_runs += anew.simulated_runs;
     if (anew.value && anew.value->fit.objective() <= out.fitted.fit.objective() * (1.0 + 1e-6))
       out.fitted = std::move(*anew.value);
@@ -114,7 +111,7 @@ EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs
     if (moves == search_effort.largest_number_of_moves ||
         out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion)
       return out;
-    auto better = fit_to_convergence(
+    auto better = fit_exactly(
         runs, {.hypothesis = out.fitted.hypothesis, .start = pass.best_values, .local_numbers_from = &out.fitted.fit});
     out.simulated_runs += better.simulated_runs;
     if (!better.value || better.value->fit.objective() >= out.fitted.fit.objective()) return out;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <random>
 
 #include "measurement/compare/effect_strength.hpp"
 #include "measurement/compare/search_effort.hpp"
@@ -17,19 +16,6 @@ namespace {
 
 using actuator::Effect;
 using actuator::EffectKind;
-
-// An initial guess with each number, discrete choices excepted, multiplied by a random factor, inside the bounds. Drawn
-// by mt19937_64, whose numbers are the same on every platform.
-std::vector<double> scattered(const EffectKind& kind, std::vector<double> guess, std::mt19937_64& random) {
-  const double octaves = std::log2(search_effort.scatter);
-  const auto numbers = kind.parameters();
-  for (std::size_t i = 0; i < guess.size(); ++i) {
-    if (!numbers[i].choices.empty() || !std::isfinite(guess[i])) continue;
-    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-    guess[i] = std::clamp(guess[i] * std::exp2(octaves * (2.0 * share - 1.0)), numbers[i].lower, numbers[i].upper);
-  }
-  return guess;
-}
 
 // The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start), with
 // all that the parameters and local numbers of `base` can absorb projected out. Rows as base.stacked_residuals.
@@ -54,37 +40,6 @@ fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRe
   return {.value = Eigen::VectorXd(out - base.jacobian * absorbed), .simulated_runs = there.simulated_runs};
 }
 
-// The effect at the strength that the linearisation predicts: `share` of the guess, its sign included.
-Effect at_predicted_strength(Effect effect, double share) {
-  const double size = std::clamp(std::abs(share), search_effort.weakest_start, search_effort.strongest_start);
-  return scaled_from_absent(std::move(effect), std::copysign(size, share));
-}
-
-struct ScreenedPair {
-  const ScreenedEffect* first{};
-  const ScreenedEffect* second{};
-  double predicted_chi_square_fall{};
-};
-
-// Two effects at the strengths at which their directions together explain most. The fall is 0 if the directions are
-// one, or if one of the effects would have to act against its sign.
-ScreenedPair joint_prediction(const FittedHypothesis& base, const ScreenedEffect& a, const ScreenedEffect& b) {
-  ScreenedPair out{.first = &a, .second = &b};
-  const double aa = a.residual_direction.squaredNorm();
-  const double bb = b.residual_direction.squaredNorm();
-  const double ab = a.residual_direction.dot(b.residual_direction);
-  const double determinant = aa * bb - ab * ab;
-  if (determinant <= search_effort.smallest_determinant * aa * bb) return out;
-  const double ra = -a.residual_direction.dot(base.fit.stacked_residuals);
-  const double rb = -b.residual_direction.dot(base.fit.stacked_residuals);
-  const double share_a = (bb * ra - ab * rb) / determinant;
-  const double share_b = (aa * rb - ab * ra) / determinant;
-  if (share_a < 0.0 && !may_be_negative(*a.effect.kind)) return out;
-  if (share_b < 0.0 && !may_be_negative(*b.effect.kind)) return out;
-  out.predicted_chi_square_fall = share_a * ra + share_b * rb;
-  return out;
-}
-
 std::vector<const ScreenedEffect*> best_first(std::span<const ScreenedEffect> screened) {
   std::vector<const ScreenedEffect*> out;
   for (const ScreenedEffect& each : screened) out.push_back(&each);
@@ -96,14 +51,12 @@ std::vector<const ScreenedEffect*> best_first(std::span<const ScreenedEffect> sc
 
 std::vector<ScreenedEffect> guesses_of(const FittedHypothesis& base, const ScreeningRequest& request) {
   std::vector<ScreenedEffect> out;
-  std::mt19937_64 random(request.seed);
   const std::vector<const EffectKind*> present = base.kinds();
   for (const EffectKind* kind : request.kinds) {
-    if (std::ranges::find(present, kind) != present.end()) continue;
+    if (std::ranges::any_of(present, [&](const EffectKind* each) { return each->id() == kind->id(); })) continue;
     for (std::vector<double>& guess : kind->starts(request.scale)) {
-      // Cost functions that are not convex occur for effects with several numbers (a shape besides a size).
-      if (guess.size() > 1) out.push_back({.effect = {.kind = kind, .values = scattered(*kind, guess, random)}});
-      out.push_back({.effect = {.kind = kind, .values = std::move(guess)}});
+      Effect effect{.kind = kind, .values = std::move(guess)};
+      out.push_back({.guess = effect, .effect = std::move(effect)});
     }
   }
   return out;
@@ -111,22 +64,27 @@ std::vector<ScreenedEffect> guesses_of(const FittedHypothesis& base, const Scree
 
 }  // namespace
 
+Effect at_predicted_strength(Effect guess, double share) {
+  const double size = std::clamp(std::abs(share), search_effort.weakest_start, search_effort.strongest_start);
+  return scaled_from_absent(std::move(guess), std::copysign(size, share));
+}
+
 fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay::PreparedRun> runs,
                                                          const FittedHypothesis& base,
                                                          const ScreeningRequest& request) {
   std::vector<ScreenedEffect> out = guesses_of(base, request);
   std::vector<long> simulated_runs(out.size(), 0);
   tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
-    const PlannedFit plan = with_added_effects(base, std::span(&out[i].effect, 1));
+    const PlannedFit plan = with_added_effects(base, std::span(&out[i].guess, 1));
     auto direction = residual_direction(fit_request_of(runs, plan), base.fit);
     simulated_runs[i] = direction.simulated_runs;
     if (!direction.value) return;
-    const double along = -direction.value->dot(base.fit.stacked_residuals);
-    const double square = direction.value->squaredNorm();
-    if (square <= 0.0 || (along < 0.0 && !may_be_negative(*out[i].effect.kind))) return;
-    out[i].predicted_chi_square_fall = along * along / square;
-    out[i].effect = at_predicted_strength(std::move(out[i].effect), along / square);
     out[i].residual_direction = std::move(*direction.value);
+    const double along = -out[i].residual_direction.dot(base.fit.stacked_residuals);
+    const double square = out[i].residual_direction.squaredNorm();
+    if (square <= 0.0 || (along < 0.0 && !may_be_negative(*out[i].guess.kind))) return;
+    out[i].predicted_chi_square_fall = along * along / square;
+    out[i].effect = at_predicted_strength(out[i].guess, along / square);
   });
   long total = 0;
   for (const long each : simulated_runs) total += each;
@@ -156,35 +114,6 @@ std::vector<const EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedE
   for (const ScreenedEffect* each : best_first(screened)) {
     if (out.size() == count || each->predicted_chi_square_fall <= 0.0) break;
     if (std::ranges::find(out, each->effect.kind) == out.end()) out.push_back(each->effect.kind);
-  }
-  return out;
-}
-
-std::vector<std::pair<Effect, Effect>> pairs_by_predicted_fall(const FittedHypothesis& base,
-                                                               std::span<const ScreenedEffect> screened,
-                                                               std::size_t count) {
-  std::vector<ScreenedPair> pairs;
-  for (std::size_t i = 0; i < screened.size(); ++i) {
-    for (std::size_t j = i + 1; j < screened.size(); ++j) {
-      const ScreenedEffect& a = screened[i];
-      const ScreenedEffect& b = screened[j];
-      if (a.effect.kind == b.effect.kind || a.residual_direction.size() == 0 || b.residual_direction.size() == 0)
-        continue;
-      if (const ScreenedPair pair = joint_prediction(base, a, b); pair.predicted_chi_square_fall > 0.0)
-        pairs.push_back(pair);
-    }
-  }
-  std::ranges::stable_sort(pairs, [](const ScreenedPair& a, const ScreenedPair& b) {
-    return a.predicted_chi_square_fall > b.predicted_chi_square_fall;
-  });
-  std::vector<std::pair<Effect, Effect>> out;
-  std::vector<std::pair<const EffectKind*, const EffectKind*>> taken;
-  for (const ScreenedPair& pair : pairs) {
-    if (out.size() == count) break;
-    const std::pair kinds{pair.first->effect.kind, pair.second->effect.kind};
-    if (std::ranges::find(taken, kinds) != taken.end()) continue;
-    taken.push_back(kinds);
-    out.emplace_back(pair.first->effect, pair.second->effect);
   }
   return out;
 }

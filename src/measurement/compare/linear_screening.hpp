@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
@@ -14,21 +12,22 @@ namespace coilwright::measurement::compare {
 /// A candidate effect at one initial guess, with the fall of chi-square predicted by linearising the residual in its
 /// strength (a score test).
 struct ScreenedEffect {
-  actuator::Effect effect{};             ///< at the strength that the linearisation predicts
-  Eigen::VectorXd residual_direction{};  ///< change of the stacked residuals, projected on what parameters and initial
-                                         ///< states cannot absorb; empty if the guess cannot be simulated
-  double predicted_chi_square_fall{};
+  actuator::Effect guess{};              ///< at the strength at which it was simulated
+  actuator::Effect effect{};             ///< at the strength that the linearisation predicts; the guess where it
+                                         ///< predicts the wrong sign
+  Eigen::VectorXd residual_direction{};  ///< change of the stacked residuals by the guess, projected on what parameters
+                                         ///< and initial states cannot absorb; empty if the guess cannot be simulated
+  double predicted_chi_square_fall{};    ///< 0 where the effect would have to act against its sign
 };
 
 /// Which guesses are screened.
 struct ScreeningRequest {
   std::span<const actuator::EffectKind* const> kinds{};
   actuator::RigScale scale{};  ///< from which effects derive their initial guesses
-  std::uint64_t seed = 1;      ///< random seed for the scattered guesses
 };
 
-/// Screens every initial guess of every kind that `base` does not have yet. Guesses of effects with several numbers are
-/// screened a second time, scattered at random. Simulates all runs once per guess, in parallel.
+/// Screens every initial guess of every kind that `base` does not have yet. Simulates all runs once per guess, in
+/// parallel.
 [[nodiscard]] fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay::PreparedRun> runs,
                                                                        const FittedHypothesis& base,
                                                                        const ScreeningRequest& request);
@@ -42,9 +41,7 @@ struct ScreeningRequest {
 [[nodiscard]] std::vector<const actuator::EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened,
                                                                                std::size_t count);
 
-/// The pairs of different kinds with the largest fall of chi-square predicted for both together, best first, at most
-/// `count`. Neither effect of a pair need explain anything by itself.
-[[nodiscard]] std::vector<std::pair<actuator::Effect, actuator::Effect>> pairs_by_predicted_fall(
-    const FittedHypothesis& base, std::span<const ScreenedEffect> screened, std::size_t count);
+/// The effect at `share` of its guess, the share limited by SearchEffort: from where a fit may start.
+[[nodiscard]] actuator::Effect at_predicted_strength(actuator::Effect guess, double share);
 
 }  // namespace coilwright::measurement::compare

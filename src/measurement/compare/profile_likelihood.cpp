@@ -78,7 +78,7 @@ double ProfileLikelihood::above_limit(double coordinate) {
                                   .runs = runs_,
                                   .start = start,
                                   .local_numbers_from = &fitted_.fit,
-                                  .nominal_columns_from = &fitted_.fit,
+                                  .derivatives_from = &fitted_.fit,
                                   .held_parameter = parameter_,
                                   .effort = search_effort.profile});
   simulated_runs_ += refitted.simulated_runs;

@@ -1,10 +1,15 @@
 #include "measurement/compare/pruned_attribution.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "measurement/compare/cross_validation.hpp"
 #include "measurement/compare/intervals.hpp"
+#include "measurement/compare/relaxed_tolerances.hpp"
 #include "measurement/compare/search_effort.hpp"
 
 namespace coilwright::measurement::compare {
@@ -26,22 +31,37 @@ double explained_fraction(const FittedHypothesis& without, const FittedHypothesi
   return (without.fit.chi_square - with.fit.chi_square) / without.chi_square_above_noise();
 }
 
-bool is_supported(const FittedHypothesis& without, const FittedHypothesis& with, const Evidence& evidence) {
+// Why the data do not support the last effect of `with`; nothing if they do.
+std::optional<std::string> unsupported(const FittedHypothesis& without, const FittedHypothesis& with,
+                                       const Evidence& evidence) {
   // Whatever it explains where it was fitted: an effect must not make runs worse that were left out.
-  if (evidence.cross_validated_gain <= 0.0) return false;
+  if (evidence.cross_validated_gain <= 0.0) return "makes runs that are left out in turn worse";
   // The search compared it with a fit of the smaller hypothesis that may have ended elsewhere; this is the best of
   // both.
-  if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain) return false;
-  if (with.whiteness.is_white()) return true;
+  if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain)
+    return "gains too little over the best fit without it";
+  if (with.whiteness.is_white()) return std::nullopt;
   const double least = without.hypothesis.effects().empty() ? decision_thresholds.least_explained
                                                             : decision_thresholds.least_explained_later;
-  return explained_fraction(without, with) >= least;
+  if (explained_fraction(without, with) < least) return "explains too little of what is left over";
+  return std::nullopt;
 }
 
 bool all_effects_present(const FittedHypothesis& fitted, const std::vector<Estimate>& estimates) {
   for (std::size_t i = 0; i < fitted.hypothesis.effects().size(); ++i)
     if (!excludes_absent(fitted, estimates_of_effect(fitted, estimates, i), i)) return false;
   return true;
+}
+
+// Says of a hypothesis that was compared why it is not the answer.
+void set_remark(std::vector<ComparedHypothesis>& compared, std::vector<const actuator::EffectKind*> kinds,
+                const std::string& remark) {
+  std::ranges::sort(kinds);
+  for (ComparedHypothesis& each : compared) {
+    std::vector<const actuator::EffectKind*> others = each.effects;
+    std::ranges::sort(others);
+    if (others == kinds) each.remark = remark;
+  }
 }
 
 }  // namespace
@@ -63,9 +83,20 @@ PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun>
   };
   estimate_last_step();
   for (std::size_t i = 1; i < found.steps.size(); ++i) out.evidence.push_back(evidence_of(i));
-  while (found.steps.size() > 1 &&
-         (!is_supported(found.steps[found.steps.size() - 2], found.after(), out.evidence.back()) ||
-          !all_effects_present(found.after(), out.estimates))) {
+  while (found.steps.size() > 1) {
+    std::optional<std::string> reason =
+        unsupported(found.steps[found.steps.size() - 2], found.after(), out.evidence.back());
+    if (!reason && !all_effects_present(found.after(), out.estimates))
+      reason = "may be absent: a 95 % interval of its numbers reaches that far";
+    if (!reason && found.before().whiteness.is_white() && !bears_the_name_of_a_number(found.after())) {
+      const fit::Counted<double> gain =
+          gain_with_wide_tolerances(runs, found.steps[found.steps.size() - 2], found.after(), out.overdispersion);
+      out.simulated_runs += gain.simulated_runs;
+      if (gain.value < decision_thresholds.decisive_gain)
+        reason = "explains the data no better than declared numbers that are off";
+    }
+    if (!reason) break;
+    set_remark(found.compared, found.after().kinds(), *reason);
     found.steps.pop_back();
     out.evidence.pop_back();
     found.rivals.clear();

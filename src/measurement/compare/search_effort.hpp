@@ -14,11 +14,9 @@ struct SearchEffort {
   /// range in which the prediction holds.
   double weakest_start = 0.3;
   double strongest_start = 3.0;
-  /// A start of an effect with several numbers is drawn a second time, each number within this factor of the first.
-  /// More scatter covers a cost function that is not convex; less stays near what the effect proposes.
-  double scatter = 2.0;
-  /// Two residual directions count as one if the determinant of their normal equations is below this fraction of the
-  /// product of their squares. A larger value rejects pairs that are hard to separate; a smaller one divides by noise.
+  /// Residual directions count as dependent if the determinant of their normal equations is below this fraction of the
+  /// product of their squares. A larger value rejects effects that are hard to separate; a smaller one divides by
+  /// noise.
   double smallest_determinant = 1e-6;
 
   /// A start with another discrete choice is fitted if its predicted fall of chi-square exceeds this fraction of the
@@ -28,16 +26,32 @@ struct SearchEffort {
   double runner_up = 0.7;
   /// End of a short fit. More iterations rank the effects more reliably, and each costs one simulation per parameter.
   fit::FitEffort short_fit{.iterations = 4, .tolerance = 1e-2};
+  /// Steps with all derivatives before a fit that is continued to convergence keeps some of them. More steps bring them
+  /// nearer to those of the optimum, and each costs one simulation per number.
+  fit::FitEffort first_steps{.iterations = 2, .tolerance = 1e-3};
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
   double retry_strength = 0.05;
 
+  /// End of a fit that is continued to convergence: a thousandth of what decides between two hypotheses, at noise
+  /// level.
+  fit::FitEffort converged{.iterations = 25, .tolerance = 1e-4};
   /// Number of single effects whose short fit is continued to convergence; the others are too far behind.
-  std::size_t refined_singles = 9;
+  std::size_t refined_singles = 6;
   /// Number of hypotheses of one size that are extended by one more effect (beam width).
   std::size_t beam = 5;
-  /// Number of effects, in order of their predicted fall of chi-square, by which each of them is extended; also the
-  /// number of pairs that are fitted at once.
-  std::size_t extensions = 4;
+  /// Number of effects, in order of their predicted fall of chi-square, by which each of them is extended.
+  std::size_t extensions = 6;
+  /// Number of pairs, and of triples, that are tried at once whatever their parts explain alone.
+  std::size_t combinations = 6;
+  /// Number of larger hypotheses whose short fit is continued to convergence.
+  std::size_t refined_extensions = 6;
+  /// Number of hypotheses of one size that are fitted again from other starts.
+  std::size_t restarted = 2;
+  /// Numbers of an effect that are scattered for another start are drawn within this factor. More covers a cost
+  /// function that is not convex; less stays near what was found.
+  double scatter = 3.0;
+  /// Strength of the effects, over that of the fit, from which they are fitted again.
+  double weaker_restart = 0.3;
   /// Number of hypotheses of one size whose discrete choices are tried the other way.
   std::size_t reconsidered = 4;
   /// Largest number of effects in one hypothesis.

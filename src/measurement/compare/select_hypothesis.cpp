@@ -30,24 +30,47 @@ struct Steps {
   long simulated_runs{};
 };
 
+// Whether a hypothesis has just these effects, perhaps with fewer or further numbers.
+bool has_just(const FittedHypothesis& fitted, const std::vector<Effect>& effects) {
+  const Kinds kinds = fitted.kinds();
+  return kinds.size() == effects.size() && std::ranges::all_of(effects, [&](const Effect& effect) {
+           return std::ranges::any_of(kinds, [&](const EffectKind* kind) { return kind->id() == effect.kind->id(); });
+         });
+}
+
+// Whether a hypothesis is the other one with fewer numbers of some of its effects.
+bool is_with_fewer_numbers(const FittedHypothesis& smaller, const FittedHypothesis& larger) {
+  return smaller.hypothesis.size() < larger.hypothesis.size() && has_just(smaller, larger.hypothesis.effects());
+}
+
 // From the declared model to the selected hypothesis: each step adds the effect that by itself explains most of the
-// remainder.
-Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> runs, const FittedHypothesis& declared) {
+// remainder. A step that the search has fitted better than can be done from here, from whatever start, is that fit:
+// what comes after it must not be credited with what a poor fit leaves over.
+Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> runs, const FittedHypothesis& declared,
+               const std::vector<FittedHypothesis>& all) {
   Steps out;
   const auto last_step = [&]() -> const FittedHypothesis& { return out.steps.empty() ? declared : out.steps.back(); };
   std::vector<Effect> left = selected.hypothesis.effects_at(selected.fit.values);
+  std::vector<Effect> taken;
   while (left.size() > 1) {
     std::optional<FittedHypothesis> best;
     std::size_t index = 0;
+    const auto consider = [&](const FittedHypothesis& one, std::size_t i) {
+      if (best && one.fit.objective() >= best->fit.objective()) return;
+      best = one;
+      index = i;
+    };
     for (std::size_t i = 0; i < left.size(); ++i) {
       auto one = fit_to_convergence(runs, with_added_effects(last_step(), std::span(&left[i], 1)));
       out.simulated_runs += one.simulated_runs;
-      if (one.value && (!best || one.value->fit.objective() < best->fit.objective())) {
-        best = std::move(one.value);
-        index = i;
-      }
+      if (one.value) consider(*one.value, i);
+      std::vector<Effect> these = taken;
+      these.push_back(left[i]);
+      for (const FittedHypothesis& known : all)
+        if (has_just(known, these)) consider(known, i);
     }
     if (!best) break;
+    taken.push_back(left[index]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(index));
     out.steps.push_back(std::move(*best));
   }
@@ -100,6 +123,16 @@ Selection select_hypothesis(std::span<const replay::PreparedRun> runs, const Fit
   rule_out("fits no better than without it", [&](const FittedHypothesis& fitted) {
     return fitted.fit.objective() > declared.fit.objective() * (1.0 + 1e-9);
   });
+  // Further numbers of an effect are judged as a further effect is.
+  const std::vector<FittedHypothesis> before_ruling = all;
+  rule_out("its further numbers explain too little of what is left over", [&](const FittedHypothesis& fitted) {
+    if (fitted.whiteness.is_white()) return false;
+    return std::ranges::any_of(before_ruling, [&](const FittedHypothesis& smaller) {
+      return is_with_fewer_numbers(smaller, fitted) &&
+             fitted.chi_square_above_noise() >
+                 (1.0 - decision_thresholds.least_explained_later) * smaller.chi_square_above_noise();
+    });
+  });
   const auto bic = [&](const FittedHypothesis& fitted) { return quasi_bic(fitted, overdispersion); };
   std::ranges::stable_sort(all, {}, bic);
   for (const FittedHypothesis& fitted : all)
@@ -109,20 +142,22 @@ Selection select_hypothesis(std::span<const replay::PreparedRun> runs, const Fit
   // The simplest of those within a decisive gain of the best.
   const double limit = bic(all.front()) + decision_thresholds.decisive_gain;
   std::vector<FittedHypothesis> rivals;
-  for (FittedHypothesis& fitted : all)
-    if (bic(fitted) <= limit) rivals.push_back(std::move(fitted));
+  for (const FittedHypothesis& fitted : all)
+    if (bic(fitted) <= limit) rivals.push_back(fitted);
   const auto simplest = std::ranges::min_element(rivals, {}, [](const FittedHypothesis& fitted) {
     return std::pair(fitted.hypothesis.effects().size(), fitted.hypothesis.size());
   });
-  FittedHypothesis selected = std::move(*simplest);
+  FittedHypothesis selected = *simplest;
   rivals.erase(simplest);
-  // A rival that contains all selected effects is not another explanation.
+  // A rival that contains all selected effects, if with further numbers, is not another explanation.
   const Kinds kinds = selected.kinds();
   std::erase_if(rivals, [&](const FittedHypothesis& rival) {
     const Kinds others = rival.kinds();
-    return std::ranges::all_of(kinds, [&](const EffectKind* kind) { return contains(others, kind); });
+    return std::ranges::all_of(kinds, [&](const EffectKind* kind) {
+      return std::ranges::any_of(others, [&](const EffectKind* other) { return other->id() == kind->id(); });
+    });
   });
-  Steps steps = steps_to(std::move(selected), runs, declared);
+  Steps steps = steps_to(std::move(selected), runs, declared, all);
   out.steps = std::move(steps.steps);
   out.simulated_runs = steps.simulated_runs;
   out.rivals = std::move(rivals);

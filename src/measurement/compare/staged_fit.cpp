@@ -1,5 +1,6 @@
 #include "measurement/compare/staged_fit.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -10,14 +11,49 @@ namespace coilwright::measurement::compare {
 
 using actuator::Effect;
 
+namespace {
+
+// Whether derivatives that may be kept cost much: of declared numbers, or of local numbers that move the model.
+bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const fit::Hypothesis& hypothesis) {
+  const auto& numbers = hypothesis.declared().calibration;
+  if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;
+  return std::ranges::any_of(runs, [](const replay::PreparedRun& run) {
+    return run.fits_initial_states() || std::ranges::any_of(run.windows, [](const replay::Window& window) {
+             return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
+           });
+  });
+}
+
+}  // namespace
+
 fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
-  return {
-      .hypothesis = &plan.hypothesis, .runs = runs, .start = plan.start, .local_numbers_from = plan.local_numbers_from};
+  return {.hypothesis = &plan.hypothesis,
+          .runs = runs,
+          .start = plan.start,
+          .local_numbers_from = plan.local_numbers_from,
+          .derivatives_from = plan.derivatives_from};
+}
+
+fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
+                                                          const PlannedFit& plan) {
+  auto fitted = fit::fit(fit_request_of(runs, plan));
+  if (!fitted.value) return {.value = std::nullopt, .simulated_runs = fitted.simulated_runs};
+  return {.value = score(runs, plan.hypothesis, std::move(*fitted.value)), .simulated_runs = fitted.simulated_runs};
 }
 
 fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const replay::PreparedRun> runs,
                                                                  const PlannedFit& plan) {
-  auto fitted = fit::fit(fit_request_of(runs, plan));
+  fit::FitRequest request = fit_request_of(runs, plan);
+  request.derivatives_from = nullptr;
+  if (!has_slow_derivatives(runs, plan.hypothesis)) return fit_exactly(runs, plan);
+  request.effort = search_effort.first_steps;
+  auto first = fit::fit(request);
+  if (!first.value) return {.value = std::nullopt, .simulated_runs = first.simulated_runs};
+  request.start = first.value->values;
+  request.local_numbers_from = request.derivatives_from = &*first.value;
+  request.effort = search_effort.converged;
+  auto fitted = fit::fit(request);
+  fitted.simulated_runs += first.simulated_runs;
   if (!fitted.value) return {.value = std::nullopt, .simulated_runs = fitted.simulated_runs};
   return {.value = score(runs, plan.hypothesis, std::move(*fitted.value)), .simulated_runs = fitted.simulated_runs};
 }
@@ -26,29 +62,34 @@ PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effe
   std::vector<Effect> effects = base.hypothesis.effects_at(base.fit.values);
   effects.insert(effects.end(), added.begin(), added.end());
   PlannedFit plan{.hypothesis = fit::Hypothesis(base.hypothesis.declared(), std::move(effects)),
-                  .local_numbers_from = &base.fit};
+                  .local_numbers_from = &base.fit,
+                  .derivatives_from = &base.fit};
   plan.start = plan.hypothesis.start();
   plan.start.head(base.fit.values.size()) = base.fit.values;
   return plan;
 }
 
 fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
-                                                std::span<const Effect> guesses) {
+                                                std::span<const std::vector<Effect>> guesses) {
   std::optional<ShortFit> best;
   long simulated_runs = 0;
-  const auto try_from = [&](const Effect& guess) {
-    PlannedFit plan = with_added_effects(base, std::span(&guess, 1));
+  const auto try_from = [&](const std::vector<Effect>& guess) {
+    PlannedFit plan = with_added_effects(base, guess);
     fit::FitRequest request = fit_request_of(runs, plan);
     request.effort = search_effort.short_fit;
+    request.all_its_derivatives = true;
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
     if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;
     best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted.value)});
   };
-  for (const Effect& guess : guesses) try_from(guess);
+  for (const std::vector<Effect>& guess : guesses) try_from(guess);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
   if (!best || best->fitted.objective() >= base.fit.objective())
-    for (const Effect& guess : guesses) try_from(scaled_from_absent(guess, search_effort.retry_strength));
+    for (std::vector<Effect> guess : guesses) {
+      for (Effect& effect : guess) effect = scaled_from_absent(std::move(effect), search_effort.retry_strength);
+      try_from(guess);
+    }
   return {.value = std::move(best), .simulated_runs = simulated_runs};
 }
 

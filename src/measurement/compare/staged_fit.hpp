@@ -7,20 +7,23 @@
 
 namespace coilwright::measurement::compare {
 
-/// A hypothesis to be fitted and the point at which its fit starts. Refers to the fit whose initial states it takes
-/// over.
+/// A hypothesis to be fitted and the point at which its fit starts. Refers to the fits from which it takes local
+/// numbers and derivatives.
 struct PlannedFit {
   fit::Hypothesis hypothesis;
   Eigen::VectorXd start{};
   const fit::Fit* local_numbers_from{};  ///< null: from the measurement
-  /// Whether the derivatives with respect to declared numbers within their tolerances are those of that fit.
-  bool known_columns = true;
+  const fit::Fit* derivatives_from{};    ///< as fit::FitRequest has it; null: all are taken at each step
 };
 /// Refers to `plan`.
 [[nodiscard]] fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
-/// Nothing if the model cannot be simulated.
+/// Two steps with all derivatives; then those with respect to declared numbers within their tolerances and to local
+/// numbers are kept to the end. Nothing if the model cannot be simulated.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(
     std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
+/// The same with all derivatives at every step: for a hypothesis whose numbers are reported.
+[[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
+                                                                        const PlannedFit& plan);
 
 /// `base` at its fit with additional effects, each with the given numbers. Refers to `base`.
 [[nodiscard]] PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const actuator::Effect> added);
@@ -30,11 +33,12 @@ struct ShortFit {
   PlannedFit plan;  ///< where it started
   fit::Fit fitted{};
 };
-/// Best result of a short fit from each initial guess of one added effect. Nothing if none of them can be simulated.
-/// Refers to `base`.
+/// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together.
+/// Derivatives with respect to the numbers of `base` are kept. Nothing if none of them can be simulated. Refers to
+/// `base`.
 [[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs,
                                                               const FittedHypothesis& base,
-                                                              std::span<const actuator::Effect> guesses);
+                                                              std::span<const std::vector<actuator::Effect>> guesses);
 /// Continues a short fit to convergence.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs,
                                                                    const ShortFit& from);

@@ -23,7 +23,6 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
   const Hypothesis& hypothesis = *request.hypothesis;
   Fit out{.values = values};
   const Eigen::Index p = values.size();
-  const auto declared_numbers = static_cast<Eigen::Index>(hypothesis.declared().calibration.size());
   out.runs.resize(request.runs.size());
   for (std::size_t r = 0; r < out.runs.size(); ++r) {
     out.runs[r].normal_matrix.setZero(p, p);
@@ -51,7 +50,8 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     out.stacked_residuals.segment(row, block.rows) = there.residuals;
     out.jacobian.middleRows(row, block.rows) = jacobian;
     out.local_bases.push_back(basis);
-    out.nominal_columns.emplace_back(there.jacobian.leftCols(declared_numbers));
+    out.parameter_columns.push_back(there.jacobian);
+    out.local_columns.push_back(there.local_jacobian);
     row += block.rows;
     run.local_numbers.emplace_back(block.local.begin(), block.local.end());
   }

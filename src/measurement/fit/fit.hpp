@@ -41,8 +41,10 @@ struct Fit {
   Eigen::MatrixXd jacobian{};
   /// For each block of residuals an orthonormal basis of what its local numbers can absorb.
   std::vector<Eigen::MatrixXd> local_bases{};
-  /// For each block the derivatives with respect to the numbers of the declared model, nothing projected out.
-  std::vector<Eigen::MatrixXd> nominal_columns{};
+  /// For each block the derivatives with respect to the parameters and to its local numbers, nothing
+  /// projected out.
+  std::vector<Eigen::MatrixXd> parameter_columns{};
+  std::vector<Eigen::MatrixXd> local_columns{};
   std::size_t used_samples{};  ///< samples that are not set aside
   /// What a fit makes smallest: the chi-squares of measurement, prior and local numbers together.
   [[nodiscard]] double objective() const { return chi_square + prior_chi_square + local_chi_square; }

@@ -23,9 +23,13 @@ struct FitRequest {
   std::span<const replay::PreparedRun> runs{};
   Eigen::VectorXd start{};          ///< parameters, clamped to their bounds
   const Fit* local_numbers_from{};  ///< a fit whose local numbers the windows take over; null: the priors
-  /// A fit of another hypothesis to the same runs, whose derivatives with respect to the declared numbers within their
-  /// tolerances serve here too; null: they are taken here.
-  const Fit* nominal_columns_from{};
+  /// A fit to the same runs whose derivatives with respect to declared numbers within their tolerances, and to local
+  /// numbers that move the model, serve here too: they change little from one hypothesis to the next and cost most of a
+  /// fit's simulated runs. Null: all are taken here, at each step. Residuals are always those of the numbers
+  /// themselves.
+  const Fit* derivatives_from{};
+  /// Whether those with respect to all its parameters are that fit's, which are then the first ones of this hypothesis.
+  bool all_its_derivatives = false;
   std::optional<Eigen::Index> held_parameter{};  ///< index of a parameter that keeps its value in `start`
   FitEffort effort{};
 };

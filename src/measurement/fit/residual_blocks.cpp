@@ -185,10 +185,11 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const 
   return out;
 }
 
-// Whether the derivatives with respect to a number are taken over from another fit: declared numbers move little, and
-// what they do to the motion is then the same in all hypotheses. Residuals are always those of the numbers themselves.
+// Whether the derivatives with respect to a number are taken over from another fit.
 bool ResidualBlocks::takes_known_column(Eigen::Index parameter) const {
-  return request_.nominal_columns_from != nullptr && request_.hypothesis->is_nominal(parameter);
+  if (request_.derivatives_from == nullptr) return false;
+  return request_.hypothesis->is_nominal(parameter) ||
+         (request_.all_its_derivatives && parameter < request_.derivatives_from->values.size());
 }
 
 // Nothing if one of the models cannot be built.
@@ -240,7 +241,7 @@ void ResidualBlocks::add_known_columns(ResidualValues& values) const {
   for (Eigen::Index i = 0; i < request_.hypothesis->size(); ++i) {
     if (request_.held_parameter == i || !takes_known_column(i)) continue;
     for (std::size_t b = 0; b < blocks_.size(); ++b)
-      values.blocks[b].jacobian.col(i) = request_.nominal_columns_from->nominal_columns[b].col(i);
+      values.blocks[b].jacobian.col(i) = request_.derivatives_from->parameter_columns[b].col(i);
   }
 }
 
@@ -266,6 +267,11 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
     const Model& model = models.on(rig_of_run_[block.run]);
     const std::size_t in_run = b - first_block_[block.run];
     for (std::size_t i = 0; i < block.local.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      if (request_.derivatives_from != nullptr && block.numbers.moves(i)) {
+        out.local_jacobian.col(column) = request_.derivatives_from->local_columns[b].col(column);
+        continue;
+      }
       std::vector<double> displaced(block.local.begin(), block.local.end());
       const double step = block.numbers.is_state(i) ? initial_state_step * std::max(1.0, std::abs(displaced[i]))
                                                     : local_step * block.numbers.sigma()[i];
@@ -281,7 +287,7 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
       }
       const Trajectory& motion = moved ? *moved : runs[block.run].trajectories[in_run];
       const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, motion, there);
-      out.local_jacobian.col(static_cast<Eigen::Index>(i)) =
+      out.local_jacobian.col(column) =
           (with_prior(block, prepared, window.range, predicted, displaced) - out.residuals) / step;
     }
   });

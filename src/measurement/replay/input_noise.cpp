@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "coilwright/measurement/noise/noise_level.hpp"
 #include "measurement/noise/whittaker_smoother.hpp"
+#include "measurement/replay/command_shape.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -45,6 +47,7 @@ std::vector<std::size_t> edges_of(const std::vector<double>& values, double sigm
 struct SmoothColumn {
   std::vector<double> values{};
   double sigma{};
+  std::vector<InputError> errors{};
 };
 
 std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std::vector<double>& values) {
@@ -67,6 +70,15 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   const double penalty = noise::best_penalty(segments, level.sigma);
   SmoothColumn out{.sigma = level.sigma};
   for (const noise::SampledSegment& segment : segments) {
+    if (const auto shape = command_shape(segment.times, segment.values, level.sigma)) {
+      for (Eigen::Index k = 0; k < shape->basis.cols(); ++k) {
+        InputError error{.first = out.values.size()};
+        for (const double value : shape->basis.col(k)) error.shape.push_back(level.sigma * value);
+        out.errors.push_back(std::move(error));
+      }
+      out.values.insert(out.values.end(), shape->values.begin(), shape->values.end());
+      continue;
+    }
     constexpr std::size_t fewest_for_third_differences = 4;
     if (segment.values.size() < fewest_for_third_differences) {
       out.values.insert(out.values.end(), segment.values.begin(), segment.values.end());
@@ -86,9 +98,13 @@ std::optional<CleanInput> without_noise(const data::Run& run) {
   for (std::size_t column = 0; column < run.inputs.front().size(); ++column) {
     std::vector<double> values;
     for (const std::vector<double>& row : run.inputs) values.push_back(row[column]);
-    const auto smooth = smoothed(run.times_of_inputs(), values);
+    auto smooth = smoothed(run.times_of_inputs(), values);
     if (!smooth) continue;
     out.sigma = std::max(out.sigma, smooth->sigma);
+    for (InputError& error : smooth->errors) {
+      error.column = column;
+      out.errors.push_back(std::move(error));
+    }
     for (std::size_t i = 0; i < values.size(); ++i) out.rows[i][column] = smooth->values[i];
   }
   if (out.sigma == 0.0) return std::nullopt;

@@ -41,6 +41,9 @@ LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
     const bool straight = prepared.run->hold == data::InputHold::linear;
     add(straight ? 0.5 : 1.0, straight ? 0.5 : 0.3);
   }
+  first_error_ = size();
+  errors_ = window.errors.size();
+  for (std::size_t i = 0; i < errors_; ++i) add(0.0, 1.0);
   clock_ = size();
   const data::RecordingClock& clock = prepared.run->clock;
   const double offset_sigma = std::max(clock.offset_sigma, unknown_reading_time(*prepared.run));
@@ -72,6 +75,10 @@ std::span<const double> LocalNumbers::edge_shifts(std::span<const double> values
 
 double LocalNumbers::bend(std::span<const double> values) const {
   return has_bend_ ? values[first_edge_ + edges_] : 0.0;
+}
+
+std::span<const double> LocalNumbers::input_errors(std::span<const double> values) const {
+  return values.subspan(first_error_, errors_);
 }
 
 double LocalNumbers::clock_offset(std::span<const double> values) const {

@@ -9,7 +9,7 @@
 namespace coilwright::measurement::replay {
 
 /// What only one window of one run tells, and every fit therefore eliminates: its initial state, the shift and the rate
-/// of its clocks, where the edges of its input lie, and the hum in its readings.
+/// of its clocks, where the edges of its input lie, what noise has left in it, and the hum in its readings.
 class LocalNumbers {
  public:
   LocalNumbers() = default;
@@ -32,6 +32,8 @@ class LocalNumbers {
                                                 const actuator::InternalStates& internal) const;
   /// How much of the window's `bend` the input has: 0 is straight between samples, 1 smooth.
   [[nodiscard]] double bend(std::span<const double> values) const;
+  /// The errors of the window's input, each over its standard deviation.
+  [[nodiscard]] std::span<const double> input_errors(std::span<const double> values) const;
   /// How much later than in the middle each edge of the window's input lies, s.
   [[nodiscard]] std::span<const double> edge_shifts(std::span<const double> values) const;
   [[nodiscard]] double clock_offset(std::span<const double> values) const;  ///< s
@@ -44,7 +46,7 @@ class LocalNumbers {
 
   int joints_{};
   bool has_state_{}, has_bend_{}, has_offset_{}, has_rate_{};
-  std::size_t edges_{}, first_edge_{}, clock_{}, first_amplitude_{};
+  std::size_t edges_{}, first_edge_{}, errors_{}, first_error_{}, clock_{}, first_amplitude_{};
   std::vector<double> mean_, sigma_;
 };
 

@@ -194,10 +194,11 @@ State Trajectory::at(double time) const {
 
 std::optional<Trajectory> simulate_window(const Model& model, const Window& window, LocalValues local,
                                           const actuator::InternalStates& internal) {
-  const bool as_planned = window.edges.empty() && window.bend.times.empty();
-  const ModelInput driven =
-      as_planned ? ModelInput{}
-                 : as_driven(window, local.numbers->edge_shifts(local.values), local.numbers->bend(local.values));
+  const bool as_planned = window.edges.empty() && window.bend.times.empty() && window.errors.empty();
+  const ModelInput driven = as_planned ? ModelInput{}
+                                       : as_driven(window, {.shifts = local.numbers->edge_shifts(local.values),
+                                                            .bend = local.numbers->bend(local.values),
+                                                            .errors = local.numbers->input_errors(local.values)});
   const ModelInput& input = as_planned ? window.input : driven;
   if (local.numbers->has_initial_state())
     return simulated(model, input, local.numbers->initial_state(local.values, internal));

@@ -104,8 +104,9 @@ PreparedRun prepare_run(const data::Run& run, const DeclaredModel& declared, con
   prepared.windows = windows_of(run);
   const std::optional<CleanInput> clean = without_noise(run);
   if (clean) prepared.input_noise = clean->sigma;
+  const CleanInput input = clean ? *clean : CleanInput{.rows = run.inputs};
   for (Window& window : prepared.windows) {
-    set_input(window, run, clean ? clean->rows : run.inputs, nominal);
+    set_input(window, run, input, nominal);
     if (prepared.fits_initial_states()) window.prior = initial_state_prior(prepared, window.range, nominal);
   }
   return prepared;

@@ -33,6 +33,13 @@ struct InputEdge {
   double half_width{};  ///< s, half the distance of the two samples
 };
 
+/// What noise may have left in rows of a window's input, one standard deviation of it.
+struct InputRowErrors {
+  std::size_t first_row{};
+  std::vector<actuator::CoilCurrents> currents{};       ///< A, of that row and those after it
+  std::vector<mechanics::JointVector> joint_torques{};  ///< N m, likewise; empty where the input has none
+};
+
 /// A part of a motion that is simulated from one initial state.
 struct Window {
   SampleRange range{};
@@ -41,7 +48,8 @@ struct Window {
   std::vector<InputEdge> edges{};
   simulation::ModelInput bend{};  ///< what a smooth curve through the samples of the input adds to straight lines
                                   ///< between them, row by row; empty where that is next to nothing
-  InitialStatePrior prior{};      ///< from the first samples of the measurement; empty for runs that start at rest
+  std::vector<InputRowErrors> errors{};  ///< of an input with noise
+  InitialStatePrior prior{};  ///< from the first samples of the measurement; empty for runs that start at rest
 
   [[nodiscard]] std::size_t samples() const { return range.samples(); }
 };

@@ -36,19 +36,21 @@ using Row = std::vector<double>;
 struct Rows {
   std::vector<double> times{};
   std::vector<Row> rows{};
-  std::vector<double> half_widths{};  // of the edge with which a row begins; 0 where it begins at a known time
-  std::vector<Row> bends{};           // what a smooth curve has more than the row
+  std::vector<std::size_t> samples{};  // of the input from which each is
+  std::vector<double> half_widths{};   // of the edge with which a row begins; 0 where it begins at a known time
+  std::vector<Row> bends{};            // what a smooth curve has more than the row
 
-  void add(double time, Row row, double half_width = 0.0) {
+  void add(double time, Row row, std::size_t sample, double half_width = 0.0) {
     times.push_back(time);
+    samples.push_back(sample);
     bends.emplace_back(row.size(), 0.0);
     rows.push_back(std::move(row));
     half_widths.push_back(half_width);
   }
-  void add_straight(double time, Row row, const Row& smooth) {
+  void add_straight(double time, Row row, std::size_t sample, const Row& smooth) {
     Row bend(row.size());
     for (std::size_t i = 0; i < row.size(); ++i) bend[i] = smooth[i] - row[i];
-    add(time, std::move(row));
+    add(time, std::move(row), sample);
     bends.back() = std::move(bend);
   }
 };
@@ -152,10 +154,10 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
       smooth.emplace(times, rows, i, last);
     }
     if (step == 0.0) {
-      out.add(times[i], from);
+      out.add(times[i], from, i);
     } else if (edge && step >= *edge) {
-      out.add(times[i], from);
-      out.add(times[i] + 0.5 * duration, to, 0.5 * duration);
+      out.add(times[i], from, i);
+      out.add(times[i] + 0.5 * duration, to, i + 1, 0.5 * duration);
     } else {
       const auto parts = static_cast<std::size_t>(std::ceil(duration / held_on_a_slope));
       for (std::size_t k = 0; k < parts; ++k) {
@@ -164,13 +166,13 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
         Row row = between(from, to, share);
         const double time = times[i] + duration * static_cast<double>(k) / static_cast<double>(parts);
         if (smooth && step < corner)
-          out.add_straight(time, std::move(row), smooth->at(middle));
+          out.add_straight(time, std::move(row), i, smooth->at(middle));
         else
-          out.add(time, std::move(row));
+          out.add(time, std::move(row), i);
       }
     }
   }
-  out.add(times.back(), rows.back());
+  out.add(times.back(), rows.back(), rows.size() - 1);
   return out;
 }
 
@@ -183,7 +185,9 @@ Rows rows_of(const data::Run& run, const std::vector<Row>& rows) {
     case data::InputHold::unknown_within_sample:
       return between_samples(run, rows, edge_of(rows));
   }
-  return {.times = run.times_of_inputs(), .rows = rows, .half_widths = std::vector(rows.size(), 0.0), .bends = {}};
+  Rows out;
+  for (std::size_t i = 0; i < rows.size(); ++i) out.add(run.times_of_inputs()[i], rows[i], i);
+  return out;
 }
 
 // How far beyond its samples a window may be shown.
@@ -192,58 +196,86 @@ double reach_of(const data::Run& run, double duration) {
   return least_reach + clock_deviations * (clock.offset_sigma + clock.rate_sigma * duration) + 0.5 * clock.exposure;
 }
 
+// The errors of samples as those of the rows that come from them; of those that reach the window.
+std::vector<InputRowErrors> row_errors(const std::vector<InputError>& errors, const std::vector<std::size_t>& samples,
+                                       const simulation::CommandedInput& command, const actuator::Model& nominal) {
+  std::vector<InputRowErrors> out;
+  for (const InputError& error : errors) {
+    const auto row_of = [&](std::size_t sample) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(samples, sample) - samples.begin());
+    };
+    const std::size_t first = row_of(error.first);
+    const std::size_t last = row_of(error.first + error.shape.size());
+    if (first == last) continue;
+    simulation::CommandedInput changed = command;
+    changed.times.assign(command.times.begin() + static_cast<std::ptrdiff_t>(first),
+                         command.times.begin() + static_cast<std::ptrdiff_t>(last));
+    changed.rows.clear();
+    for (std::size_t row = first; row < last; ++row) {
+      changed.rows.emplace_back(command.rows.front().size(), 0.0);
+      changed.rows.back()[error.column] = error.shape[samples[row] - error.first];
+    }
+    ModelInput input = simulation::model_input(nominal, changed);
+    out.push_back(
+        {.first_row = first, .currents = std::move(input.currents), .joint_torques = std::move(input.joint_torques)});
+  }
+  return out;
+}
+
 }  // namespace
 
-void set_input(Window& window, const data::Run& run, const std::vector<std::vector<double>>& rows,
-               const actuator::Model& nominal) {
+void set_input(Window& window, const data::Run& run, const CleanInput& clean, const actuator::Model& nominal) {
+  const std::vector<Row>& rows = clean.rows;
   const Rows all = rows_of(run, rows);
   const double first = run.times[window.range.first];
   const double last = run.times[window.range.last - 1];
   const double end = last + reach_of(run, last - first);
   const Row flat(rows.front().size(), 0.0);
-  const auto bend_of = [&](std::size_t row) { return all.bends.empty() ? flat : all.bends[row]; };
   simulation::CommandedInput command = run.command();
   command.times.clear();
   command.rows.clear();
   simulation::CommandedInput bend = command;
   window.edges.clear();
-  const auto add = [&](double time, const Row& row, const Row& more) {
+  std::vector<std::size_t> samples;  // of the input behind each row
+  const auto add = [&](double time, const Row& row, const Row& more, std::size_t sample) {
     command.times.push_back(time);
     command.rows.push_back(row);
     bend.times.push_back(time);
     bend.rows.push_back(more);
+    samples.push_back(sample);
   };
   const auto fill_until = [&](double until) {
     const double from = command.times.back();
     const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
     for (std::size_t k = 1; k < parts; ++k)
       add(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts), Row(command.rows.back()),
-          Row(bend.rows.back()));
+          Row(bend.rows.back()), samples.back());
   };
   // The row in force at the first sample.
   const auto after = std::upper_bound(all.times.begin(), all.times.end(), first);
   auto row = static_cast<std::size_t>(after - all.times.begin());
   if (row > 0) --row;
   if (run.hold == data::InputHold::zero_order) {
-    add(first, all.rows[row], flat);
+    add(first, all.rows[row], flat, all.samples[row]);
   } else {
     // A run starts at rest under its first sample; what is held first is the mean over the first part of a slope.
     constexpr double instant = 1e-6;  // s
     const std::vector<double>& times = run.times_of_inputs();
     const auto next = std::upper_bound(times.begin(), times.end(), first);
-    add(first, rows[next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1], flat);
-    add(first + instant, all.rows[row], bend_of(row));
+    const std::size_t sample = next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1;
+    add(first, rows[sample], flat, sample);
+    add(first + instant, all.rows[row], all.bends[row], all.samples[row]);
   }
   for (++row; row < all.times.size() && all.times[row] <= end; ++row) {
     if (all.times[row] <= command.times.back()) continue;
     fill_until(all.times[row]);
     if (all.half_widths[row] > 0.0)
       window.edges.push_back({.row = command.times.size(), .half_width = all.half_widths[row]});
-    add(all.times[row], all.rows[row], bend_of(row));
+    add(all.times[row], all.rows[row], all.bends[row], all.samples[row]);
   }
   if (command.times.back() < end) {
     fill_until(end);
-    add(end, Row(command.rows.back()), flat);
+    add(end, Row(command.rows.back()), flat, samples.back());
   }
   window.input = simulation::model_input(nominal, command);
   double largest_bend = 0.0;
@@ -252,22 +284,31 @@ void set_input(Window& window, const data::Run& run, const std::vector<std::vect
   for (const Row& each : command.rows) largest = std::max(largest, size_of_step(command.rows.front(), each));
   window.bend = {};
   if (largest_bend > least_bend * largest) window.bend = simulation::model_input(nominal, bend);
+  window.errors = row_errors(clean.errors, samples, command, nominal);
   if (current_flows(run.rig)) return;
   window.bend = {};
+  window.errors.clear();
   for (actuator::CoilCurrents& currents : window.input.currents) currents.setZero();
 }
 
-ModelInput as_driven(const Window& window, std::span<const double> shifts, double bend) {
+ModelInput as_driven(const Window& window, const InputChange& change) {
   ModelInput out = window.input;
   for (std::size_t i = 0; i < window.bend.times.size(); ++i) {
-    out.currents[i] += bend * window.bend.currents[i];
-    if (!out.joint_torques.empty()) out.joint_torques[i] += bend * window.bend.joint_torques[i];
+    out.currents[i] += change.bend * window.bend.currents[i];
+    if (!out.joint_torques.empty()) out.joint_torques[i] += change.bend * window.bend.joint_torques[i];
+  }
+  for (std::size_t e = 0; e < window.errors.size(); ++e) {
+    const InputRowErrors& error = window.errors[e];
+    for (std::size_t k = 0; k < error.currents.size(); ++k)
+      out.currents[error.first_row + k] += change.errors[e] * error.currents[k];
+    for (std::size_t k = 0; k < error.joint_torques.size(); ++k)
+      out.joint_torques[error.first_row + k] += change.errors[e] * error.joint_torques[k];
   }
   for (std::size_t e = 0; e < window.edges.size(); ++e) {
     const InputEdge& edge = window.edges[e];
     const double middle = window.input.times[edge.row];
     constexpr double furthest = 0.98;  // of the way to the sample
-    const double shift = std::clamp(shifts[e], -furthest * edge.half_width, furthest * edge.half_width);
+    const double shift = std::clamp(change.shifts[e], -furthest * edge.half_width, furthest * edge.half_width);
     // The rows between the two samples stretch on one side of the edge and close up on the other.
     const auto moved = [&](double time) { return time + shift * (1.0 - std::abs(time - middle) / edge.half_width); };
     out.times[edge.row] = middle + shift;

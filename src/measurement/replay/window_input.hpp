@@ -1,19 +1,25 @@
 #pragma once
 
+#include <span>
+
+#include "measurement/replay/input_noise.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement::replay {
 
 /// What drives the model in a window: the commanded rows in force from its first to its last sample, and a little
 /// beyond where clocks may be apart, with rows so dense that the motion can be interpolated between them. Edges whose
-/// place is unknown lie in the middle between their samples. Sets `input`, `edges` and `bend` of the window.
-/// `rows` are those of the run's input, of which noise may have been taken out.
-void set_input(Window& window, const data::Run& run, const std::vector<std::vector<double>>& rows,
-               const actuator::Model& nominal);
+/// place is unknown lie in the middle between their samples. Sets `input`, `edges`, `bend` and `errors` of the window.
+/// `clean` are the rows of the run's input, of which noise may have been taken out.
+void set_input(Window& window, const data::Run& run, const CleanInput& clean, const actuator::Model& nominal);
 
-/// The input with its edges moved, s, and with so much of its bend. A shift beyond the two samples of its edge ends
-/// there.
-[[nodiscard]] simulation::ModelInput as_driven(const Window& window, std::span<const double> shifts, double bend);
+/// How the input of a window differs from what was planned for it.
+struct InputChange {
+  std::span<const double> shifts{};  ///< of its edges, s; beyond the two samples of an edge, it ends there
+  double bend{};                     ///< how much of its bend it has
+  std::span<const double> errors{};  ///< of its errors, each over one standard deviation
+};
+[[nodiscard]] simulation::ModelInput as_driven(const Window& window, const InputChange& change);
 
 /// The rows of the input in force at each sample of the window, at the samples' times.
 [[nodiscard]] simulation::ModelInput at_samples(const Window& window, const data::Run& run);

@@ -20,7 +20,7 @@ actuator::Model nominal() {
 
 Window window_of(const data::Run& run) {
   Window out{.range = {0, run.samples()}};
-  set_input(out, run, run.inputs, nominal());
+  set_input(out, run, {.rows = run.inputs}, nominal());
   return out;
 }
 
@@ -61,7 +61,7 @@ TEST(WindowInput, HasEdgesThatLieAnywhereBetweenTwoSamples) {
     EXPECT_NEAR(window.input.times[window.edges[e].row], 0.5 * static_cast<double>(e + 1) - 0.5 * interval, 1e-9);
   }
   const std::vector<double> shifts{0.003, -1.0};
-  const simulation::ModelInput moved = as_driven(window, shifts, 0.0);
+  const simulation::ModelInput moved = as_driven(window, {.shifts = shifts});
   EXPECT_EQ(force_in(moved, 0.4979), force_at(49));
   EXPECT_EQ(force_in(moved, 0.4981), force_at(50));
   // Never beyond the sample that it precedes.

@@ -88,9 +88,11 @@ class Planner {
 
   PlannedRun pulses(double current, double frequency) {
     const double start = begin();
+    // To a hundredth of a second: a log that says `zero_order` has every edge in one of its samples.
+    const double half_period = std::round(50.0 / frequency) / 100.0;
     std::vector<Edge> edges;
-    for (int i = 0; start + 0.5 * i / frequency < 1.0; ++i)
-      edges.push_back({start + 0.5 * i / frequency, i % 2 == 0 ? current : 0.0});
+    for (int i = 0; start + half_period * i < 1.0; ++i)
+      edges.push_back({start + half_period * i, i % 2 == 0 ? current : 0.0});
     return stepped(fmt::format("pulses_{:g}Hz", frequency), 1.0, 0.0, edges);
   }
 

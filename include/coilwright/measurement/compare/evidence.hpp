@@ -14,8 +14,10 @@ struct Evidence {
   double chi_square_after{};      ///< the same with the effect, all parameters refitted
   double quasi_bic_gain{};        ///< fall of the quasi-BIC (chi-square over the overdispersion, plus the penalty for
                                   ///< the number of parameters)
-  double cross_validated_gain{};  ///< fraction of the squared residual above the noise that it removes on held-out
-                                  ///< runs; NaN if the set has a single fit run
+  double cross_validated_gain{};  ///< fraction of the squared residual above the noise that it removes on runs that
+                                  ///< are left out in turn; below zero where it makes them worse; where next to nothing
+                                  ///< is above the noise, a fraction of the noise's own standard deviation; NaN if the
+                                  ///< set has a single fit run
   double correlation_time{};      ///< integrated autocorrelation time of the residual with the effect, samples
 };
 

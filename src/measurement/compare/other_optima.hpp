@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "coilwright/actuator/model/effect.hpp"
+#include "measurement/compare/staged_fit.hpp"
+
+namespace coilwright::measurement::compare {
+
+/// The same effects with one of their discrete choices (a side, a warm start) changed: the choice that is better for an
+/// effect alone may not be better in combination. Refers to `fitted`.
+[[nodiscard]] std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted);
+
+/// The same hypothesis from other starts, since the sum of squares has other valleys: from the declared numbers and the
+/// priors of the local numbers, with the effects as they are, weaker, and (those of several numbers) scattered at
+/// random; and with each declared number that has another start there (CalibrationParameter::other_start). Refers to
+/// `fitted`.
+[[nodiscard]] std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::uint64_t seed);
+
+/// The same hypothesis with further numbers of one of its effects (EffectKind::with_further_numbers), from each of
+/// their starts. Refers to `fitted`.
+[[nodiscard]] std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted,
+                                                           const actuator::RigScale& scale);
+
+}  // namespace coilwright::measurement::compare

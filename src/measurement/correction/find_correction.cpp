@@ -117,7 +117,7 @@ class Search {
             .runs = runs_,
             .start = plan.start,
             .local_numbers_from = &base_.fit,
-            .nominal_columns_from = &base_.fit};
+            .derivatives_from = &base_.fit};
   }
   // As far along the step as the squared residual falls.
   [[nodiscard]] Eigen::VectorXd start_of(const compare::PlannedFit& plan, const Eigen::VectorXd& step) {

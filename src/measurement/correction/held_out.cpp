@@ -26,7 +26,10 @@ Part part_of(std::span<const replay::PreparedRun> runs, const fit::Fit& fitted, 
     if (keep(r)) {
       out.runs.push_back(runs[r]);
       out.fit.runs.push_back(fitted.runs[r]);
-      for (std::size_t b = 0; b < blocks; ++b) out.fit.nominal_columns.push_back(fitted.nominal_columns[block + b]);
+      for (std::size_t b = 0; b < blocks; ++b) {
+        out.fit.parameter_columns.push_back(fitted.parameter_columns[block + b]);
+        out.fit.local_columns.push_back(fitted.local_columns[block + b]);
+      }
     }
     block += blocks;
   }
@@ -46,7 +49,7 @@ fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::Prepa
                                     .runs = others.runs,
                                     .start = fitted.fit.values,
                                     .local_numbers_from = &others.fit,
-                                    .nominal_columns_from = &others.fit,
+                                    .derivatives_from = &others.fit,
                                     .effort = effort});
     out.simulated_runs += refitted.simulated_runs;
     if (!refitted.value) continue;

@@ -232,7 +232,7 @@ Eigen::VectorXd true_values(const PlannedRun& planned, const data::Run& recorded
     replay::require_fits_model(simulated, rig, model);
     // Its rows as they are: a fast sine that is sampled a few times a period would pass as noise of a recorded input.
     replay::Window window{.range = {.first = 0, .last = simulated.times.size()}};
-    replay::set_input(window, simulated, simulated.inputs, model);
+    replay::set_input(window, simulated, {.rows = simulated.inputs}, model);
     return motion(planned, {.run = &simulated}, window, model);
   }
   const SampleClock samples{.run = run, .clock = clock};

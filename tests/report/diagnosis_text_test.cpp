@@ -84,6 +84,39 @@ What to do next
 )");
 }
 
+TEST(DiagnosisText, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {
+  const Diagnosis diagnosis = corrected_example();
+  formats::DiagnosisReport report = report_of(diagnosis);
+  report.corrected_actuator = "corrected_actuator.json";
+  const std::string text = to_text(report);
+  EXPECT_THAT(text, HasSubstr(R"(
+  angle, deg  as declared  fitted anew  with effects  corrected
+    mean              2.9          1.1          0.24        0.2
+    rmse              3.5          1.4           0.3       0.25  noise alone: 0.3
+    largest           9.1            5           1.2          1
+)"));
+  EXPECT_THAT(text, HasSubstr(R"(
+A torque without a name
+  A smooth joint torque over angle and rate takes away 71 % of the squared error above the noise on runs that
+  were left out in turn. Nobody knows what it is: it serves until somebody can name it.
+  It holds for angle from -5 deg to 40 deg, rate from -90 deg_s to 90 deg/s, and fades beyond.
+  It is largest, 0.3 Nmm at angle 40 deg, rate -90 deg/s, and smallest, -0.25 Nmm at angle 40 deg, rate 90 deg/s.
+  It is a function of angle times a function of rate (to 97 %).
+  It does better without the effects above, and its file leaves them out.
+  corrected_actuator.json has it: evaluate and simulate take it, and size where the geometry stays.
+)"));
+}
+
+TEST(DiagnosisText, SaysWhyThereIsNoTorqueWithoutAName) {
+  Diagnosis diagnosis = example();
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("without a name")));
+  diagnosis.verdict = Verdict::unexplained;
+  diagnosis.correction.reason = "With a single motion nothing could show that a correction holds elsewhere.";
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("\nA torque without a name\n  None is offered. With a single motion nothing "
+                        "could show that a correction holds elsewhere.\n"));
+}
+
 TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
   Diagnosis diagnosis = example();
   diagnosis.validate_errors.front().after = degrees(1.3, 1.6, 5.5);

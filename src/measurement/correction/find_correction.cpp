@@ -22,8 +22,9 @@ using compare::FittedHypothesis;
 constexpr double least_gain = 0.35;
 // A promise of less is not followed.
 constexpr double least_promise = 0.02;
-// How many of the shapes that promise most are fitted, on each model.
-constexpr std::size_t fitted_shapes = 2;
+// How many corrections are fitted altogether. With the slopes and the refits without some runs that is about 3700
+// simulations of a run for a set of ten.
+constexpr std::size_t most_fits = 2;
 // And a second one only if it promises this share of the best one's.
 constexpr double near_best = 0.75;
 // A correction that is nearly right is as good as one that is quite: its prior is a convention.
@@ -68,13 +69,14 @@ class Search {
   Search(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base, double torque)
       : runs_(runs), base_(base), torque_(torque) {}
 
+  // The shapes that promise most, best first.
   [[nodiscard]] std::vector<Candidate> candidates(const std::vector<CorrectionShape>& shapes,
-                                                  std::span<const JointSample> samples) {
+                                                  std::span<const JointSample> samples, std::size_t most) {
     std::vector<Candidate> out;
     for (const CorrectionShape& shape : shapes)
       if (auto found = candidate(shape, samples)) out.push_back(std::move(*found));
     std::ranges::stable_sort(out, std::greater(), [](const Candidate& each) { return each.promise.fall; });
-    if (out.size() > fitted_shapes) out.resize(fitted_shapes);
+    if (out.size() > most) out.resize(most);
     std::erase_if(out, [best = out.empty() ? 0.0 : out.front().promise.fall](const Candidate& each) {
       return each.promise.fall < near_best * best;
     });
@@ -169,7 +171,8 @@ FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const
   std::vector<Fitted> found;
   for (const Base& base : bases) {
     Search search(runs, *base.model, residual->rms);
-    for (const Candidate& candidate : search.candidates(shapes(spec.coils > 0), visited.samples)) {
+    for (const Candidate& candidate :
+         search.candidates(shapes(spec.coils > 0), visited.samples, most_fits / bases.size())) {
       auto fitted = search.fitted(candidate);
       if (!fitted) continue;
       const auto held_out = held_out_squares(runs, *fitted);

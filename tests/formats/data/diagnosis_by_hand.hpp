@@ -70,4 +70,24 @@ inline formats::DiagnosisReport report_of(const measurement::Diagnosis& diagnosi
           .seed = 7};
 }
 
+// The same with structure left, of which a table over angle and rate takes away the most.
+inline measurement::Diagnosis corrected_example() {
+  measurement::Diagnosis diagnosis = example();
+  diagnosis.verdict = measurement::Verdict::partly_explained;
+  diagnosis.validate_errors.front().corrected = degrees(0.2, 0.25, 1.0);
+  using enum actuator::CorrectionVariable;
+  diagnosis.correction.found = {
+      .torque = {.axes = {{.variable = angle, .nodes = {-5.0 * degree, 10.0 * degree, 40.0 * degree}},
+                          {.variable = rate, .nodes = {-90.0 * degree, 0.0, 90.0 * degree}}},
+                 .torques = std::vector<double>(9, 1e-4)},
+      .rms = 0.5e-3,
+      .explained = 0.8,
+      .cross_validated_gain = 0.71,
+      .degrees_of_freedom = 6.5,
+      .products = {0.97, 0.99, 1.0},
+      .largest = {.at = {40.0 * degree, -90.0 * degree}, .torque = 0.3e-3},
+      .smallest = {.at = {40.0 * degree, 90.0 * degree}, .torque = -0.25e-3}};
+  return diagnosis;
+}
+
 }  // namespace coilwright::testing

@@ -77,6 +77,31 @@ TEST(DiagnosisJson, IsTheFormatsExampleToTheLetter) {
                           "updated_actuator", "next_experiment"));
 }
 
+TEST(DiagnosisJson, HasTheFourthColumnAndThePictureOfANamelessCorrection) {
+  const Diagnosis diagnosis = corrected_example();
+  DiagnosisReport report = report_of(diagnosis);
+  report.corrected_actuator = "corrected_actuator.json";
+  const auto seen = ordered_json::parse(to_json(report).text());
+  expect_holds(seen, ordered_json::parse(R"({
+    "error": {"validate": {"corrected": {"mae_deg": 0.2, "rmse_deg": 0.25, "max_deg": 1.0}}},
+    "corrected_actuator": "corrected_actuator.json",
+    "nameless_correction": {
+      "variables": [{"variable": "angle", "from_deg": -5.0, "to_deg": 40.0},
+                    {"variable": "rate", "from_deg_s": -90.0, "to_deg_s": 90.0}],
+      "effects": [], "rms_Nmm": 0.5, "explained": 0.8, "cross_validated_gain": 0.71, "degrees_of_freedom": 6.5,
+      "products": [0.97, 0.99, 1.0],
+      "largest": {"angle_deg": 40.0, "rate_deg_s": -90.0, "torque_Nmm": 0.3},
+      "smallest": {"angle_deg": 40.0, "rate_deg_s": 90.0, "torque_Nmm": -0.25}
+    },
+    "no_correction": null
+  })"),
+               "");
+  const auto without = json_of(example());
+  EXPECT_FALSE(without["error"]["validate"].contains("corrected"));
+  EXPECT_TRUE(without["corrected_actuator"].is_null());
+  EXPECT_TRUE(without["nameless_correction"].is_null());
+}
+
 TEST(DiagnosisJson, HasAWordForEachVerdict) {
   Diagnosis diagnosis;
   for (const auto& [verdict, word] :

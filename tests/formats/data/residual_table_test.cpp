@@ -26,6 +26,24 @@ std::string table_of(const std::vector<Replay>& replays) {
   return out.str();
 }
 
+TEST(ResidualTable, HasAColumnMoreWhereThereIsANamelessCorrection) {
+  const Replay bare{.run = "a.csv",
+                    .kind = ChannelKind::torque,
+                    .channel = "torque_Nmm",
+                    .at = {0.0},
+                    .measured = {0.5 / 1e3},
+                    .declared = {1.0 / 1e3},
+                    .before = {2.0 / 1e3},
+                    .after = {4.0 / 1e3}};
+  Replay corrected = bare;
+  corrected.run = "b.csv";
+  corrected.corrected = {8.0 / 1e3};
+  EXPECT_EQ(table_of({bare, corrected}),
+            "run,role,channel,time_s,angle_deg,current_A,measured,declared,before,after,corrected\n"
+            "a.csv,fit,torque_Nmm,,0,,0.5,1,2,4,\n"
+            "b.csv,fit,torque_Nmm,,0,,0.5,1,2,4,8\n");
+}
+
 TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
   const std::vector<Replay> replays = {{.run = "step.csv",
                                         .validate = false,

@@ -99,7 +99,7 @@ TEST(DiagnosisText, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {
 A torque without a name
   A smooth joint torque over angle and rate takes away 71 % of the squared error above the noise on runs that
   were left out in turn. Nobody knows what it is: it serves until somebody can name it.
-  It holds for angle from -5 deg to 40 deg, rate from -90 deg_s to 90 deg/s, and fades beyond.
+  It holds for angle from -5 deg to 40 deg, rate from -90 deg/s to 90 deg/s, and fades beyond.
   It is largest, 0.3 Nmm at angle 40 deg, rate -90 deg/s, and smallest, -0.25 Nmm at angle 40 deg, rate 90 deg/s.
   It is a function of angle times a function of rate (to 97 %).
   It does better without the effects above, and its file leaves them out.

@@ -9,6 +9,7 @@
 
 #include "coilwright/formats/actuator/assignment.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "names_once.hpp"
 
 namespace coilwright::cli {
 
@@ -29,6 +30,7 @@ formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
   auto* design = std::get_if<actuator::Design>(&file.content);
   if (design == nullptr)
     throw text::InputError({.file = options.file, .rule = "is a lumped model: --set changes designs only"});
+  require_names_once(options.assignments);
   for (const std::string& assignment : options.assignments)
     *design = formats::with_assignment(std::move(*design), assignment);
   return file;

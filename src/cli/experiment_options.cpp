@@ -1,6 +1,7 @@
 #include "experiment_options.hpp"
 
 #include "coilwright/formats/data/experiment_file.hpp"
+#include "names_once.hpp"
 #include "number_rule.hpp"
 
 namespace coilwright::cli {
@@ -18,6 +19,7 @@ void add_noise_and_seed(CLI::App& command, ExperimentOptions& options) {
 
 measurement::experiment::Experiment read_experiment(const ExperimentOptions& options) {
   measurement::experiment::Experiment experiment = formats::read_experiment(options.file);
+  require_names_once(options.noise);
   for (const std::string& argument : options.noise) formats::set_noise(experiment.instruments, argument);
   return experiment;
 }

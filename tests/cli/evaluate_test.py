@@ -169,6 +169,9 @@ class Evaluate(ProgramTest):
         ):
             with self.subTest(assignment):
                 self.assert_refused(["evaluate", "finger.json", "--current", "1", "--set", assignment], message)
+        for command in (["evaluate", "finger.json", "--current", "1"], ["simulate", "finger.json", "--step", "1", "--out", "out.csv"]):
+            self.assert_refused([*command, "--set", "gap_mm=1.2", "--set", "turns_axial=20", "--set", "gap_mm=1.3"],
+                                "gap_mm=1.3: must not be there twice: gap_mm=1.2 sets it too")
         self.assert_refused(["evaluate", "model.json", "--current", "1", "--set", "gap_mm=1"],
                             "model.json: is a lumped model: --set changes designs only")
 

@@ -74,6 +74,8 @@ class Plan(ProgramTest):
         self.assert_refused(["plan", "nothing.json", "--actuator", str(PAPER_FINGER)],
                             "nothing.json: cannot be opened: No such file or directory")
         self.assert_refused([*command, "--noise", "angle_deg=-1"], "angle_deg=-1: must be from 0 to 1000000")
+        self.assert_refused([*command, "--noise", "angle_deg=1", "--noise", "angle_deg=2"],
+                            "angle_deg=2: must not be there twice: angle_deg=1 sets it too")
 
 
 if __name__ == "__main__":

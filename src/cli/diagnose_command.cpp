@@ -17,6 +17,8 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/formats/data/experiment_file.hpp"
+#include "coilwright/formats/data/experiment_writer.hpp"
 #include "coilwright/formats/data/residual_table.hpp"
 #include "coilwright/measurement/corrected_model.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
@@ -41,6 +43,7 @@ constexpr const char* actuator_name = "actuator.json";
 constexpr const char* corrected_name = "corrected_actuator.json";
 constexpr const char* residuals_name = "residuals.csv";
 constexpr const char* summary_name = "summary.txt";
+constexpr const char* next_name = "next_experiment.json";
 
 struct Options {
   std::string dataset;
@@ -66,7 +69,7 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
   std::vector<std::filesystem::path> outputs;
-  for (const char* name : {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name})
+  for (const char* name : {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name, next_name})
     outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
   // Known before the work, whether it can be written.
@@ -125,8 +128,20 @@ struct Found {
   std::string dataset;
   std::vector<std::string> held_out;
   std::string actuator;
-  std::string corrected;  // empty: none
+  std::string corrected;        // empty: none
+  std::string next_experiment;  // empty: there is none
 };
+
+// What is to be recorded next, checked where it will be used: its text is read back.
+std::string next_experiment_text(const Diagnosis& diagnosis) {
+  if (!diagnosis.next_experiment) return {};
+  const measurement::experiment::NextExperiment& next = *diagnosis.next_experiment;
+  const std::string description =
+      fmt::format("Proposed by a diagnosis. The last runs are to be recorded: {}: {}.", next.input, next.why);
+  std::string text = formats::experiment_json(next.experiment, description).text();
+  (void)formats::parse_experiment(text, next_name);
+  return text;
+}
 
 Found find(const Options& options) {
   const EndOnSignal nothing_to_save;
@@ -139,11 +154,13 @@ Found find(const Options& options) {
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   std::string actuator = actuator_text(diagnosis, declared);
   std::string corrected = corrected_text(diagnosis, declared);
+  std::string next_experiment = next_experiment_text(diagnosis);
   return {.diagnosis = std::move(diagnosis),
           .dataset = set.data.name,
           .held_out = set.data.held_out,
           .actuator = std::move(actuator),
-          .corrected = std::move(corrected)};
+          .corrected = std::move(corrected),
+          .next_experiment = std::move(next_experiment)};
 }
 
 void write(const Options& options, const Found& found) {
@@ -152,7 +169,8 @@ void write(const Options& options, const Found& found) {
                                         .updated_actuator = actuator_name,
                                         .corrected_actuator = found.corrected.empty() ? "" : corrected_name,
                                         .held_out = found.held_out,
-                                        .seed = options.seed};
+                                        .seed = options.seed,
+                                        .next_experiment_file = found.next_experiment.empty() ? "" : next_name};
   text::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
   folder.write(diagnosis_name, formats::to_json(answer).text());
@@ -164,6 +182,10 @@ void write(const Options& options, const Found& found) {
     folder.write(corrected_name, found.corrected);
   formats::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
   folder.write(summary_name, summary);
+  if (found.next_experiment.empty())
+    folder.remove(next_name);
+  else
+    folder.write(next_name, found.next_experiment);
   folder.commit();
   std::cout << summary;
 }
@@ -186,8 +208,9 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "Prints a summary and writes four files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which every\n"
       "other command reads); residuals.csv (every sample as measured and as predicted by the declared, the\n"
-      "recalibrated and the corrected model). The exit code is 0 for every verdict. Ctrl-C writes nothing; the\n"
-      "exit code is then 130.\n\n"
+      "recalibrated and the corrected model). Where a run would separate what these data cannot, it also writes\n"
+      "next_experiment.json (experiment/1, for plan and twin). The exit code is 0 for every verdict. Ctrl-C writes\n"
+      "nothing; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   command->callback([options] { write(*options, find(*options)); });

@@ -68,6 +68,32 @@ class Diagnose(ProgramTest):
         rmse = (sum(error * error for error in held_out) / len(held_out)) ** 0.5
         self.assertAlmostEqual(rmse, errors["after"]["rmse_deg"], places=9)
 
+    def test_the_proposed_experiment_is_taken_by_twin_and_plan_as_it_is(self):
+        self.twin("--effect", "base_tilt:angle_deg=3")
+        self.diagnose("out", "--quiet")
+        found = self.result("out/diagnosis.json")
+        self.assertIn(["base_tilt", "angle_offset"], found["indistinguishable"])
+        self.assertEqual(found["next_experiment"]["file"], "next_experiment.json")
+        proposed = self.result("out/next_experiment.json")
+        self.assertEqual(proposed["format"], "experiment/1")
+        self.assertIn(found["next_experiment"]["input"], proposed["description"])
+        self.assertAlmostEqual(proposed["noise"]["angle_deg"], 0.2, delta=0.02)  # 400 samples: 4 % a deviation
+        files = [each["file"] for each in proposed["runs"]]
+        self.assertEqual(files[:3], ["slow.csv", "quick.csv", "next_still.csv"])
+        self.assertGreater(len(files), 3)
+        result = run("twin", "out/actuator.json", "--experiment", "out/next_experiment.json", "--out", "again",
+                     cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual({path.name for path in (self.folder / "again").glob("*.csv")}, set(files))
+        result = run("plan", "out/next_experiment.json", "--actuator", "rod.json", "--json", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(any(each["visible"] for each in json.loads(result.stdout)["effects"]))
+        # Nothing to decide: no file, and none is named.
+        self.twin("--effect", "dry_friction:torque_Nmm=25")
+        self.diagnose("clear", "--quiet")
+        self.assertIsNone(self.result("clear/diagnosis.json")["next_experiment"])
+        self.assertFalse((self.folder / "clear" / "next_experiment.json").exists())
+
     def test_simulating_a_run_of_the_updated_actuator_gives_the_column_after(self):
         # A rod that a coil pushes, whose coil warms up in seconds and fades, under a camera that is late and askew. Damped
         # beyond ringing: otherwise the steps' errors, 1e-6 in diagnose and 1e-7 in simulate, add up to 1e-5.

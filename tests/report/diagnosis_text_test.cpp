@@ -19,7 +19,7 @@ std::string text_of(const Diagnosis& diagnosis) {
 TEST(DiagnosisText, SaysInAMinuteWhatWasAssumedAndFoundAndHowSureThatIs) {
   Diagnosis diagnosis = example();
   diagnosis.next_experiment = {
-      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
+      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5, .experiment = {}};
   diagnosis.nominal = {
       {.estimate = {.key = "force_curve", .value = -0.015}, .declared = 0.0, .tolerance = 0.03},
       {.estimate = {.key = "/measured/tip_segment_mass_g", .value = 0.0205, .lower = 0.02, .upper = 0.021},

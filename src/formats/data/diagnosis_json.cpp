@@ -133,11 +133,14 @@ Json comparisons_json(std::span<const ErrorComparison> comparisons) {
   return out;
 }
 
-Json next_experiment_json(const Diagnosis& diagnosis) {
-  if (!diagnosis.next_experiment) return nullptr;
-  const experiment::NextExperiment& next = *diagnosis.next_experiment;
-  return Json::object(
-      {{"kind", next.kind}, {"input", next.input}, {"why", next.why}, {"separation", number_or_null(next.separation)}});
+Json next_experiment_json(const DiagnosisReport& report) {
+  if (!report.diagnosis.next_experiment) return nullptr;
+  const experiment::NextExperiment& next = *report.diagnosis.next_experiment;
+  return Json::object({{"kind", next.kind},
+                       {"input", next.input},
+                       {"why", next.why},
+                       {"separation", number_or_null(next.separation)},
+                       {"file", text_or_null(report.next_experiment_file)}});
 }
 
 Json place_json(const correction::NamelessCorrection& found, const correction::CorrectionPlace& place) {
@@ -247,7 +250,7 @@ Json to_json(const DiagnosisReport& report) {
                                  {"fit", comparisons_json(diagnosis.fit_errors)}}));
   out.set("calibration", estimates_json(diagnosis.calibration));
   out.set("updated_actuator", report.updated_actuator);
-  out.set("next_experiment", next_experiment_json(diagnosis));
+  out.set("next_experiment", next_experiment_json(report));
   out.set("nominal", nominal_json(diagnosis)).set("outliers", outliers_json(diagnosis));
   out.set("corrected_actuator", text_or_null(report.corrected_actuator));
   // Beyond the format.

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "measurement/compare/rig_scale.hpp"
-#include "measurement/experiment/added_runs.hpp"
+#include "measurement/experiment/candidate_runs.hpp"
 #include "measurement/experiment/projected_changes.hpp"
 #include "measurement/experiment/smallest_strength.hpp"
 
@@ -99,7 +99,7 @@ class Planning {
     const ProjectedChanges changes(records_, compared_);
     plan_.simulated_runs += changes.simulated_runs();
     plan_.pairs = inseparable_pairs(changes, compared_, limit_of(changes));
-    weigh_added_runs(changes, runs_to_add(experiment_, nominal));
+    weigh_added_runs(changes, candidate_runs(experiment_, nominal, "added_"));
     return std::move(plan_);
   }
 
@@ -125,8 +125,12 @@ class Planning {
     }
   }
 
-  void weigh_added_runs(const ProjectedChanges& without, std::vector<AddedRun> candidates) {
-    for (AddedRun& candidate : candidates) {
+  void weigh_added_runs(const ProjectedChanges& without, std::vector<CandidateRun> candidates) {
+    for (CandidateRun& each : candidates) {
+      AddedRun candidate{.kind = std::move(each.kind),
+                         .input = std::move(each.input),
+                         .why = std::move(each.why),
+                         .run = std::move(each.run)};
       try {
         const LinearisedRecords more(only_with(experiment_, candidate.run), rig_, options_.seed);
         const ProjectedChanges alone(more, compared_);

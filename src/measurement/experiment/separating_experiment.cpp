@@ -1,24 +1,26 @@
 #include "measurement/experiment/separating_experiment.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "coilwright/simulation/initial_state.hpp"
-#include "measurement/experiment/candidate_experiments.hpp"
-#include "measurement/replay/prediction.hpp"
+#include "measurement/experiment/candidate_runs.hpp"
+#include "measurement/experiment/planned_motion.hpp"
+#include "measurement/experiment/recorded_experiment.hpp"
+#include "measurement/replay/rig_change.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
 
 using actuator::Model;
-using actuator::ModelSpec;
 using mechanics::JointVector;
 
 // A run that separates hypotheses by less than half the noise is not proposed.
@@ -27,51 +29,41 @@ constexpr double least_separation = 0.5;
 constexpr double bench_accuracy = 0.01;
 constexpr double pi = std::numbers::pi;
 
-replay::Window window_of(const CandidateExperiment& candidate, const DriveRange& range, const Model& model) {
-  replay::Window window{};
-  // Long holds need no fine samples.
-  const double interval = std::max(range.interval, candidate.duration / 8000.0);
-  const auto samples = static_cast<std::size_t>(candidate.duration / interval) + 1;
-  window.range.last = samples;
-  simulation::CommandedInput command{.drive = range.coils ? data::Drive::current : data::Drive::torque};
-  for (std::size_t i = 0; i < samples; ++i) {
-    const double t = static_cast<double>(i) * interval;
-    command.times.push_back(t);
-    std::vector<double>& row = command.rows.emplace_back(range.coils ? 1 : model.joints(), 0.0);
-    row[0] = range.amplitude * candidate.command(t);
-  }
-  window.input = simulation::model_input(model, command);
-  return window;
-}
-
 using Prediction = std::optional<Eigen::VectorXd>;
 
-// The bending angle over its noise that a hypothesis predicts. Nothing if it cannot be simulated.
-Prediction predicted_motion(const CandidateExperiment& candidate, const DriveRange& range,
+// What a hypothesis predicts that the instruments show, over their noise. Clocks and shutter would blur all hypotheses
+// alike. Nothing if it cannot be simulated.
+Prediction predicted_motion(const PlannedRun& candidate, const Instruments& instruments,
                             const compare::FittedHypothesis& fitted) {
-  ModelSpec spec = fitted.hypothesis.spec_at(fitted.fit.values);
-  if (candidate.change) candidate.change(spec);
-  const Model model(std::move(spec));
-  const replay::Window window = window_of(candidate, range, model);
-  const data::Run camera{.kind = data::RunKind::transient,
-                         .times = window.input.times,
-                         .channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}}};
-  const replay::PreparedRun prepared{.run = &camera};
-  const auto start = simulation::equilibrium_at_first_input(model, window.input);
-  if (!start) return std::nullopt;
-  const auto predicted = replay::predict_window(model, prepared, window, *start);
-  if (!predicted) return std::nullopt;
-  return Eigen::VectorXd(predicted->values / range.sigma);
+  PlannedRun run = candidate;
+  run.plan.clock = {};
+  run.plan.hold = {};
+  run.input_rate = 0.0;
+  try {
+    const Model model(replay::on_changed_rig(fitted.hypothesis.spec_at(fitted.fit.values), run.plan.rig));
+    const data::Run seen = with_inputs(run, model);
+    Eigen::VectorXd values = true_values(run, seen, {}, fitted.hypothesis.declared(), model);
+    const auto samples = static_cast<Eigen::Index>(seen.samples());
+    for (std::size_t c = 0; c < seen.channels.size(); ++c) {
+      const double noise = instruments.of(seen.channels[c].kind).noise;
+      values.segment(static_cast<Eigen::Index>(c) * samples, samples) *= noise > 0.0 ? 1.0 / noise : 0.0;
+    }
+    return values;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
 }
 
 // Torque of the first joint over its angle, N m: with the largest current, if coils drive the rig, and without.
-Eigen::VectorXd bench_torques(const DriveRange& range, const compare::FittedHypothesis& fitted) {
+Eigen::VectorXd bench_torques(double current, const compare::FittedHypothesis& fitted) {
   const Model model = fitted.hypothesis.model_at(fitted.fit.values);
   std::vector<double> values;
   for (int i = 0; i <= 16; ++i) {
     JointVector angles = JointVector::Zero(model.joints());
     angles[0] = i * 5.0 * pi / 180.0;
-    if (range.coils) values.push_back(model.magnetic_torques(angles, model.all_coils(range.amplitude))[0]);
+    if (current > 0.0) values.push_back(model.magnetic_torques(angles, model.all_coils(current))[0]);
     values.push_back(model.hinge_torques(angles)[0]);
   }
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -92,42 +84,81 @@ double separation(const std::vector<Prediction>& predictions) {
 
 using Rivals = std::vector<const compare::FittedHypothesis*>;
 
+bool depends_on_circuit(const compare::FittedHypothesis* rival) {
+  return std::ranges::any_of(rival->kinds(),
+                             [](const actuator::EffectKind* kind) { return kind->needs_closed_circuit(); });
+}
+
 // How far a candidate separates the rivals, over the noise.
-double motion_separation(const CandidateExperiment& candidate, const DriveRange& range, const Rivals& rivals) {
+double motion_separation(const PlannedRun& candidate, const Instruments& instruments, const Rivals& rivals) {
   std::vector<Prediction> predictions;
   for (const compare::FittedHypothesis* rival : rivals)
-    predictions.push_back(predicted_motion(candidate, range, *rival));
+    predictions.push_back(predicted_motion(candidate, instruments, *rival));
   return separation(predictions);
 }
 
-// How far a torque bench separates the rivals, over its accuracy.
-double bench_separation(const DriveRange& range, const Rivals& rivals) {
-  std::vector<Prediction> predictions;
-  for (const compare::FittedHypothesis* rival : rivals) predictions.emplace_back(bench_torques(range, *rival));
-  return separation(predictions) / std::max(bench_accuracy * predictions.front()->lpNorm<Eigen::Infinity>(), 1e-12);
+double accuracy_of_bench(double current, const compare::FittedHypothesis& fitted) {
+  return std::max(bench_accuracy * bench_torques(current, fitted).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
-DriveRange drive_range(std::span<const replay::PreparedRun> runs, const Model& model) {
-  DriveRange range{.coils = false, .interval = 0.002};
+// How far a torque bench separates the rivals, over its accuracy.
+double bench_separation(double current, const Rivals& rivals) {
+  std::vector<Prediction> predictions;
+  for (const compare::FittedHypothesis* rival : rivals) predictions.emplace_back(bench_torques(current, *rival));
+  return separation(predictions) / accuracy_of_bench(current, *rivals.front());
+}
+
+// The largest current of any coil; 0 where no coil is driven.
+double largest_current(std::span<const replay::PreparedRun> runs) {
   double current = 0.0;
-  double torque = 0.0;
-  for (const replay::PreparedRun& prepared : runs) {
-    for (const replay::Window& window : prepared.windows) {
+  for (const replay::PreparedRun& prepared : runs)
+    for (const replay::Window& window : prepared.windows)
       for (const auto& currents : window.input.currents)
         if (currents.size() > 0) current = std::max(current, currents.lpNorm<Eigen::Infinity>());
-      for (const auto& torques : window.input.joint_torques)
-        torque = std::max(torque, torques.lpNorm<Eigen::Infinity>());
-    }
-    if (!prepared.is_motion()) continue;
-    const std::vector<double>& times = prepared.run->times;
-    range.interval = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-    for (std::size_t c = 0; c < prepared.noise.size() && range.sigma == 0.0; ++c)
-      if (prepared.run->channels[c].kind != data::ChannelKind::joint_rate) range.sigma = prepared.noise[c].sigma;
+  return current;
+}
+
+// The two runs of a torque bench: with the largest current, and what the hinge does without.
+std::vector<PlannedRun> bench_runs(double current) {
+  data::Run stiffness{.name = "next_stiffness.csv", .kind = data::RunKind::joint_stiffness};
+  data::Run torque{.name = "next_torque.csv", .kind = data::RunKind::static_torque};
+  for (int i = 0; i <= 16; ++i) {
+    const double angle = i * 5.0 * pi / 180.0;
+    stiffness.angles.push_back(angle);
+    torque.angles.push_back(angle);
+    torque.inputs.push_back({current});
   }
-  range.coils = model.coils() > 0 && current > 0.0;
-  range.amplitude = range.coils ? current : torque;
-  range.unit = range.coils ? "A" : "N m at joint 1";
-  return range;
+  stiffness.channels = torque.channels = {{.name = "torque_Nmm", .kind = data::ChannelKind::torque}};
+  std::vector<PlannedRun> out;
+  if (current > 0.0) out.push_back({.plan = std::move(torque)});
+  out.push_back({.plan = std::move(stiffness)});
+  return out;
+}
+
+// Names that no other run of the experiment has.
+void add_with_own_name(Experiment& experiment, PlannedRun run) {
+  const std::string stem = run.plan.name.substr(0, run.plan.name.rfind('.'));
+  const auto taken = [&] {
+    return std::ranges::any_of(experiment.runs,
+                               [&](const PlannedRun& each) { return each.plan.name == run.plan.name; });
+  };
+  for (int number = 2; taken(); ++number) run.plan.name = fmt::format("{}_{}.csv", stem, number);
+  experiment.runs.push_back(std::move(run));
+}
+
+// What can be repeated of the present records, the instruments at rest, and the proposed runs.
+Experiment with_proposal(const Experiment& recorded, const std::vector<PlannedRun>& proposed) {
+  Experiment out{.name = "next experiment", .instruments = recorded.instruments, .runs = {}};
+  for (const PlannedRun& run : recorded.runs)
+    if (can_be_repeated(run)) add_with_own_name(out, run);
+  constexpr double rest = 10.0;  // s
+  PlannedRun still{.plan = {.name = "next_still.csv", .kind = data::RunKind::still},
+                   .duration = rest,
+                   .rate = recorded.runs.front().rate};
+  still.plan.channels = recorded.runs.front().plan.channels;
+  add_with_own_name(out, std::move(still));
+  for (const PlannedRun& run : proposed) add_with_own_name(out, run);
+  return out;
 }
 
 }  // namespace
@@ -138,25 +169,40 @@ std::optional<NextExperiment> separating_experiment(std::span<const replay::Prep
   const compare::FittedHypothesis& after = attribution.after();
   Rivals rivals{&after};
   for (const compare::FittedHypothesis& rival : attribution.rivals) rivals.push_back(&rival);
-  const DriveRange range = drive_range(runs, after.hypothesis.model_at(after.fit.values));
-  if (range.amplitude <= 0.0 || range.sigma <= 0.0) return std::nullopt;
+  Experiment recorded = recorded_experiment(runs, after.fit);
+  const Model nominal = after.hypothesis.model_at(after.fit.values);
+  std::vector<CandidateRun> candidates = candidate_runs(recorded, nominal, "next_");
+  // A pose that a hand holds is not known well enough to tell anything but what a circuit does.
+  if (std::ranges::none_of(rivals, depends_on_circuit))
+    std::erase_if(candidates,
+                  [](const CandidateRun& each) { return each.run.plan.rig.coil != data::CoilWiring::driven; });
+  if (candidates.empty()) return std::nullopt;
+  const double current = nominal.coils() > 0 ? largest_current(runs) : 0.0;
 
-  const std::vector<CandidateExperiment> candidates = candidate_experiments(range);
   std::vector<double> separations(candidates.size() + 1);  // the last one is that of a torque bench
   tbb::parallel_for(std::size_t{0}, separations.size(), [&](std::size_t i) {
-    separations[i] =
-        i < candidates.size() ? motion_separation(candidates[i], range, rivals) : bench_separation(range, rivals);
+    separations[i] = i < candidates.size() ? motion_separation(candidates[i].run, recorded.instruments, rivals)
+                                           : bench_separation(current, rivals);
   });
   const auto best = std::ranges::max_element(separations);
   if (*best < least_separation) return std::nullopt;
   const auto i = static_cast<std::size_t>(best - separations.begin());
-  if (i == candidates.size())
-    return NextExperiment{.kind = "bench_torque",
-                          .input = "torque of the first joint over 0 to 80 deg, with the largest current and without",
-                          .why = "magnets and springs are measured apart, at rest",
-                          .separation = *best};
-  return NextExperiment{
-      .kind = candidates[i].kind, .input = candidates[i].input, .why = candidates[i].why, .separation = *best};
+  if (i == candidates.size()) {
+    recorded.instruments.torque = {.noise = accuracy_of_bench(current, after)};
+    return NextExperiment{
+        .kind = "bench_torque",
+        .input = current > 0.0 ? "torque of the first joint over 0 to 80 deg, with the largest current and without"
+                               : "torque of the first joint over 0 to 80 deg",
+        .why = "magnets and springs are measured apart, at rest",
+        .separation = *best,
+        .experiment = with_proposal(recorded, bench_runs(current))};
+  }
+  const CandidateRun& chosen = candidates[i];
+  return NextExperiment{.kind = chosen.kind,
+                        .input = chosen.input,
+                        .why = chosen.why,
+                        .separation = *best,
+                        .experiment = with_proposal(recorded, {chosen.run, chosen.run})};
 }
 
 }  // namespace coilwright::measurement::experiment

@@ -176,7 +176,7 @@ TEST(DiagnosisJson, UsesTheQuantitysUnitWhereThereIsNoAngle) {
 TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
   Diagnosis diagnosis = example();
   diagnosis.next_experiment = {
-      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5};
+      .kind = "hot_hold", .input = "1.05 A for 60 s", .why = "they part when hot", .separation = 8.5, .experiment = {}};
   diagnosis.compared_hypotheses = {{.effects = {&coil_heating, &dry_friction}, .evidence = {}, .remark = ""},
                                    {.effects = {}, .evidence = {}, .remark = "interval includes absent"}};
   diagnosis.residual = localise::ResidualTorque{
@@ -197,7 +197,7 @@ TEST(DiagnosisJson, DescribesTheNextExperimentTheRivalsAndTheResidual) {
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}, {.run = "", .text = "few runs"}};
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["next_experiment"], ordered_json::parse(R"({"kind": "hot_hold", "input": "1.05 A for 60 s",
-      "why": "they part when hot", "separation": 8.5})"));
+      "why": "they part when hot", "separation": 8.5, "file": null})"));
   EXPECT_EQ(json["candidates"][0]["effects"], ordered_json({"coil_heating", "dry_friction"}));
   EXPECT_TRUE(json["candidates"][0]["remark"].is_null());
   EXPECT_EQ(json["candidates"][1]["remark"], "interval includes absent");

@@ -84,16 +84,32 @@ TEST(SeparatingExperiment, ChangesTheBalanceOfTorquesIfGravityIsInDoubt) {
   const Rig rig(actuator::ContactChoice::hard_parts);
   const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
   ASSERT_TRUE(next.has_value());
-  EXPECT_THAT(next->kind, AnyOf("turned_base", "reversed_current"));
+  EXPECT_THAT(next->kind, AnyOf("turned_base", "reversed_step", "tip_mass"));
   EXPECT_GT(next->separation, 0.5);
   EXPECT_FALSE(next->why.empty());
   EXPECT_FALSE(next->input.empty());
 }
 
+TEST(SeparatingExperiment, IsAnExperimentThatEndsWithTheProposedRunTwice) {
+  const Rig rig(actuator::ContactChoice::hard_parts);
+  const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
+  ASSERT_TRUE(next.has_value());
+  const std::vector<PlannedRun>& runs = next->experiment.runs;
+  ASSERT_EQ(runs.size(), 4u);  // the step that was recorded, the camera at rest, the proposal twice
+  EXPECT_EQ(runs[0].plan.name, "step.csv");
+  EXPECT_EQ(std::get<StepShape>(runs[0].input).after, 1.4);
+  EXPECT_EQ(runs[1].plan.kind, data::RunKind::still);
+  EXPECT_EQ(runs[2].plan.name, "next_" + next->kind + ".csv");
+  EXPECT_EQ(runs[3].plan.name, "next_" + next->kind + "_2.csv");
+  EXPECT_EQ(runs[2].plan.rig, runs[3].plan.rig);
+  EXPECT_DOUBLE_EQ(runs[2].rate, 500.0);
+  EXPECT_DOUBLE_EQ(next->experiment.instruments.angle.noise, 0.3 * degree);
+}
+
 TEST(SeparatingExperiment, IsFastIfLagAndDelayAreInDoubt) {
   const auto next = Rig().between(effect("coil_lag", {0.01}), {effect("measurement_delay", {0.01})});
   ASSERT_TRUE(next.has_value());
-  EXPECT_THAT(next->kind, AnyOf("step", "sine", "chirp", "release", "coil_open", "reversed_current"));
+  EXPECT_THAT(next->kind, AnyOf("step", "fast_sine", "chirp", "release", "reversed_step"));
 }
 
 TEST(SeparatingExperiment, SeparatesEveryPairAndNotOnlyTheFirstTwo) {

@@ -17,6 +17,7 @@ struct DiagnosisReport {
   std::string corrected_actuator{};         ///< file of the one with a nameless correction; empty where there is none
   std::vector<std::string> held_out{};      ///< files that the tool itself kept from the fit
   std::uint64_t seed{};
+  std::string next_experiment_file{};  ///< of the next experiment, beside the report; empty: it is not written
 };
 
 /// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it

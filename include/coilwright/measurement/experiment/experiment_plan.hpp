@@ -38,7 +38,7 @@ struct InseparablePair {
 
 /// A run that could be added, and what it would improve.
 struct AddedRun {
-  std::string kind{}, input{}, why{};  ///< as CandidateExperiment has them
+  std::string kind{}, input{}, why{};  ///< for people
   PlannedRun run{};
   double lowering{};              ///< smallest strengths with it over those without, geometric mean; <= 1
   std::size_t newly_visible{};    ///< effects that are never found without it

@@ -12,7 +12,7 @@ struct SearchEffort {
   /// A start is scaled to the strength that the linear screening predicts, at most by these factors. A wider range
   /// follows the prediction further; a weaker effect no longer has the shape of the start, a stronger one leaves the
   /// range in which the prediction holds.
-  double weakest_start = 0.3;
+  double weakest_start = 0.02;
   double strongest_start = 3.0;
   /// Residual directions count as dependent if the determinant of their normal equations is below this fraction of the
   /// product of their squares. A larger value rejects effects that are hard to separate; a smaller one divides by
@@ -25,10 +25,12 @@ struct SearchEffort {
   /// The runner-up with a choice that is fitted already needs this fraction of the best predicted fall.
   double runner_up = 0.7;
   /// End of a short fit. More iterations rank the effects more reliably, and each costs one simulation per parameter.
-  fit::FitEffort short_fit{.iterations = 4, .tolerance = 1e-2};
+  fit::FitEffort short_fit{.iterations = 8, .tolerance = 1e-2};
   /// Steps with all derivatives before a fit that is continued to convergence keeps some of them. More steps bring them
   /// nearer to those of the optimum, and each costs one simulation per number.
   fit::FitEffort first_steps{.iterations = 2, .tolerance = 1e-3};
+  /// Effects are tried from the declared numbers too where these are less likely than this after the recalibration.
+  double numbers_pulled_away = 0.01;
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
   double retry_strength = 0.05;
 

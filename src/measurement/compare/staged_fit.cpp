@@ -73,17 +73,24 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
                                                 std::span<const std::vector<Effect>> guesses) {
   std::optional<ShortFit> best;
   long simulated_runs = 0;
-  const auto try_from = [&](const std::vector<Effect>& guess) {
+  const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false) {
     PlannedFit plan = with_added_effects(base, guess);
+    if (declared) {
+      plan.start = plan.hypothesis.start();
+      plan.start.head(base.fit.values.size()) = base.hypothesis.start();
+      plan.local_numbers_from = nullptr;
+    }
     fit::FitRequest request = fit_request_of(runs, plan);
     request.effort = search_effort.short_fit;
-    request.all_its_derivatives = true;
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
     if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;
     best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted.value)});
   };
   for (const std::vector<Effect>& guess : guesses) try_from(guess);
+  // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
+  if (base.hypothesis.effects().empty() && probability_of_declared_numbers(base) < search_effort.numbers_pulled_away)
+    for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
   if (!best || best->fitted.objective() >= base.fit.objective())
     for (std::vector<Effect> guess : guesses) {

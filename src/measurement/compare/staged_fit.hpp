@@ -33,9 +33,9 @@ struct ShortFit {
   PlannedFit plan;  ///< where it started
   fit::Fit fitted{};
 };
-/// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together.
-/// Derivatives with respect to the numbers of `base` are kept. Nothing if none of them can be simulated. Refers to
-/// `base`.
+/// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together;
+/// tried from the declared numbers too where `base` has no effect and its declared numbers are far off. Nothing if none
+/// of them can be simulated. Refers to `base`.
 [[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs,
                                                               const FittedHypothesis& base,
                                                               std::span<const std::vector<actuator::Effect>> guesses);

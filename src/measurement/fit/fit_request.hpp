@@ -28,8 +28,6 @@ struct FitRequest {
   /// fit's simulated runs. Null: all are taken here, at each step. Residuals are always those of the numbers
   /// themselves.
   const Fit* derivatives_from{};
-  /// Whether those with respect to all its parameters are that fit's, which are then the first ones of this hypothesis.
-  bool all_its_derivatives = false;
   std::optional<Eigen::Index> held_parameter{};  ///< index of a parameter that keeps its value in `start`
   FitEffort effort{};
 };

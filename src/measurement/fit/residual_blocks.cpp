@@ -187,9 +187,7 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const 
 
 // Whether the derivatives with respect to a number are taken over from another fit.
 bool ResidualBlocks::takes_known_column(Eigen::Index parameter) const {
-  if (request_.derivatives_from == nullptr) return false;
-  return request_.hypothesis->is_nominal(parameter) ||
-         (request_.all_its_derivatives && parameter < request_.derivatives_from->values.size());
+  return request_.derivatives_from != nullptr && request_.hypothesis->is_nominal(parameter);
 }
 
 // Nothing if one of the models cannot be built.

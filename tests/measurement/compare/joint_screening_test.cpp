@@ -43,13 +43,13 @@ double explained_by(const Eigen::MatrixXd& columns, const Eigen::VectorXd& resid
 
 class JointScreening : public testing::Test {
  protected:
+  Normal normal_{11};  // first: the candidates are drawn from it
   // Effects that may act in either direction.
   std::vector<ScreenedEffect> candidates_{
       candidate("angle_offset", {0.01}, drawn(normal_)), candidate("base_tilt", {0.02}, drawn(normal_)),
       candidate("rest_angle", {0.03}, drawn(normal_)), candidate("current_offset", {0.04}, drawn(normal_)),
       candidate("stiffness_hardening", {0.5}, drawn(normal_))};
   replay::DeclaredModel declared_ = slide(true_mass, true_damping);
-  Normal normal_{11};
 };
 
 TEST_F(JointScreening, FindsTheTripleOfWhichNoPartExplainsAnything) {

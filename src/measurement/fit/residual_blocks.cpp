@@ -117,11 +117,13 @@ Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::Vec
   std::vector<std::optional<RunValues>> evaluated(runs);
   tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t r) { evaluated[r] = evaluate_run(*models, r); });
   auto simulated_runs = static_cast<long>(runs);
-  const Counted<std::optional<ResidualValues>> no_model{.value = std::nullopt, .simulated_runs = simulated_runs};
+  const auto no_model = [&] {
+    return Counted<std::optional<ResidualValues>>{.value = std::nullopt, .simulated_runs = simulated_runs};
+  };
   ResidualValues out;
   std::vector<RunValues> found;
   for (std::optional<RunValues>& run : evaluated) {
-    if (!run) return no_model;
+    if (!run) return no_model();
     for (const Eigen::VectorXd& residuals : run->residuals) out.blocks.push_back({.residuals = residuals});
     out.predictions.push_back(run->predictions);
     found.push_back(std::move(*run));
@@ -130,7 +132,7 @@ Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::Vec
   for (std::size_t b = 0; b < blocks_.size(); ++b) out.blocks[b].jacobian.setZero(blocks_[b].rows, parameters.size());
   if (derivatives == Derivatives::all) {
     const auto displaced = displaced_models(parameters);
-    if (!displaced) return no_model;
+    if (!displaced) return no_model();
     simulated_runs += static_cast<long>(displaced->size() * runs);
     add_jacobian(parameters, *displaced, out);
     add_known_columns(out);

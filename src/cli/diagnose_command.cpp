@@ -100,7 +100,7 @@ const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
 // The updated actuator, checked where it will be used: its text is read back and must have every effect.
 std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
   const std::vector<Effect> added = measurement::effects_of(diagnosis);
-  const std::string text =
+  std::string text =
       formats::to_json(declared.updated(measurement::calibration_of(diagnosis), added), declared.name).text();
   const formats::ActuatorFile back = formats::parse_actuator(text, actuator_name);
   for (const Effect& effect : added) {
@@ -209,8 +209,10 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which every\n"
       "other command reads); residuals.csv (every sample as measured and as predicted by the declared, the\n"
       "recalibrated and the corrected model). Where a run would separate what these data cannot, it also writes\n"
-      "next_experiment.json (experiment/1, for plan and twin). The exit code is 0 for every verdict. Ctrl-C writes\n"
-      "nothing; the exit code is then 130.\n\n"
+      "next_experiment.json (experiment/1, for plan and twin); where no known effect explains all and a torque "
+      "without\n"
+      "a name explains more on runs left out, corrected_actuator.json with that torque. The exit code is 0 for every\n"
+      "verdict. Ctrl-C writes nothing; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   command->callback([options] { write(*options, find(*options)); });

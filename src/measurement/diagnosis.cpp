@@ -3,7 +3,6 @@
 #include <tbb/task_arena.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -67,37 +66,13 @@ long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const fit::Hypot
   return fitted.simulated_runs;
 }
 
-// Outliers hide behind the motion that an effect makes until a model has it: with the effects found, more may be
-// certain. Sets them aside if they are much of what is left over; returns whether it did.
-bool set_more_outliers_aside(std::vector<replay::PreparedRun>& runs, const compare::FittedHypothesis& found) {
-  constexpr double much = 0.2;  // of the squared residual above the noise
-  std::vector<replay::PreparedRun> anew = runs;
-  if (!fit::set_outliers_aside(anew, found.fit)) return false;
-  double squares = 0.0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    Eigen::Index at = 0;
-    for (const replay::SampleRange& range : runs[r].sample_ranges()) {
-      for (std::size_t c = 0; c < runs[r].run->channels.size(); ++c) {
-        const auto aside = [&](const replay::PreparedRun& run, std::size_t i) {
-          return c < run.set_aside.size() && !run.set_aside[c].empty() && run.set_aside[c][i] != 0;
-        };
-        for (std::size_t i = range.first; i < range.last; ++i, ++at)
-          if (aside(anew[r], i) && !aside(runs[r], i)) squares += std::pow(found.fit.runs[r].residuals[at], 2);
-      }
-    }
-  }
-  if (squares < much * found.chi_square_above_noise()) return false;
-  runs = std::move(anew);
-  return true;
-}
-
 std::vector<Outliers> outliers_of(const std::vector<replay::PreparedRun>& runs) {
   std::vector<Outliers> out;
   for (const replay::PreparedRun& prepared : runs) {
     for (std::size_t c = 0; c < prepared.set_aside.size(); ++c) {
       Outliers found{.run = prepared.run->name, .channel = prepared.run->channels[c].name};
       for (std::size_t i = 0; i < prepared.set_aside[c].size(); ++i)
-        if (prepared.set_aside[c][i] != 0) found.times.push_back(prepared.run->times[i]);
+        if (prepared.is_set_aside(c, i)) found.times.push_back(prepared.run->times[i]);
       if (!found.times.empty()) out.push_back(std::move(found));
     }
   }
@@ -122,21 +97,11 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const long simulated_for_outliers = set_outliers_aside(runs, as_declared);
   timer.end_phase("noise and outliers", simulated_for_outliers);
 
-  const auto compare_all = [&] {
-    return compare::attribute({.runs = runs,
-                               .declared = &declared,
-                               .seed = options.seed,
-                               .progress = options.progress,
-                               .effects = options.effects});
-  };
-  compare::Attribution compared = compare_all();
-  if (compared.steps.size() > 1 && !compared.after().whiteness.is_white() &&
-      set_more_outliers_aside(runs, compared.after())) {
-    if (options.progress) options.progress("more outliers are certain now: the comparison begins anew without them");
-    const long simulated_runs = compared.simulated_runs;
-    compared = compare_all();
-    compared.simulated_runs += simulated_runs;
-  }
+  compare::Attribution compared = compare::attribute({.runs = runs,
+                                                      .declared = &declared,
+                                                      .seed = options.seed,
+                                                      .progress = options.progress,
+                                                      .effects = options.effects});
   out.outliers = outliers_of(runs);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   timer.end_phase("comparison", compared.simulated_runs);

@@ -18,6 +18,7 @@
 #include "measurement/compare/rig_scale.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
+#include "measurement/fit/outliers.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
@@ -102,9 +103,12 @@ ApplicableKinds applicable_kinds(const actuator::EffectCatalogue& catalogue, con
 
 class HypothesisSearch {
  public:
-  explicit HypothesisSearch(const AttributionRequest& request) : request_(request), runs_(request.runs) {}
+  // While `may_find_outliers`, the search ends where the best hypothesis of a size shows more of them.
+  HypothesisSearch(const AttributionRequest& request, bool may_find_outliers)
+      : request_(request), runs_(request.runs), may_find_outliers_(may_find_outliers) {}
 
-  Attribution run() {
+  // Nothing if more outliers were set aside.
+  Counted<std::optional<Attribution>> run() {
     const FittedHypothesis before = counted(recalibrated(runs_, *request_.declared));
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
@@ -114,6 +118,7 @@ class HypothesisSearch {
 
     const Screened screened = counted(screen(before));
     std::vector<FittedHypothesis> all = compare_levels(before, screened);
+    if (found_outliers_) return {.value = std::nullopt, .simulated_runs = simulated_runs_};
     Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
     Attribution out{.steps = {before}, .overdispersion = overdispersion_};
     std::ranges::move(selection.steps, std::back_inserter(out.steps));
@@ -121,8 +126,7 @@ class HypothesisSearch {
     out.indistinguishable = std::move(selection.indistinguishable);
     for (auto* part : {&selection.ranked, &applicable.inapplicable, &failed_, &selection.ruled_out})
       std::ranges::move(*part, std::back_inserter(out.compared));
-    out.simulated_runs = simulated_runs_ + selection.simulated_runs;
-    return out;
+    return {.value = std::move(out), .simulated_runs = simulated_runs_ + selection.simulated_runs};
   }
 
  private:
@@ -157,6 +161,11 @@ class HypothesisSearch {
       }
       const bool adequate =
           std::ranges::any_of(level, [](const FittedHypothesis& each) { return each.whiteness.is_white(); });
+      if (!adequate && may_find_outliers_ && !level.empty() &&
+          fit::set_outliers_aside_if_much(request_.runs, level.front().fit)) {
+        found_outliers_ = true;
+        break;
+      }
       all.insert(all.end(), level.begin(), level.end());
       if (adequate || before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
@@ -281,6 +290,8 @@ class HypothesisSearch {
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
   std::vector<ComparedHypothesis> failed_;
+  bool may_find_outliers_;
+  bool found_outliers_ = false;
   double overdispersion_ = 1.0;
   long simulated_runs_ = 0;
 };
@@ -288,7 +299,17 @@ class HypothesisSearch {
 }  // namespace
 
 Attribution attribute(const AttributionRequest& request) {
-  return HypothesisSearch(request).run();
+  constexpr int most_restarts = 2;
+  long simulated_runs = 0;
+  for (int restarts = 0;; ++restarts) {
+    Counted<std::optional<Attribution>> found = HypothesisSearch(request, restarts < most_restarts).run();
+    simulated_runs += found.simulated_runs;
+    if (found.value) {
+      found.value->simulated_runs = simulated_runs;
+      return std::move(*found.value);
+    }
+    if (request.progress) request.progress("more outliers are certain now: the comparison begins anew without them");
+  }
 }
 
 }  // namespace coilwright::measurement::compare

@@ -11,7 +11,7 @@
 namespace coilwright::measurement::compare {
 
 struct AttributionRequest {
-  std::span<const replay::PreparedRun> runs{};
+  std::span<replay::PreparedRun> runs{};  ///< outliers that effects uncover are set aside here
   const replay::DeclaredModel* declared{};
   std::uint64_t seed = 1;  ///< random seed for the additional fit starts
   std::function<void(const std::string&)> progress{};
@@ -19,7 +19,9 @@ struct AttributionRequest {
 };
 
 /// Compares the declared model with every effect, then with pairs and triples of effects while structure remains, all
-/// of them recalibrated. Throws std::runtime_error if the declared model cannot be simulated.
+/// of them recalibrated. Outliers hide behind the motion that an effect makes until a model has it: where the best
+/// hypothesis of a size shows more of them, they are set aside and the comparison begins anew. Throws
+/// std::runtime_error if the declared model cannot be simulated.
 [[nodiscard]] Attribution attribute(const AttributionRequest& request);
 
 }  // namespace coilwright::measurement::compare

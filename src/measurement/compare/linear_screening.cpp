@@ -20,7 +20,7 @@ using actuator::EffectKind;
 // The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start), with
 // all that the parameters and local numbers of `base` can absorb projected out. Rows as base.stacked_residuals.
 fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
-  const fit::ResidualBlocks blocks(request);
+  fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
   if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
   // The rows of the prior at the end do not change: the effect is added at the declared numbers of the base.

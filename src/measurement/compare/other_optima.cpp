@@ -87,6 +87,7 @@ std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::u
 
 std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted, const actuator::RigScale& scale) {
   std::vector<PlannedFit> out;
+  const auto declared = static_cast<Eigen::Index>(fitted.hypothesis.declared().calibration.size());
   const std::vector<Effect> effects = fitted.hypothesis.effects_at(fitted.fit.values);
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const actuator::EffectKind* further = effects[e].kind->with_further_numbers();
@@ -101,8 +102,7 @@ std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted, con
       PlannedFit plan{.hypothesis = fit::Hypothesis(fitted.hypothesis.declared(), std::move(larger)),
                       .local_numbers_from = &fitted.fit};
       plan.start = plan.hypothesis.start();
-      plan.start.head(static_cast<Eigen::Index>(fitted.hypothesis.declared().calibration.size())) =
-          fitted.fit.values.head(static_cast<Eigen::Index>(fitted.hypothesis.declared().calibration.size()));
+      plan.start.head(declared) = fitted.fit.values.head(declared);
       out.push_back(std::move(plan));
     }
   }

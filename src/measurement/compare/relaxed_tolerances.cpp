@@ -38,8 +38,11 @@ fit::Counted<double> gain_with_wide_tolerances(std::span<const replay::PreparedR
                                                const FittedHypothesis& without, const FittedHypothesis& with,
                                                double overdispersion) {
   replay::DeclaredModel relaxed = without.hypothesis.declared();
+  const auto has_tolerance = [](const replay::CalibrationParameter& number) { return number.tolerance.has_value(); };
+  if (std::ranges::none_of(relaxed.calibration, has_tolerance))
+    return {.value = quasi_bic(without, overdispersion) - quasi_bic(with, overdispersion)};
   for (replay::CalibrationParameter& number : relaxed.calibration) {
-    if (!number.tolerance) continue;
+    if (!has_tolerance(number)) continue;
     number.tolerance->deviation *= wider;
     number.scale *= wider;
   }

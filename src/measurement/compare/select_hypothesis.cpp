@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "measurement/compare/effect_strength.hpp"
@@ -111,12 +112,17 @@ Selection select_hypothesis(std::span<const replay::PreparedRun> runs, const Fit
   const auto evidence_of = [&](const FittedHypothesis& fitted) {
     return evidence_between(runs, declared, fitted, overdispersion);
   };
-  const auto rule_out = [&](const char* remark, const auto& rule) {
-    std::erase_if(all, [&](const FittedHypothesis& fitted) {
-      if (!rule(fitted)) return false;
-      out.ruled_out.push_back({.effects = fitted.kinds(), .evidence = evidence_of(fitted), .remark = remark});
-      return true;
-    });
+  const auto rule_out = [&](const std::string& remark, const auto& rule) {
+    std::vector<char> applies;
+    for (const FittedHypothesis& fitted : all) applies.push_back(rule(fitted));
+    std::vector<FittedHypothesis> kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (applies[i] == 0)
+        kept.push_back(std::move(all[i]));
+      else
+        out.ruled_out.push_back({.effects = all[i].kinds(), .evidence = evidence_of(all[i]), .remark = remark});
+    }
+    all = std::move(kept);
   };
   rule_out("fits best where it is absent", has_an_absent_effect);
   // No start of such a hypothesis improved on the same model without its effects.
@@ -124,10 +130,9 @@ Selection select_hypothesis(std::span<const replay::PreparedRun> runs, const Fit
     return fitted.fit.objective() > declared.fit.objective() * (1.0 + 1e-9);
   });
   // Further numbers of an effect are judged as a further effect is.
-  const std::vector<FittedHypothesis> before_ruling = all;
   rule_out("its further numbers explain too little of what is left over", [&](const FittedHypothesis& fitted) {
     if (fitted.whiteness.is_white()) return false;
-    return std::ranges::any_of(before_ruling, [&](const FittedHypothesis& smaller) {
+    return std::ranges::any_of(all, [&](const FittedHypothesis& smaller) {
       return is_with_fewer_numbers(smaller, fitted) &&
              fitted.chi_square_above_noise() >
                  (1.0 - decision_thresholds.least_explained_later) * smaller.chi_square_above_noise();

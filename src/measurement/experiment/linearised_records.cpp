@@ -51,7 +51,7 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
 fit::Counted<std::optional<Eigen::VectorXd>> LinearisedRecords::change_by(const actuator::Effect& effect) const {
   const compare::PlannedFit plan = compare::with_added_effects(*base_, std::span(&effect, 1));
   const fit::FitRequest request = compare::fit_request_of(prepared_, plan);
-  const fit::ResidualBlocks blocks(request);
+  fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
   if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
   const fit::Fit& base = base_->fit;

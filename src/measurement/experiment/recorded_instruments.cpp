@@ -69,7 +69,7 @@ std::vector<double> sizes_of_outliers(const PreparedRun& prepared, const fit::Ru
     const Eigen::VectorXd measured = replay::measured_values(*prepared.run, range);
     for (Eigen::Index i = 0; i < n; ++i) {
       const Eigen::Index row = static_cast<Eigen::Index>(channel) * n + i;
-      if (prepared.set_aside[channel][range.first + static_cast<std::size_t>(i)] != 0)
+      if (prepared.is_set_aside(channel, range.first + static_cast<std::size_t>(i)))
         out.push_back(std::abs(measured[row] - fitted.predictions[at + row]));
     }
     at += channels * n;

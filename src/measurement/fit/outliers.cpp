@@ -102,4 +102,24 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
   return any;
 }
 
+bool set_outliers_aside_if_much(std::span<replay::PreparedRun> runs, const Fit& fitted) {
+  constexpr double much = 0.2;
+  std::vector<replay::PreparedRun> anew(runs.begin(), runs.end());
+  if (!set_outliers_aside(anew, fitted)) return false;
+  double squares = 0.0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Eigen::Index at = 0;
+    for (const replay::SampleRange& range : runs[r].sample_ranges()) {
+      for (std::size_t c = 0; c < runs[r].run->channels.size(); ++c) {
+        for (std::size_t i = range.first; i < range.last; ++i, ++at)
+          if (anew[r].is_set_aside(c, i) && !runs[r].is_set_aside(c, i))
+            squares += std::pow(fitted.runs[r].residuals[at], 2);
+      }
+    }
+  }
+  if (squares < much * (fitted.chi_square - static_cast<double>(fitted.samples()))) return false;
+  std::ranges::move(anew, runs.begin());
+  return true;
+}
+
 }  // namespace coilwright::measurement::fit

@@ -14,4 +14,8 @@ namespace coilwright::measurement::fit {
 /// itself tells it. True if any sample was set aside that was not before.
 [[nodiscard]] bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted);
 
+/// The same, but only if what is set aside makes up much of what the fit leaves over: a fifth of its squared residual
+/// above the noise. Otherwise the runs stay as they are, and it returns false.
+[[nodiscard]] bool set_outliers_aside_if_much(std::span<replay::PreparedRun> runs, const Fit& fitted);
+
 }  // namespace coilwright::measurement::fit

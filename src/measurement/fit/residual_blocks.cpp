@@ -68,6 +68,16 @@ struct ResidualBlocks::Displaced {
   Models models;
 };
 
+// Parameters and local numbers with the models and motions that they give.
+struct ResidualBlocks::Place {
+  Eigen::VectorXd parameters{};
+  std::vector<double> local_numbers{};
+  Models models;
+  std::vector<RunValues> runs{};
+};
+
+ResidualBlocks::~ResidualBlocks() = default;
+
 ResidualBlocks::ResidualBlocks(const FitRequest& request) : request_(request) {
   for (std::size_t r = 0; r < request.runs.size(); ++r) {
     const data::RigChange& rig = request.runs[r].run->rig;
@@ -109,35 +119,48 @@ void ResidualBlocks::add_blocks(std::size_t r) {
   last_block_.push_back(blocks_.size());
 }
 
-Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::VectorXd& parameters,
-                                                                Derivatives derivatives) const {
-  const std::optional<Models> models = models_at(parameters);
-  if (!models) return {};
+bool ResidualBlocks::is_here(const Eigen::VectorXd& parameters) const {
+  return here_ && here_->parameters == parameters && here_->local_numbers == local_numbers_;
+}
+
+// Simulates all runs; returns their number. here_ is null if one of them cannot be.
+long ResidualBlocks::move_to(const Eigen::VectorXd& parameters) {
+  here_ = nullptr;
+  std::optional<Models> models = models_at(parameters);
+  if (!models) return 0;
   const std::size_t runs = request_.runs.size();
   std::vector<std::optional<RunValues>> evaluated(runs);
   tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t r) { evaluated[r] = evaluate_run(*models, r); });
-  auto simulated_runs = static_cast<long>(runs);
+  if (std::ranges::all_of(evaluated, [](const auto& run) { return run.has_value(); })) {
+    here_ = std::make_unique<Place>(
+        Place{.parameters = parameters, .local_numbers = local_numbers_, .models = std::move(*models)});
+    for (std::optional<RunValues>& run : evaluated) here_->runs.push_back(std::move(*run));
+  }
+  return static_cast<long>(runs);
+}
+
+Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::VectorXd& parameters,
+                                                                Derivatives derivatives) {
+  long simulated_runs = is_here(parameters) ? 0 : move_to(parameters);
   const auto no_model = [&] {
     return Counted<std::optional<ResidualValues>>{.value = std::nullopt, .simulated_runs = simulated_runs};
   };
+  if (!here_) return no_model();
   ResidualValues out;
-  std::vector<RunValues> found;
-  for (std::optional<RunValues>& run : evaluated) {
-    if (!run) return no_model();
-    for (const Eigen::VectorXd& residuals : run->residuals) out.blocks.push_back({.residuals = residuals});
-    out.predictions.push_back(run->predictions);
-    found.push_back(std::move(*run));
+  for (const RunValues& run : here_->runs) {
+    for (const Eigen::VectorXd& residuals : run.residuals) out.blocks.push_back({.residuals = residuals});
+    out.predictions.push_back(run.predictions);
   }
   if (derivatives == Derivatives::none) return {.value = std::move(out), .simulated_runs = simulated_runs};
   for (std::size_t b = 0; b < blocks_.size(); ++b) out.blocks[b].jacobian.setZero(blocks_[b].rows, parameters.size());
   if (derivatives == Derivatives::all) {
     const auto displaced = displaced_models(parameters);
     if (!displaced) return no_model();
-    simulated_runs += static_cast<long>(displaced->size() * runs);
+    simulated_runs += static_cast<long>(displaced->size() * request_.runs.size());
     add_jacobian(parameters, *displaced, out);
     add_known_columns(out);
   }
-  if (!add_local_jacobian(*models, found, out)) return {.value = std::nullopt, .simulated_runs = simulated_runs};
+  if (!add_local_jacobian(here_->models, here_->runs, out)) return no_model();
   return {.value = std::move(out), .simulated_runs = simulated_runs};
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,6 +47,7 @@ enum class Derivatives {
 class ResidualBlocks {
  public:
   explicit ResidualBlocks(const FitRequest& request);
+  ~ResidualBlocks();
   ResidualBlocks(const ResidualBlocks&) = delete;
   ResidualBlocks& operator=(const ResidualBlocks&) = delete;
 
@@ -53,14 +55,18 @@ class ResidualBlocks {
   /// The local numbers of all blocks, one after the other; `evaluate` uses the values that are written here.
   [[nodiscard]] std::span<double> local_numbers() noexcept { return local_numbers_; }
   /// Evaluates all blocks in parallel, with derivatives by forward differences. Nothing if a model cannot be simulated.
+  /// Derivatives where the last call was take its motions over.
   [[nodiscard]] Counted<std::optional<ResidualValues>> evaluate(const Eigen::VectorXd& parameters,
-                                                                Derivatives derivatives) const;
+                                                                Derivatives derivatives);
 
  private:
   struct RunValues;
   struct Displaced;
+  struct Place;
   class Models;
   void add_blocks(std::size_t run);
+  [[nodiscard]] bool is_here(const Eigen::VectorXd& parameters) const;
+  long move_to(const Eigen::VectorXd& parameters);
   [[nodiscard]] std::optional<RunValues> evaluate_run(const Models& models, std::size_t run) const;
   [[nodiscard]] std::optional<RunValues> evaluate_bench(const actuator::Model& model, std::size_t run) const;
   [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run) const;
@@ -80,6 +86,7 @@ class ResidualBlocks {
   std::vector<std::size_t> first_block_, last_block_;  // of each run
   std::vector<data::RigChange> rigs_;                  // the different ones
   std::vector<std::size_t> rig_of_run_;
+  std::unique_ptr<Place> here_;  // where the last call was; null before the first and where there is no motion
 };
 
 }  // namespace coilwright::measurement::fit

@@ -304,7 +304,7 @@ Eigen::VectorXd over_noise(const PreparedRun& prepared, SampleRange range, Eigen
     if (coloured) prepared.whiteners[c]->apply(of_channel);
     if (!any_aside) continue;
     for (Eigen::Index i = 0; i < n; ++i)
-      if (prepared.set_aside[c][range.first + static_cast<std::size_t>(i)] != 0) of_channel[i] = 0.0;
+      if (prepared.is_set_aside(c, range.first + static_cast<std::size_t>(i))) of_channel[i] = 0.0;
   }
   return differences;
 }

@@ -73,6 +73,9 @@ struct PreparedRun {
   /// Number of predictions in one range, and in all of them.
   [[nodiscard]] Eigen::Index values_in(SampleRange range) const;
   [[nodiscard]] Eigen::Index values() const;
+  [[nodiscard]] bool is_set_aside(std::size_t channel, std::size_t sample) const {
+    return channel < set_aside.size() && !set_aside[channel].empty() && set_aside[channel][sample] != 0;
+  }
   /// Number of samples that no fit may use, all channels together.
   [[nodiscard]] Eigen::Index values_set_aside() const;
   [[nodiscard]] bool is_motion() const { return run->kind == data::RunKind::transient; }

@@ -18,7 +18,13 @@ using namespace measurement;
 constexpr double notable_rise = 0.1;
 // A number that moved by so many tolerances is worth a measurement.
 constexpr double far = 2.0;
+// One that moved by so many is more than chance, and belongs into the first lines.
+constexpr double very_far = 3.0;
 constexpr std::size_t most_to_measure = 3;
+
+bool leaves_structure(const Diagnosis& diagnosis) {
+  return diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
+}
 
 // Declared numbers that moved far; if none did, and they are off together, those that moved most.
 std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
@@ -34,15 +40,56 @@ std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
     std::string what =
         each->estimate.key.starts_with("force_curve")
             ? std::string("the torque over the angle at one current (a static_torque bench), whose shape is off")
-            : fmt::format("{} (declared {}, these data say {})", each->estimate.key,
-                          number_text(formats::in_unit(*each).declared),
+            : fmt::format("{} (declared {}, {} {})", each->estimate.key, number_text(formats::in_unit(*each).declared),
+                          leaves_structure(diagnosis) ? "moved to" : "these data say",
                           number_text(formats::in_unit(each->estimate).value));
     if (std::ranges::find(out, what) == out.end()) out.push_back(std::move(what));
   }
   return out;
 }
 
+std::string measuring_step(const Diagnosis& diagnosis, const std::vector<std::string>& numbers) {
+  const std::string all = fmt::format("{}", fmt::join(numbers, ", "));
+  // Numbers of a fit that does not reach the noise are not measurements.
+  if (leaves_structure(diagnosis))
+    return fmt::format(
+        "Do not copy the numbers that moved into the actuator file: they may have taken up what is missing. Measure "
+        "by other means {}.",
+        all);
+  return fmt::format("Weigh or measure {}, correct the actuator file and diagnose again.", all);
+}
+
+// How each effect that was found, and each that could stand in its place, shows itself without the model.
+std::vector<std::string> checks_at_the_rig(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
+  for (const AddedEffect& each : diagnosis.effects) {
+    if (each.kind->check().empty()) continue;
+    std::string step = fmt::format("Check {} without this model: {}.", each.kind->id(), each.kind->check());
+    for (const auto& set : diagnosis.indistinguishable) {
+      if (std::ranges::find(set, each.kind) == set.end()) continue;
+      for (const actuator::EffectKind* other : set)
+        if (other != each.kind && !other->check().empty())
+          step += fmt::format(" If it is not there, check {}: {}.", other->id(), other->check());
+    }
+    out.push_back(std::move(step));
+  }
+  return out;
+}
+
 }  // namespace
+
+std::string far_numbers(const Diagnosis& diagnosis) {
+  if (diagnosis.verdict != Verdict::explained && diagnosis.verdict != Verdict::no_missing_effect) return {};
+  std::vector<std::string> names;
+  for (const MovedNumber& each : diagnosis.nominal) {
+    const double moved = formats::tolerances_moved(each);
+    if (std::abs(moved) > very_far) names.push_back(fmt::format("{} by {:.1f}", each.estimate.key, std::abs(moved)));
+  }
+  if (names.empty()) return {};
+  return fmt::format(
+      "{}eclared numbers had to move far, in tolerances: {}. Measure them before you rely on this model.",
+      diagnosis.effects.empty() ? "But d" : "Even so d", fmt::join(names, ", "));
+}
 
 std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
   std::vector<std::string> out;
@@ -65,13 +112,13 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
 
 std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_actuator) {
   std::vector<std::string> steps;
-  const bool structure = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
+  const bool structure = leaves_structure(diagnosis);
   if (!risen_errors(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");
+  for (std::string& step : checks_at_the_rig(diagnosis)) steps.push_back(std::move(step));
   if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
-    steps.push_back(
-        fmt::format("Weigh or measure {}, correct the actuator file and diagnose again.", fmt::join(measure, ", ")));
+    steps.push_back(measuring_step(diagnosis, measure));
   if (diagnosis.next_experiment) {
     const experiment::NextExperiment& next = *diagnosis.next_experiment;
     std::string step = fmt::format("Record this run ({}): {}: {}", next.kind, next.input, next.why);
@@ -86,7 +133,9 @@ std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_a
     steps.emplace_back(
         "Record ten seconds of the finger at rest (kind still): it tells whether what is left is noise of the camera.");
   if (structure)
-    steps.emplace_back("Look at what is left over, below, and at residuals.csv: on what it depends names the cause.");
+    steps.emplace_back(
+        "Look at what is left over, below, and at residuals.csv and the film where it is worst: on what it depends "
+        "names the cause. Repeat that run: what comes back is not chance.");
   if (structure && diagnosis.verdict == Verdict::partly_explained)
     steps.emplace_back(
         "Do not take the numbers of the effects for those of the finger: what is missing distorts them.");

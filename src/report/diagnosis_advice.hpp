@@ -11,6 +11,10 @@ namespace coilwright::report {
 /// fitted: one sentence a quantity.
 [[nodiscard]] std::vector<std::string> risen_errors(const measurement::Diagnosis& diagnosis);
 
+/// One sentence naming the declared numbers that moved by more than three tolerances although what is left over is
+/// noise; empty where none did, or where the verdict says it.
+[[nodiscard]] std::string far_numbers(const measurement::Diagnosis& diagnosis);
+
 /// What a person would do next, the most useful first: which number to weigh or measure, which run to record, or
 /// whether to go on with the updated actuator.
 [[nodiscard]] std::string advice_text(const measurement::Diagnosis& diagnosis, const std::string& updated_actuator);

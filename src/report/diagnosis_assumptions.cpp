@@ -57,8 +57,10 @@ std::string nominal_text(const Diagnosis& diagnosis) {
   for (const MovedNumber& each : diagnosis.nominal) ordered.push_back(&each);
   const auto distance = [](const MovedNumber* each) { return -std::abs(formats::tolerances_moved(*each)); };
   std::ranges::stable_sort(ordered, {}, distance);
-  std::string text = fmt::format("  {} could move, each at the price of its tolerance (one standard deviation):\n",
-                                 counted(ordered.size(), "declared number"));
+  std::string text =
+      fmt::format("  {} could move, each at the price of its tolerance (one standard deviation); in the fit {}:\n",
+                  counted(ordered.size(), "declared number"),
+                  diagnosis.effects.empty() ? "without an effect" : "with the effects found");
   TextTable table;
   table.row({"", "declared", "tolerance", "moved to", "tolerances moved"});
   for (const MovedNumber* each : std::span(ordered).first(std::min(ordered.size(), most_numbers))) {
@@ -71,6 +73,8 @@ std::string nominal_text(const Diagnosis& diagnosis) {
   text += table.text(4, {left, right, left, right, right});
   if (ordered.size() > most_numbers)
     text += fmt::format("    and {} that moved less (nominal in diagnosis.json)\n", ordered.size() - most_numbers);
+  if (std::ranges::any_of(ordered, [](const MovedNumber* each) { return each->estimate.key.starts_with('/'); }))
+    text += "    A name with slashes is a place in the actuator file; its lists count from 0, links from the base.\n";
   return text;
 }
 

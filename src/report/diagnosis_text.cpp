@@ -29,6 +29,7 @@ using enum TextTable::Align;
 
 constexpr std::size_t most_candidates = 5;
 constexpr std::size_t most_dependences = 4;
+constexpr double decisive_lead = 6.0;  // of the gain: odds of 20 to 1
 
 std::string verdict_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
@@ -95,9 +96,9 @@ std::string declared_text(const Diagnosis& diagnosis) {
   const double probability = diagnosis.probability_of_declared;
   const std::string share = probability < 1e-4 ? "fewer than 0.01 %" : fmt::format("{:.2g} %", 100.0 * probability);
   return fmt::format(
-      "  Without an effect the declared numbers would have to be as far off, all together, as their tolerances let\n"
-      "  them be in {} of rigs (below 1 %: they are off).\n",
-      share);
+      "  Without any effect the declared numbers would have to be further off, all together, than in {} of the\n"
+      "  rigs that are built to their tolerances ({}).\n",
+      share, probability < 0.01 ? "below 1 %: they are off, or an effect is missing" : "above 1 %: that may be chance");
 }
 
 std::string found_text(const Diagnosis& diagnosis) {
@@ -157,14 +158,23 @@ std::string compared_text(const Diagnosis& diagnosis) {
   if (compared.empty()) return {};
   TextTable table;
   table.row({"", "residual", "gain", ""});
+  // Of one that is not the answer its neighbours in rank are not either, though nothing else speaks against them.
+  const auto remark_of = [&](const compare::ComparedHypothesis& each) -> std::string {
+    if (formats::is_reported(diagnosis, each.effects)) return "reported";
+    const compare::ComparedHypothesis& first = compared.front();
+    const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
+                         first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
+    return each.remark.empty() && as_good ? "these data do not tell it from the first" : each.remark;
+  };
   for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
     table.row({hypothesis(each),
                each.evidence ? number_text(over_noise(diagnosis, each.evidence->chi_square_after)) : "none",
-               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none",
-               formats::is_reported(diagnosis, each.effects) ? "reported" : each.remark});
+               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
   return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
          "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
-         "model\n  fitted anew, each further number charged; a lead of 6 is odds of 20 to 1, less decides nothing.\n";
+         "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
+         "below 0 it\n"
+         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides.\n";
 }
 
 std::string rivals_text(const Diagnosis& diagnosis) {
@@ -188,12 +198,12 @@ std::string residual_text(const Diagnosis& diagnosis) {
   TextTable table;
   for (const localise::Dependence& each : residual.dependences) {
     if (table.rows() == most_dependences) break;
-    table.row({fmt::format("on {}", each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
+    table.row({std::string(each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
   }
-  if (table.rows() > 0) text += "  depends\n" + table.text(4, {left, right});
+  if (table.rows() > 0) text += "  of its square goes with one variable alone\n" + table.text(4, {left, right});
   if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number_text(*residual.frequency));
   if (!diagnosis.after.where.empty())
-    text += fmt::format("  worst in {} ({} times what noise may show)\n", diagnosis.after.where,
+    text += fmt::format("  worst in {}: {} times what noise may show\n", diagnosis.after.where,
                         number_text(diagnosis.after.whiteness_ratio));
   return text;
 }
@@ -213,6 +223,7 @@ std::string to_text(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   std::string head =
       fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis));
+  if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
   return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
          errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(diagnosis, report.updated_actuator) +

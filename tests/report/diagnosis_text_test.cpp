@@ -48,10 +48,11 @@ What was assumed
   Runs kept from the fit, for the errors only: b.csv
   Numbers fitted freely:
     joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)
-  2 declared numbers could move, each at the price of its tolerance (one standard deviation):
+  2 declared numbers could move, each at the price of its tolerance (one standard deviation); in the fit with the effects found:
                                   declared  tolerance       moved to  tolerances moved
     /measured/tip_segment_mass_g        20  0.5                 20.5              +1.0
     force_curve                          0  0.03 (default)    -0.015              -0.5
+    A name with slashes is a place in the actuator file; its lists count from 0, links from the base.
   Taken as exact:
     /magnet/remanence_T
   Noise, one standard deviation:
@@ -66,8 +67,8 @@ What was found
     torque_Nmm  0.61  0.58 to 0.64 (95 %)
     residual on the fit runs: 2.082 times the noise without it, 1 with it (rms)
     on runs left out in turn: takes away 97 % of the squared error above the noise
-  Without an effect the declared numbers would have to be as far off, all together, as their tolerances let
-  them be in 25 % of rigs (below 1 %: they are off).
+  Without any effect the declared numbers would have to be further off, all together, than in 25 % of the
+  rigs that are built to their tolerances (above 1 %: that may be chance).
 
 Errors on the runs that no fit has seen
   angle, deg  as declared  fitted anew  with effects
@@ -145,7 +146,9 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
   const std::string text = text_of(diagnosis);
   EXPECT_THAT(text, HasSubstr("The declared numbers are off: moved further than their tolerances make likely, they "
                               "explain these data, and no missing effect does so decisively better.\n"));
-  EXPECT_THAT(text, HasSubstr("in fewer than 0.01 % of rigs (below 1 %: they are off).\n"));
+  EXPECT_THAT(text,
+              HasSubstr("than in fewer than 0.01 % of the\n  rigs that are built to their tolerances (below 1 %: they "
+                        "are off, or an effect is missing).\n"));
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
                               "actuator file and diagnose again.\n"
@@ -160,6 +163,46 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
   diagnosis.nominal[1].estimate.value = 0.0191;
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
+}
+
+TEST(DiagnosisText, SaysHowToSeeAnEffectWithoutTheModel) {
+  const testing::NamedEffect heated("coil_heating", "", {}, "log voltage and current");
+  const testing::NamedEffect faded("magnet_heating", "", {}, "take the magnet's temperature");
+  Diagnosis diagnosis = example();
+  diagnosis.effects.front().kind = &heated;
+  diagnosis.indistinguishable.clear();
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n"
+                                            "  Check coil_heating without this model: log voltage and current.\n"
+                                            "  Then go on with actuator.json"));
+  diagnosis.indistinguishable = {{&heated, &faded}};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("log voltage and current. If it is not there, check magnet_heating: take "
+                                            "the magnet's temperature.\n"));
+}
+
+TEST(DiagnosisText, SaysInItsFirstLinesThatDeclaredNumbersMovedFar) {
+  Diagnosis diagnosis = example();
+  diagnosis.nominal = {
+      {.estimate = {.key = "face_closing_deg", .value = -3.4 * degree}, .declared = 4.0 * degree, .tolerance = degree}};
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("with it, what is left over is noise.\nEven so declared numbers had to move far, in tolerances: "
+                "face_closing_deg by 7.4. Measure them before you rely on this model.\n"));
+  diagnosis.nominal.front().estimate.value = 1.5 * degree;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("had to move far")));
+}
+
+TEST(DiagnosisText, WarnsOfNumbersFromAFitThatDoesNotReachTheNoise) {
+  Diagnosis diagnosis = example();
+  diagnosis.verdict = Verdict::unexplained;
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.nominal = {
+      {.estimate = {.key = "joint_stiffness_ratio", .value = 0.42}, .declared = 0.0, .tolerance = 0.06}};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text,
+              HasSubstr("Do not copy the numbers that moved into the actuator file: they may have taken up what "
+                        "is missing. Measure by other means joint_stiffness_ratio (declared 0, moved to 0.42).\n"));
+  EXPECT_THAT(text, Not(HasSubstr("correct the actuator file")));
 }
 
 TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
@@ -177,10 +220,10 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("Record ten seconds of the finger at rest (kind still)"));
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What is left over, as a joint torque\n"
                                             "  rms 0.2 Nmm, where noise alone gives 0.05 Nmm\n"
-                                            "  depends\n"
-                                            "    on sign of rate  50 %\n"
+                                            "  of its square goes with one variable alone\n"
+                                            "    sign of rate  50 %\n"
                                             "  strongest line at 5 Hz\n"
-                                            "  worst in step_1.4A.csv, 20 ms (3 times what noise may show)\n"));
+                                            "  worst in step_1.4A.csv, 20 ms: 3 times what noise may show\n"));
 }
 
 TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {
@@ -234,6 +277,25 @@ TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
                                             "absent\n"
                                             "    coil_heating                       none   none  no coils\n"
                                             "  residual: rms on the fit runs over the noise, 1 is noise alone."));
+}
+
+TEST(DiagnosisText, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.verdict = Verdict::declared_numbers_off;
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  const auto evidence = [](double gain) {
+    return compare::Evidence{.chi_square_after = 12000.0, .quasi_bic_gain = gain, .correlation_time = 1.0};
+  };
+  diagnosis.compared_hypotheses = {
+      {.effects = {&coil_heating}, .evidence = evidence(51.7), .remark = "makes runs that are left out worse"},
+      {.effects = {&magnet_heating}, .evidence = evidence(50.7), .remark = ""},
+      {.effects = {&dry_friction}, .evidence = evidence(7.6), .remark = ""}};
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("    coil_heating           1  51.7  makes runs that are left out worse\n"
+                        "    magnet_heating         1  50.7  these data do not tell it from the first\n"
+                        "    dry_friction           1   7.6\n"));
 }
 
 TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {

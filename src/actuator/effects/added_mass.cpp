@@ -24,6 +24,7 @@ class AddedMass final : public DescribedEffect {
              .description = "the tip segment is heavier (or lighter) than the model says: a payload, a wrong mass",
              .equation = "m_tip -> m_tip + dm, at the segment's centre of mass; at least 1/20 of m_tip stays",
              .source = "point mass at a link's centre of mass; definition",
+             .check = "weigh the last segment, with all that is fixed to it, on a scale",
              .parameters = {{.key = "mass_g",
                              .text = "besides the declared mass of the last link",
                              .lower = -std::numeric_limits<double>::infinity(),

@@ -23,6 +23,7 @@ class AngleOffset final : public DescribedEffect {
                          .description = "the sensor's zero is off",
                          .equation = "y = theta + theta_b, every angle shown",
                          .source = "definition",
+                         .check = "hold the finger straight against a ruler and read the angle that the sensor shows",
                          .parameters = {{.key = "angle_deg",
                                          .text = "shown at angle zero",
                                          .lower = -10.0 / degrees,

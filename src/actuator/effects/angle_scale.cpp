@@ -23,6 +23,7 @@ class AngleScale final : public DescribedEffect {
              .description = "the sensor's scale is off: lens, encoder counts",
              .equation = "y = s theta, every angle shown",
              .source = "definition",
+             .check = "bend the joints by a known angle, along a printed template, and compare what the sensor shows",
              .parameters = {
                  {.key = "scale", .text = "angle shown over angle", .lower = 0.5, .upper = 2.0, .absent = 1.0}}}) {}
 

@@ -57,17 +57,19 @@ class BackEmfTerm final : public EffectTerm {
 class BackEmf final : public DescribedEffect {
  public:
   BackEmf()
-      : DescribedEffect({.id = "back_emf",
-                         .stage = Stage::magnetics,
-                         .description = "motion drives currents of its own through closed coils or metal nearby",
-                         .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
-                         .source = "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
-                                   "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
-                         .parameters = {{.key = "conductance_1_Ohm",
-                                         .text = "1/R of a coil under a voltage drive; less what eddy currents leave",
-                                         .lower = 0.0,
-                                         .upper = std::numeric_limits<double>::infinity(),
-                                         .absent = 0.0}}}) {}
+      : DescribedEffect(
+            {.id = "back_emf",
+             .stage = Stage::magnetics,
+             .description = "motion drives currents of its own through closed coils or metal nearby",
+             .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
+             .source = "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
+                       "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
+             .check = "film a release once with the coils' circuit open and once closed: closed, it dies away faster",
+             .parameters = {{.key = "conductance_1_Ohm",
+                             .text = "1/R of a coil under a voltage drive; less what eddy currents leave",
+                             .lower = 0.0,
+                             .upper = std::numeric_limits<double>::infinity(),
+                             .absent = 0.0}}}) {}
 
   bool needs_closed_circuit() const override { return true; }
 

@@ -83,19 +83,21 @@ class BacklashTerm final : public EffectTerm {
 class Backlash final : public DescribedEffect {
  public:
   Backlash()
-      : DescribedEffect({.id = "backlash",
-                         .stage = Stage::magnetics,
-                         .description = "a magnet is loose: it crosses a gap before its torque reaches the joint",
-                         .equation = "J (theta'' + x'') = q_magnet - seat(x), which is 0 where |x| < gap/2; the joint "
-                                     "gets seat(x); J = 0.3/(n mobility), seat 1500 rad/s, damping ratio 0.5",
-                         .source =
-                             "two inertias and a dead zone: Nordin and Gutman, Automatica 38 (2002) 1633; inertia "
-                             "and seat are choices",
-                         .parameters = {{.key = "gap_deg",
-                                         .text = "from one side of its seat to the other, as an angle of the joint",
-                                         .lower = 0.0,
-                                         .upper = 10.0 / degrees,
-                                         .absent = 0.0}}}) {}
+      : DescribedEffect(
+            {.id = "backlash",
+             .stage = Stage::magnetics,
+             .description = "a magnet is loose: it crosses a gap before its torque reaches the joint",
+             .equation = "J (theta'' + x'') = q_magnet - seat(x), which is 0 where |x| < gap/2; the joint "
+                         "gets seat(x); J = 0.3/(n mobility), seat 1500 rad/s, damping ratio 0.5",
+             .source = "two inertias and a dead zone: Nordin and Gutman, Automatica 38 (2002) 1633; inertia "
+                       "and seat are choices",
+             .check =
+                 "hold the joint and push the magnet to and fro by hand: it must neither click nor move in its seat",
+             .parameters = {{.key = "gap_deg",
+                             .text = "from one side of its seat to the other, as an angle of the joint",
+                             .lower = 0.0,
+                             .upper = 10.0 / degrees,
+                             .absent = 0.0}}}) {}
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double small = std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees);

@@ -12,6 +12,7 @@ class BaseTilt final : public DescribedEffect {
                          .description = "the mounting is not level",
                          .equation = "V(theta_1, ...) -> V(theta_1 + phi, ...): gravity turned by phi",
                          .source = "definition; mechanics::PlanarChain",
+                         .check = "put a spirit level on the mount, or hang a plumb line beside the finger",
                          .parameters = {{.key = "angle_deg",
                                          .text = "of the whole chain towards opening, besides the declared tilt",
                                          .lower = -45.0 / degrees,

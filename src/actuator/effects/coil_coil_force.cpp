@@ -15,7 +15,9 @@ class CoilCoilForce final : public DescribedEffect {
                          .stage = Stage::magnetics,
                          .description = "the coils pull at each other",
                          .equation = "q += i_a i_b (force of two coils at unit currents); no parameter",
-                         .source = "sums of loops, or uniform windings: docs/theory/magnetics.md"}) {}
+                         .source = "sums of loops, or uniform windings: docs/theory/magnetics.md",
+                         .check = "run one step through the first coil, one through the second and one through both: "
+                                  "the third exceeds the sum"}) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override {
     if (const std::optional<std::string> reason = DescribedEffect::inapplicable(spec)) return reason;

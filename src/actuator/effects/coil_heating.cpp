@@ -60,6 +60,7 @@ class CoilHeating final : public DescribedEffect {
              .description = "a warm coil resists more, so its current fades under a given voltage",
              .equation = "i -> i/(1 + x), x' = (a i^2/(1 + x) - x)/T, x = alpha dT: power u^2/R falls as R rises",
              .source = "copper's linear resistivity (IEC 60028) and one heat capacity: C dT' = u i - dT/R_th",
+             .check = "log voltage and current through one long hold: their quotient rises as the coil warms",
              .parameters = {{.key = "fade_1_A2",
                              .text = "rise of the resistance in the steady state over the power of a cold coil",
                              .lower = 0.0,

@@ -43,6 +43,7 @@ class CoilLag final : public DescribedEffect {
              .description = "the current follows its command with a delay: L/R, or a current loop's bandwidth",
              .equation = "i' = (i_cmd - i)/T; none below T = 0.02 ms",
              .source = "L i' + R i = u, T = L/R",
+             .check = "record the coil's current in one step with a shunt and an oscilloscope",
              .parameters = {{.key = "time_constant_ms",
                              .text = "of the current's answer to a step",
                              .lower = 0.0,

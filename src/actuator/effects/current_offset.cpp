@@ -23,6 +23,7 @@ class CurrentOffset final : public DescribedEffect {
                          .description = "a bias of the driver or of its current sensor",
                          .equation = "i -> i + i_0",
                          .source = "definition",
+                         .check = "command zero and read an ammeter in the coil's lead",
                          .parameters = {{.key = "current_mA",
                                          .text = "current of every coil at no command",
                                          .lower = -5.0,

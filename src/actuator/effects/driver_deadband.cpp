@@ -31,6 +31,7 @@ class DriverDeadband final : public DescribedEffect {
              .description = "small commands are lost in the driver",
              .equation = "i -> sgn(i) max(|i| - d, 0)",
              .source = "dead zone of an actuator: Tao and Kokotovic, IEEE Trans. Autom. Control 39 (1994) 59",
+             .check = "put an ammeter in the coil's lead and command small currents in steps around the band",
              .parameters = {{.key = "current_A",
                              .text = "half the band of commands without an answer",
                              .lower = 0.0,

@@ -30,6 +30,7 @@ class DriverSaturation final : public DescribedEffect {
                          .description = "the driver or its supply gives less current than the largest command",
                          .equation = "i -> max(-i_max, min(i, i_max))",
                          .source = "current limit of a driver or u_max / R of its supply; definition",
+                         .check = "put an ammeter in the coil's lead and command the largest current",
                          .parameters = {{.key = "current_A",
                                          .text = "largest current that the driver gives, either sign",
                                          .lower = 0.0,

@@ -87,23 +87,26 @@ constexpr EffectParameter torque_parameter{.key = "torque_Nmm",
 class StribeckFriction final : public DescribedEffect {
  public:
   StribeckFriction()
-      : DescribedEffect({.id = "dry_friction",
-                         .stage = Stage::hinge,
-                         .description = "friction at the hinges or segment faces that falls once they slide",
-                         .equation = "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; "
-                                     "sticks up to rho tau_c, on bristles of 1500 rad/s",
-                         .source = "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 "
-                                   "(1995) 419, eqs. (4) and (5)",
-                         .parameters = {torque_parameter,
-                                        {.key = "stribeck_ratio",
-                                         .text = "static over sliding friction",
-                                         .lower = 1.0,
-                                         .upper = 2.0,
-                                         .absent = 1.0},
-                                        {.key = "stribeck_rate_rad_s",
-                                         .text = "joint rate at which most of the difference has gone",
-                                         .lower = 0.01,
-                                         .upper = 100.0}}}) {}
+      : DescribedEffect(
+            {.id = "dry_friction",
+             .stage = Stage::hinge,
+             .description = "friction at the hinges or segment faces that falls once they slide",
+             .equation = "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; "
+                         "sticks up to rho tau_c, on bristles of 1500 rad/s",
+             .source = "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 "
+                       "(1995) 419, eqs. (4) and (5)",
+             .check =
+                 "bend the finger slowly by hand and let go, once from either side: it comes to rest at two angles",
+             .parameters = {torque_parameter,
+                            {.key = "stribeck_ratio",
+                             .text = "static over sliding friction",
+                             .lower = 1.0,
+                             .upper = 2.0,
+                             .absent = 1.0},
+                            {.key = "stribeck_rate_rad_s",
+                             .text = "joint rate at which most of the difference has gone",
+                             .lower = 0.01,
+                             .upper = 100.0}}}) {}
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double slow = std::clamp(0.02 * scale.rate, 0.01, 50.0);
@@ -129,6 +132,8 @@ class DryFriction final : public DescribedEffect {
              .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
              .source = "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) "
                        "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
+             .check =
+                 "bend the finger slowly by hand and let go, once from either side: it comes to rest at two angles",
              .parameters = {torque_parameter}}) {}
 
   const EffectKind* with_further_numbers() const override {

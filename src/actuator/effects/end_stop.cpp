@@ -46,25 +46,27 @@ class StopTerm final : public EffectTerm {
 class EndStop final : public DescribedEffect {
  public:
   EndStop()
-      : DescribedEffect({.id = "end_stop",
-                         .stage = Stage::hinge,
-                         .description = "something stops the joints: a limit, a cable, segments that meet",
-                         .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
-                         .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
-                         .parameters = {{.key = "angle_deg",
-                                         .text = "joint angle at which the stop is met, every joint",
-                                         .lower = -180.0 / degrees,
-                                         .upper = 180.0 / degrees},
-                                        {.key = "stiffness_Nmm_rad",
-                                         .text = "of the stop",
-                                         .lower = 0.0,
-                                         .upper = std::numeric_limits<double>::infinity(),
-                                         .absent = 0.0},
-                                        {.key = "side",
-                                         .text = "1: limits opening, -1: limits closing",
-                                         .lower = -1.0,
-                                         .upper = 1.0,
-                                         .choices = sides}}}) {}
+      : DescribedEffect(
+            {.id = "end_stop",
+             .stage = Stage::hinge,
+             .description = "something stops the joints: a limit, a cable, segments that meet",
+             .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
+             .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
+             .check = "bend the finger by hand and feel for a stop; look for a cable, or segments that touch",
+             .parameters = {{.key = "angle_deg",
+                             .text = "joint angle at which the stop is met, every joint",
+                             .lower = -180.0 / degrees,
+                             .upper = 180.0 / degrees},
+                            {.key = "stiffness_Nmm_rad",
+                             .text = "of the stop",
+                             .lower = 0.0,
+                             .upper = std::numeric_limits<double>::infinity(),
+                             .absent = 0.0},
+                            {.key = "side",
+                             .text = "1: limits opening, -1: limits closing",
+                             .lower = -1.0,
+                             .upper = 1.0,
+                             .choices = sides}}}) {}
 
   // A fit sees a stop only where the motion presses it: from close inside either end of the motion inwards.
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {

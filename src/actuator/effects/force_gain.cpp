@@ -26,6 +26,8 @@ class ForceGain final : public DescribedEffect {
              .equation = "f -> gamma f",
              .source = "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. "
                        "Magn. 46 (2010) 3585",
+             .check = "measure one torque or force at rest under a known current (runs of kind static_torque or "
+                      "blocked_force)",
              .parameters = {{.key = "gain",
                              .text = "real over declared force of a coil at a current",
                              .lower = 0.1,

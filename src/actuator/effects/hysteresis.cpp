@@ -42,6 +42,7 @@ class Hysteresis final : public DescribedEffect {
                          .source =
                              "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE "
                              "102 (1976) 249, with n = 1 and no pinching: Dahl",
+                         .check = "go up and down through the same currents slowly and compare the angles at rest",
                          .parameters = {{.key = "amplitude_Nmm",
                                          .text = "torque between middle and edge of the loop",
                                          .lower = 0.0,

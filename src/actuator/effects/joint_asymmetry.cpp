@@ -14,6 +14,7 @@ class JointAsymmetry final : public DescribedEffect {
              .description = "the joints are not alike",
              .equation = "k_2 -> rho k_2, of every second joint; k_2 = rho k_1 where they are declared alike",
              .source = "k ~ h_b^3 of a moulded hinge: 5 % in its height are 16 % in its stiffness",
+             .check = "measure the stiffness of each joint by itself with a force gauge",
              .parameters = {{.key = "stiffness_ratio",
                              .text = "of every second joint's stiffness to its declared one",
                              .lower = 0.1,

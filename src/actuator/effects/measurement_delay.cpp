@@ -28,6 +28,7 @@ class MeasurementDelay final : public DescribedEffect {
                          .description = "camera or bus show the motion late",
                          .equation = "y(t) = theta(t - T)",
                          .source = "definition",
+                         .check = "film a light that is switched on together with the current",
                          .parameters = {{.key = "delay_ms",
                                          .text = "between motion and record",
                                          .lower = earliest,

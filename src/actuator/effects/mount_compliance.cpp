@@ -75,6 +75,7 @@ class MountCompliance final : public DescribedEffect {
                                      "p' . theta' = 0, zeta = 0.05, p = d(momentum)/d(rates), m of the chain",
                          .source = "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, "
                                    "ch. 1); damping a choice",
+                         .check = "repeat one step with the mount clamped hard, or tap it and film whether it moves",
                          .parameters = {{.key = "frequency_Hz",
                                          .text = "of the mount on its spring, with the finger held stiff",
                                          .lower = 5.0,

@@ -74,6 +74,8 @@ constexpr const char* softening_law =
 constexpr const char* softening_source =
     "Mullins, Rubber Chem. Technol. 42 (1969) 339; the exponential as in Ogden and Roxburgh's pseudo-elastic softening "
     "(Proc. R. Soc. A 455, 1999) to first order";
+constexpr std::string_view softening_check =
+    "repeat one small step before and after the largest bend, and again next day";
 
 std::unique_ptr<const EffectTerm> build_mullins(const ModelSpec& spec, const MullinsTerm::Spec& values) {
   if (values.softening == 0.0) return nullptr;
@@ -88,6 +90,7 @@ class StretchedBefore final : public DescribedEffect {
                          .description = "silicone softens beyond the largest stretch that it has known before",
                          .equation = softening_law,
                          .source = softening_source,
+                         .check = softening_check,
                          .parameters = stretched_parameters()}) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override { return without_springs(spec); }
@@ -112,6 +115,7 @@ class MullinsSoftening final : public DescribedEffect {
                          .description = "silicone that has not been stretched before softens in its first cycles",
                          .equation = softening_law,
                          .source = softening_source,
+                         .check = softening_check,
                          .parameters = virgin_parameters()}) {}
 
   const EffectKind* with_further_numbers() const override {

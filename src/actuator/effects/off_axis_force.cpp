@@ -25,7 +25,8 @@ class OffAxisForce final : public DescribedEffect {
              .stage = Stage::magnetics,
              .description = "coil and magnet tilt against each other, and the coaxial formula does not know it",
              .equation = "dq/di = the exact torque of the tilted, displaced pair; no parameter",
-             .source = "I dl x B over the winding in the cylinder's exact field: docs/theory/magnetics.md"}) {}
+             .source = "I dl x B over the winding in the cylinder's exact field: docs/theory/magnetics.md",
+             .check = "measure the torque over the angle at one current (a run of kind static_torque)"}) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override {
     if (const std::optional<std::string> reason = DescribedEffect::inapplicable(spec)) return reason;

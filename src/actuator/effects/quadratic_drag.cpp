@@ -27,6 +27,7 @@ class QuadraticDrag final : public DescribedEffect {
                          .description = "drag that grows with the square of the rate: air",
                          .equation = "q -= c omega |omega|, every joint",
                          .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
+                         .check = "repeat a release with a card glued across the tip: drag grows with its area",
                          .parameters = {{.key = "drag_Nmms2_rad2",
                                          .text = "drag coefficient, every joint",
                                          .lower = 0.0,

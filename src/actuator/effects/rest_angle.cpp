@@ -13,6 +13,7 @@ class RestAngle final : public DescribedEffect {
                          .description = "the hinges relax at an angle of their own: pre-stress, set",
                          .equation = "q = -k (theta - theta_0), every joint",
                          .source = "linear spring with a natural angle; definition",
+                         .check = "lay the finger on its side, without current, and read the angle of its joints",
                          .parameters = {{.key = "angle_deg",
                                          .text = "angle at which a hinge is relaxed, every joint",
                                          .lower = -45.0 / degrees,

@@ -34,26 +34,28 @@ class AttractionTerm final : public EffectTerm {
 class StaticAttraction final : public DescribedEffect {
  public:
   StaticAttraction()
-      : DescribedEffect({.id = "static_attraction",
-                         .stage = Stage::magnetics,
-                         .description = "iron or another magnet nearby pulls or pushes without any current",
-                         .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
-                         .source = "a dipole's force on its image in iron falls with the fourth power of the distance "
-                                   "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
-                         .parameters = {{.key = "torque_Nmm",
-                                         .text = "torque at angle zero, opening positive",
-                                         .lower = -infinity,
-                                         .upper = infinity,
-                                         .absent = 0.0},
-                                        {.key = "range_deg",
-                                         .text = "angle from zero to where the matter is",
-                                         .lower = 5.0 / degrees,
-                                         .upper = 180.0 / degrees},
-                                        {.key = "side",
-                                         .text = "where the matter is: 1 opening, -1 closing",
-                                         .lower = -1.0,
-                                         .upper = 1.0,
-                                         .choices = sides}}}) {}
+      : DescribedEffect(
+            {.id = "static_attraction",
+             .stage = Stage::magnetics,
+             .description = "iron or another magnet nearby pulls or pushes without any current",
+             .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
+             .source = "a dipole's force on its image in iron falls with the fourth power of the distance "
+                       "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
+             .check = "look for iron or another magnet near the finger, take it away and film one release again",
+             .parameters = {{.key = "torque_Nmm",
+                             .text = "torque at angle zero, opening positive",
+                             .lower = -infinity,
+                             .upper = infinity,
+                             .absent = 0.0},
+                            {.key = "range_deg",
+                             .text = "angle from zero to where the matter is",
+                             .lower = 5.0 / degrees,
+                             .upper = 180.0 / degrees},
+                            {.key = "side",
+                             .text = "where the matter is: 1 opening, -1 closing",
+                             .lower = -1.0,
+                             .upper = 1.0,
+                             .choices = sides}}}) {}
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     std::vector<std::vector<double>> out;

@@ -43,6 +43,7 @@ class StiffnessHardening final : public DescribedEffect {
              .equation = "q -= k beta theta^3; where 1 + 3 beta theta^2 < 0 the whole spring's torque stays",
              .source = "first odd term of a hyperelastic spring: Duffing; Gent, Rubber Chem. Technol. 69 "
                        "(1996) 59",
+             .check = "measure the torque of a joint over its angle with a force gauge, up to the largest angle",
              .parameters = {{.key = "coefficient_1_rad2",
                              .text = "share of the stiffness gained at one radian",
                              .lower = -1.0 / 3.0,

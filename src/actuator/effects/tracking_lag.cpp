@@ -42,6 +42,7 @@ class TrackingLag final : public DescribedEffect {
              .description = "the camera's tracking filters: what it shows follows the motion",
              .equation = "shown' = (theta - shown)/T, every angle",
              .source = "first-order low-pass filter; definition",
+             .check = "move a target by hand and compare the tracked angle with the raw pictures",
              .parameters = {
                  {.key = "time_constant_ms", .text = "of the filter", .lower = 0.0, .upper = 1.0, .absent = 0.0}}}) {}
 

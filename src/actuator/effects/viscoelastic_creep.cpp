@@ -48,6 +48,7 @@ class ViscoelasticCreep final : public DescribedEffect {
              .description = "the silicone creeps: stiffer at first, softer after a while",
              .equation = "q -= kappa k (theta - xi), xi' = (theta - xi)/T",
              .source = "standard linear solid: Ferry, Viscoelastic Properties of Polymers, 1980, ch. 1 and 3",
+             .check = "hold one current for a minute and watch whether the angle goes on moving",
              .parameters = {{.key = "stiffness_ratio",
                              .text = "stiffness that relaxes over stiffness that stays",
                              .lower = 0.0,

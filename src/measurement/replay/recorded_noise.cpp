@@ -101,7 +101,7 @@ void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
   for (std::size_t c = 0; c < prepared.noise.size(); ++c) {
     const data::Channel& channel = prepared.run->channels[c];
     noise::NoiseLevel& level = prepared.noise[c];
-    level.colour = "taken as white: no still run and no part at rest shows it";
+    level.colour = "taken as white: there is no still run, and the parts at rest are too short to show its colour";
     std::vector<Stretch> stretches;
     for (const data::Run& run : still)
       if (auto found = stretch_of(run, channel.kind, channel.joint, run.samples(), fewest_still_samples))

@@ -144,7 +144,7 @@ TEST(StandardEffects, FindsAnEffectByItsId) {
 
 TEST(StandardEffects, SaysInALineWhatEachIs) {
   for (const EffectKind* kind : standard_effects().kinds()) {
-    for (const std::string_view text : {kind->description(), kind->equation(), kind->source()}) {
+    for (const std::string_view text : {kind->description(), kind->equation(), kind->source(), kind->check()}) {
       EXPECT_FALSE(text.empty()) << kind->id();
       EXPECT_EQ(text.find('\n'), std::string_view::npos) << kind->id();
     }

@@ -55,7 +55,8 @@ data::Run motion() {
 TEST(RecordedNoise, IsTakenAsWhiteWhereNothingShowsIt) {
   const data::Run run = motion();
   const Told none = told(run, {});
-  EXPECT_EQ(none.level().colour, "taken as white: no still run and no part at rest shows it");
+  EXPECT_EQ(none.level().colour,
+            "taken as white: there is no still run, and the parts at rest are too short to show its colour");
   EXPECT_TRUE(none.level().from_the_run);
   EXPECT_EQ(none.prepared.whiteners.front(), nullptr);
 }

@@ -16,6 +16,7 @@ struct EffectProperties {
   std::string_view description;
   std::string_view equation;
   std::string_view source;
+  std::string_view check{};
   std::vector<EffectParameter> parameters{};
 };
 
@@ -32,6 +33,7 @@ class DescribedEffect : public EffectKind {
   [[nodiscard]] std::string_view description() const final { return properties_.description; }
   [[nodiscard]] std::string_view equation() const final { return properties_.equation; }
   [[nodiscard]] std::string_view source() const final { return properties_.source; }
+  [[nodiscard]] std::string_view check() const final { return properties_.check; }
   [[nodiscard]] std::span<const EffectParameter> parameters() const final { return properties_.parameters; }
 
  private:

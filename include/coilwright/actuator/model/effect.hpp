@@ -144,6 +144,9 @@ class EffectKind {
   [[nodiscard]] virtual std::string_view equation() const = 0;
   /// Where the equation is from.
   [[nodiscard]] virtual std::string_view source() const = 0;
+  /// How a person finds out at the rig, in minutes and without this model, whether it is there: one line in the
+  /// imperative, without a full stop; empty where there is no such way.
+  [[nodiscard]] virtual std::string_view check() const { return {}; }
   /// Its numbers; empty for an effect that is there or not.
   [[nodiscard]] virtual std::span<const EffectParameter> parameters() const = 0;
 

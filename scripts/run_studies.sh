@@ -46,6 +46,11 @@ echo "== paper_residual"
 mkdir -p results/reference/paper_residual
 python3 studies/paper_residual/residual.py "$program" >results/reference/paper_residual/summary.txt
 
+echo "== force_by_finite_elements"  # needs gmsh and getdp, and says so
+mkdir -p results/reference/force_by_finite_elements
+python3 -B studies/force_by_finite_elements/force.py "$program" >results/force_by_finite_elements.txt
+mv results/force_by_finite_elements.txt results/reference/force_by_finite_elements/summary.txt
+
 run configurations sweep
 for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size

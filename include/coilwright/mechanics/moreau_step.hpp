@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <utility>
+#include <vector>
+
+#include "coilwright/mechanics/contact_impulses.hpp"
+
+namespace coilwright::mechanics {
+
+/// Gap below which a contact counts as closed, m. What rests on the ground would leave it for a step at a time by the
+/// rounding of its height otherwise; no gap of interest is as small.
+inline constexpr double closed_gap = 1e-9;
+
+/// A system at the middle of a step.
+struct MiddleOfStep {
+  /// M, (n, n); with stiff springs of stiffness K and dampers B taken implicitly: M + step B / 2 + step^2 K / 4.
+  CoordinateMatrix mass;
+  CoordinateVector force;         ///< all forces but those of contact, at the velocities of the step's start
+  std::vector<Contact> contacts;  ///< those whose gap is at most closed_gap here
+};
+
+/// The end of a step, and what happened in it.
+struct MoreauStep {
+  CoordinateVector position;
+  CoordinateVector velocity;
+  CoordinateVector middle_velocity;      ///< mean of both ends: by which forces and impulses do their work
+  std::vector<ContactImpulse> impulses;  ///< of the contacts that were closed
+};
+
+/// One step of Moreau's midpoint rule: positions to the middle, velocities by forces and contact impulses there,
+/// positions to the end. `at_middle(position, velocity)` gives MiddleOfStep. First order in `step`, s, wherever
+/// contacts change. Source: Moreau as contact_impulses(); Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235.
+template <class AtMiddle>
+[[nodiscard]] MoreauStep moreau_step(const CoordinateVector& position, const CoordinateVector& velocity, double step,
+                                     AtMiddle&& at_middle) {
+  const CoordinateVector middle = position + 0.5 * step * velocity;
+  const MiddleOfStep system = std::forward<AtMiddle>(at_middle)(middle, velocity);
+  const CoordinateVector free = velocity + step * system.mass.llt().solve(system.force);
+  ContactStep after = contact_impulses(system.mass, free, system.contacts);
+  return {.position = middle + 0.5 * step * after.velocities,
+          .velocity = after.velocities,
+          .middle_velocity = 0.5 * (velocity + after.velocities),
+          .impulses = std::move(after.impulses)};
+}
+
+}  // namespace coilwright::mechanics

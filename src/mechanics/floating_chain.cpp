@@ -1,0 +1,116 @@
+#include "coilwright/mechanics/floating_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace coilwright::mechanics {
+namespace {
+
+void check(double value, bool valid, int link, const char* field, const char* rule) {
+  if (!std::isfinite(value) || !valid)
+    throw std::invalid_argument(fmt::format("link {}: {} must be {}; got {}", link, field, rule, value));
+}
+
+}  // namespace
+
+FloatingChain::FloatingChain(std::span<const Link> links, double gravity)
+    : count_(static_cast<int>(links.size())), gravity_(gravity) {
+  if (links.empty() || links.size() > links_.size())
+    throw std::invalid_argument(fmt::format("links: 1 to {} are supported; got {}", links_.size(), links.size()));
+  if (!std::isfinite(gravity) || gravity < 0.0)
+    throw std::invalid_argument(fmt::format("gravity must be finite and >= 0; got {}", gravity));
+  for (int i = 0; i < count_; ++i) {
+    const Link& link = links[i];
+    check(link.length, link.length >= 0.0, i, "length", "finite and >= 0");
+    check(link.com_along, true, i, "com_along", "finite");
+    check(link.com_offset, true, i, "com_offset", "finite");
+    check(link.mass, link.mass > 0.0, i, "mass", "finite and > 0");
+    check(link.inertia, link.inertia >= 0.0, i, "inertia", "finite and >= 0");
+    links_[i] = link;
+  }
+}
+
+double FloatingChain::mass() const noexcept {
+  double sum = 0.0;
+  for (int i = 0; i < count_; ++i) sum += links_[i].mass;
+  return sum;
+}
+
+FloatingFrames FloatingChain::frames(const CoordinateVector& coordinates) const {
+  FloatingFrames out;
+  Eigen::Vector2d joint(coordinates[0], coordinates[1]);
+  double absolute = 0.0;
+  for (int i = 0; i < count_; ++i) {
+    absolute += coordinates[2 + i];
+    out[i] = {.joint = joint, .sine = std::sin(absolute), .cosine = std::cos(absolute)};
+    joint += links_[i].length * out[i].axis();
+  }
+  return out;
+}
+
+Eigen::Vector2d FloatingChain::position(const FloatingFrames& frames, const LinkPoint& point) const {
+  return frames[point.link].at(point.along, point.offset);
+}
+
+// Every angle turns what lies beyond its joint about that joint: by 90 degrees of the lever, anticlockwise.
+FloatingJacobian FloatingChain::jacobian(const FloatingFrames& frames, const LinkPoint& point) const {
+  FloatingJacobian slope = FloatingJacobian::Zero(2, coordinates());
+  slope(0, 0) = slope(1, 1) = 1.0;
+  const Eigen::Vector2d at = position(frames, point);
+  for (int i = 0; i <= point.link; ++i) {
+    const Eigen::Vector2d lever = at - frames[i].joint;
+    slope.col(2 + i) = Eigen::Vector2d(-lever.y(), lever.x());
+  }
+  return slope;
+}
+
+CoordinateMatrix FloatingChain::mass_matrix(const FloatingFrames& frames) const {
+  const int n = coordinates();
+  CoordinateMatrix mass = CoordinateMatrix::Zero(n, n);
+  for (int i = 0; i < count_; ++i) {
+    const FloatingJacobian slope = jacobian(frames, centre(i));
+    const int last = 3 + i;  // coordinates beyond it do not move this link
+    for (int k = 0; k < last; ++k)
+      for (int j = 0; j <= k; ++j)
+        mass(j, k) += links_[i].mass * slope.col(j).dot(slope.col(k)) + (j >= 2 ? links_[i].inertia : 0.0);
+  }
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < k; ++j) mass(k, j) = mass(j, k);
+  return mass;
+}
+
+// Accelerations of the centres of mass while no coordinate accelerates: towards the joints, by the squares of the
+// absolute rates.
+CoordinateVector FloatingChain::velocity_forces(const FloatingFrames& frames, const CoordinateVector& rates) const {
+  CoordinateVector force = CoordinateVector::Zero(coordinates());
+  Eigen::Vector2d of_joint = Eigen::Vector2d::Zero();
+  double absolute = 0.0;
+  for (int i = 0; i < count_; ++i) {
+    absolute += rates[2 + i];
+    const Eigen::Vector2d lever = position(frames, centre(i)) - frames[i].joint;
+    const Eigen::Vector2d acceleration = of_joint - absolute * absolute * lever;
+    force += links_[i].mass * jacobian(frames, centre(i)).transpose() * acceleration;
+    of_joint -= absolute * absolute * links_[i].length * frames[i].axis();
+  }
+  return force;
+}
+
+CoordinateVector FloatingChain::gravity_forces(const FloatingFrames& frames) const {
+  CoordinateVector force = CoordinateVector::Zero(coordinates());
+  for (int i = 0; i < count_; ++i) force += links_[i].mass * gravity_ * jacobian(frames, centre(i)).row(1).transpose();
+  return force;
+}
+
+double FloatingChain::kinetic_energy(const FloatingFrames& frames, const CoordinateVector& rates) const {
+  return 0.5 * rates.dot(mass_matrix(frames) * rates);
+}
+
+double FloatingChain::potential_energy(const FloatingFrames& frames) const {
+  double energy = 0.0;
+  for (int i = 0; i < count_; ++i) energy += links_[i].mass * gravity_ * position(frames, centre(i)).y();
+  return energy;
+}
+
+}  // namespace coilwright::mechanics

@@ -136,6 +136,15 @@ JointVector first_joint_at(const Model& model, double angle) {
   return angles;
 }
 
+// Where the grasp was measured: closed and at the tip where the run does not say. A fit that shortens the last segment
+// takes the contact along.
+actuator::GraspPoint grasp_point(const Model& model, const data::Run& run, std::size_t sample) {
+  actuator::GraspPoint out;
+  if (!run.openings.empty()) out.opening = run.openings[sample];
+  if (!run.heights.empty()) out.height = std::min(run.heights[sample], model.tip().along);
+  return out;
+}
+
 // Temperature of the first coil, degC; exact between samples, because the current is held there.
 Eigen::VectorXd coil_temperatures(const thermal::Network& network, const data::Run& run) {
   const auto n = static_cast<Eigen::Index>(run.samples());
@@ -271,7 +280,8 @@ std::optional<Eigen::VectorXd> predict_bench(const Model& model, const PreparedR
         one[i] = -model.hinge_torques(first_joint_at(model, run.angles[sample]))[0];
         break;
       case data::RunKind::blocked_force: {
-        const auto grasp = simulation::blocked_grasp(model, currents_of(model, run, sample));
+        const auto grasp =
+            simulation::blocked_grasp(model, currents_of(model, run, sample), grasp_point(model, run, sample));
         if (!grasp) return std::nullopt;
         one[i] = grasp->force;
         break;

@@ -37,6 +37,14 @@ void require_drive(const data::Run& run, const Model& nominal) {
   }
 }
 
+void require_contact(const data::Run& run, const Model& nominal) {
+  const double tip = nominal.tip().along * (1.0 + 1e-9);  // rounding of a length in millimetres aside
+  for (const double height : run.heights)
+    if (height > tip)
+      throw misfit(run, fmt::format("height_mm must not lie beyond the tip, {:.6g} mm from its joint; got {:.6g}",
+                                    nominal.tip().along * 1e3, height * 1e3));
+}
+
 std::vector<Window> windows_of(const data::Run& run) {
   std::vector<Window> out;
   const std::size_t samples = run.samples();
@@ -92,6 +100,7 @@ Eigen::Index PreparedRun::values_set_aside() const {
 void require_fits_model(const data::Run& run, const DeclaredModel& declared, const Model& nominal) {
   require_joints(run, nominal);
   require_drive(run, nominal);
+  require_contact(run, nominal);
   if (run.kind == data::RunKind::temperature && !declared.heat)
     throw misfit(run, "is a temperature, and a lumped model has no heat paths");
 }

@@ -84,7 +84,7 @@ struct PreparedRun {
 };
 
 /// Throws std::invalid_argument naming the run if it does not fit the model: number of coils or joints, a voltage
-/// without a resistance, a temperature without heat paths.
+/// without a resistance, a temperature without heat paths, a grasp beyond the tip.
 void require_fits_model(const data::Run& run, const DeclaredModel& declared, const actuator::Model& nominal);
 /// The noise of a run that has no record of still instruments is estimated from the run. Throws as require_fits_model()
 /// does, and for a window of fewer than five samples.

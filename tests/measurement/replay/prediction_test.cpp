@@ -1,8 +1,12 @@
 #include "measurement/replay/prediction.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
@@ -69,6 +73,29 @@ TEST(Prediction, FallsAfterAColdStartAndRestsAfterAWarmOne) {
     EXPECT_NEAR(warm.last, warm.first, 1e-6);
     EXPECT_NEAR(cold.last, warm.first, 0.01 * warm.first);  // both end where the heat is in balance
   }
+}
+
+// A prediction of a grasp on the finger without heat.
+double grasp(std::vector<double> openings, std::vector<double> heights) {
+  const Model model = actuator::assemble_or_throw(actuator::paper_finger()).model;
+  const DeclaredModel declared{};
+  data::Run run{.name = "wall.csv", .kind = data::RunKind::blocked_force, .sigma = 1e-3};
+  run.inputs = {{1.4}};
+  run.openings = std::move(openings);
+  run.heights = std::move(heights);
+  run.channels = {{.name = "force_N", .kind = data::ChannelKind::force, .values = {1.0}}};
+  const PreparedRun record = prepare_run(run, declared, model);
+  return predict_bench(model, record, declared).value()[0];
+}
+
+// The table of docs/theory/simulation.md, three digits; its grasps are checked against the least energy along the wall.
+TEST(Prediction, TakesAGraspWhereItWasMeasured) {
+  EXPECT_NEAR(grasp({}, {}), 1.123, 6e-4);
+  EXPECT_NEAR(grasp({30.0 * 0.017453292519943295}, {}), 0.556, 6e-4);
+  EXPECT_NEAR(grasp({}, {20e-3}), 1.178, 6e-4);
+  EXPECT_THAT([] { return grasp({}, {25e-3}); },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  "wall.csv: height_mm must not lie beyond the tip, 21.2 mm from its joint; got 25"));
 }
 
 TEST(Prediction, ContinuesTheHeatInTheNextWindow) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,16 +28,22 @@ ExitCode fail(ExitCode code, std::string_view message) {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  // A group of options is a command without a name.
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App* each) { return !each->get_name().empty(); }))
     names.push_back(command->get_name());
-  }
   return names;
 }
 
-// The command that the arguments chose, or the program itself.
+// The command that the arguments chose (`rig torque-bench` is one below another), or the program itself.
 const CLI::App& chosen(const CLI::App& app) {
   const auto commands = app.get_subcommands();
-  return commands.empty() ? app : *commands.front();
+  return commands.empty() ? app : chosen(*commands.front());
+}
+
+// "coilwright rig torque-bench".
+std::string name_of(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : name_of(*parent) + " " + command.get_name();
 }
 
 std::string unknown_option(const CLI::App& command, std::string_view argument) {
@@ -56,11 +63,27 @@ std::string unexpected_argument(const CLI::App& app) {
   return "unexpected argument " + text::in_quotes(argument);
 }
 
-ExitCode usage_error(const CLI::App& app, std::string_view message) {
-  const CLI::App& command = chosen(app);
-  const std::string prefix = &command == &app ? "" : command.get_name() + ": ";
-  const std::string help = &command == &app ? "coilwright --help" : "coilwright " + command.get_name() + " --help";
-  return fail(ExitCode::bad_input, fmt::format("{}{} (see {})", prefix, message, help));
+// About one command, or about the program itself.
+ExitCode usage_error(const CLI::App& command, std::string_view message) {
+  const std::string name = name_of(command);
+  const std::string program = "coilwright";
+  const std::string prefix = name == program ? "" : name.substr(program.size() + 1) + ": ";
+  return fail(ExitCode::bad_input, fmt::format("{}{} (see {} --help)", prefix, message, name));
+}
+
+// CLI11 says of a mistyped command only that it was not expected. Nothing where the arguments name one.
+std::optional<ExitCode> mistaken_command(const CLI::App& app, std::span<const char* const> arguments) {
+  const auto names = command_names(app);
+  if (names.empty()) return std::nullopt;
+  if (arguments.empty()) return usage_error(app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
+  const std::string_view first = arguments.front();
+  if (first.starts_with('-')) {
+    if (app.get_option_no_throw(std::string(first)) != nullptr) return std::nullopt;
+    return usage_error(app, unknown_option(app, first));
+  }
+  if (std::find(names.begin(), names.end(), first) == names.end())
+    return usage_error(app, "unknown command " + text::in_quotes(first) + text::did_you_mean(first, names));
+  return mistaken_command(*app.get_subcommand(std::string(first)), arguments.subspan(1));
 }
 
 ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, const Outcome& outcome) {
@@ -69,9 +92,9 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version, std::cout, std::cerr);
   } catch (const CLI::ExtrasError&) {
-    return usage_error(app, unexpected_argument(app));
+    return usage_error(chosen(app), unexpected_argument(app));
   } catch (const CLI::ParseError& error) {
-    return usage_error(app, error.what());
+    return usage_error(chosen(app), error.what());
   } catch (const text::InputError& error) {
     return fail(ExitCode::bad_input, error.what());
   } catch (const text::OutputError& error) {
@@ -101,16 +124,8 @@ ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand>
   Outcome outcome;
   for (const AddCommand add : commands) add(app, outcome);
 
-  const auto names = command_names(app);
-  if (arguments.size() <= 1) return usage_error(app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
-  const std::string_view first = arguments[1];
-  if (first.starts_with('-') && app.get_option_no_throw(std::string(first)) == nullptr) {
-    return usage_error(app, unknown_option(app, first));
-  }
-  // CLI11 says of a mistyped command only that it was not expected.
-  if (!first.starts_with('-') && std::find(names.begin(), names.end(), first) == names.end()) {
-    return usage_error(app, "unknown command " + text::in_quotes(first) + text::did_you_mean(first, names));
-  }
+  if (const auto mistake = mistaken_command(app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
+    return *mistake;
   return parse_and_run(app, arguments, outcome);
 }
 

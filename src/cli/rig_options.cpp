@@ -1,0 +1,121 @@
+#include "rig_options.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/data/dataset_writer.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_folder.hpp"
+#include "coilwright/units/unit.hpp"
+#include "keep_inputs.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr const char* actuator_name = "actuator.json";
+
+std::filesystem::path folder_of(const RigOptions& options) {
+  const std::filesystem::path out(options.out);
+  return out.has_filename() ? out : out.parent_path();
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The file itself where the set declares it unchanged.
+std::string declared_text(const RigOptions& options, const RigActuator& actuator, const RigResult& result) {
+  if (result.declared)
+    return formats::to_json(*result.declared, fmt::format("{}, one joint on the {}", actuator.name, result.rig)).text();
+  if (options.actuator.assignments.empty()) return content_of(options.actuator.file);
+  return formats::to_json(actuator.design, actuator.name).text();
+}
+
+void write(const RigOptions& options, const RigActuator& actuator, const RigResult& result) {
+  text::OutputFolder folder(folder_of(options));
+  std::vector<formats::RunWithRole> in_roles;
+  for (const measurement::data::Run& run : result.runs) {
+    in_roles.push_back({.run = run, .validate = false});
+    formats::write_run(folder.open(run.name), run);
+  }
+  const std::string name = fmt::format("{}, {}", actuator.name, result.rig);
+  folder.write("dataset.json", formats::dataset_json(name, actuator_name, in_roles).text());
+  folder.write(actuator_name, declared_text(options, actuator, result));
+  folder.commit();
+}
+
+magnetics::Fidelity fidelity_of(const RigOptions& options, const actuator::Design& design) {
+  if (options.fidelity.empty()) return design.choices.torque;
+  return options.fidelity == "exact" ? magnetics::Fidelity::exact : magnetics::Fidelity::line_of_centres;
+}
+
+}  // namespace
+
+void add_rig_options(CLI::App& rig, RigOptions& options) {
+  add_actuator_options(rig, options.actuator);
+  rig.get_option("ACTUATOR.json")->description("File of a design (actuator/1)");
+  rig.add_option("--out", options.out,
+                 "Folder for a data set (measured-data/1) of the readings; it is created if it does not exist")
+      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
+  rig.add_option("--fidelity", options.fidelity,
+                 "By which force the readings in the data set are: exact or line_of_centres. Default: as the actuator "
+                 "says")
+      ->check(CLI::IsMember({"exact", "line_of_centres"}));
+  rig.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
+}
+
+void add_list(CLI::App& rig, const std::string& name, std::vector<double>& values, const std::string& text,
+              const text::Rule& rule) {
+  rig.add_option(name, values, text)->delimiter(',')->allow_extra_args(false)->check(number_rule(rule));
+}
+
+std::vector<double> to_memory(const std::vector<double>& values, const char* name) {
+  std::vector<double> out;
+  for (const double value : values) out.push_back(units::to_memory(value, name));
+  return out;
+}
+
+RigActuator read_rig_actuator(const RigOptions& options) {
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  auto* design = std::get_if<actuator::Design>(&file.content);
+  if (design == nullptr)
+    throw text::InputError({.file = options.actuator.file,
+                            .rule = "is a lumped model: a rig takes a design (actuator/1), whose parts are known"});
+  static_cast<void>(assemble(*design, options.actuator));
+  return {.name = file.name.empty() ? "actuator" : file.name, .design = std::move(*design)};
+}
+
+void run_rig(const RigOptions& options,
+             const std::function<RigResult(const actuator::Design& design, magnetics::Fidelity fidelity)>& readings) {
+  if (!options.out.empty())
+    keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
+                std::array{folder_of(options) / actuator_name, folder_of(options) / "dataset.json"});
+  const RigActuator actuator = read_rig_actuator(options);
+  const RigResult result = [&] {
+    try {
+      return readings(actuator.design, fidelity_of(options, actuator.design));
+    } catch (const std::invalid_argument& mistake) {
+      throw text::InputError({.file = options.actuator.file, .rule = mistake.what()});
+    } catch (const std::runtime_error& reason) {
+      throw std::runtime_error(fmt::format("{}: {}", options.actuator.file, reason.what()));
+    }
+  }();
+  if (!options.out.empty()) write(options, actuator, result);
+  std::cout << (options.json ? result.json.text() : result.text);
+  if (options.out.empty() || options.json) return;
+  std::cout << fmt::format("{} {} in {}; put measured columns in place of the predicted ones, and diagnose it\n",
+                           result.runs.size(), result.runs.size() == 1 ? "run" : "runs", folder_of(options).string());
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,69 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "coilwright/formats/data/rig_json.hpp"
+#include "coilwright/formats/data/rig_runs.hpp"
+#include "coilwright/report/rig_text.hpp"
+#include "coilwright/units/unit.hpp"
+#include "number_rule.hpp"
+#include "rig_commands.hpp"
+#include "rig_options.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using namespace systems::rig;
+
+struct Options {
+  RigOptions rig;
+  std::vector<double> angles{};          // degrees
+  std::optional<double> joint{};         // from 1
+  std::optional<double> gauge_height{};  // mm
+};
+
+StiffnessGauge gauge_of(const Options& options) {
+  StiffnessGauge gauge = paper_stiffness_gauge();
+  if (!options.angles.empty()) gauge.angles = to_memory(options.angles, "angles_deg");
+  if (options.joint) gauge.joint = static_cast<int>(*options.joint) - 1;
+  if (options.gauge_height) gauge.height = units::to_memory(*options.gauge_height, "gauge_height_mm");
+  return gauge;
+}
+
+}  // namespace
+
+void add_stiffness_gauge(CLI::App& command) {
+  auto options = std::make_shared<Options>();
+  CLI::App* rig = command.add_subcommand(
+      "stiffness-gauge", "Force that holds a joint open without current, and its stiffness (Figs 10b, 11)");
+  add_rig_options(*rig, options->rig);
+  add_list(*rig, "--angles-deg", options->angles,
+           "A1,A2,..: angles of the joint, above 0 to 120. Default: 15 to 90 in steps of 15",
+           text::Rule::above(0.0).and_also(text::Rule::at_most(120.0)));
+  rig->add_option("--joint", options->joint,
+                  "Joint that is held open, from 1 at the base; all others are straight. Default: the last")
+      ->check(number_rule(text::Rule::between(1.0, 16.0)))
+      ->check([](const std::string& text) {
+        return text.find_first_not_of("0123456789") == std::string::npos ? "" : "must be whole; got " + text;
+      });
+  rig->add_option("--gauge-height-mm", options->gauge_height,
+                  "Where on the last segment the gauge presses, from that segment's joint. Default: its tip")
+      ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1000.0))));
+  rig->footer(
+      "The data set has the torque of the hinge alone, as `diagnose` takes a joint_stiffness run: of a measured force, "
+      "take\n"
+      "the weight off before, or measure with the plane of bending level.\n\n"
+      "Example:\n"
+      "  coilwright rig stiffness-gauge configs/actuators/paper_finger.json --gauge-height-mm 15");
+  rig->callback([options] {
+    run_rig(options->rig, [&](const actuator::Design& design, magnetics::Fidelity) {
+      const StiffnessReadings all = readings(design, gauge_of(*options));
+      RigResult result{.text = report::to_text(all), .json = formats::to_json(all), .rig = "stiffness gauge"};
+      // Joints that differ can be read, but not be told of in a set.
+      if (!options->rig.out.empty()) result.runs = {formats::run_of(all)};
+      return result;
+    });
+  });
+}
+
+}  // namespace coilwright::cli

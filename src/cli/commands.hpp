@@ -17,6 +17,7 @@ void add_evaluate_command(CLI::App& app, Outcome& outcome);
 void add_force_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_plan_command(CLI::App& app, Outcome& outcome);
+void add_grip_command(CLI::App& app, Outcome& outcome);
 void add_rig_command(CLI::App& app, Outcome& outcome);
 void add_simulate_command(CLI::App& app, Outcome& outcome);
 void add_size_command(CLI::App& app, Outcome& outcome);

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coilwright/systems/gripper/gripper.hpp"
+#include "coilwright/systems/gripper/object.hpp"
+
+namespace coilwright::systems::gripper {
+
+/// What a gripper is asked to do with an object.
+struct GraspTask {
+  double current{};           ///< in every coil of both fingers, A, from t = 0; finite
+  double acceleration{};      ///< upwards, that the hold must survive beside gravity, m/s^2; finite, >= 0
+  double step = 2e-4;         ///< of the time stepping, s; > 0, at most 5e-4
+  bool find_capacity = true;  ///< whether to go on loading until the object is lost
+};
+
+/// Where a finger presses on the object.
+struct GraspContact {
+  int finger{};              ///< 0 left, 1 right
+  int link{};                ///< -1 is the base segment
+  double along{};            ///< on the face of that link, from its own joint, m
+  Eigen::Vector2d position;  ///< in the gripper's frame, m
+  double normal{};           ///< N, >= 0
+  double friction{};         ///< N, upwards along the face of the object > 0
+};
+
+/// How a grasp went.
+struct Grasp {
+  bool holds{};              ///< the load was still held, at rest, 0.2 s after it was reached
+  bool both_touched{};       ///< both fingers reached the object
+  double closing_time{};     ///< from the current to the touch of the later finger, s; infinite if one never touched
+  double load{};             ///< mass times gravity and acceleration, N
+  double capacity{};         ///< largest load before the object was lost, N; 0 without a grasp
+  bool capacity_is_bound{};  ///< the object was still held at ten times its load: the capacity is at least that
+  double settling{};         ///< how far the object sank between the end of support and the full load, m
+  double magnet_force{};     ///< largest force between two magnets of different fingers while holding, N
+  mechanics::JointVector left, right;  ///< joint angles, rad: at the end of the hold, or of closing if it does not hold
+  std::vector<GraspContact> contacts;  ///< mean of the 20 ms before that
+
+  [[nodiscard]] double margin() const { return load > 0.0 ? capacity / load : 0.0; }
+};
+
+/// Closes on an object that stands on a smooth support, takes the support away, loads it with its weight and the
+/// acceleration within 0.3 s, holds for 0.2 s, and loads on until it is lost. Rigid segments and object, dry friction
+/// by Moreau and Jean's time stepping, first order in the step. Throws std::invalid_argument for a task or an object
+/// that breaks a rule, or an object that the open fingers touch.
+[[nodiscard]] Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task);
+
+/// The least current, A, up to `most`, with which the object is held, to 0.5 %; nothing if `most` does not hold it, and
+/// 0 where the fingers hold it without current. `task.current` is not read.
+[[nodiscard]] std::optional<double> least_current(const Gripper& gripper, const Object& object, GraspTask task,
+                                                  double most);
+
+/// The least coefficient of friction, up to `most`, with which the task's current holds the object, to 0.5 %; nothing
+/// if `most` does not. The object's own is not read.
+[[nodiscard]] std::optional<double> least_friction(const Gripper& gripper, Object object, const GraspTask& task,
+                                                   double most);
+
+}  // namespace coilwright::systems::gripper

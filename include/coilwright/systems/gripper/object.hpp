@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+namespace coilwright::systems::gripper {
+
+/// Cross-section of an object in the plane in which two fingers close.
+enum class ObjectShape {
+  sphere,
+  cylinder,  ///< its axis lies across the plane
+  box
+};
+
+/// "sphere", "cylinder", "box".
+[[nodiscard]] std::string_view name_of(ObjectShape shape);
+
+/// What a gripper is to lift: rigid, moved in the plane of the fingers only.
+struct Object {
+  ObjectShape shape = ObjectShape::sphere;
+  double width{};     ///< between the fingers: diameter, or width of a box, m; finite, > 0
+  double height{};    ///< of a box, m; finite, > 0; not read for the other shapes
+  double mass{};      ///< kg; finite, > 0
+  double friction{};  ///< coefficient against the fingers' silicone; finite, >= 0
+  /// Centre in the gripper's frame, m: x from the middle between the fingers, y upwards from the line through both base
+  /// joints, below zero for an object below the palm.
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+
+  /// Half its height, m.
+  [[nodiscard]] double half_height() const { return 0.5 * (shape == ObjectShape::box ? height : width); }
+  /// About its centre in the plane, of a homogeneous body, kg m^2.
+  [[nodiscard]] double inertia() const;
+};
+
+/// Throws std::invalid_argument naming the field, its rule and its value.
+void check(const Object& object);
+
+}  // namespace coilwright::systems::gripper

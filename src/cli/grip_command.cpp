@@ -1,0 +1,272 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "actuator_input.hpp"
+#include "coilwright/simulation/performance.hpp"
+#include "coilwright/systems/gripper/grasp.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/json.hpp"
+#include "commands.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using systems::gripper::Grasp;
+using systems::gripper::GraspContact;
+using systems::gripper::GraspTask;
+using systems::gripper::Gripper;
+using systems::gripper::Object;
+using systems::gripper::ObjectShape;
+using systems::gripper::Polarity;
+using text::Json;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+// As on the command line, each in the unit of its name.
+struct Options {
+  ActuatorOptions actuator;
+  double mounting_angle = 30.0;
+  double spacing = 70.0;
+  Polarity polarity = Polarity::same;
+  ObjectShape shape = ObjectShape::sphere;
+  double width{};
+  double height{};
+  double mass{};
+  double friction{};
+  double across = 0.0;
+  double below = 16.0;
+  double current = 1.4;
+  double acceleration = 0.0;
+  double most_current{};
+  double most_friction{};
+  bool json{false};
+};
+
+// What the command answers.
+struct Answer {
+  Grasp grasp;
+  std::optional<simulation::Heat> heat{};                                  // of one finger at the pose of the hold
+  std::optional<std::optional<double>> least_current{}, least_friction{};  // where asked for; nothing if there is none
+};
+
+actuator::Design design_of(const Options& options) {
+  const formats::ActuatorFile file = read_actuator(options.actuator);
+  const auto* design = std::get_if<actuator::Design>(&file.content);
+  if (design == nullptr)
+    throw text::InputError(
+        {.file = options.actuator.file, .rule = "is a lumped model: a gripper needs a design (actuator/1)"});
+  (void)assemble(*design, options.actuator);  // says what cannot be built as every command does
+  return *design;
+}
+
+Object object_of(const Options& options) {
+  return {.shape = options.shape,
+          .width = options.width * 1e-3,
+          .height = options.height * 1e-3,
+          .mass = options.mass * 1e-3,
+          .friction = options.friction,
+          .centre = {options.across * 1e-3, -options.below * 1e-3}};
+}
+
+// Runs `call`; a rule that it finds broken is reported at `place`.
+template <class Call>
+auto at_place(const std::string& place, const Call& call) {
+  try {
+    return call();
+  } catch (const std::invalid_argument& rule) {
+    throw text::InputError({.file = place, .rule = rule.what()});
+  }
+}
+
+Answer answer_of(const Options& options) {
+  const actuator::Design design = design_of(options);
+  const Gripper gripper = at_place(options.actuator.file, [&] {
+    return Gripper(
+        design,
+        {.angle = options.mounting_angle / degrees, .spacing = options.spacing * 1e-3, .polarity = options.polarity});
+  });
+  const Object object = object_of(options);
+  const GraspTask task{.current = options.current, .acceleration = options.acceleration};
+  Answer out{.grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
+                               [&] { return systems::gripper::grasp(gripper, object, task); })};
+  const auto performance = simulation::performance_of(
+      design, gripper.assembly(),
+      {.current = options.current, .grasp = {.opening = std::max(0.0, out.grasp.left.sum())}});
+  if (const auto* found = std::get_if<simulation::Performance>(&performance)) out.heat = found->gripping.heat;
+  if (options.most_current > 0.0)
+    out.least_current = systems::gripper::least_current(gripper, object, task, options.most_current);
+  if (options.most_friction > 0.0)
+    out.least_friction = systems::gripper::least_friction(gripper, object, task, options.most_friction);
+  return out;
+}
+
+std::string verdict_of(const Options& options, const Grasp& grasp) {
+  const std::string what = fmt::format("{:.4g} g at {:.4g} A", options.mass, options.current);
+  if (!grasp.both_touched) return fmt::format("Not held: {}. A finger does not reach the object.\n", what);
+  if (!grasp.holds)
+    return fmt::format("Not held: {}. It slips at a load of {:.4g} N; it would need {:.4g} N.\n", what, grasp.capacity,
+                       grasp.load);
+  return fmt::format("Held: {}. The load is {:.4g} N; it slips at {}{:.4g} N, {:.3g} times that.\n", what, grasp.load,
+                     grasp.capacity_is_bound ? "more than " : "", grasp.capacity, grasp.margin());
+}
+
+std::string contacts_text(const Grasp& grasp) {
+  if (grasp.contacts.empty()) return {};
+  std::string text = fmt::format("  {:<7}{:>6}{:>12}{:>9}{:>9}{:>10}{:>11}\n", "finger", "link", "along mm", "x mm",
+                                 "y mm", "normal N", "friction N");
+  for (const GraspContact& each : grasp.contacts)
+    text += fmt::format("  {:<7}{:>6}{:>12.2f}{:>9.2f}{:>9.2f}{:>10.4f}{:>11.4f}\n",
+                        each.finger == 0 ? "left" : "right", each.link, each.along * 1e3, each.position.x() * 1e3,
+                        each.position.y() * 1e3, each.normal, each.friction);
+  return text;
+}
+
+std::string least_text(const char* what, const std::optional<double>& least, double most, const char* unit) {
+  if (!least) return fmt::format("The least {}: none up to {:.4g}{} holds it.\n", what, most, unit);
+  return fmt::format("The least {} that holds it: {:.3g}{}.\n", what, *least, unit);
+}
+
+std::string as_text(const Options& options, const Answer& answer) {
+  const Grasp& grasp = answer.grasp;
+  std::string text = verdict_of(options, grasp);
+  if (grasp.both_touched) text += fmt::format("Both fingers touch it after {:.3g} ms.\n", grasp.closing_time * 1e3);
+  text +=
+      fmt::format("\nFingers {}\n", grasp.holds ? "while they hold it" : "on the object, which stands on its support");
+  text += contacts_text(grasp);
+  text += fmt::format("  bending {:.4g} deg left, {:.4g} deg right; their magnets {} each other with up to {:.3g} N\n",
+                      grasp.left.sum() * degrees, grasp.right.sum() * degrees,
+                      options.polarity == Polarity::same ? "repel" : "attract", grasp.magnet_force);
+  if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
+  if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
+  if (answer.heat) {
+    const simulation::Heat& heat = *answer.heat;
+    text += fmt::format("\nHeat of one finger in that pose: {:.4g} A can be held for good; at {:.4g} A ",
+                        heat.continuous_current, options.current);
+    text += heat.time_to_limit
+                ? fmt::format("a part reaches its limit after {:.3g} s, from cold.\n", *heat.time_to_limit)
+                : std::string("no part reaches its limit.\n");
+  }
+  return text +
+         "\nIt rests on: friction and place of the object as given, rigid segments, coils and magnets at 20 degC, an "
+         "object "
+         "that\nmoves in the plane of the fingers only.\n";
+}
+
+Json optional_number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+std::string as_json(const Answer& answer) {
+  const Grasp& grasp = answer.grasp;
+  Json contacts = Json::array();
+  for (const GraspContact& each : grasp.contacts)
+    contacts.add(Json::object({{"finger", each.finger == 0 ? "left" : "right"},
+                               {"link", each.link},
+                               {"along_mm", each.along * 1e3},
+                               {"x_mm", each.position.x() * 1e3},
+                               {"y_mm", each.position.y() * 1e3},
+                               {"normal_N", each.normal},
+                               {"friction_N", each.friction}}));
+  Json out = Json::object({{"holds", grasp.holds},
+                           {"touches", grasp.both_touched},
+                           {"load_N", grasp.load},
+                           {"capacity_N", grasp.capacity},
+                           {"capacity_is_lower_bound", grasp.capacity_is_bound},
+                           {"bending_left_deg", grasp.left.sum() * degrees},
+                           {"bending_right_deg", grasp.right.sum() * degrees},
+                           {"magnet_force_N", grasp.magnet_force},
+                           {"settling_mm", grasp.settling * 1e3},
+                           {"contacts", std::move(contacts)}});
+  out.set("closing_time_ms", grasp.both_touched ? Json(grasp.closing_time * 1e3) : Json());
+  if (answer.least_current) out.set("least_current_A", optional_number(*answer.least_current));
+  if (answer.least_friction) out.set("least_friction", optional_number(*answer.least_friction));
+  if (answer.heat) {
+    out.set("continuous_current_A", answer.heat->continuous_current);
+    out.set("time_to_limit_s", optional_number(answer.heat->time_to_limit));
+  }
+  return out.text();
+}
+
+void add_object_options(CLI::App& command, Options& options) {
+  const auto up_to = [&](double most, const char* name, double& value, const char* text) {
+    return command.add_option(name, value, text)
+        ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(most))));
+  };
+  command
+      .add_option("--shape", options.shape,
+                  "sphere, cylinder (its axis across the fingers' plane) or box (default sphere)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ObjectShape>{
+          {"sphere", ObjectShape::sphere}, {"cylinder", ObjectShape::cylinder}, {"box", ObjectShape::box}}));
+  up_to(1e3, "--width-mm", options.width, "Diameter, or width of a box between the fingers, mm")->required();
+  up_to(1e3, "--height-mm", options.height, "Height of a box, mm");
+  up_to(1e5, "--mass-g", options.mass, "Mass of the object, g")->required();
+  up_to(10.0, "--friction", options.friction, "Coefficient of friction between it and the fingers")->required();
+  command.add_option("--centre-x-mm", options.across, "Its centre from the middle between the fingers, mm (default 0)")
+      ->check(number_rule(text::Rule::between(-1e3, 1e3)));
+  command
+      .add_option("--centre-below-palm-mm", options.below,
+                  "Its centre below the line through the base joints, mm (default 16)")
+      ->check(number_rule(text::Rule::between(-1e3, 1e3)));
+}
+
+void add_gripper_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--mounting-angle-deg", options.mounting_angle,
+                  "Of each straight finger with the gripper's axis, outwards, deg (default 30)")
+      ->check(number_rule(text::Rule::between(-89.0, 89.0)));
+  command.add_option("--spacing-mm", options.spacing, "Between the two base joints, mm (default 70)")
+      ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1e3))));
+  command
+      .add_option("--polarity", options.polarity,
+                  "same (identical fingers, whose magnets repel) or opposite (default same)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Polarity>{{"same", Polarity::same}, {"opposite", Polarity::opposite}}));
+  command.add_option("--current-A", options.current, "In every coil of both fingers, A (default 1.4)")
+      ->check(number_rule(text::Rule::between(-100.0, 100.0)));
+  command
+      .add_option("--acceleration-m_s2", options.acceleration, "Upwards, that the hold must survive, m/s^2 (default 0)")
+      ->check(number_rule(text::Rule::between(0.0, 1e3)));
+  const text::Rule above_zero = text::Rule::above(0.0).and_also(text::Rule::at_most(100.0));
+  command.add_option("--least-current-up-to-A", options.most_current, "Also find the least current, up to this one, A")
+      ->check(number_rule(above_zero));
+  command
+      .add_option("--least-friction-up-to", options.most_friction,
+                  "Also find the least coefficient of friction, up to this one")
+      ->check(number_rule(above_zero));
+}
+
+}  // namespace
+
+void add_grip_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("grip", "Close two fingers on an object, lift it, and load it until it slips");
+  add_actuator_options(*command, options->actuator);
+  add_object_options(*command, *options);
+  add_gripper_options(*command, *options);
+  command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  command->footer(
+      "Two like fingers hang from a palm, mirrored, and close in one plane. The object stands on a smooth support\n"
+      "until both hold it; the support is then taken away, the load put on within 0.3 s and held for 0.2 s.\n\n"
+      "Example:\n"
+      "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
+  command->callback([options] {
+    if (options->shape == ObjectShape::box && options->height == 0.0)
+      throw CLI::ValidationError("--height-mm", "is needed for a box");
+    const Answer answer = answer_of(*options);
+    std::cout << (options->json ? as_json(answer) : as_text(*options, answer));
+  });
+}
+
+}  // namespace coilwright::cli

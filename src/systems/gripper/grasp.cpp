@@ -1,0 +1,201 @@
+#include "coilwright/systems/gripper/grasp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "systems/gripper/scene.hpp"
+
+namespace coilwright::systems::gripper {
+namespace {
+
+// Times of the programme, s.
+constexpr double settle_time = 0.5;   // of the open fingers under each other's magnets
+constexpr double close_time = 1.0;    // at most, until both fingers hold still on the object
+constexpr double ramp_time = 0.3;     // in which the load is put on
+constexpr double hold_time = 0.2;     // with the whole load
+constexpr double record_time = 0.02;  // at its end, over which the forces are the mean
+
+// An object that sinks faster than this is slipping, m/s: a soft grip settles by millimetres in the 0.3 s of the ramp.
+constexpr double slipping = 0.02;
+// One that sinks slower than this at the end of the hold is at rest.
+constexpr double at_rest = 2e-3;
+// Lost for good, m/s.
+constexpr double lost = 0.3;
+constexpr double most_load = 10.0;  // of the task's
+
+// Fingers with less than this are still, J: a tip of 20 g at 1 mm/s.
+constexpr double still_energy = 1e-8;
+
+void check(const GraspTask& task) {
+  const auto require = [](bool holds, const char* field, const char* rule, double value) {
+    if (!holds) throw std::invalid_argument(fmt::format("{} must be {}; got {:.6g}", field, rule, value));
+  };
+  require(std::isfinite(task.current), "current", "finite", task.current);
+  require(std::isfinite(task.acceleration) && task.acceleration >= 0.0, "acceleration", "finite and >= 0",
+          task.acceleration);
+  require(task.step > 0.0 && task.step <= 5e-4, "step", "> 0 and <= 0.5 ms", task.step);
+}
+
+class Programme {
+ public:
+  Programme(const Gripper& gripper, const Object& object, const GraspTask& task)
+      : gripper_(gripper), object_(object), task_(task), scene_(gripper, object) {
+    out_.load = object.mass * (gripper.gravity() + task.acceleration);
+    out_.closing_time = std::numeric_limits<double>::infinity();
+  }
+
+  Grasp run() {
+    settle();
+    close();
+    record_closed();
+    if (out_.both_touched) lift();
+    return std::move(out_);
+  }
+
+ private:
+  void settle() {
+    for (double time = 0.0; time < settle_time; time += task_.step) {
+      scene_.advance({.apart = true}, task_.step);
+      scene_.require_apart();
+    }
+  }
+
+  // Until both fingers have touched and hold still.
+  void close() {
+    const double weight = object_.mass * gripper_.gravity();
+    bool left = false;
+    bool right = false;
+    double still = 0.0;
+    for (double time = task_.step; time <= close_time; time += task_.step) {
+      scene_.advance({.current = task_.current, .load = weight, .support = true}, task_.step);
+      left = left || scene_.touches(0);
+      right = right || scene_.touches(1);
+      if (left && right && !out_.both_touched) {
+        out_.both_touched = true;
+        out_.closing_time = time;
+      }
+      still = out_.both_touched && scene_.finger_energy() < still_energy ? still + task_.step : 0.0;
+      if (still > record_time) break;
+    }
+  }
+
+  // Adds what touches now to a mean over `steps` steps.
+  void add_contacts(double steps) {
+    for (const Scene::Touch& touch : scene_.touches()) {
+      if (touch.normal <= 0.0) continue;
+      // One entry for each face that presses.
+      GraspContact& mean = contacts_[{touch.point.finger, touch.point.on_finger.link}];
+      mean.finger = touch.point.finger;
+      mean.link = touch.point.on_finger.link;
+      mean.along = touch.point.on_finger.along;
+      mean.position = touch.point.position;
+      mean.normal += touch.normal / steps;
+      // Along +tangent, which a finger's normal towards +x turns upwards and one towards -x downwards.
+      mean.friction += (touch.point.normal.x() > 0.0 ? 1.0 : -1.0) * touch.tangential / steps;
+    }
+  }
+
+  void take_contacts() {
+    out_.left = scene_.angles(0);
+    out_.right = scene_.angles(1);
+    out_.magnet_force = scene_.magnet_force();
+    out_.contacts.clear();
+    for (const auto& [where, contact] : contacts_) out_.contacts.push_back(contact);
+    contacts_.clear();
+  }
+
+  // Still on its support, with its weight.
+  void record_closed() {
+    const double steps = std::round(record_time / task_.step);
+    for (double step = 0.0; step < steps; step += 1.0) {
+      scene_.advance({.current = task_.current, .load = object_.mass * gripper_.gravity(), .support = true},
+                     task_.step);
+      add_contacts(steps);
+    }
+    take_contacts();
+  }
+
+  // The load grows, rests for the hold, and grows on until the object is lost.
+  void lift() {
+    const double start = scene_.object().centre.y();
+    const double end_of_hold = ramp_time + hold_time;
+    const double steps = std::round(record_time / task_.step);
+    double held = 0.0;
+    bool judged = false;
+    for (double time = task_.step;; time += task_.step) {
+      const double load = out_.load / ramp_time * (std::min(time, ramp_time) + std::max(0.0, time - end_of_hold));
+      scene_.advance({.current = task_.current, .load = load}, task_.step);
+      const double sinking = -scene_.object_velocity().y();
+      if (sinking < slipping) held = load;
+      if (time > end_of_hold - record_time && time <= end_of_hold) add_contacts(steps);
+      if (!judged && time > end_of_hold) {
+        judged = true;
+        out_.holds = std::abs(sinking) < at_rest && scene_.touches(0) && scene_.touches(1);
+        if (!out_.holds) break;
+        out_.settling = start - scene_.object().centre.y();
+        take_contacts();
+        if (!task_.find_capacity) break;
+      }
+      if (sinking > lost) break;
+      if (load >= most_load * out_.load) {
+        out_.capacity_is_bound = true;
+        break;
+      }
+    }
+    out_.capacity = held;
+  }
+
+  const Gripper& gripper_;
+  const Object& object_;
+  const GraspTask& task_;
+  Scene scene_;
+  Grasp out_{};
+  std::map<std::pair<int, int>, GraspContact> contacts_{};
+};
+
+// The least of (0, most] for which `holds`, to 0.5 %; nothing if `most` does not.
+std::optional<double> least(double most, const std::function<bool(double)>& holds) {
+  if (!holds(most)) return std::nullopt;
+  double below = 0.0;
+  double above = most;
+  while (above - below > 0.005 * above) {
+    const double middle = 0.5 * (below + above);
+    (holds(middle) ? above : below) = middle;
+    if (above < 1e-4 * most) return 0.0;
+  }
+  return above;
+}
+
+}  // namespace
+
+Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task) {
+  check(object);
+  check(task);
+  return Programme(gripper, object, task).run();
+}
+
+std::optional<double> least_current(const Gripper& gripper, const Object& object, GraspTask task, double most) {
+  task.find_capacity = false;
+  return least(most, [&](double current) {
+    task.current = current;
+    return grasp(gripper, object, task).holds;
+  });
+}
+
+std::optional<double> least_friction(const Gripper& gripper, Object object, const GraspTask& task, double most) {
+  GraspTask quick = task;
+  quick.find_capacity = false;
+  return least(most, [&](double friction) {
+    object.friction = friction;
+    return grasp(gripper, object, quick).holds;
+  });
+}
+
+}  // namespace coilwright::systems::gripper

@@ -1,0 +1,161 @@
+#include "systems/gripper/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "coilwright/simulation/equilibrium.hpp"
+#include "systems/gripper/placement.hpp"
+
+namespace coilwright::systems::gripper {
+namespace {
+
+using Eigen::Vector2d;
+using mechanics::Contact;
+using mechanics::CoordinateVector;
+using mechanics::JointVector;
+
+// Nearer than this is closed, m: what rests must not lose touch by rounding.
+constexpr double closed = 1e-9;
+// The fingers' magnets are taken anew after this time, s: a fingertip at 0.5 m/s moves by half a millimetre in it,
+// which changes their force by 5 % at 40 mm.
+constexpr double pull_interval = 1e-3;
+
+// A contact whose rows are those of the object alone, at `position`.
+Contact of_object(int joints, const ObjectPose& pose, const Vector2d& position, const Vector2d& normal) {
+  const Vector2d tangent(-normal.y(), normal.x());
+  const Vector2d arm = position - pose.centre;
+  const Vector2d turning(-arm.y(), arm.x());
+  Contact out{.normal = CoordinateVector::Zero(2 * joints + 3), .tangent = CoordinateVector::Zero(2 * joints + 3)};
+  out.normal.tail<3>() << normal, normal.dot(turning);
+  out.tangent.tail<3>() << tangent, tangent.dot(turning);
+  return out;
+}
+
+}  // namespace
+
+Scene::Scene(const Gripper& gripper, const Object& object)
+    : gripper_(gripper),
+      object_(object),
+      joints_(gripper.finger().joints()),
+      support_height_(object.centre.y() - object.half_height()),
+      position_(CoordinateVector::Zero(2 * joints_ + 3)),
+      velocity_(CoordinateVector::Zero(2 * joints_ + 3)),
+      pull_age_(std::numeric_limits<double>::infinity()) {
+  const actuator::Model& finger = gripper.finger();
+  const auto rest = simulation::find_equilibrium(finger, finger.all_coils(0.0), JointVector::Zero(joints_));
+  if (!rest) throw std::runtime_error("gripper: the fingers come to no rest without current");
+  position_.head(joints_) = *rest;
+  position_.segment(joints_, joints_) = *rest;
+  position_.segment<2>(2 * joints_) = object.centre;
+  require_apart();
+}
+
+void Scene::require_apart() const {
+  for (int f = 0; f < 2; ++f)
+    for (const FacePoint& point : face_points(gripper_, f, angles(f), object_, object()))
+      if (point.gap < closed)
+        throw std::invalid_argument(
+            fmt::format("object must leave the open fingers free; got {:.3g} mm of overlap with the {} finger",
+                        -1e3 * point.gap, f == 0 ? "left" : "right"));
+}
+
+ObjectPose Scene::object() const {
+  return {.centre = position_.segment<2>(2 * joints_), .angle = position_[2 * joints_ + 2]};
+}
+
+bool Scene::touches(int finger) const {
+  for (const Touch& touch : touches_)
+    if (touch.point.finger == finger && touch.normal > 0.0) return true;
+  return false;
+}
+
+double Scene::finger_energy() const {
+  double out = 0.0;
+  for (int f = 0; f < 2; ++f)
+    out += gripper_.finger().chain().kinetic_energy(angles(f), velocity_.segment(f * joints_, joints_));
+  return out;
+}
+
+void Scene::add_fingers(const CoordinateVector& position, const CoordinateVector& velocity, const Actions& actions,
+                        mechanics::MiddleOfStep& out) const {
+  const actuator::Model& finger = gripper_.finger();
+  for (int f = 0; f < 2; ++f) {
+    const int first = f * joints_;
+    const JointVector angles = position.segment(first, joints_);
+    const JointVector rates = velocity.segment(first, joints_);
+    out.mass.block(first, first, joints_, joints_) = finger.chain().mass_matrix(angles);
+    out.force.segment(first, joints_) = finger.torques(angles, rates, finger.all_coils(actions.current)) -
+                                        finger.chain().velocity_torques(angles, rates) -
+                                        finger.chain().gravity_torques(angles) + (f == 0 ? pull_.left : pull_.right);
+  }
+}
+
+void Scene::add_contacts(const CoordinateVector& position, const Actions& actions, mechanics::MiddleOfStep& out) {
+  const ObjectPose pose{.centre = position.segment<2>(2 * joints_), .angle = position[2 * joints_ + 2]};
+  for (int f = 0; f < 2; ++f) {
+    const JointVector angles = position.segment(f * joints_, joints_);
+    const Placement here = placement(gripper_.mounting(), f);
+    for (const FacePoint& point : face_points(gripper_, f, angles, object_, pose)) {
+      if (point.gap >= closed) continue;
+      Contact contact = of_object(joints_, pose, point.position, point.normal);
+      const mechanics::PointJacobian moved = here.jacobian(gripper_.finger().chain().jacobian(point.on_finger, angles));
+      const Vector2d tangent(-point.normal.y(), point.normal.x());
+      contact.normal.segment(f * joints_, joints_) = -(moved.transpose() * point.normal);
+      contact.tangent.segment(f * joints_, joints_) = -(moved.transpose() * tangent);
+      contact.friction = {.along = object_.friction, .against = object_.friction};
+      out.contacts.push_back(std::move(contact));
+      closed_.push_back(point);
+    }
+  }
+  if (!actions.support) return;
+  // A smooth plane under the lowest points of the object.
+  const double half_width = object_.shape == ObjectShape::box ? 0.5 * object_.width : 0.0;
+  const std::array<double, 2> feet{-half_width, half_width};
+  for (std::size_t i = 0; i < (half_width > 0.0 ? 2U : 1U); ++i) {
+    const Vector2d foot =
+        object_.shape == ObjectShape::box
+            ? Vector2d(pose.centre + Eigen::Rotation2Dd(pose.angle) * Vector2d(feet[i], -object_.half_height()))
+            : Vector2d(pose.centre - Vector2d(0.0, object_.half_height()));
+    if (foot.y() - support_height_ < closed) out.contacts.push_back(of_object(joints_, pose, foot, {0.0, 1.0}));
+  }
+}
+
+mechanics::MiddleOfStep Scene::middle(const CoordinateVector& position, const CoordinateVector& velocity,
+                                      const Actions& actions) {
+  const int n = 2 * joints_ + 3;
+  mechanics::MiddleOfStep out{
+      .mass = mechanics::CoordinateMatrix::Zero(n, n), .force = CoordinateVector::Zero(n), .contacts = {}};
+  add_fingers(position, velocity, actions, out);
+  out.mass(n - 3, n - 3) = out.mass(n - 2, n - 2) = object_.mass;
+  out.mass(n - 1, n - 1) = object_.inertia();
+  closed_.clear();
+  if (actions.apart) return out;
+  out.force[n - 2] = -actions.load;
+  add_contacts(position, actions, out);
+  return out;
+}
+
+void Scene::advance(const Actions& actions, double duration) {
+  if (pull_age_ >= pull_interval) {
+    pull_ = gripper_.magnet_torques(angles(0), angles(1));
+    pull_age_ = 0.0;
+  }
+  pull_age_ += duration;
+  mechanics::MoreauStep step = mechanics::moreau_step(
+      position_, velocity_, duration,
+      [&](const CoordinateVector& at, const CoordinateVector& rates) { return middle(at, rates, actions); });
+  position_ = step.position;
+  velocity_ = step.velocity;
+  touches_.clear();
+  for (std::size_t i = 0; i < closed_.size(); ++i)
+    touches_.push_back({.point = closed_[i],
+                        .normal = step.impulses[i].normal / duration,
+                        .tangential = step.impulses[i].tangential / duration});
+}
+
+}  // namespace coilwright::systems::gripper

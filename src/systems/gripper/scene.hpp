@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "coilwright/mechanics/moreau_step.hpp"
+#include "coilwright/systems/gripper/grasp.hpp"
+#include "systems/gripper/face_contacts.hpp"
+
+namespace coilwright::systems::gripper {
+
+/// What acts on a scene from outside.
+struct Actions {
+  double current{};  ///< in every coil, A
+  double load{};     ///< on the object, downwards, N
+  bool support{};    ///< whether it stands on a smooth plane
+  bool apart{};      ///< whether nothing touches: the object stays where it is
+};
+
+/// Both fingers and the object, in motion. Coordinates: joints of the left finger, of the right one, x, y and angle of
+/// the object.
+class Scene {
+ public:
+  /// Fingers at rest without current, each by itself; the object where it is. Throws std::invalid_argument if the
+  /// fingers touch it there, std::runtime_error if they find no rest.
+  Scene(const Gripper& gripper, const Object& object);
+
+  /// One step of `duration`, s.
+  void advance(const Actions& actions, double duration);
+
+  /// A contact of the last step: where, and with which forces, N.
+  struct Touch {
+    FacePoint point;
+    double normal{}, tangential{};
+  };
+  [[nodiscard]] const std::vector<Touch>& touches() const noexcept { return touches_; }
+  [[nodiscard]] bool touches(int finger) const;
+  /// Throws std::invalid_argument if a finger overlaps the object.
+  void require_apart() const;
+  [[nodiscard]] ObjectPose object() const;
+  [[nodiscard]] Eigen::Vector2d object_velocity() const { return velocity_.segment<2>(2 * joints_); }
+  [[nodiscard]] mechanics::JointVector angles(int finger) const { return position_.segment(finger * joints_, joints_); }
+  [[nodiscard]] double magnet_force() const noexcept { return pull_.largest_force; }
+  /// Kinetic energy of the fingers, J.
+  [[nodiscard]] double finger_energy() const;
+
+ private:
+  [[nodiscard]] mechanics::MiddleOfStep middle(const mechanics::CoordinateVector& position,
+                                               const mechanics::CoordinateVector& velocity, const Actions& actions);
+  void add_fingers(const mechanics::CoordinateVector& position, const mechanics::CoordinateVector& velocity,
+                   const Actions& actions, mechanics::MiddleOfStep& out) const;
+  void add_contacts(const mechanics::CoordinateVector& position, const Actions& actions, mechanics::MiddleOfStep& out);
+
+  const Gripper& gripper_;
+  const Object& object_;
+  int joints_;
+  double support_height_;
+  mechanics::CoordinateVector position_, velocity_;
+  std::vector<FacePoint> closed_;  // of the contacts of the last step that are a finger's, in their order
+  std::vector<Touch> touches_;
+  Gripper::Pull pull_;
+  double pull_age_;  // s
+};
+
+}  // namespace coilwright::systems::gripper

@@ -46,6 +46,9 @@ echo "== paper_residual"
 mkdir -p results/reference/paper_residual
 python3 studies/paper_residual/residual.py "$program" >results/reference/paper_residual/summary.txt
 
+echo "== gripper"
+python3 -B studies/gripper/gripper.py "$program" results/reference/gripper
+
 echo "== force_by_finite_elements"  # needs gmsh and getdp, and says so
 mkdir -p results/reference/force_by_finite_elements
 python3 -B studies/force_by_finite_elements/force.py "$program" >results/force_by_finite_elements.txt

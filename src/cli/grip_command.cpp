@@ -48,6 +48,7 @@ struct Options {
   double across = 0.0;
   double below = 16.0;
   double current = 1.4;
+  double open_current = 0.0;
   double acceleration = 0.0;
   double most_current{};
   double most_friction{};
@@ -98,7 +99,8 @@ Answer answer_of(const Options& options) {
         {.angle = options.mounting_angle / degrees, .spacing = options.spacing * 1e-3, .polarity = options.polarity});
   });
   const Object object = object_of(options);
-  const GraspTask task{.current = options.current, .acceleration = options.acceleration};
+  const GraspTask task{
+      .current = options.current, .open_current = options.open_current, .acceleration = options.acceleration};
   Answer out{.grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
                                [&] { return systems::gripper::grasp(gripper, object, task); })};
   const auto performance = simulation::performance_of(
@@ -234,6 +236,10 @@ void add_gripper_options(CLI::App& command, Options& options) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Polarity>{{"same", Polarity::same}, {"opposite", Polarity::opposite}}));
   command.add_option("--current-A", options.current, "In every coil of both fingers, A (default 1.4)")
+      ->check(number_rule(text::Rule::between(-100.0, 100.0)));
+  command
+      .add_option("--open-current-A", options.open_current,
+                  "Before that, while the object is put between them, A; below zero it opens them (default 0)")
       ->check(number_rule(text::Rule::between(-100.0, 100.0)));
   command
       .add_option("--acceleration-m_s2", options.acceleration, "Upwards, that the hold must survive, m/s^2 (default 0)")

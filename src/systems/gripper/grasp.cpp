@@ -38,6 +38,7 @@ void check(const GraspTask& task) {
     if (!holds) throw std::invalid_argument(fmt::format("{} must be {}; got {:.6g}", field, rule, value));
   };
   require(std::isfinite(task.current), "current", "finite", task.current);
+  require(std::isfinite(task.open_current), "open_current", "finite", task.open_current);
   require(std::isfinite(task.acceleration) && task.acceleration >= 0.0, "acceleration", "finite and >= 0",
           task.acceleration);
   require(task.step > 0.0 && task.step <= 5e-4, "step", "> 0 and <= 0.5 ms", task.step);
@@ -46,7 +47,7 @@ void check(const GraspTask& task) {
 class Programme {
  public:
   Programme(const Gripper& gripper, const Object& object, const GraspTask& task)
-      : gripper_(gripper), object_(object), task_(task), scene_(gripper, object) {
+      : gripper_(gripper), object_(object), task_(task), scene_(gripper, object, task.open_current) {
     out_.load = object.mass * (gripper.gravity() + task.acceleration);
     out_.closing_time = std::numeric_limits<double>::infinity();
   }
@@ -62,7 +63,7 @@ class Programme {
  private:
   void settle() {
     for (double time = 0.0; time < settle_time; time += task_.step) {
-      scene_.advance({.apart = true}, task_.step);
+      scene_.advance({.current = task_.open_current, .apart = true}, task_.step);
       scene_.require_apart();
     }
   }

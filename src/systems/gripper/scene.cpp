@@ -38,7 +38,7 @@ Contact of_object(int joints, const ObjectPose& pose, const Vector2d& position, 
 
 }  // namespace
 
-Scene::Scene(const Gripper& gripper, const Object& object)
+Scene::Scene(const Gripper& gripper, const Object& object, double current)
     : gripper_(gripper),
       object_(object),
       joints_(gripper.finger().joints()),
@@ -47,8 +47,8 @@ Scene::Scene(const Gripper& gripper, const Object& object)
       velocity_(CoordinateVector::Zero(2 * joints_ + 3)),
       pull_age_(std::numeric_limits<double>::infinity()) {
   const actuator::Model& finger = gripper.finger();
-  const auto rest = simulation::find_equilibrium(finger, finger.all_coils(0.0), JointVector::Zero(joints_));
-  if (!rest) throw std::runtime_error("gripper: the fingers come to no rest without current");
+  const auto rest = simulation::find_equilibrium(finger, finger.all_coils(current), JointVector::Zero(joints_));
+  if (!rest) throw std::runtime_error("gripper: the fingers come to no rest under their opening current");
   position_.head(joints_) = *rest;
   position_.segment(joints_, joints_) = *rest;
   position_.segment<2>(2 * joints_) = object.centre;

@@ -20,9 +20,9 @@ struct Actions {
 /// the object.
 class Scene {
  public:
-  /// Fingers at rest without current, each by itself; the object where it is. Throws std::invalid_argument if the
+  /// Fingers at rest under this current, A, each by itself; the object where it is. Throws std::invalid_argument if the
   /// fingers touch it there, std::runtime_error if they find no rest.
-  Scene(const Gripper& gripper, const Object& object);
+  Scene(const Gripper& gripper, const Object& object, double current);
 
   /// One step of `duration`, s.
   void advance(const Actions& actions, double duration);

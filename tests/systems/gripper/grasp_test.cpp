@@ -121,6 +121,14 @@ TEST(GripperMagnets, DoNoWorkRoundALoop) {
   EXPECT_NEAR(left_by_right, right_by_left, 1e-5 * std::abs(left_by_right));
 }
 
+TEST(Grasp, TakesMoreBetweenFingersThatWereOpenedBefore) {
+  const Gripper gripper = paper_gripper(30.0 * degree, 0.06);
+  EXPECT_THROW((void)grasp(gripper, ball(), {.current = 1.4}), std::invalid_argument);
+  const Grasp opened = grasp(gripper, ball(), {.current = 1.4, .open_current = -1.4});
+  EXPECT_TRUE(opened.holds);
+  EXPECT_GT(opened.capacity, 1.5 * grasp(paper_gripper(), ball(), {.current = 1.4}).capacity);
+}
+
 TEST(Grasp, HoldsMoreWithMoreFrictionAndWithMoreCurrent) {
   const Gripper gripper = paper_gripper();
   const double rough = grasp(gripper, ball(1.0), {.current = 1.4}).capacity;

@@ -10,9 +10,10 @@ namespace coilwright::systems::gripper {
 
 /// What a gripper is asked to do with an object.
 struct GraspTask {
-  double current{};           ///< in every coil of both fingers, A, from t = 0; finite
-  double acceleration{};      ///< upwards, that the hold must survive beside gravity, m/s^2; finite, >= 0
-  double step = 2e-4;         ///< of the time stepping, s; > 0, at most 5e-4
+  double current{};       ///< in every coil of both fingers, A, from t = 0; finite
+  double open_current{};  ///< before that, while the object is put between them, A; below zero it opens them; finite
+  double acceleration{};  ///< upwards, that the hold must survive beside gravity, m/s^2; finite, >= 0
+  double step = 2e-4;     ///< of the time stepping, s; > 0, at most 5e-4
   bool find_capacity = true;  ///< whether to go on loading until the object is lost
 };
 
@@ -45,7 +46,7 @@ struct Grasp {
 /// Closes on an object that stands on a smooth support, takes the support away, loads it with its weight and the
 /// acceleration within 0.3 s, holds for 0.2 s, and loads on until it is lost. Rigid segments and object, dry friction
 /// by Moreau and Jean's time stepping, first order in the step. Throws std::invalid_argument for a task or an object
-/// that breaks a rule, or an object that the open fingers touch.
+/// that breaks a rule, or an object that the open fingers touch; std::runtime_error if the open fingers find no rest.
 [[nodiscard]] Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task);
 
 /// The least current, A, up to `most`, with which the object is held, to 0.5 %; nothing if `most` does not hold it, and

@@ -28,7 +28,7 @@ ROOMS = {
     "formats/study": "formats/actuator formats/simulation sizing",
     "report/simulation": "simulation",
     "report": "report/simulation formats/data formats/study",
-    "cli": "validation report",
+    "cli": "validation systems report",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

@@ -12,6 +12,7 @@ struct Outcome;
 /// it ends otherwise than well. `outcome` outlives the parsing.
 using AddCommand = void (*)(CLI::App& app, Outcome& outcome);
 
+void add_crawl_command(CLI::App& app, Outcome& outcome);
 void add_diagnose_command(CLI::App& app, Outcome& outcome);
 void add_evaluate_command(CLI::App& app, Outcome& outcome);
 void add_force_command(CLI::App& app, Outcome& outcome);

@@ -135,6 +135,27 @@ TEST(ContactImpulses, HoldABodyThatStandsOnMoreThanItNeeds) {
   EXPECT_NEAR(moment, 0.0, 1e-15);
 }
 
+// Feet on two links whose joint is almost level slide almost alike. Lemke's method alone leaves 2e-8 of the speed
+// there.
+TEST(ContactImpulses, TellContactsApartThatAreAlmostAlike) {
+  CoordinateMatrix mass = CoordinateMatrix::Zero(4, 4);
+  mass.diagonal() = vector({0.09, 0.09, 6e-5, 7e-6});
+  for (const double tilt : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    std::vector<Contact> contacts;
+    for (const double x : {-0.04, -0.01, 0.004, 0.03})
+      contacts.push_back({.normal = vector({0.0, 1.0, x, x > 0.0 ? x : 0.0}),
+                          .tangent = vector({1.0, 0.0, 1e-3 + tilt * x, x > 0.0 ? 1e-3 - tilt * x : 0.0}),
+                          .friction = {.along = 0.6, .against = 0.062}});
+    for (const double sliding : {-0.024, 1e-4, 0.0}) {
+      const ContactStep step = contact_impulses(mass, vector({sliding, -1e-3, 2e-4, -1e-4}), contacts);
+      for (int i = 0; i < 4; ++i) {
+        EXPECT_GE(step.impulses[i].normal, 0.0);
+        EXPECT_GT(step.impulses[i].normal_speed, -1e-9);  // 1e-8 of the largest speed, and a tenth of that
+      }
+    }
+  }
+}
+
 TEST(ContactImpulses, RefuseWhatIsNoContact) {
   const CoordinateMatrix mass = CoordinateMatrix::Identity(2, 2);
   const CoordinateVector still = vector({0.0, 0.0});

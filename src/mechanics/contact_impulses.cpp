@@ -149,32 +149,42 @@ VectorXd refined(const Contacts& contacts, const Unknowns& unknowns, const Vecto
   return out;
 }
 
-// One way to solve the problem: with contacts that give way a little, rows that are almost alike no longer make pivots
-// that are almost zero, and `refined` takes the give off again.
+// One way to solve the problem. Where contacts give way a little, rows that are almost alike no longer make pivots that
+// are almost zero; each further round starts from the impulses of the one before, which takes the give off again
+// (Rockafellar's proximal point method).
 struct Attempt {
   LemkeTolerances tolerances;
   double give{};  // of a contact, over the mean response
+  int rounds = 1;
 };
+
+std::optional<VectorXd> impulses_by(const Attempt& attempt, const Contacts& contacts, const Unknowns& unknowns,
+                                    std::span<const Contact> list) {
+  constexpr double allowed = 1e-8;
+  const auto pushes = 3 * static_cast<Eigen::Index>(list.size());
+  MatrixXd matrix = unknowns.matrix;
+  VectorXd constant = unknowns.constant;
+  matrix.topLeftCorner(pushes, pushes) += attempt.give * unknowns.to_impulses.transpose() * unknowns.to_impulses;
+  for (int round = 0; round < attempt.rounds; ++round) {
+    const std::optional<VectorXd> found = lemke(matrix, constant, attempt.tolerances);
+    if (!found) return std::nullopt;
+    VectorXd impulses = unknowns.to_impulses * found->head(pushes);
+    if (fault_of(contacts, list, impulses) < 0.1 * allowed) return impulses;
+    VectorXd better = refined(contacts, unknowns, *found);
+    if (fault_of(contacts, list, better) < allowed) return better;
+    constant.head(pushes) = unknowns.constant.head(pushes) - attempt.give * unknowns.to_impulses.transpose() * impulses;
+  }
+  return std::nullopt;
+}
 
 VectorXd impulses_of(const Contacts& contacts, std::span<const Contact> list) {
   const Unknowns unknowns = unknowns_of(contacts, list);
   constexpr std::array attempts = {
-      Attempt{{.pivot = 1e-9, .tie = 1e-10}, 0.0}, Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-7},
-      Attempt{{.pivot = 1e-8, .tie = 1e-11}, 0.0}, Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-5},
-      Attempt{{.pivot = 1e-7, .tie = 1e-9}, 0.0}};
-  constexpr double allowed = 1e-8;
-  const auto pushes = 3 * static_cast<Eigen::Index>(list.size());
-  for (const Attempt& each : attempts) {
-    MatrixXd matrix = unknowns.matrix;
-    if (each.give > 0.0)
-      matrix.topLeftCorner(pushes, pushes) += each.give * unknowns.to_impulses.transpose() * unknowns.to_impulses;
-    const std::optional<VectorXd> found = lemke(matrix, unknowns.constant, each.tolerances);
-    if (!found) continue;
-    VectorXd impulses = unknowns.to_impulses * found->head(pushes);
-    if (fault_of(contacts, list, impulses) < 0.1 * allowed) return impulses;
-    impulses = refined(contacts, unknowns, *found);
-    if (fault_of(contacts, list, impulses) < allowed) return impulses;
-  }
+      Attempt{{.pivot = 1e-9, .tie = 1e-10}}, Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-7, 10},
+      Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-5, 20}, Attempt{{.pivot = 1e-8, .tie = 1e-11}},
+      Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-3, 200}};
+  for (const Attempt& each : attempts)
+    if (const std::optional<VectorXd> found = impulses_by(each, contacts, unknowns, list)) return *found;
   throw std::runtime_error(fmt::format("contact: no impulses of {} contacts keep all conditions", list.size()));
 }
 

@@ -54,6 +54,10 @@ mkdir -p results/reference/force_by_finite_elements
 python3 -B studies/force_by_finite_elements/force.py "$program" >results/force_by_finite_elements.txt
 mv results/force_by_finite_elements.txt results/reference/force_by_finite_elements/summary.txt
 
+echo "== crawling_robot"
+mkdir -p results/reference/crawling_robot
+python3 studies/crawling_robot/crawl.py "$program" >results/reference/crawling_robot/summary.txt
+
 run configurations sweep
 for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size

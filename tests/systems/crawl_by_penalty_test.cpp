@@ -105,5 +105,25 @@ TEST(Crawl, HasTheSpeedThatAPenaltyMethodFinds) {
   EXPECT_LT(std::abs(narrow), 0.01);
 }
 
+// Away from the 10 Hz at which the robot hops in step with its pulses, equal friction included, where nothing but
+// inertia decides which end slides. docs/theory/systems.md has what becomes of it at 10 Hz.
+TEST(Crawl, HasThatSpeedAtOtherFrequenciesAndFrictionsToo) {
+  const actuator::Design design = validation::paper_finger();
+  const actuator::Assembly assembly = actuator::assemble_or_throw(design);
+  struct Case {
+    double frequency, backwards;
+  };
+  for (const Case& each : {Case{8.0, 0.3}, Case{12.0, 0.4}}) {
+    CrawlerParts parts;
+    parts.friction = {.forwards = 0.3, .backwards = each.backwards};
+    parts.drive.frequency = each.frequency;
+    const Crawler crawler(design, assembly, parts);
+    const double speed = crawl(crawler, {.settling_periods = 4, .periods = 4, .step = 5e-5}).speed;
+    const Ground ground{.stiffness = 2e4, .damping = 160.0, .slip = 5e-4};
+    // Feet that hold creep at up to 0.5 mm/s, a third of the time each: less than 0.35 mm/s.
+    EXPECT_NEAR(speed_by_penalty(crawler, ground, 3e-6, 4, 4), speed, 0.35e-3) << each.frequency;
+  }
+}
+
 }  // namespace
 }  // namespace coilwright::systems

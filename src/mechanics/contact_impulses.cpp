@@ -50,7 +50,7 @@ struct Contacts {
 };
 
 Contacts contacts_of(const CoordinateMatrix& mass, const CoordinateVector& velocity, std::span<const Contact> list) {
-  const int count = static_cast<int>(list.size());
+  const auto count = static_cast<Eigen::Index>(list.size());
   Contacts out;
   out.rows.resize(2 * count, velocity.size());
   for (int i = 0; i < count; ++i) {
@@ -85,7 +85,7 @@ struct Unknowns {
 };
 
 Unknowns unknowns_of(const Contacts& contacts, std::span<const Contact> list) {
-  const int count = static_cast<int>(list.size());
+  const auto count = static_cast<Eigen::Index>(list.size());
   Unknowns out{MatrixXd::Zero(2 * count, 3 * count), MatrixXd::Zero(4 * count, 4 * count), VectorXd::Zero(4 * count)};
   for (int i = 0; i < count; ++i) {
     out.to_impulses(i, i) = 1.0;
@@ -105,7 +105,7 @@ Unknowns unknowns_of(const Contacts& contacts, std::span<const Contact> list) {
 // How far the impulses are from what contact and friction ask for, over the speed unit: each must be what is left of it
 // when its speed is taken off and it is put back into its bounds.
 double fault_of(const Contacts& contacts, std::span<const Contact> list, const VectorXd& impulses) {
-  const int count = static_cast<int>(list.size());
+  const auto count = static_cast<Eigen::Index>(list.size());
   const VectorXd speeds = contacts.response * impulses + contacts.speeds;
   double fault = 0.0;
   for (int i = 0; i < count; ++i) {

@@ -20,7 +20,7 @@ class CoilCoilForce final : public DescribedEffect {
                                   "the third exceeds the sum"}) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override {
-    if (const std::optional<std::string> reason = DescribedEffect::inapplicable(spec)) return reason;
+    if (std::optional<std::string> reason = DescribedEffect::inapplicable(spec)) return reason;
     if (spec.coils < 2) return "the model has one coil only";
     if (spec.coil_row == nullptr) return "where the coils are is not known";
     const bool there = std::ranges::any_of(spec.magnetics.distant_pairs(),

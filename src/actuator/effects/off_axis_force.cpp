@@ -29,7 +29,7 @@ class OffAxisForce final : public DescribedEffect {
              .check = "measure the torque over the angle at one current (a run of kind static_torque)"}) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override {
-    if (const std::optional<std::string> reason = DescribedEffect::inapplicable(spec)) return reason;
+    if (std::optional<std::string> reason = DescribedEffect::inapplicable(spec)) return reason;
     const std::vector<HingePair>& near = spec.magnetics.hinge_pairs();
     const std::vector<DistantPair>& far = spec.magnetics.distant_pairs();
     const auto inexact = [](const auto& pair) { return can_be_exact(pair); };

@@ -55,8 +55,8 @@ std::vector<ScreenedEffect> guesses_of(const FittedHypothesis& base, const Scree
   for (const EffectKind* kind : request.kinds) {
     if (std::ranges::any_of(present, [&](const EffectKind* each) { return each->id() == kind->id(); })) continue;
     for (std::vector<double>& guess : kind->starts(request.scale)) {
-      Effect effect{.kind = kind, .values = std::move(guess)};
-      out.push_back({.guess = effect, .effect = std::move(effect)});
+      const Effect effect{.kind = kind, .values = std::move(guess)};
+      out.push_back({.guess = effect, .effect = effect});
     }
   }
   return out;

@@ -24,7 +24,7 @@ void add_round(const Gripper& gripper, int finger, const Placement& placement, c
   const Vector2d local = placement.in_chain(centre);
   const int last = gripper.finger().joints() - 1;
   for (int link = -1; link <= last; ++link) {
-    const LinkFrame& frame = frames[static_cast<std::size_t>(link + 1)];
+    const LinkFrame& frame = frames[static_cast<std::size_t>(link) + 1];
     const Gripper::Face face = gripper.face(link);
     const double along = (local - frame.joint).dot(frame.axis());
     if ((along < face.begin && link >= 0) || (along > face.end && link < last)) continue;
@@ -56,7 +56,7 @@ void add_corners(const Gripper& gripper, int finger, const Placement& placement,
   for (const Vector2d& corner : corners(object, pose)) {
     const Vector2d local = placement.in_chain(corner);
     for (int link = -1; link < gripper.finger().joints(); ++link) {
-      const LinkFrame& frame = frames[static_cast<std::size_t>(link + 1)];
+      const LinkFrame& frame = frames[static_cast<std::size_t>(link) + 1];
       const Gripper::Face face = gripper.face(link);
       const double along = (local - frame.joint).dot(frame.axis());
       const double gap = (local - frame.joint).dot(outwards(frame)) - gripper.face_offset();
@@ -75,7 +75,7 @@ void add_tip(const Gripper& gripper, int finger, const Placement& placement, con
              const Object& object, const ObjectPose& pose, std::vector<FacePoint>& out) {
   const int last = gripper.finger().joints() - 1;
   const mechanics::LinkPoint tip{.link = last, .along = gripper.face(last).end, .offset = -gripper.face_offset()};
-  const Vector2d position = placement.point(frames[static_cast<std::size_t>(last + 1)].at(tip.along, tip.offset));
+  const Vector2d position = placement.point(frames[static_cast<std::size_t>(last) + 1].at(tip.along, tip.offset));
   const Eigen::Rotation2Dd turned(pose.angle);
   const Vector2d local = turned.inverse() * (position - pose.centre);
   const Vector2d outside = local.cwiseAbs() - 0.5 * Vector2d(object.width, object.height);

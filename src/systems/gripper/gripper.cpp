@@ -77,13 +77,13 @@ Gripper::Pull Gripper::magnet_torques(const JointVector& left, const JointVector
   const double turned = mounting_.polarity == Polarity::same ? 1.0 : -1.0;
   Pull out{.left = JointVector::Zero(left.size()), .right = JointVector::Zero(right.size())};
   for (const FingerMagnet& a : magnets_) {
-    const mechanics::LinkFrame& frame_a = left_frames[static_cast<std::size_t>(a.centre.link + 1)];
+    const mechanics::LinkFrame& frame_a = left_frames[static_cast<std::size_t>(a.centre.link) + 1];
     const Eigen::Vector2d axis_a = a.sense * of_left.direction(frame_a.axis());
     const Eigen::Vector2d at_a = of_left.point(frame_a.at(a.centre.along, a.centre.offset));
     // The first magnet's own frame: z along its axis, x across it in the plane; y then points into the plane.
     const Eigen::Vector2d across(axis_a.y(), -axis_a.x());
     for (const FingerMagnet& b : magnets_) {
-      const mechanics::LinkFrame& frame_b = right_frames[static_cast<std::size_t>(b.centre.link + 1)];
+      const mechanics::LinkFrame& frame_b = right_frames[static_cast<std::size_t>(b.centre.link) + 1];
       const Eigen::Vector2d axis_b = turned * b.sense * of_right.direction(frame_b.axis());
       const Eigen::Vector2d between = of_right.point(frame_b.at(b.centre.along, b.centre.offset)) - at_a;
       const magnetics::Wrench on_b = magnetics::wrench(magnet_, magnet_,

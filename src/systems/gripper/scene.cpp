@@ -26,7 +26,7 @@ constexpr double closed = 1e-9;
 constexpr double pull_interval = 1e-3;
 
 // A contact whose rows are those of the object alone, at `position`.
-Contact of_object(int joints, const ObjectPose& pose, const Vector2d& position, const Vector2d& normal) {
+Contact of_object(Eigen::Index joints, const ObjectPose& pose, const Vector2d& position, const Vector2d& normal) {
   const Vector2d tangent(-normal.y(), normal.x());
   const Vector2d arm = position - pose.centre;
   const Vector2d turning(-arm.y(), arm.x());
@@ -85,7 +85,7 @@ void Scene::add_fingers(const CoordinateVector& position, const CoordinateVector
                         mechanics::MiddleOfStep& out) const {
   const actuator::Model& finger = gripper_.finger();
   for (int f = 0; f < 2; ++f) {
-    const int first = f * joints_;
+    const Eigen::Index first = f * joints_;
     const JointVector angles = position.segment(first, joints_);
     const JointVector rates = velocity.segment(first, joints_);
     out.mass.block(first, first, joints_, joints_) = finger.chain().mass_matrix(angles);
@@ -127,7 +127,7 @@ void Scene::add_contacts(const CoordinateVector& position, const Actions& action
 
 mechanics::MiddleOfStep Scene::middle(const CoordinateVector& position, const CoordinateVector& velocity,
                                       const Actions& actions) {
-  const int n = 2 * joints_ + 3;
+  const Eigen::Index n = 2 * joints_ + 3;
   mechanics::MiddleOfStep out{
       .mass = mechanics::CoordinateMatrix::Zero(n, n), .force = CoordinateVector::Zero(n), .contacts = {}};
   add_fingers(position, velocity, actions, out);

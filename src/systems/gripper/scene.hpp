@@ -52,7 +52,7 @@ class Scene {
 
   const Gripper& gripper_;
   const Object& object_;
-  int joints_;
+  Eigen::Index joints_;
   double support_height_;
   mechanics::CoordinateVector position_, velocity_;
   std::vector<FacePoint> closed_;  // of the contacts of the last step that are a finger's, in their order

@@ -13,7 +13,6 @@
 namespace coilwright::systems::rig {
 namespace {
 
-using actuator::Component;
 using actuator::Design;
 
 constexpr double degree = std::numbers::pi / 180.0;

@@ -40,6 +40,7 @@ struct Grasp {
   mechanics::JointVector left, right;  ///< joint angles, rad: at the end of the hold, or of closing if it does not hold
   std::vector<GraspContact> contacts;  ///< mean of the 20 ms before that
 
+  /// Capacity over load; 1 and more where it holds.
   [[nodiscard]] double margin() const { return load > 0.0 ? capacity / load : 0.0; }
 };
 

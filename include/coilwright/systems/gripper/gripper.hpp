@@ -38,25 +38,30 @@ class Gripper {
   /// fault), or one with effects that have states of their own.
   Gripper(const actuator::Design& finger, const Mounting& mounting);
 
+  /// The left finger, its base turned by the mounting angle.
   [[nodiscard]] const actuator::Model& finger() const noexcept { return assembly_.model; }
+  /// What that finger was assembled from.
   [[nodiscard]] const actuator::Assembly& assembly() const noexcept { return assembly_; }
+  /// As given.
   [[nodiscard]] const Mounting& mounting() const noexcept { return mounting_; }
   [[nodiscard]] double gravity() const noexcept { return gravity_; }          ///< m/s^2
   [[nodiscard]] double face_offset() const noexcept { return face_offset_; }  ///< hinge line to gripping face, m
   /// Where the gripping face of a link begins and ends along it, m; link -1 is the base segment.
   struct Face {
-    double begin{}, end{};
+    double begin{}, end{};  ///< m
   };
+  /// Of a link of the finger, -1 to joints() - 1.
   [[nodiscard]] Face face(int link) const;
+  /// Of one finger, base first.
   [[nodiscard]] const std::vector<FingerMagnet>& magnets() const noexcept { return magnets_; }
 
-  /// Torques on the joints of both fingers (left, then right), N m, by which their magnets act on each other at these
-  /// angles, rad. Exact for the magnets; those of coils on the other finger's magnets are left out (in the prototype
-  /// at 1.4 A a coil's moment is 4 % of a magnet's).
+  /// What the magnets of one finger do to the other finger.
   struct Pull {
-    mechanics::JointVector left, right;
-    double largest_force{};  ///< between two of the magnets, N
+    mechanics::JointVector left, right;  ///< torques on the joints, N m
+    double largest_force{};              ///< between two of the magnets, N
   };
+  /// At these joint angles, rad. Exact for the magnets; coils on the other finger's magnets are left out (in the
+  /// prototype at 1.4 A a coil's moment is 4 % of a magnet's).
   [[nodiscard]] Pull magnet_torques(const mechanics::JointVector& left, const mechanics::JointVector& right) const;
 
  private:

@@ -13,6 +13,7 @@ struct PerFidelity {
   Value line_of_centres{};  ///< by the paper's (20)-(22), (21) corrected
   Value exact{};            ///< by the whole force and torque of the tilted, displaced pair
 
+  /// The one that was found in that way.
   [[nodiscard]] const Value& of(magnetics::Fidelity fidelity) const {
     return fidelity == magnetics::Fidelity::exact ? exact : line_of_centres;
   }

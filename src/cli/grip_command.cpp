@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -39,8 +38,8 @@ struct Options {
   ActuatorOptions actuator;
   double mounting_angle = 30.0;
   double spacing = 70.0;
-  Polarity polarity = Polarity::same;
-  ObjectShape shape = ObjectShape::sphere;
+  std::string polarity = "same";
+  std::string shape = "sphere";
   double width{};
   double height{};
   double mass{};
@@ -72,8 +71,13 @@ actuator::Design design_of(const Options& options) {
   return *design;
 }
 
+ObjectShape shape_of(const Options& options) {
+  if (options.shape == "box") return ObjectShape::box;
+  return options.shape == "cylinder" ? ObjectShape::cylinder : ObjectShape::sphere;
+}
+
 Object object_of(const Options& options) {
-  return {.shape = options.shape,
+  return {.shape = shape_of(options),
           .width = options.width * 1e-3,
           .height = options.height * 1e-3,
           .mass = options.mass * 1e-3,
@@ -94,9 +98,9 @@ auto at_place(const std::string& place, const Call& call) {
 Answer answer_of(const Options& options) {
   const actuator::Design design = design_of(options);
   const Gripper gripper = at_place(options.actuator.file, [&] {
-    return Gripper(
-        design,
-        {.angle = options.mounting_angle / degrees, .spacing = options.spacing * 1e-3, .polarity = options.polarity});
+    return Gripper(design, {.angle = options.mounting_angle / degrees,
+                            .spacing = options.spacing * 1e-3,
+                            .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite});
   });
   const Object object = object_of(options);
   const GraspTask task{
@@ -144,12 +148,13 @@ std::string as_text(const Options& options, const Answer& answer) {
   const Grasp& grasp = answer.grasp;
   std::string text = verdict_of(options, grasp);
   if (grasp.both_touched) text += fmt::format("Both fingers touch it after {:.3g} ms.\n", grasp.closing_time * 1e3);
-  text +=
-      fmt::format("\nFingers {}\n", grasp.holds ? "while they hold it" : "on the object, which stands on its support");
+  text += fmt::format("\nFingers {}\n", grasp.holds          ? "while they hold it"
+                                        : grasp.both_touched ? "on the object, before its support is taken away"
+                                                             : "where they end");
   text += contacts_text(grasp);
   text += fmt::format("  bending {:.4g} deg left, {:.4g} deg right; their magnets {} each other with up to {:.3g} N\n",
                       grasp.left.sum() * degrees, grasp.right.sum() * degrees,
-                      options.polarity == Polarity::same ? "repel" : "attract", grasp.magnet_force);
+                      options.polarity == "same" ? "repel" : "attract", grasp.magnet_force);
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
   if (answer.heat) {
@@ -209,8 +214,7 @@ void add_object_options(CLI::App& command, Options& options) {
   command
       .add_option("--shape", options.shape,
                   "sphere, cylinder (its axis across the fingers' plane) or box (default sphere)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, ObjectShape>{
-          {"sphere", ObjectShape::sphere}, {"cylinder", ObjectShape::cylinder}, {"box", ObjectShape::box}}));
+      ->check(CLI::IsMember({"sphere", "cylinder", "box"}));
   up_to(1e3, "--width-mm", options.width, "Diameter, or width of a box between the fingers, mm")->required();
   up_to(1e3, "--height-mm", options.height, "Height of a box, mm");
   up_to(1e5, "--mass-g", options.mass, "Mass of the object, g")->required();
@@ -233,8 +237,7 @@ void add_gripper_options(CLI::App& command, Options& options) {
   command
       .add_option("--polarity", options.polarity,
                   "same (identical fingers, whose magnets repel) or opposite (default same)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Polarity>{{"same", Polarity::same}, {"opposite", Polarity::opposite}}));
+      ->check(CLI::IsMember({"same", "opposite"}));
   command.add_option("--current-A", options.current, "In every coil of both fingers, A (default 1.4)")
       ->check(number_rule(text::Rule::between(-100.0, 100.0)));
   command
@@ -268,7 +271,7 @@ void add_grip_command(CLI::App& app, Outcome&) {
       "Example:\n"
       "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
   command->callback([options] {
-    if (options->shape == ObjectShape::box && options->height == 0.0)
+    if (options->shape == "box" && options->height == 0.0)
       throw CLI::ValidationError("--height-mm", "is needed for a box");
     const Answer answer = answer_of(*options);
     std::cout << (options->json ? as_json(answer) : as_text(*options, answer));

@@ -5,15 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/check_link.hpp"
+
 namespace coilwright::mechanics {
-namespace {
-
-void check(double value, bool valid, int link, const char* field, const char* rule) {
-  if (!std::isfinite(value) || !valid)
-    throw std::invalid_argument(fmt::format("link {}: {} must be {}; got {}", link, field, rule, value));
-}
-
-}  // namespace
 
 FloatingChain::FloatingChain(std::span<const Link> links, double gravity)
     : count_(static_cast<int>(links.size())), gravity_(gravity) {
@@ -22,13 +16,8 @@ FloatingChain::FloatingChain(std::span<const Link> links, double gravity)
   if (!std::isfinite(gravity) || gravity < 0.0)
     throw std::invalid_argument(fmt::format("gravity must be finite and >= 0; got {}", gravity));
   for (int i = 0; i < count_; ++i) {
-    const Link& link = links[i];
-    check(link.length, link.length >= 0.0, i, "length", "finite and >= 0");
-    check(link.com_along, true, i, "com_along", "finite");
-    check(link.com_offset, true, i, "com_offset", "finite");
-    check(link.mass, link.mass > 0.0, i, "mass", "finite and > 0");
-    check(link.inertia, link.inertia >= 0.0, i, "inertia", "finite and >= 0");
-    links_[i] = link;
+    check_link(links[i], i);
+    links_[i] = links[i];
   }
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/check_link.hpp"
+
 namespace coilwright::mechanics {
 // The equations are written in absolute angles phi_j = theta_0 + ... + theta_j, where every coefficient depends on one
 // difference phi_k - phi_j only; joint quantities follow by the chain rule.
@@ -42,11 +44,6 @@ inline void solve_in_place(JointMatrix& mass, JointVector& rhs, int n) {
     for (int j = 0; j < k; ++j) rhs[j] -= mass(j, k) * rhs[k];
 }
 
-void check(double value, bool valid, int link, const char* field, const char* rule) {
-  if (!std::isfinite(value) || !valid)
-    throw std::invalid_argument(fmt::format("link {}: {} must be {}; got {}", link, field, rule, value));
-}
-
 }  // namespace
 
 PlanarChain::PlanarChain(std::span<const Link> links, double gravity, double base_tilt)
@@ -58,13 +55,8 @@ PlanarChain::PlanarChain(std::span<const Link> links, double gravity, double bas
   if (!std::isfinite(base_tilt))
     throw std::invalid_argument(fmt::format("base_tilt must be finite; got {}", base_tilt));
   for (int i = 0; i < joints_; ++i) {
-    const Link& link = links[i];
-    check(link.length, link.length >= 0.0, i, "length", "finite and >= 0");
-    check(link.com_along, true, i, "com_along", "finite");
-    check(link.com_offset, true, i, "com_offset", "finite");
-    check(link.mass, link.mass > 0.0, i, "mass", "finite and > 0");
-    check(link.inertia, link.inertia >= 0.0, i, "inertia", "finite and >= 0");
-    links_[i] = link;
+    check_link(links[i], i);
+    links_[i] = links[i];
   }
   double outboard = 0.0;
   for (int i = joints_ - 1; i >= 0; --i) {

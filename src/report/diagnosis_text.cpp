@@ -96,8 +96,8 @@ std::string declared_text(const Diagnosis& diagnosis) {
   const double probability = diagnosis.probability_of_declared;
   const std::string share = probability < 1e-4 ? "fewer than 0.01 %" : fmt::format("{:.2g} %", 100.0 * probability);
   return fmt::format(
-      "  Without any effect the declared numbers would have to be further off, all together, than in {} of the\n"
-      "  rigs that are built to their tolerances ({}).\n",
+      "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
+      "  rigs built to their tolerances are as far off or further ({}).\n",
       share, probability < 0.01 ? "below 1 %: they are off, or an effect is missing" : "above 1 %: that may be chance");
 }
 

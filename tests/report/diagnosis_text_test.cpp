@@ -67,8 +67,8 @@ What was found
     torque_Nmm  0.61  0.58 to 0.64 (95 %)
     residual on the fit runs: 2.082 times the noise without it, 1 with it (rms)
     on runs left out in turn: takes away 97 % of the squared error above the noise
-  Without any effect the declared numbers would have to be further off, all together, than in 25 % of the
-  rigs that are built to their tolerances (above 1 %: that may be chance).
+  Without any effect the declared numbers would have to be so far off, all together, that 25 % of the
+  rigs built to their tolerances are as far off or further (above 1 %: that may be chance).
 
 Errors on the runs that no fit has seen
   angle, deg  as declared  fitted anew  with effects
@@ -147,8 +147,8 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
   EXPECT_THAT(text, HasSubstr("The declared numbers are off: moved further than their tolerances make likely, they "
                               "explain these data, and no missing effect does so decisively better.\n"));
   EXPECT_THAT(text,
-              HasSubstr("than in fewer than 0.01 % of the\n  rigs that are built to their tolerances (below 1 %: they "
-                        "are off, or an effect is missing).\n"));
+              HasSubstr("that fewer than 0.01 % of the\n  rigs built to their tolerances are as far off or further "
+                        "(below 1 %: they are off, or an effect is missing).\n"));
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
                               "actuator file and diagnose again.\n"

@@ -36,6 +36,14 @@ formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
   return file;
 }
 
+actuator::Design design_in(formats::ActuatorFile& file, const ActuatorOptions& options, std::string_view reason) {
+  auto* design = std::get_if<actuator::Design>(&file.content);
+  if (design == nullptr)
+    throw text::InputError({.file = options.file, .rule = fmt::format("is a lumped model: {}", reason)});
+  static_cast<void>(assemble(*design, options));
+  return std::move(*design);
+}
+
 actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options) {
   const std::string changes =
       options.assignments.empty() ? "" : fmt::format(" (with {})", fmt::join(options.assignments, ", "));

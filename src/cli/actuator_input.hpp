@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
@@ -20,6 +21,11 @@ void add_actuator_options(CLI::App& command, ActuatorOptions& options);
 
 /// The file with the assignments made. Throws InputError, also for assignments to a lumped model.
 [[nodiscard]] formats::ActuatorFile read_actuator(const ActuatorOptions& options);
+
+/// The design in `file`, which can be built. Throws InputError naming the file where it has a lumped model ("is a
+/// lumped model: " and `reason`), or one that cannot be built.
+[[nodiscard]] actuator::Design design_in(formats::ActuatorFile& file, const ActuatorOptions& options,
+                                         std::string_view reason);
 
 /// A design of that file, assembled. Throws InputError naming the file when it cannot be.
 [[nodiscard]] actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options);

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "actuator_input.hpp"
@@ -51,14 +50,11 @@ systems::CrawlerParts parts_of(const Options& options) {
 }
 
 systems::Crawler crawler_of(const Options& options) {
-  const formats::ActuatorFile file = read_actuator(options.actuator);
-  const auto* design = std::get_if<actuator::Design>(&file.content);
-  if (design == nullptr)
-    throw text::InputError(
-        {.file = options.actuator.file, .rule = "is a lumped model: a crawler needs a design (actuator/1)"});
-  const actuator::Assembly assembly = assemble(*design, options.actuator);
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  const actuator::Design design = design_in(file, options.actuator, "a crawler needs a design (actuator/1)");
+  const actuator::Assembly assembly = assemble(design, options.actuator);
   try {
-    return systems::Crawler(*design, assembly, parts_of(options));
+    return systems::Crawler(design, assembly, parts_of(options));
   } catch (const std::invalid_argument& rule) {
     throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
   }

@@ -61,16 +61,6 @@ struct Answer {
   std::optional<std::optional<double>> least_current{}, least_friction{};  // where asked for; nothing if there is none
 };
 
-actuator::Design design_of(const Options& options) {
-  const formats::ActuatorFile file = read_actuator(options.actuator);
-  const auto* design = std::get_if<actuator::Design>(&file.content);
-  if (design == nullptr)
-    throw text::InputError(
-        {.file = options.actuator.file, .rule = "is a lumped model: a gripper needs a design (actuator/1)"});
-  (void)assemble(*design, options.actuator);  // says what cannot be built as every command does
-  return *design;
-}
-
 ObjectShape shape_of(const Options& options) {
   if (options.shape == "box") return ObjectShape::box;
   return options.shape == "cylinder" ? ObjectShape::cylinder : ObjectShape::sphere;
@@ -96,7 +86,8 @@ auto at_place(const std::string& place, const Call& call) {
 }
 
 Answer answer_of(const Options& options) {
-  const actuator::Design design = design_of(options);
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  const actuator::Design design = design_in(file, options.actuator, "a gripper needs a design (actuator/1)");
   const Gripper gripper = at_place(options.actuator.file, [&] {
     return Gripper(design, {.angle = options.mounting_angle / degrees,
                             .spacing = options.spacing * 1e-3,
@@ -159,8 +150,9 @@ std::string as_text(const Options& options, const Answer& answer) {
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
   if (answer.heat) {
     const simulation::Heat& heat = *answer.heat;
-    text += fmt::format("\nHeat of one finger in that pose: {:.4g} A can be held for good; at {:.4g} A ",
-                        heat.continuous_current, options.current);
+    text +=
+        fmt::format("\nHeat of one finger bent like that against a wall: {:.4g} A can be held for good; at {:.4g} A ",
+                    heat.continuous_current, options.current);
     text += heat.time_to_limit
                 ? fmt::format("a part reaches its limit after {:.3g} s, from cold.\n", *heat.time_to_limit)
                 : std::string("no part reaches its limit.\n");

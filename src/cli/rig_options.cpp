@@ -9,7 +9,6 @@
 #include <iterator>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/dataset_writer.hpp"
@@ -88,12 +87,8 @@ std::vector<double> to_memory(const std::vector<double>& values, const char* nam
 
 RigActuator read_rig_actuator(const RigOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
-  auto* design = std::get_if<actuator::Design>(&file.content);
-  if (design == nullptr)
-    throw text::InputError({.file = options.actuator.file,
-                            .rule = "is a lumped model: a rig takes a design (actuator/1), whose parts are known"});
-  static_cast<void>(assemble(*design, options.actuator));
-  return {.name = file.name.empty() ? "actuator" : file.name, .design = std::move(*design)};
+  return {.name = file.name.empty() ? "actuator" : file.name,
+          .design = design_in(file, options.actuator, "a rig takes a design (actuator/1), whose parts are known")};
 }
 
 void run_rig(const RigOptions& options,

@@ -104,19 +104,16 @@ void add_electrical(const Crawler& crawler, const Coupling& coupling, const Join
 
 CrawlState advance(const Crawler& crawler, const CrawlState& state, Switch position, double duration, CrawlWork& work) {
   Middle middle;
-  std::vector<mechanics::Contact> contacts;
   const mechanics::MoreauStep next = mechanics::moreau_step(
       state.position, state.velocity, duration, [&](const CoordinateVector& at, const CoordinateVector& moving) {
-        mechanics::MiddleOfStep out = at_middle(crawler, at, moving, position, duration, middle);
-        contacts = out.contacts;
-        return out;
+        return at_middle(crawler, at, moving, position, duration, middle);
       });
   const JointVector rates = next.middle_velocity.tail(crawler.model().joints());
   if (position == Switch::closed) add_electrical(crawler, middle.coupling, rates, duration, work);
   work.hinges += duration * middle.damping.dot(rates.cwiseProduct(rates));
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    work.friction -= next.impulses[i].tangential * contacts[i].tangent.dot(next.middle_velocity);
-    work.impacts -= next.impulses[i].normal * contacts[i].normal.dot(next.middle_velocity);
+  for (std::size_t i = 0; i < next.contacts.size(); ++i) {
+    work.friction -= next.impulses[i].tangential * next.contacts[i].tangent.dot(next.middle_velocity);
+    work.impacts -= next.impulses[i].normal * next.contacts[i].normal.dot(next.middle_velocity);
   }
   return {next.position, next.velocity};
 }

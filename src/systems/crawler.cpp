@@ -6,18 +6,15 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "systems/check.hpp"
+
 namespace coilwright::systems {
 namespace {
 
 using mechanics::Link;
 
-void check(double value, bool valid, const char* field, const char* rule) {
-  if (!std::isfinite(value) || !valid)
-    throw std::invalid_argument(fmt::format("{} must be {}; got {}", field, rule, value));
-}
-
 void check(const CrawlerParts& parts) {
-  const auto positive = [](double value, const char* field) { check(value, value > 0.0, field, "finite and > 0"); };
+  const auto positive = [](double value, const char* field) { require(value > 0.0, field, "finite and > 0", value); };
   positive(parts.payload.mass, "payload.mass");
   positive(parts.payload.length, "payload.length");
   positive(parts.cell.voltage, "cell.voltage");
@@ -26,8 +23,8 @@ void check(const CrawlerParts& parts) {
   positive(parts.friction.forwards, "friction.forwards");
   positive(parts.friction.backwards, "friction.backwards");
   positive(parts.drive.frequency, "drive.frequency");
-  check(parts.drive.duty, parts.drive.duty > 0.0 && parts.drive.duty < 1.0, "drive.duty", "> 0 and < 1");
-  check(parts.drive.lead_resistance, parts.drive.lead_resistance >= 0.0, "drive.lead_resistance", "finite and >= 0");
+  require(parts.drive.duty > 0.0 && parts.drive.duty < 1.0, "drive.duty", "> 0 and < 1", parts.drive.duty);
+  require(parts.drive.lead_resistance >= 0.0, "drive.lead_resistance", "finite and >= 0", parts.drive.lead_resistance);
 }
 
 // The base with the payload behind it: a uniform box of the body's height. Its own joint is the new rear end.

@@ -25,7 +25,8 @@ struct MoreauStep {
   CoordinateVector position;
   CoordinateVector velocity;
   CoordinateVector middle_velocity;      ///< mean of both ends: by which forces and impulses do their work
-  std::vector<ContactImpulse> impulses;  ///< of the contacts that were closed
+  std::vector<Contact> contacts;         ///< that were closed
+  std::vector<ContactImpulse> impulses;  ///< of these, in their order
 };
 
 /// One step of Moreau's midpoint rule: positions to the middle, velocities by forces and contact impulses there,
@@ -35,12 +36,13 @@ template <class AtMiddle>
 [[nodiscard]] MoreauStep moreau_step(const CoordinateVector& position, const CoordinateVector& velocity, double step,
                                      AtMiddle&& at_middle) {
   const CoordinateVector middle = position + 0.5 * step * velocity;
-  const MiddleOfStep system = std::forward<AtMiddle>(at_middle)(middle, velocity);
+  MiddleOfStep system = std::forward<AtMiddle>(at_middle)(middle, velocity);
   const CoordinateVector free = velocity + step * system.mass.llt().solve(system.force);
   ContactStep after = contact_impulses(system.mass, free, system.contacts);
   return {.position = middle + 0.5 * step * after.velocities,
           .velocity = after.velocities,
           .middle_velocity = 0.5 * (velocity + after.velocities),
+          .contacts = std::move(system.contacts),
           .impulses = std::move(after.impulses)};
 }
 

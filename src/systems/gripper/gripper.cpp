@@ -1,13 +1,12 @@
 #include "coilwright/systems/gripper/gripper.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "coilwright/magnetics/wrench.hpp"
+#include "systems/check.hpp"
 #include "systems/gripper/placement.hpp"
 
 namespace coilwright::systems::gripper {
@@ -17,11 +16,9 @@ using actuator::ComponentKind;
 using mechanics::JointVector;
 
 actuator::Design mounted(actuator::Design design, const Mounting& mounting) {
-  if (!(std::abs(mounting.angle) < 0.5 * std::numbers::pi))
-    throw std::invalid_argument(fmt::format("mounting.angle must be between -90 and 90 deg; got {:.6g} deg",
-                                            mounting.angle * 180.0 / std::numbers::pi));
-  if (!(std::isfinite(mounting.spacing) && mounting.spacing > 0.0))
-    throw std::invalid_argument(fmt::format("mounting.spacing must be finite and > 0; got {:.6g} m", mounting.spacing));
+  require(std::abs(mounting.angle) < 0.5 * std::numbers::pi, "mounting.angle", "between -90 and 90 deg",
+          mounting.angle * 180.0 / std::numbers::pi, "deg");
+  require(mounting.spacing > 0.0, "mounting.spacing", "finite and > 0", mounting.spacing, "m");
   // Outwards is against the side to which the joints open.
   design.surroundings.base_tilt = -mounting.angle;
   return design;
@@ -52,7 +49,6 @@ void add_load(const mechanics::PlanarChain& chain, const Placement& placement, c
 Gripper::Gripper(const actuator::Design& finger, const Mounting& mounting)
     : assembly_(actuator::assemble_or_throw(mounted(finger, mounting))),
       mounting_(mounting),
-      gravity_(finger.surroundings.gravity),
       face_offset_(0.5 * finger.body.bottom_layer),
       base_length_(assembly_.segments.front().length),
       magnet_(

@@ -15,12 +15,11 @@ namespace coilwright::systems::gripper {
 namespace {
 
 using Eigen::Vector2d;
+using mechanics::closed_gap;
 using mechanics::Contact;
 using mechanics::CoordinateVector;
 using mechanics::JointVector;
 
-// Nearer than this is closed, m: what rests must not lose touch by rounding.
-constexpr double closed = 1e-9;
 // The fingers' magnets are taken anew after this time, s: a fingertip at 0.5 m/s moves by half a millimetre in it,
 // which changes their force by 5 % at 40 mm.
 constexpr double pull_interval = 1e-3;
@@ -58,7 +57,7 @@ Scene::Scene(const Gripper& gripper, const Object& object, double current)
 void Scene::require_apart() const {
   for (int f = 0; f < 2; ++f)
     for (const FacePoint& point : face_points(gripper_, f, angles(f), object_, object()))
-      if (point.gap < closed)
+      if (point.gap <= closed_gap)
         throw std::invalid_argument(
             fmt::format("object must leave the open fingers free; got {:.3g} mm of overlap with the {} finger",
                         -1e3 * point.gap, f == 0 ? "left" : "right"));
@@ -101,7 +100,7 @@ void Scene::add_contacts(const CoordinateVector& position, const Actions& action
     const JointVector angles = position.segment(f * joints_, joints_);
     const Placement here = placement(gripper_.mounting(), f);
     for (const FacePoint& point : face_points(gripper_, f, angles, object_, pose)) {
-      if (point.gap >= closed) continue;
+      if (point.gap > closed_gap) continue;
       Contact contact = of_object(joints_, pose, point.position, point.normal);
       const mechanics::PointJacobian moved = here.jacobian(gripper_.finger().chain().jacobian(point.on_finger, angles));
       const Vector2d tangent(-point.normal.y(), point.normal.x());
@@ -121,7 +120,7 @@ void Scene::add_contacts(const CoordinateVector& position, const Actions& action
         object_.shape == ObjectShape::box
             ? Vector2d(pose.centre + Eigen::Rotation2Dd(pose.angle) * Vector2d(feet[i], -object_.half_height()))
             : Vector2d(pose.centre - Vector2d(0.0, object_.half_height()));
-    if (foot.y() - support_height_ < closed) out.contacts.push_back(of_object(joints_, pose, foot, {0.0, 1.0}));
+    if (foot.y() - support_height_ <= closed_gap) out.contacts.push_back(of_object(joints_, pose, foot, {0.0, 1.0}));
   }
 }
 

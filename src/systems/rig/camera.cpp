@@ -11,7 +11,8 @@
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/model_input.hpp"
 #include "coilwright/simulation/transient.hpp"
-#include "systems/rig/check.hpp"
+#include "systems/check.hpp"
+#include "systems/rig/models_of.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
@@ -99,8 +100,7 @@ std::string CameraRecord::name() const {
 
 std::vector<CameraRecord> readings(const actuator::Design& design, const Camera& camera) {
   check(camera);
-  const auto models = per_fidelity(
-      [&](magnetics::Fidelity fidelity) { return actuator::assemble_or_throw(with_fidelity(design, fidelity)).model; });
+  const auto models = models_of(design);
   std::vector<CameraRecord> out = planned(camera);
   for (CameraRecord& record : out)
     record.bending =

@@ -4,15 +4,15 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/simulation/blocked_grasp.hpp"
-#include "systems/rig/check.hpp"
+#include "systems/check.hpp"
+#include "systems/rig/models_of.hpp"
 
 namespace coilwright::systems::rig {
 
 std::vector<GraspBenchPoint> readings(const actuator::Design& design, const GraspBench& bench) {
   require_some(!bench.currents.empty(), "the currents");
   for (const double current : bench.currents) require(true, "current", "finite", current, "A");
-  const auto models = per_fidelity(
-      [&](magnetics::Fidelity fidelity) { return actuator::assemble_or_throw(with_fidelity(design, fidelity)).model; });
+  const auto models = models_of(design);
   std::vector<GraspBenchPoint> out;
   for (const double current : bench.currents) {
     const auto grasps = per_fidelity([&](magnetics::Fidelity fidelity) {

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "systems/rig/check.hpp"
+#include "systems/check.hpp"
+#include "systems/rig/models_of.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
@@ -57,8 +58,7 @@ StiffnessGauge paper_stiffness_gauge() {
 
 StiffnessReadings readings(const actuator::Design& design, const StiffnessGauge& gauge) {
   check(gauge);
-  const auto models = per_fidelity(
-      [&](magnetics::Fidelity fidelity) { return actuator::assemble_or_throw(with_fidelity(design, fidelity)).model; });
+  const auto models = models_of(design);
   const Model& own = models.of(design.choices.torque);
   StiffnessReadings out{.joint = joint_of(own, gauge)};
   out.arm = arm_of(own, gauge, out.joint);

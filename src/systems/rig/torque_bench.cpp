@@ -7,8 +7,9 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
+#include "systems/check.hpp"
 #include "systems/rig/applicable_effects.hpp"
-#include "systems/rig/check.hpp"
+#include "systems/rig/models_of.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
@@ -59,8 +60,7 @@ Design rigid_counterpart(const Design& design, double axis_offset) {
 std::vector<TorqueBenchPoint> readings(const Design& design, const TorqueBench& bench) {
   check(bench);
   const Design joint = rigid_counterpart(design, bench.axis_offset);
-  const auto models = per_fidelity(
-      [&](magnetics::Fidelity fidelity) { return actuator::assemble_or_throw(with_fidelity(joint, fidelity)).model; });
+  const auto models = models_of(joint);
   std::vector<TorqueBenchPoint> out;
   for (const double angle : bench.angles)
     out.push_back(

@@ -44,7 +44,7 @@ class Gripper {
   [[nodiscard]] const actuator::Assembly& assembly() const noexcept { return assembly_; }
   /// As given.
   [[nodiscard]] const Mounting& mounting() const noexcept { return mounting_; }
-  [[nodiscard]] double gravity() const noexcept { return gravity_; }          ///< m/s^2
+  [[nodiscard]] double gravity() const noexcept { return finger().chain().gravity(); }  ///< m/s^2
   [[nodiscard]] double face_offset() const noexcept { return face_offset_; }  ///< hinge line to gripping face, m
   /// Where the gripping face of a link begins and ends along it, m; link -1 is the base segment.
   struct Face {
@@ -67,7 +67,6 @@ class Gripper {
  private:
   actuator::Assembly assembly_;
   Mounting mounting_;
-  double gravity_;
   double face_offset_;
   double base_length_;
   magnetics::CylinderMagnet magnet_;

@@ -1,8 +1,8 @@
 # coilwright_precompile(<target> [TEST])
 #
 # Lets a target start from headers that were parsed once for the whole build. Nobody includes by this: every file names
-# what it uses, and the builds with COILWRIGHT_PCH=OFF (the sanitizers, clang, clang-tidy; .ci/run makes the first of
-# them) fail where one does not.
+# what it uses, and what has COILWRIGHT_PCH=OFF (preset clang; clang-tidy, which .ci/run asks about every source that
+# changed) fails where one does not.
 option(COILWRIGHT_PCH "Precompile the heaviest headers of other projects" ${PROJECT_IS_TOP_LEVEL})
 
 # What a twentieth of the files or more includes, by itself or by another.

@@ -3,9 +3,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
-cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz
-find build/fuzz/tests/fuzz -maxdepth 1 -type f -name 'fuzz_*' -executable | sort | while read -r fuzzer; do
+cmake --preset asan-ubsan >/dev/null
+cmake --build --preset asan-ubsan --target fuzzers
+find build/asan-ubsan/tests/fuzz -maxdepth 1 -type f -name 'fuzz_*' -executable | sort | while read -r fuzzer; do
   echo "$(basename "$fuzzer"), $seconds s"
   corpus=$(mktemp -d)
   find tests/data/formats -maxdepth 1 -type f -exec cp {} "$corpus" \;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What each effect would do to the paper's figures if it alone explained the speed. usage: residual.py PATH/TO/coilwright
+"""What each effect would do to the paper's figures if it alone explained the speed. usage: residual.py PATH/TO/coilwright [--unsought]
 
 For two bases (the paper's conventions; rigid bodies and exact torque), each effect is given the strength at which the
 peak speed at 1.4 A is the measured 1491 deg/s, by regula falsi over `coilwright evaluate`. Then every other printed figure
@@ -12,8 +12,12 @@ magnet (`hard_parts`) to walls that do not.
 Columns: bench, mean change of one joint's torque on the paper's bench without its point at 15 deg, N mm; steps and
 sines, mean change of the bending angle in the paper's runs, deg. Changes are against the paper's model, whose own mean
 errors against the measurement are known: a truth further from that model than twice these errors is ruled out.
+
+With --unsought each effect has the first strength that is tried, and D only the declared damping: a third of the time,
+to see that the program takes all of it. Its figures answer nothing.
 """
 
+import argparse
 import copy
 import csv
 import json
@@ -66,9 +70,10 @@ SEARCHES = [
 
 
 class Tool:
-    def __init__(self, program: str, folder: str):
+    def __init__(self, program: str, folder: str, *, unsought: bool):
         self.program = program
         self.folder = pathlib.Path(folder)
+        self.unsought = unsought
 
     def call(self, *arguments: str) -> str:
         done = subprocess.run([self.program, *arguments], capture_output=True, text=True)
@@ -86,6 +91,13 @@ class Tool:
 
     def speed(self, actuator: dict) -> float:
         return self.evaluate(actuator)["peak_bending_speed_cold_deg_s"]
+
+    def strength(self, built, absent: float, extreme: float) -> tuple[float, bool]:
+        """The value from `absent` to `extreme` with which the actuator that `built` makes of it has the measured speed,
+        and whether there is one: else the slowest of those tried."""
+        if self.unsought:
+            return tried(absent, extreme)[0], True
+        return strength_for(lambda value: self.speed(built(value)), absent, extreme)
 
     def motion(self, actuator: dict, *drive: str) -> list[float]:
         out = self.folder / "motion.csv"
@@ -151,12 +163,14 @@ class Range:
         return f"{self.ends[0]:.{digits}f} to {self.ends[1]:.{digits}f}"
 
 
+def tried(absent: float, extreme: float) -> list[float]:
+    return [absent + (extreme - absent) * (i / 10) ** 2 for i in range(1, 11)]
+
+
 def strength_for(speed_at, absent: float, extreme: float) -> tuple[float, bool]:
-    """The value at which the speed is the measured one, and whether there is one: else the slowest of those tried."""
-    values = [absent + (extreme - absent) * (i / 10) ** 2 for i in range(1, 11)]
     low, at_low = absent, speed_at(absent)
     slowest = (float("inf"), extreme)
-    for high in values:
+    for high in tried(absent, extreme):
         try:
             at_high = speed_at(high)
         except RuntimeError:  # no pose of rest, no settling: too much of it
@@ -243,11 +257,11 @@ def single_effects(tool: Tool, report: Report, base: dict) -> None:
         def built(value: float) -> dict:
             return with_effects(base, [(name, {key: value, **others})])
 
-        value, reached = strength_for(lambda v: tool.speed(built(v)), absent, extreme)
+        value, reached = tool.strength(built, absent, extreme)
         fixed = "".join(f", {k} {v:g}" for k, v in others.items())
         report.line(f"{name} {key} {value:.4g}{fixed}{'' if reached else ' (no strength reaches it)'}", built(value))
 
-    value, _ = strength_for(lambda v: tool.speed(damped(base, v)), 0.129, 1.0)
+    value, _ = tool.strength(lambda v: damped(base, v), 0.129, 1.0)
     report.line(f"(no effect: joint_damping_Nmms_rad {value:.4g} instead of 0.129)", damped(base, value))
     scale = SPEED / tool.speed(base)
     seen = with_effects(base, [("angle_scale", {"scale": scale})])
@@ -303,7 +317,7 @@ def refitted(tool: Tool, report: Report, base: dict) -> None:
     report.heading()
     for name, key, extreme, others in SURVIVORS:
         best = None
-        for tenths in range(2, 17, 2):
+        for tenths in (10,) if tool.unsought else range(2, 17, 2):
             damping = 0.129 * tenths / 10
 
             def built(value: float) -> dict:
@@ -311,7 +325,7 @@ def refitted(tool: Tool, report: Report, base: dict) -> None:
 
             if tool.speed(built(0.0)) < SPEED:
                 continue
-            value, reached = strength_for(lambda v: tool.speed(built(v)), 0.0, extreme)
+            value, reached = tool.strength(built, 0.0, extreme)
             if not reached:
                 continue
             steps, sines = records(tool, built(value))
@@ -337,14 +351,14 @@ def releases(tool: Tool, base: dict) -> None:
     speed = release(tool, base)
     print(f"{'(none)':<66}{speed:>12.0f}{speed:>9.0f}")
     for name, key, extreme, others in SURVIVORS:
-        value, reached = strength_for(lambda v: tool.speed(with_effects(base, [(name, {key: v, **others})])), 0.0, extreme)
+        value, reached = tool.strength(lambda v: with_effects(base, [(name, {key: v, **others})]), 0.0, extreme)
         if not reached:
             continue
         closed = with_effects(base, [(name, {key: value, **others})])
         opened = base if name in (*DRIVE, "back_emf") else closed
         fixed = "".join(f", {k} {v:g}" for k, v in others.items())
         print(f"{f'{name} {key} {value:.4g}{fixed}':<66}{release(tool, opened):>12.0f}{release(tool, closed):>9.0f}")
-    value, _ = strength_for(lambda v: tool.speed(damped(base, v)), 0.129, 1.0)
+    value, _ = tool.strength(lambda v: damped(base, v), 0.129, 1.0)
     speed = release(tool, damped(base, value))
     print(f"{f'(no effect: joint_damping_Nmms_rad {value:.4g})':<66}{speed:>12.0f}{speed:>9.0f}")
 
@@ -364,11 +378,14 @@ def camera(tool: Tool, actuator: dict, name: str) -> None:
 
 
 def main() -> int:
-    (program,) = sys.argv[1:]
+    parser = argparse.ArgumentParser(description=__doc__.partition("usage")[0])
+    parser.add_argument("program", help="the built coilwright")
+    parser.add_argument("--unsought", action="store_true", help="try one strength of each effect instead of seeking it")
+    asked = parser.parse_args()
     paper = json.loads((ROOT / "configs/actuators/paper_finger.json").read_text(encoding="utf-8"))
     finger = json.loads((ROOT / "configs/actuators/finger.json").read_text(encoding="utf-8"))
     with tempfile.TemporaryDirectory() as folder:
-        tool = Tool(str(pathlib.Path(program).resolve()), folder)
+        tool = Tool(str(pathlib.Path(asked.program).resolve()), folder, unsought=asked.unsought)
         report = Report(tool, paper)
         print(f"measured: {SPEED:.0f} deg/s, {ANGLE} deg, grasp {GRASP} N, contact {CONTACT} N; mean errors of the "
               f"paper's model: bench {OTHERS:.3f} N mm without 15 deg, steps 0.98, sines 1.09 deg\n")

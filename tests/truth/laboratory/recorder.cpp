@@ -42,8 +42,12 @@ std::vector<double> input_times_of(const Request& request, const PlannedRun& run
     case InputLog::beside_pictures:
       return picture_times(request, run);
     case InputLog::every_change:
-      for (const double time : run.experiment.times)
-        if (time >= run.begins) out.push_back(time - run.begins);
+      // Nearer than the file's last digit they would be one time there; the later one is what holds.
+      for (const double time : run.experiment.times) {
+        if (time < run.begins) continue;
+        if (!out.empty() && time - run.begins < out.back() + 1e-6) out.pop_back();
+        out.push_back(time - run.begins);
+      }
       break;
     case InputLog::own_samples:
       for (int i = 0; i / request.clocks.own_rate < run.duration; ++i) out.push_back(i / request.clocks.own_rate);

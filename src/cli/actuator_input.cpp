@@ -44,6 +44,12 @@ actuator::Design design_in(formats::ActuatorFile& file, const ActuatorOptions& o
   return std::move(*design);
 }
 
+actuator::Model read_model(const ActuatorOptions& options) {
+  formats::ActuatorFile file = read_actuator(options);
+  if (auto* model = std::get_if<actuator::Model>(&file.content)) return std::move(*model);
+  return assemble(std::get<actuator::Design>(file.content), options).model;
+}
+
 actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options) {
   const std::string changes =
       options.assignments.empty() ? "" : fmt::format(" (with {})", fmt::join(options.assignments, ", "));

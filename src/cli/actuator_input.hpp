@@ -27,6 +27,9 @@ void add_actuator_options(CLI::App& command, ActuatorOptions& options);
 [[nodiscard]] actuator::Design design_in(formats::ActuatorFile& file, const ActuatorOptions& options,
                                          std::string_view reason);
 
+/// The model in the file of `options`, or of the design in it. Throws as read_actuator() and assemble().
+[[nodiscard]] actuator::Model read_model(const ActuatorOptions& options);
+
 /// A design of that file, assembled. Throws InputError naming the file when it cannot be.
 [[nodiscard]] actuator::Assembly assemble(const actuator::Design& design, const ActuatorOptions& options);
 

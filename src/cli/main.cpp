@@ -7,13 +7,15 @@ namespace {
 // In the order of the help.
 constexpr std::array commands = {
     &coilwright::cli::add_evaluate_command,  // the model
-    &coilwright::cli::add_simulate_command, &coilwright::cli::add_force_command,
+    &coilwright::cli::add_simulate_command, &coilwright::cli::add_linearise_command,
+    &coilwright::cli::add_force_command,
     &coilwright::cli::add_grip_command,  // the systems
     &coilwright::cli::add_crawl_command,
     &coilwright::cli::add_size_command,  // the search
     &coilwright::cli::add_sweep_command,    &coilwright::cli::add_pareto_command,
     &coilwright::cli::add_diagnose_command,  // the measurement
-    &coilwright::cli::add_plan_command,     &coilwright::cli::add_twin_command,   &coilwright::cli::add_rig_command,
+    &coilwright::cli::add_plan_command,     &coilwright::cli::add_twin_command,
+    &coilwright::cli::add_rig_command,
     &coilwright::cli::add_validate_command,  // the proof
 };
 

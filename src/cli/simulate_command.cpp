@@ -47,12 +47,6 @@ struct Options {
   double interval = 0.002;
 };
 
-actuator::Model read_model(const ActuatorOptions& options) {
-  formats::ActuatorFile file = read_actuator(options);
-  if (auto* model = std::get_if<actuator::Model>(&file.content)) return std::move(*model);
-  return assemble(std::get<actuator::Design>(file.content), options).model;
-}
-
 CommandedInput read_command(const Options& options, const actuator::Model& model) {
   if (!options.input.empty()) return formats::read_commanded_input(options.input);
   if (model.coils() == 0) throw std::runtime_error(options.actuator.file + ": has no coils to drive");

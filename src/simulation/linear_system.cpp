@@ -79,7 +79,10 @@ LinearSystem linear_system(const Model& model, const JointVector& angles, const 
   }
   const int r = static_cast<int>(relaxing.size());
 
-  LinearSystem out{.matrix = Eigen::MatrixXd::Zero(2 * n + r, 2 * n + r), .relaxing = r, .sticks = r + of_bodies < m};
+  LinearSystem out{.matrix = Eigen::MatrixXd::Zero(2 * n + r, 2 * n + r),
+                   .relaxing = r,
+                   .sticks = r + of_bodies < m,
+                   .relaxing_states = relaxing};
   const Eigen::LLT<JointMatrix> mass(model.chain().mass_matrix(angles));
   out.matrix.block(0, n, n, n).setIdentity();
   out.matrix.block(n, 0, n, n) = -mass.solve(model.tangent_stiffness(angles, currents));
@@ -103,6 +106,23 @@ LinearSystem linear_system(const Model& model, const JointVector& angles, const 
       out.matrix.block(n, j, n, 1) -= out.matrix.block(n, 2 * n + i, n, 1) * moved[relaxing[i]];
     }
   }
+  return out;
+}
+
+Eigen::VectorXd slopes_by_current(const Model& model, const JointVector& angles, const CoilCurrents& currents,
+                                  const LinearSystem& system) {
+  constexpr double current_step = 1e-6;
+  const int n = model.joints();
+  const JointVector still = JointVector::Zero(n);
+  const InternalStates settled = model.settled(angles, currents);
+  using OneCurrent = Eigen::Matrix<double, 1, 1>;
+  const Eigen::VectorXd all = slope_by(OneCurrent(currents[0]), 0, current_step, [&](const OneCurrent& at) {
+    return Slopes(model, model.all_coils(at[0]))(angles, still, settled);
+  });
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(system.matrix.rows());
+  out.segment(n, n) = all.head(n);
+  for (int k = 0; k < system.relaxing; ++k)
+    out[2 * n + k] = all[n + system.relaxing_states[static_cast<std::size_t>(k)]];
   return out;
 }
 

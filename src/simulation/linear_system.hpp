@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "coilwright/actuator/model/model.hpp"
 
@@ -13,9 +14,10 @@ namespace coilwright::simulation {
 /// linear: it is left out, as if it were at its settled value for good. So are bodies beside the chain (a mount, a
 /// loose magnet): these are the motions of the joints with all bodies at rest in their places.
 struct LinearSystem {
-  Eigen::MatrixXd matrix;  ///< (2n + relaxing, 2n + relaxing), 1/s between like units
-  int relaxing{};          ///< states of effects in it, the last ones
-  bool sticks{};           ///< whether any was left out: motions then need not end in the equilibrium
+  Eigen::MatrixXd matrix;              ///< (2n + relaxing, 2n + relaxing), 1/s between like units
+  int relaxing{};                      ///< states of effects in it, the last ones
+  bool sticks{};                       ///< whether any was left out: motions then need not end in the equilibrium
+  std::vector<int> relaxing_states{};  ///< which of the model's states they are
 
   /// Eigenvalues, 1/s; of each, a column of `right` and a row of `left`, which is the inverse of `right`.
   struct Decomposition {
@@ -31,5 +33,11 @@ struct LinearSystem {
 /// `angles` (rad) in equilibrium under `currents` (A).
 [[nodiscard]] LinearSystem linear_system(const actuator::Model& model, const mechanics::JointVector& angles,
                                          const actuator::CoilCurrents& currents);
+
+/// How the slopes of the system's states change with the same current in every coil, the states held: a column B, in
+/// the states' units a second and ampere. For models without bodies beside the chain. Of `currents` (A) the first is
+/// that of all coils.
+[[nodiscard]] Eigen::VectorXd slopes_by_current(const actuator::Model& model, const mechanics::JointVector& angles,
+                                                const actuator::CoilCurrents& currents, const LinearSystem& system);
 
 }  // namespace coilwright::simulation

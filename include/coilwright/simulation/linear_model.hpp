@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "coilwright/actuator/model/model.hpp"
+#include "coilwright/simulation/modes.hpp"
+
+namespace coilwright::simulation {
+
+/// Small motions about an equilibrium, to design a controller with: x' = A x + B u, y = C x + D u.
+///
+/// x are deviations of the n joint angles (rad), of their n rates (rad/s) and of those states of effects that come back
+/// by themselves (each in its own SI unit); u is one deviation of the current in every coil (A); y are deviations of
+/// the bending angle and of the n joint angles (rad), as they are and not as a camera shows them.
+struct LinearModel {
+  mechanics::JointVector angles;                  ///< of the equilibrium, rad
+  double current{};                               ///< in every coil there, A
+  Eigen::MatrixXd a;                              ///< (2n + e, 2n + e)
+  Eigen::VectorXd b;                              ///< (2n + e)
+  Eigen::MatrixXd c;                              ///< (1 + n, 2n + e)
+  Eigen::VectorXd d;                              ///< (1 + n): zeros, because a torque first changes a rate
+  int effect_states{};                            ///< e
+  std::vector<Mode> modes;                        ///< of the chain, slowest first
+  std::vector<std::complex<double>> eigenvalues;  ///< of A, 1/s; conjugates side by side
+  std::optional<Eigen::VectorXd> dc_gain;         ///< -C A^-1 B + D, rad/A; nothing where A is singular
+  /// Whether something sticks (dry friction, hysteresis): the model then is one beyond what the friction gives, and
+  /// says nothing of motions that it holds.
+  bool sticks{};
+  std::vector<int> pressed_joints;  ///< whose faces push there: the model holds while they do
+
+  /// Whether all small motions die down.
+  [[nodiscard]] bool stable() const;
+};
+
+/// The linear model about the stable equilibrium to which `model` goes from its pose without current under the same
+/// `current` (A, finite) in every coil. Throws std::invalid_argument where it has no coils, or effects with bodies of
+/// their own (a mount, a loose magnet), whose motion the states leave out; std::runtime_error where there is no such
+/// equilibrium, or a joint rests there beyond the angles over which its torque is known. Whether the parts bear the
+/// current is not asked: evaluate says so.
+[[nodiscard]] LinearModel linearise(const actuator::Model& model, double current);
+
+}  // namespace coilwright::simulation

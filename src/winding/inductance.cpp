@@ -68,6 +68,11 @@ double sheet_pair(double a, double b, double h) {
   return a * b * (h * h * a * b * by_parts - chord_integral(span, m, m1, K, E) + chord_integral(sum, n, n1, K0, E0));
 }
 
+// The same for any distance of doubled integration, 0 included, and either order of the radii.
+double doubly_integrated(double a, double b, double z) {
+  return z == 0.0 ? 0.0 : sheet_pair(std::max(a, b), std::min(a, b), std::abs(z));
+}
+
 }  // namespace
 
 double inductance(const CoilSection& section) {
@@ -86,6 +91,33 @@ double inductance(const CoilSection& section) {
   const double pairs = 2.0 * Outer::integrate(inside, inner_radius, section.outer_radius);
   const double turns = section.turns;
   return 2.0 * vacuum_permeability * turns * turns * pairs / (width * width * section.length * section.length);
+}
+
+double mutual_inductance(const CoilSection& first, const CoilSection& second, double distance) {
+  check(first);
+  check(second);
+  const double touching = 0.5 * (first.length + second.length);
+  // Sums of half pitches that fill their room exactly differ by roundings.
+  if (!(std::isfinite(distance) && distance >= touching * (1.0 - 1e-12))) {
+    throw std::invalid_argument(
+        fmt::format("distance: must be finite and at least half of both lengths ({}); got {}", touching, distance));
+  }
+  using Rule = bm::quadrature::gauss<double, 16>;
+  const double shift = 0.5 * (first.length - second.length);
+  // The second difference over both lengths of what is integrated twice over z: the flux between two sheets.
+  const auto sheets = [&](double a, double b) {
+    return doubly_integrated(a, b, distance + touching) + doubly_integrated(a, b, distance - touching) -
+           doubly_integrated(a, b, distance + shift) - doubly_integrated(a, b, distance - shift);
+  };
+  const double sum = Rule::integrate(
+      [&](double a) {
+        return Rule::integrate([&](double b) { return sheets(a, b); }, second.inner_radius, second.outer_radius);
+      },
+      first.inner_radius, first.outer_radius);
+  const double area = (first.outer_radius - first.inner_radius) * first.length *
+                      (second.outer_radius - second.inner_radius) * second.length;
+  const double turns = static_cast<double>(first.turns) * second.turns;
+  return vacuum_permeability * turns * sum / area;
 }
 
 }  // namespace coilwright::winding

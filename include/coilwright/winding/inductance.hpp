@@ -24,4 +24,14 @@ struct CoilSection {
 /// Throws std::invalid_argument naming the field, the rule and the value received.
 [[nodiscard]] double inductance(const CoilSection& section);
 
+/// Mutual inductance of two coaxial coils side by side, H, positive where like currents have like senses.
+///
+/// Both are stacks of current sheets; that of two sheets is exact, as in inductance(), so that `distance` from centre
+/// to centre, m, enters without a quadrature. The two radial integrals are Gauss rules of 16 points. Relative error for
+/// the prototype's coil against 30 by 30 points: 2e-5 where faces touch, 8e-7 at 0.3 mm between them, 1e-9 from 1 mm.
+///
+/// Throws std::invalid_argument naming the field, the rule and the value received: the sections as above, `distance`
+/// finite and at least half of both lengths, so that the coils do not overlap.
+[[nodiscard]] double mutual_inductance(const CoilSection& first, const CoilSection& second, double distance);
+
 }  // namespace coilwright::winding

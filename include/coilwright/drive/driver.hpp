@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+
+namespace coilwright::drive {
+
+/// What the current flows through in one phase of a driver, besides the coils. Currents are never negative: no driver
+/// here lets them reverse within a period.
+struct Path {
+  double source{};             ///< voltage that drives the current, V; below 0 where it flows back into the supply
+  double diodes{};             ///< forward drops, whatever the current, V; >= 0
+  double resistance{};         ///< of the switches, ohm; >= 0
+  double supply_resistance{};  ///< inside the supply with its leads, ohm; >= 0
+};
+
+/// Fixed off-time regulation: at `trip` the driver shorts the coils for `off_time`, then drives again.
+struct CurrentLimit {
+  double trip{};      ///< A, of the driver's current; finite, > 0
+  double off_time{};  ///< s; finite, > 0
+  double blanking{};  ///< s after switching on in which the limit does not look; >= 0: the current may pass it
+};
+
+/// A driver as its phases: on, off, and between them a dead time in which diodes carry the current.
+struct Driver {
+  Path on{};
+  Path dead{};
+  Path off{};
+  Path chop{};         ///< while the current limit holds the coils off
+  double dead_time{};  ///< after each of the two edges, s; >= 0. It delays switching on, and does not lengthen it
+  std::optional<CurrentLimit> limit{};
+};
+
+/// Where an H-bridge leaves the current while off.
+enum class Decay {
+  slow,  ///< both low switches on: the coils are shorted, the current dies by resistance
+  fast   ///< all switches off: diodes return the current to the supply until it is zero, and then nothing flows
+};
+
+/// A full bridge of four switches on a supply. The defaults are typical values of an integrated driver of 45 V and 3.6
+/// A at 24 V, 1 A and 25 degC (Texas Instruments, data sheet of the DRV8870, section 6.5; the DRV8871 is the same
+/// driver with its limit set by a resistor).
+struct HBridge {
+  double supply_voltage{};         ///< V; finite, > 0
+  double supply_resistance{};      ///< ohm; finite, >= 0; 0 with a large capacitor at the bridge
+  double high_resistance = 0.307;  ///< of a high switch, ohm; finite, >= 0
+  double low_resistance = 0.258;   ///< of a low switch, ohm; finite, >= 0
+  double diode_voltage = 0.8;      ///< of a switch's diode, V; finite, >= 0
+  double dead_time = 220e-9;       ///< s; finite, >= 0
+  Decay decay = Decay::slow;       ///< while the pulse is off
+  std::optional<double> trip{};    ///< of the current limit, A; nothing: no limit
+  double limit_off_time = 25e-6;   ///< s
+  double limit_blanking = 2e-6;    ///< s
+};
+
+/// Throws std::invalid_argument naming the field, the rule and the value received.
+[[nodiscard]] Driver driver_of(const HBridge& bridge);
+
+/// A battery cell whose coils hang on one switch, with a diode across the coils.
+struct CellSwitch {
+  double emf{};                ///< of the open circuit, V; finite, > 0; taken as constant over the discharge
+  double resistance{};         ///< inside the cell with its leads, ohm; finite, >= 0
+  double switch_resistance{};  ///< ohm; finite, >= 0
+  double diode_voltage = 0.4;  ///< of the diode, V; finite, >= 0; a Schottky diode's at about 1 A
+};
+
+/// Throws std::invalid_argument naming the field, the rule and the value received.
+[[nodiscard]] Driver driver_of(const CellSwitch& cell);
+
+/// How long a cell of `capacity` (A s) delivers `mean_current` (A), s; infinite for no current. Nothing is said of the
+/// fall of its voltage. Throws std::invalid_argument unless both are finite, > 0 and >= 0.
+[[nodiscard]] double run_time(double capacity, double mean_current);
+
+}  // namespace coilwright::drive

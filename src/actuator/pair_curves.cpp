@@ -27,11 +27,6 @@ magnetics::ThickCoil thick_coil(const Design& design, const Dimensions& size) {
                                .winding = design.choices.winding});
 }
 
-magnetics::CylinderMagnet magnet_of(const Design& design) {
-  return magnetics::CylinderMagnet(
-      {.radius = design.magnet.radius, .length = design.magnet.length, .remanence = design.magnet.polarisation()});
-}
-
 struct Range {
   double lower{};
   double upper{};
@@ -71,12 +66,12 @@ magnetics::ThickCoil PairCurves::coil() const {
 }
 
 magnetics::CylinderMagnet PairCurves::magnet() const {
-  return magnet_of(design_);
+  return design_.magnet.cylinder();
 }
 
 double PairCurves::rest_force_per_ampere() const {
   // Like senses attract; positive current is the sense that repels.
-  return -magnetics::axial_force(thick_coil(design_, size_), 1.0, magnet_of(design_),
+  return -magnetics::axial_force(thick_coil(design_, size_), 1.0, design_.magnet.cylinder(),
                                  size_.coil_half_pitch + size_.magnet_half_pitch);
 }
 
@@ -84,7 +79,7 @@ std::shared_ptr<const HingePairParts> PairCurves::hinge_parts() {
   if (!hinge_parts_)
     hinge_parts_ = std::make_shared<const HingePairParts>(
         HingePairParts::Spec{.coil = coil(),
-                             .magnet = magnet_of(design_),
+                             .magnet = design_.magnet.cylinder(),
                              .geometry = {.coil_offset = size_.coil_half_pitch,
                                           .magnet_offset = size_.magnet_half_pitch,
                                           .axis_offset = size_.axis_offset},
@@ -105,7 +100,7 @@ const AxialCurves& PairCurves::coil_magnet() {
     const double straight = size_.coil_half_pitch * 3.0 + size_.magnet_half_pitch;
     const Range range = distances(design_, size_, straight, size_.coil_length + design_.magnet.length);
     coil_magnet_ = axial_curves(
-        magnetics::force_curve(thick_coil(design_, size_), magnet_of(design_),
+        magnetics::force_curve(thick_coil(design_, size_), design_.magnet.cylinder(),
                                {.lower = range.lower, .upper = range.upper, .tolerance = curve_tolerance}));
   }
   return coil_magnet_;
@@ -116,7 +111,7 @@ const AxialCurves& PairCurves::magnet_magnet() {
     const double straight = 2.0 * (size_.coil_half_pitch + size_.magnet_half_pitch);
     const Range range = distances(design_, size_, straight, 2.0 * design_.magnet.length);
     magnet_magnet_ = axial_curves(
-        magnetics::force_curve(magnet_of(design_), magnet_of(design_),
+        magnetics::force_curve(design_.magnet.cylinder(), design_.magnet.cylinder(),
                                {.lower = range.lower, .upper = range.upper, .tolerance = curve_tolerance}));
   }
   return magnet_magnet_;

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "coilwright/magnetics/constants.hpp"
 #include "magnetics/gauss_legendre.hpp"
 #include "magnetics/landen_steps.hpp"
 #include "magnetics/radial_nodes.hpp"
+#include "magnetics/recoil_currents.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheet_kernels.hpp"
 #include "magnetics/sheets.hpp"
@@ -183,15 +185,36 @@ double force(const SheetBody& first, const SheetBody& second, double distance) {
   return std::copysign(1.0, distance) * vacuum_permeability * first.surface_current * second.surface_current * mean;
 }
 
+/// A coil's pull on a magnet, whatever its recoil.
+class CoilOnMagnet {
+ public:
+  CoilOnMagnet(const ThickCoil& coil, double current, const CylinderMagnet& magnet)
+      : source_(sheets_of(coil, current)), target_(sheets_of(magnet)) {
+    if (magnet.recoil_permeability() > 1.0) recoil_.emplace(magnet);
+  }
+
+  [[nodiscard]] double force(double distance) const {
+    const double rigid = magnetics::force(source_, target_, distance);
+    if (!recoil_ || distance == 0.0) return rigid;
+    return rigid + vacuum_permeability * source_.surface_current * target_.surface_current *
+                       recoil_->axial_force(source_, distance);
+  }
+
+ private:
+  SheetBody source_;
+  SheetBody target_;
+  std::optional<RecoilCurrents> recoil_;
+};
+
 }  // namespace
 
 double axial_force(const ThickCoil& coil, double current, const CylinderMagnet& magnet, double distance) {
   require_finite("current", current);
-  return force(sheets_of(coil, current), sheets_of(magnet), distance);
+  return CoilOnMagnet(coil, current, magnet).force(distance);
 }
 
 double axial_force(const CylinderMagnet& first, const CylinderMagnet& second, double distance) {
-  return force(sheets_of(first), sheets_of(second), distance);
+  return force(weakened_sheets_of(first), weakened_sheets_of(second), distance);
 }
 
 double axial_force(const ThickCoil& first, double first_current, const ThickCoil& second, double second_current,
@@ -206,10 +229,9 @@ void axial_force_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet,
   if (distances.size() != forces.size())
     throw std::invalid_argument(
         fmt::format("forces must be as many as distances ({}); got {}", distances.size(), forces.size()));
-  const SheetBody source = sheets_of(coil, 1.0);
-  const SheetBody target = sheets_of(magnet);
+  const CoilOnMagnet pair(coil, 1.0, magnet);
   std::transform(distances.begin(), distances.end(), forces.begin(),
-                 [&](double distance) { return force(source, target, distance); });
+                 [&](double distance) { return pair.force(distance); });
 }
 
 }  // namespace coilwright::magnetics

@@ -137,7 +137,7 @@ AxialField axial_field(const ThickCoil& coil, double current, const CylinderSize
 }
 
 AxialField axial_field(const CylinderMagnet& magnet, const CylinderSize& within, double distance) {
-  return field_in(sheets_of(magnet), within, distance);
+  return field_in(weakened_sheets_of(magnet), within, distance);
 }
 
 FaceValues face_demagnetisation_factors(const CylinderSize& size) {

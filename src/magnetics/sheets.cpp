@@ -1,6 +1,7 @@
 #include "magnetics/sheets.hpp"
 
 #include "coilwright/magnetics/constants.hpp"
+#include "coilwright/magnetics/inner_field.hpp"
 
 namespace coilwright::magnetics {
 
@@ -27,6 +28,13 @@ SheetBody sheets_of(const CylinderMagnet& magnet) noexcept {
           .surface_current = magnet.remanence() / vacuum_permeability,
           .shells = 1,
           .spread = Spread::shells};
+}
+
+SheetBody weakened_sheets_of(const CylinderMagnet& magnet) {
+  SheetBody body = sheets_of(magnet);
+  body.surface_current *=
+      recoil_factor({.radius = magnet.radius(), .length = magnet.length()}, magnet.recoil_permeability());
+  return body;
 }
 
 }  // namespace coilwright::magnetics

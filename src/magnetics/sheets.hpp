@@ -25,6 +25,9 @@ struct SheetBody {
 };
 
 [[nodiscard]] SheetBody sheets_of(const ThickCoil& coil, double current) noexcept;
+/// Without what recoil changes.
 [[nodiscard]] SheetBody sheets_of(const CylinderMagnet& magnet) noexcept;
+/// With what recoil leaves in the mean over the magnet: its field from afar.
+[[nodiscard]] SheetBody weakened_sheets_of(const CylinderMagnet& magnet);
 
 }  // namespace coilwright::magnetics

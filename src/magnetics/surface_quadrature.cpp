@@ -122,14 +122,15 @@ struct RingSum {
 class RingIntegrator {
  public:
   RingIntegrator(const SheetBody& source, const TargetSheet& target, const Frame& frame)
-      : source_(source), target_(target), frame_(frame) {
+      : source_(source), frame_(frame) {
     const double nearest = frame.position.norm() - target.radius - target.half_length - source.outer_radius;
     const double to_ends = 2.0 * std::max(nearest - source.half_length, 0.0) + 2.0 * source.half_length;
     const double needed = gauss_nodes_needed(gauss_rate(to_ends, 2.0 * source.half_length), log_radial_error) + 1.0;
     if (needed <= 4.0) loops_ = static_cast<int>(std::ceil(needed));
   }
 
-  [[nodiscard]] RingSum sum(double along, int points) const {
+  /// Mean over the points of a ring of unit current of the force and torque per length.
+  [[nodiscard]] RingSum sum(double radius, double along, int points) const {
     const Angles& round = angles(frame_.symmetry, points);
     const auto n = static_cast<std::size_t>(points);
     std::array<double, max_points> x;
@@ -141,9 +142,9 @@ class RingIntegrator {
     const double nx = frame_.axis.x();
     const double nz = frame_.axis.z();
     for (int j = 0; j < points; ++j) {
-      const double across = target_.radius * round.cosine[j];
+      const double across = radius * round.cosine[j];
       x[j] = frame_.position.x() + across * nz + along * nx;
-      y[j] = frame_.position.y() + target_.radius * round.sine[j];
+      y[j] = frame_.position.y() + radius * round.sine[j];
       z[j] = frame_.position.z() - across * nx + along * nz;
       rho[j] = std::sqrt(x[j] * x[j] + y[j] * y[j]);
     }
@@ -166,7 +167,7 @@ class RingIntegrator {
       const double uz = round.sine[j] * nx;
       const double outward = round.cosine[j] * (nz * hx - nx * hz) + round.sine[j] * hy;
       const double lengthwise = nx * hx + nz * hz;
-      const double moment = target_.radius * outward + along * lengthwise;
+      const double moment = radius * outward + along * lengthwise;
       fx += uy * hz - uz * hy;
       fy += uz * hx - ux * hz;
       fz += ux * hy - uy * hx;
@@ -193,39 +194,64 @@ class RingIntegrator {
 
  private:
   const SheetBody& source_;
-  const TargetSheet& target_;
   const Frame& frame_;
   int loops_ = 0;
 };
+
+/// Rings one after the other, each with as many points as its field needs; neighbours need about as many.
+class RingByRing {
+ public:
+  RingByRing(const SheetBody& source, const TargetSheet& target, const Frame& frame) : rings_(source, target, frame) {}
+
+  void add(double radius, double along, double weight) {
+    RingSum ring = rings_.sum(radius, along, points_);
+    largest_ = std::max(largest_, ring.size);
+    while (ring.harmonic > harmonic_error * largest_ && points_ < max_points) {
+      points_ *= 2;
+      ring = rings_.sum(radius, along, points_);
+    }
+    if (ring.harmonic < harmonic_error * harmonic_error * largest_ && points_ > first_points) points_ /= 2;
+    total_.force += weight * ring.wrench.force;
+    total_.torque += weight * ring.wrench.torque;
+  }
+
+  [[nodiscard]] const Wrench& total() const noexcept { return total_; }
+
+ private:
+  RingIntegrator rings_;
+  int points_ = first_points;
+  double largest_ = 0.0;
+  Wrench total_;
+};
+
+double size_of(const SheetBody& source, const TargetSheet& target) {
+  return source.outer_radius + source.half_length + target.radius + target.half_length;
+}
+
+Wrench turned_back(const Frame& frame, const Wrench& wrench, double scale) {
+  const auto turn = [&](const Eigen::Vector3d& v) {
+    return Eigen::Vector3d(frame.cosine * v.x() - frame.sine * v.y(), frame.cosine * v.y() + frame.sine * v.x(), v.z());
+  };
+  return {turn(scale * wrench.force), turn(scale * wrench.torque)};
+}
 
 }  // namespace
 
 Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, const Eigen::Vector3d& position,
                       const Eigen::Vector3d& axis) {
-  const double size = source.outer_radius + source.half_length + target.radius + target.half_length;
-  const Frame frame = upright_frame(position, axis, size);
-  const double needed = gauss_nodes_needed(rate_along(source, target, frame), log_along_error);
-  const PanelRule rule(needed);
-  const RingIntegrator rings(source, target, frame);
-  Wrench total;
-  int points = first_points;
-  double largest = 0.0;
-  for (int i = 0; i < rule.count(); ++i) {
-    RingSum ring = rings.sum(target.half_length * rule.node(i), points);
-    largest = std::max(largest, ring.size);
-    while (ring.harmonic > harmonic_error * largest && points < max_points) {
-      points *= 2;
-      ring = rings.sum(target.half_length * rule.node(i), points);
-    }
-    if (ring.harmonic < harmonic_error * harmonic_error * largest && points > first_points) points /= 2;
-    total.force += rule.weight(i) * ring.wrench.force;
-    total.torque += rule.weight(i) * ring.wrench.torque;
-  }
-  const double area = 4.0 * std::numbers::pi * target.radius * target.half_length;
-  const auto turn_back = [&](const Eigen::Vector3d& v) {
-    return Eigen::Vector3d(frame.cosine * v.x() - frame.sine * v.y(), frame.cosine * v.y() + frame.sine * v.x(), v.z());
-  };
-  return {turn_back(area * total.force), turn_back(area * total.torque)};
+  const Frame frame = upright_frame(position, axis, size_of(source, target));
+  const PanelRule rule(gauss_nodes_needed(rate_along(source, target, frame), log_along_error));
+  RingByRing sheet(source, target, frame);
+  for (int i = 0; i < rule.count(); ++i) sheet.add(target.radius, target.half_length * rule.node(i), rule.weight(i));
+  return turned_back(frame, sheet.total(), 4.0 * std::numbers::pi * target.radius * target.half_length);
+}
+
+Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, std::span<const Ring> rings,
+                      const Eigen::Vector3d& position, const Eigen::Vector3d& axis) {
+  const Frame frame = upright_frame(position, axis, size_of(source, target));
+  RingByRing sum(source, target, frame);
+  for (const Ring& ring : rings) sum.add(ring.radius, ring.height, ring.radius * ring.current);
+  return turned_back(frame, sum.total(), 2.0 * std::numbers::pi);
 }
 
 }  // namespace coilwright::magnetics

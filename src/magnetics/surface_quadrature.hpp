@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "coilwright/magnetics/wrench.hpp"
 #include "magnetics/sheets.hpp"
 
@@ -16,5 +18,16 @@ struct TargetSheet {
 /// vector. Orders follow from the distance to the source's edges and, round the sheet, from the decay of the harmonics.
 [[nodiscard]] Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, const Eigen::Vector3d& position,
                                     const Eigen::Vector3d& axis);
+
+/// A loop of current round the target's axis.
+struct Ring {
+  double radius;   ///< m
+  double height;   ///< along the target's axis from its centre, m
+  double current;  ///< A
+};
+
+/// The same on rings, which lie on a cylinder no larger than `target`.
+[[nodiscard]] Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, std::span<const Ring> rings,
+                                    const Eigen::Vector3d& position, const Eigen::Vector3d& axis);
 
 }  // namespace coilwright::magnetics

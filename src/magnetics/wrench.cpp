@@ -5,6 +5,7 @@
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/constants.hpp"
 #include "magnetics/radial_nodes.hpp"
+#include "magnetics/recoil_currents.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheets.hpp"
 #include "magnetics/surface_quadrature.hpp"
@@ -54,14 +55,23 @@ Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magne
   check(pose);
   if (const double sense = sense_on_axis(pose); sense != 0.0)
     return along_axis(sense * axial_force(coil, current, magnet, pose.position.z()));
-  return wrench_between(sheets_of(coil, current), sheets_of(magnet), pose);
+  const SheetBody source = sheets_of(coil, current);
+  const SheetBody target = sheets_of(magnet);
+  Wrench total = wrench_between(source, target, pose);
+  if (magnet.recoil_permeability() > 1.0) {
+    const Wrench part = RecoilCurrents(magnet).wrench(source, pose.position, pose.axis.normalized());
+    const double scale = vacuum_permeability * source.surface_current * target.surface_current;
+    total.force += scale * part.force;
+    total.torque += scale * part.torque;
+  }
+  return total;
 }
 
 Wrench wrench(const CylinderMagnet& first, const CylinderMagnet& second, const Pose& pose) {
   check(pose);
   if (const double sense = sense_on_axis(pose); sense != 0.0)
     return along_axis(sense * axial_force(first, second, pose.position.z()));
-  return wrench_between(sheets_of(first), sheets_of(second), pose);
+  return wrench_between(weakened_sheets_of(first), weakened_sheets_of(second), pose);
 }
 
 Wrench wrench(const ThickCoil& first, double first_current, const ThickCoil& second, double second_current,

@@ -42,7 +42,3 @@ class Program:
         """How hard 1.4 A repel the prototype's magnet of N52, N: as an actuator has it."""
         finger = ROOT / "configs/actuators/finger.json"
         return self.call("evaluate", str(finger), "--current", "1.4", "--set", f"gap_mm={gap!r}")["axial_force_N"]
-
-    def mean_inner_field(self, gap: float, recoil: float) -> float:
-        """The inner field, in parts of the magnetisation, that is behind `recoiling`."""
-        return (self.rigid(gap) / self.recoiling(gap) - 1) / (recoil - 1)

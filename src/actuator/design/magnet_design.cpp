@@ -16,4 +16,11 @@ double MagnetDesign::polarisation() const {
   return remanence * magnetics::recoil_factor({.radius = radius, .length = length}, grade->recoil_permeability);
 }
 
+magnetics::CylinderMagnet MagnetDesign::cylinder() const {
+  return magnetics::CylinderMagnet({.radius = radius,
+                                    .length = length,
+                                    .remanence = remanence,
+                                    .recoil_permeability = grade == nullptr ? 1.0 : grade->recoil_permeability});
+}
+
 }  // namespace coilwright::actuator

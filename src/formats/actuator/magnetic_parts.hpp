@@ -18,6 +18,9 @@ inline constexpr std::array magnet_keys = {
     PartKey<magnetics::CylinderMagnet::Spec>{"length_mm", part_dimension, &magnetics::CylinderMagnet::Spec::length},
     PartKey<magnetics::CylinderMagnet::Spec>{"remanence_T", part_remanence,
                                              &magnetics::CylinderMagnet::Spec::remanence},
+    PartKey<magnetics::CylinderMagnet::Spec>{
+        "recoil_permeability", text::Rule::between(1, magnetics::CylinderMagnet::most_recoil_permeability),
+        &magnetics::CylinderMagnet::Spec::recoil_permeability, 1.0},
 };
 inline constexpr std::array coil_keys = {
     PartKey<magnetics::ThickCoil::Spec>{"inner_radius_mm", part_dimension, &magnetics::ThickCoil::Spec::inner_radius},
@@ -25,7 +28,8 @@ inline constexpr std::array coil_keys = {
     PartKey<magnetics::ThickCoil::Spec>{"length_mm", part_dimension, &magnetics::ThickCoil::Spec::length},
 };
 
-/// {"radius_mm", "length_mm", "remanence_T"}, of which a CylinderMagnet can be made.
+/// {"radius_mm", "length_mm", "remanence_T", "recoil_permeability" (1 if absent)}, of which a CylinderMagnet can be
+/// made.
 [[nodiscard]] magnetics::CylinderMagnet::Spec read_magnet(const text::Node& node);
 
 /// {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"}, of which a ThickCoil can be

@@ -171,6 +171,7 @@ class NumberResolver {
     if (!node) throw names_.leads_nowhere(i);
     if (node->kind() != Node::Kind::number) throw not_a_number(i, *node);
     const auto name = units::split_unit(node->key());
+    if (node->key() == "recoil_permeability") throw names_.cannot_move(i, "makers' tables give this one");
     if (!name) throw names_.cannot_move(i, "this one is a whole number");
     const std::size_t pair = pair_of_joint(*array_index(steps[1]));
     if (steps.size() == 3) return find_length(pair, node->key());

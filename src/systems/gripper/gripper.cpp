@@ -51,8 +51,7 @@ Gripper::Gripper(const actuator::Design& finger, const Mounting& mounting)
       mounting_(mounting),
       face_offset_(0.5 * finger.body.bottom_layer),
       base_length_(assembly_.segments.front().length),
-      magnet_(
-          {.radius = finger.magnet.radius, .length = finger.magnet.length, .remanence = finger.magnet.polarisation()}),
+      magnet_(finger.magnet.cylinder()),
       magnets_(magnets_of(finger, assembly_.dimensions)) {
   if (assembly_.model.internal_states() > 0)
     throw std::invalid_argument("gripper: the fingers must have no effects with states of their own");

@@ -6,6 +6,7 @@
 #include "coilwright/actuator/design/layout.hpp"
 #include "coilwright/actuator/model/as_built.hpp"
 #include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/magnet_grade.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
@@ -37,8 +38,10 @@ struct MagnetDesign {
   /// Makes it of a grade (or of nullptr, which changes no number): remanence (typical), density and temperature limit
   /// become the grade's. Set afterwards what was measured.
   void make_of(const magnetics::MagnetGrade* material);
-  /// Polarisation in its own field at 20 degC, T: the remanence, less what recoil gives up.
+  /// Mean polarisation in its own field at 20 degC, T: the remanence, less what recoil gives up.
   [[nodiscard]] double polarisation() const;
+  /// What the forces act on, at 20 degC.
+  [[nodiscard]] magnetics::CylinderMagnet cylinder() const;
 };
 
 /// The silicone body around the parts. Cross-section and hinge line follow from it: see Dimensions.

@@ -19,15 +19,16 @@ ROOMS = {
     "thermal": "",
     "actuator": "units magnetics winding drive mechanics thermal",
     "simulation": "actuator",
+    "control": "simulation",
     "systems": "simulation",
     "validation": "simulation",
     "sizing": "simulation",
     "measurement": "simulation",
     "formats/actuator": "text actuator",
-    "formats/simulation": "text simulation",
+    "formats/simulation": "text control",
     "formats/data": "formats/actuator formats/simulation measurement systems",
     "formats/study": "formats/actuator formats/simulation sizing",
-    "report/simulation": "simulation",
+    "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
     "cli": "validation systems report",
 }
@@ -43,7 +44,7 @@ FOLDERS = {
 # Libraries that only the .cpp files of the named layers, or rooms with all their layers, may see (a private header
 # counts as its source).
 HIDDEN = {
-    "nlopt": "sizing",
+    "nlopt": "sizing control",
     "muParser": "sizing",
     "tbb/": "sizing measurement",
     "oneapi/": "sizing measurement",
@@ -53,7 +54,7 @@ HIDDEN = {
     "CLI/": "cli",
     "glog/": "cli",
     "hwy/": "magnetics",
-    "boost/": "magnetics winding thermal actuator simulation sizing measurement",
+    "boost/": "magnetics winding thermal actuator simulation control sizing measurement",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

@@ -19,6 +19,7 @@ void add_force_command(CLI::App& app, Outcome& outcome);
 void add_linearise_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_plan_command(CLI::App& app, Outcome& outcome);
+void add_reach_command(CLI::App& app, Outcome& outcome);
 void add_grip_command(CLI::App& app, Outcome& outcome);
 void add_rig_command(CLI::App& app, Outcome& outcome);
 void add_simulate_command(CLI::App& app, Outcome& outcome);

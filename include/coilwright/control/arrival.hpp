@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coilwright/actuator/model/model.hpp"
+#include "coilwright/control/current_profile.hpp"
+
+namespace coilwright::control {
+
+/// Share of the change within which a motion counts as arrived: the usual convention, as simulation::StepResponse has
+/// it.
+inline constexpr double settling_band = 0.02;
+
+/// How the bending angle arrives where a profile leads it.
+struct Arrival {
+  double start{};  ///< rad, under the current before
+  double end{};    ///< rad, the equilibrium under the last current about which it is at the end
+  std::optional<double>
+      settling_time{};  ///< last time outside the band about `end`, s; nothing: still outside at the end
+  double overshoot{};   ///< beyond the end, over the change; >= 0
+  double peak_speed{};  ///< rad/s
+  /// Time outside the band with a soft edge, integral of e^2 / (e^2 + band^2), s: a smooth measure of the settling
+  /// time.
+  double time_outside{};
+};
+
+/// Follows `model` under `profile` from rest for `duration` (s), looking 2000 times a second. Heat and whatever else of
+/// the model is slow stays as it is at the start. Throws std::invalid_argument for a profile that breaks its rules and
+/// std::runtime_error where the model has no stable pose at the start or at the end, or where its bending angle does
+/// not change (below 1e-6 rad).
+[[nodiscard]] Arrival arrival(const actuator::Model& model, const CurrentProfile& profile, double duration);
+
+}  // namespace coilwright::control

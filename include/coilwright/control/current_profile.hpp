@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "coilwright/actuator/model/model.hpp"
+#include "coilwright/simulation/model_input.hpp"
+
+namespace coilwright::control {
+
+/// One current in every coil over time: before time 0 it has been `before` for long, and each level holds until the
+/// next.
+struct CurrentProfile {
+  double before{};               ///< A
+  std::vector<double> times{};   ///< s, the first 0, increasing
+  std::vector<double> levels{};  ///< A, levels[i] from times[i] on; the last for good
+
+  [[nodiscard]] double last() const { return levels.back(); }  ///< A, what it ends with
+};
+
+/// `profile` as a model takes it, up to `duration` (s, beyond the last of its times). Throws std::invalid_argument for
+/// a profile that breaks its rules.
+[[nodiscard]] simulation::ModelInput input_of(const actuator::Model& model, const CurrentProfile& profile,
+                                              double duration);
+
+}  // namespace coilwright::control

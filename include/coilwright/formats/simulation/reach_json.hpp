@@ -1,0 +1,12 @@
+#pragma once
+
+#include "coilwright/control/reach.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// How an angle is reached, as reach/1: every profile with its levels and its arrivals, keys ending in their unit. A
+/// settling time is null where the motion was still outside the band at the end.
+[[nodiscard]] text::Json to_json(const control::Reach& reach);
+
+}  // namespace coilwright::formats

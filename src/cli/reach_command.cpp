@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "actuator_input.hpp"
+#include "coilwright/actuator/heat.hpp"
+#include "coilwright/control/reach.hpp"
+#include "coilwright/formats/simulation/controller_header.hpp"
+#include "coilwright/formats/simulation/reach_json.hpp"
+#include "coilwright/report/simulation/reach_text.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "coilwright/thermal/steady_state.hpp"
+#include "commands.hpp"
+#include "keep_inputs.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using text::InputError;
+using text::Rule;
+
+struct Options {
+  ActuatorOptions actuator;
+  double angle{};  // deg
+  double from{};   // A
+  double lowest{};
+  std::optional<double> highest;
+  double stiffness_error = 10.0;  // %
+  double damping_error = 10.0;
+  int pieces = 3;
+  std::string out, header;
+  bool json{false};
+};
+
+// A current that the actuator bears for good, and one that its wire bears; nothing where only lumps are known.
+struct Bearable {
+  double continuous{};
+  double ampacity{};
+};
+
+struct Asked {
+  actuator::Model model;
+  std::optional<Bearable> bearable;
+};
+
+Asked read(const Options& options) {
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  if (const auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = *model, .bearable = {}};
+  const actuator::Design design = design_in(file, options.actuator, "it has no design");
+  const actuator::Assembly assembly = assemble(design, options.actuator);
+  const thermal::CurrentLimits limits = thermal::current_limits(actuator::heat_network(design, assembly));
+  return {.model = assembly.model,
+          .bearable =
+              Bearable{.continuous = std::min(limits.coils, limits.magnets), .ampacity = assembly.coil.current_limit}};
+}
+
+control::ReachTask task_of(const Options& options, const Asked& asked) {
+  if (!options.highest && !asked.bearable)
+    throw InputError(
+        {.file = "--highest-current-A", .rule = "is needed: a lumped model does not say what current its coils bear"});
+  return {.angle = options.angle * std::numbers::pi / 180.0,
+          .start_current = options.from,
+          .lowest_current = options.lowest,
+          .highest_current = options.highest ? *options.highest : asked.bearable->ampacity,
+          .stiffness_error = options.stiffness_error / 100.0,
+          .damping_error = options.damping_error / 100.0,
+          .pieces = options.pieces};
+}
+
+control::Reach answer(const Options& options, const Asked& asked, const control::ReachTask& task) {
+  try {
+    if (!options.header.empty()) formats::require_header_can_say(asked.model);
+    return control::reach(asked.model, task);
+  } catch (const std::invalid_argument& rule) {
+    throw InputError({.file = options.actuator.file, .rule = rule.what()});
+  } catch (const std::runtime_error& reason) {
+    throw InputError({.file = options.actuator.file, .rule = reason.what()});
+  }
+}
+
+// As simulate --input takes it: at rest under the current before, which the first row has.
+void write_profile(const std::string& path, const control::CurrentProfile& profile, double end) {
+  constexpr double before = -0.01;  // s
+  text::OutputFile file(path);
+  text::CsvWriter csv(file.stream(), {"time_s", "current_A"});
+  csv.row(std::array{before, profile.before});
+  for (std::size_t i = 0; i < profile.times.size(); ++i) csv.row(std::array{profile.times[i], profile.levels[i]});
+  csv.row(std::array{end, profile.last()});
+  file.commit();
+}
+
+std::string remarks(const control::Reach& reach, const control::ReachTask& task, const Asked& asked) {
+  std::string out;
+  if (asked.bearable && reach.current > asked.bearable->continuous)
+    out += fmt::format(
+        "{:.3g} A are more than coils and magnets bear for good ({:.3g} A): hold the angle for a short time only.\n",
+        reach.current, asked.bearable->continuous);
+  if (asked.bearable && task.highest_current > asked.bearable->ampacity)
+    out += fmt::format("The wire is rated for {:.3g} A; --highest-current-A allows {:.3g} A.\n",
+                       asked.bearable->ampacity, task.highest_current);
+  return out;
+}
+
+void run_reach(const Options& options) {
+  keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
+              std::array<std::filesystem::path, 2>{options.out, options.header});
+  const Asked asked = read(options);
+  const control::ReachTask task = task_of(options, asked);
+  const control::Reach reach = answer(options, asked, task);
+  const control::ProfileQuality& best = report::best_profile(reach);
+  if (!options.header.empty()) {
+    text::OutputFile file(options.header);
+    file.stream() << formats::controller_header(asked.model, best);
+    file.commit();
+  }
+  if (!options.out.empty()) write_profile(options.out, best.profile, reach.duration);
+  std::cout << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
+  std::cerr << remarks(reach, task, asked);
+}
+
+}  // namespace
+
+void add_reach_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("reach", "Find a current profile that brings the actuator to an angle without ringing");
+  add_actuator_options(*command, options->actuator);
+  const auto number = [&](const char* name, auto& value, const char* text, const Rule& rule) {
+    return command->add_option(name, value, text)->check(number_rule(rule));
+  };
+  const Rule current = Rule::between(-1e6, 1e6);
+  number("--angle-deg", options->angle, "Bending angle to reach, deg", Rule::between(-360, 360))->required();
+  number("--from-A", options->from, "Current in every coil before, A (default 0)", current);
+  number("--lowest-current-A", options->lowest, "Lowest current that the driver gives, A (default 0)", current);
+  number("--highest-current-A", options->highest, "Highest, A (default what the wire bears)", current);
+  number("--stiffness-error-percent", options->stiffness_error, "How far k of the hinges may be off (default 10)",
+         Rule::between(0, 50));
+  number("--damping-error-percent", options->damping_error, "How far b may be off (default 10)", Rule::between(0, 50));
+  number("--pieces", options->pieces, "Levels of the searched profile before the last one (default 3)",
+         Rule::between(1, 6));
+  command->add_option("--out", options->out, "CSV file to write the best profile to, for simulate --input");
+  command->add_option("--c-header", options->header,
+                      "C99 file to write: that profile and the model, for a microcontroller");
+  command->add_flag("--json", options->json, "Print JSON (reach/1) instead of a table")->disable_flag_override();
+  command->footer(
+      "A step makes a finger ring for a second. A profile of a few levels arrives in a seventh of that, without a\n"
+      "sensor. Compared are the plain step, the step shaped for the slowest motion (zero vibration, and with zero\n"
+      "derivative), and a search over levels and lengths within the driver's currents whose worst finger, of the one\n"
+      "as it is and four with k and b off, is the first to stay within 2 %.\n\n"
+      "Example:\n"
+      "  coilwright reach configs/actuators/paper_finger.json --angle-deg 50 --out profile.csv");
+  command->callback([options] { run_reach(*options); });
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,178 @@
+#include "coilwright/control/reach.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "coilwright/control/input_shaping.hpp"
+#include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/simulation/initial_state.hpp"
+#include "coilwright/simulation/step_response.hpp"
+#include "control/profile_search.hpp"
+
+namespace coilwright::control {
+namespace {
+
+using actuator::Model;
+using mechanics::JointVector;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+void check(const Model& model, const ReachTask& task) {
+  const auto require = [](bool met, const char* name, const char* rule, double value) {
+    if (!met) throw std::invalid_argument(fmt::format("{} must be {}; got {}", name, rule, value));
+  };
+  require(model.coils() > 0, "coils of the actuator", "at least one", model.coils());
+  require(std::isfinite(task.angle), "angle", "finite", task.angle);
+  require(std::isfinite(task.lowest_current), "lowest current", "finite", task.lowest_current);
+  require(std::isfinite(task.highest_current) && task.highest_current > task.lowest_current, "highest current",
+          "finite and above the lowest", task.highest_current);
+  require(task.start_current >= task.lowest_current && task.start_current <= task.highest_current, "start current",
+          "between the lowest and the highest", task.start_current);
+  require(task.stiffness_error >= 0.0 && task.stiffness_error <= 0.5, "stiffness error", "from 0 to 0.5",
+          task.stiffness_error);
+  require(task.damping_error >= 0.0 && task.damping_error <= 0.5, "damping error", "from 0 to 0.5", task.damping_error);
+  require(task.pieces >= 1 && task.pieces <= 6, "pieces", "from 1 to 6", task.pieces);
+}
+
+// As it is, and with k and b off either way.
+std::vector<Model> fingers(const Model& model, const ReachTask& task) {
+  std::vector<Model> out{model};
+  for (const double stiffness : {-task.stiffness_error, task.stiffness_error})
+    for (const double damping : {-task.damping_error, task.damping_error}) {
+      if (stiffness == 0.0 && damping == 0.0) continue;
+      actuator::ModelSpec spec = model.nominal_spec();
+      for (actuator::Hinge& hinge : spec.hinges) {
+        hinge.stiffness *= 1.0 + stiffness;
+        hinge.damping *= 1.0 + damping;
+      }
+      out.emplace_back(std::move(spec));
+    }
+  return out;
+}
+
+// A model whose heat and the like stay as they are at rest under a current.
+Model held_at_rest(const Model& model, double current) {
+  if (!model.has_slow_states()) return model;
+  const auto rest = simulation::state_at_rest(model, model.all_coils(current), JointVector::Zero(model.joints()));
+  if (!rest) throw std::runtime_error("has no stable pose under the current at the start");
+  return model.with_slow_states_held(rest->internal);
+}
+
+JointVector rest_pose(const Model& model, double current) {
+  const auto rest = simulation::state_at_rest(model, model.all_coils(current), JointVector::Zero(model.joints()));
+  if (!rest) throw std::runtime_error(fmt::format("has no stable pose under {} A", current));
+  return rest->angles;
+}
+
+double holding_current(const Model& model, const ReachTask& task) {
+  const JointVector start = rest_pose(model, task.start_current);
+  const auto angle = [&](double current) {
+    const auto pose = simulation::find_equilibrium(model, model.all_coils(current), start);
+    if (!pose) throw std::runtime_error(fmt::format("has no stable pose under {} A", current));
+    return pose->sum();
+  };
+  const double low = angle(task.lowest_current) - task.angle;
+  const double high = angle(task.highest_current) - task.angle;
+  if (low * high > 0.0) {
+    const double a = (low + task.angle) * degrees;
+    const double b = (high + task.angle) * degrees;
+    throw std::invalid_argument(
+        fmt::format("angle must be from {:.4g} to {:.4g} deg, which {} to {} A hold; got {:.6g} deg", std::min(a, b),
+                    std::max(a, b), task.lowest_current, task.highest_current, task.angle * degrees));
+  }
+  if (low == 0.0) return task.lowest_current;
+  if (high == 0.0) return task.highest_current;
+  std::uintmax_t calls = 100;
+  const auto bracket = boost::math::tools::toms748_solve([&](double current) { return angle(current) - task.angle; },
+                                                         task.lowest_current, task.highest_current, low, high,
+                                                         boost::math::tools::eps_tolerance<double>(40), calls);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+// Of small motions at the angle: the slowest that oscillates, or the slowest of all.
+simulation::Mode mode_at(const Model& model, double current, const JointVector& near) {
+  const auto pose = simulation::find_equilibrium(model, model.all_coils(current), near);
+  if (!pose) throw std::runtime_error("has no stable pose at the angle");
+  const std::vector<simulation::Mode> modes = simulation::modes(model, *pose, model.all_coils(current));
+  const auto found = std::ranges::find_if(modes, [](const simulation::Mode& mode) { return mode.damping_ratio < 1.0; });
+  return found == modes.end() ? modes.front() : *found;
+}
+
+// Longer than the plain step takes to settle in any of the fingers.
+double duration_for(const std::vector<Model>& models, const ReachTask& task, double current) {
+  double longest = 0.0;
+  for (const Model& each : models) {
+    const Model held = held_at_rest(each, task.start_current);
+    const auto step = simulation::step_response(held, held.all_coils(current), rest_pose(held, task.start_current));
+    if (!step || !step->settling_time) throw std::runtime_error("does not settle after a plain step to the angle");
+    longest = std::max(longest, *step->settling_time);
+  }
+  return 1.1 * longest + 0.02;
+}
+
+ProfileQuality quality(const std::vector<Model>& models, std::string name, const CurrentProfile& profile,
+                       double duration) {
+  const auto later = [](const Arrival& one, const Arrival& other) {
+    constexpr double never = 1e9;
+    return one.settling_time.value_or(never) < other.settling_time.value_or(never);
+  };
+  ProfileQuality out{.name = std::move(name), .profile = profile, .nominal = {}, .worst = {}};
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Arrival one = arrival(models[i], profile, duration);
+    if (i == 0) out.nominal = out.worst = one;
+    if (later(out.worst, one)) out.worst = one;
+  }
+  return out;
+}
+
+}  // namespace
+
+Reach reach(const Model& model, const ReachTask& task) {
+  check(model, task);
+  const Model held = held_at_rest(model, task.start_current);
+  const double current = holding_current(held, task);
+  const JointVector start = rest_pose(held, task.start_current);
+  if (std::abs(task.angle - start.sum()) < 1e-3)
+    throw std::invalid_argument(
+        fmt::format("angle must differ from where the motion starts, {:.4g} deg; got {:.4g} deg", start.sum() * degrees,
+                    task.angle * degrees));
+  const std::vector<Model> models = fingers(model, task);
+  Reach out{.current = current,
+            .mode = mode_at(held, current, start),
+            .duration = duration_for(models, task, current),
+            .profiles = {}};
+  std::vector<CurrentProfile> shaped;
+  const auto add = [&](std::string name, const CurrentProfile& profile) {
+    out.profiles.push_back(quality(models, std::move(name), profile, out.duration));
+  };
+  for (const Shaper shaper : {Shaper::step, Shaper::zero_vibration, Shaper::zero_vibration_derivative}) {
+    const CurrentProfile profile = shaped_step(task.start_current, current, out.mode, shaper);
+    if (shaper != Shaper::step && profile.times.size() == 1) continue;  // nothing oscillates
+    if (profile.times.back() >= out.duration) continue;
+    add(std::string(name_of(shaper)), profile);
+    shaped.push_back(profile);
+  }
+  add("searched", search_profile(models, {.start_current = task.start_current,
+                                          .lowest = task.lowest_current,
+                                          .highest = task.highest_current,
+                                          .current = current,
+                                          .pieces = task.pieces,
+                                          .longest_piece = 0.75 / out.mode.natural_frequency,
+                                          .duration = out.duration,
+                                          .starts = shaped}));
+  out.least_end = out.greatest_end = out.profiles.front().nominal.end;
+  for (const Model& each : models) {
+    const double end = arrival(each, out.profiles.front().profile, out.duration).end;
+    out.least_end = std::min(out.least_end, end);
+    out.greatest_end = std::max(out.greatest_end, end);
+  }
+  return out;
+}
+
+}  // namespace coilwright::control

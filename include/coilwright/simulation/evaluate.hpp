@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "coilwright/simulation/quantity.hpp"
 
 namespace coilwright::simulation {
@@ -10,11 +12,19 @@ struct EvaluatedDesign {
   actuator::Assembly assembly;
   OperatingPoint point;
   Performance performance;
+  Settings settings{};  ///< of a study that varies some
+  /// Of this design alone: who changes anything above has to begin with a new one, as with `performance`.
+  std::shared_ptr<SharedResults> shared = std::make_shared<SharedResults>();
 
   /// What the functions of a QuantityTable take: `table.at("mass_g").value(evaluated.view())`. Valid as long as this
   /// object.
   [[nodiscard]] DesignView view() const& {
-    return {.design = design, .assembly = assembly, .point = point, .performance = performance};
+    return {.design = design,
+            .assembly = assembly,
+            .point = point,
+            .performance = performance,
+            .settings = &settings,
+            .shared = shared.get()};
   }
   DesignView view() const&& = delete;
 };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,8 +13,13 @@
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "coilwright/simulation/shared_result.hpp"
 
 namespace coilwright::simulation {
+
+/// Numbers that are no part of a design and that a study varies beside it, in SI, each by the name of its variable:
+/// "gripper_spacing_mm".
+using Settings = std::map<std::string, double, std::less<>>;
 
 /// A design at an operating point, with everything that is known of it. Refers to values that must outlive it.
 struct DesignView {
@@ -21,6 +27,14 @@ struct DesignView {
   const actuator::Assembly& assembly;
   const OperatingPoint& point;
   const Performance& performance;
+  const Settings* settings = nullptr;  ///< of a study that varies some; nullptr: none
+  SharedResults* shared = nullptr;     ///< where results are kept that several quantities need; nullptr: nowhere
+};
+
+/// Why a quantity has no value in one design.
+struct NoValue {
+  std::string reason;          ///< as the end of a sentence
+  double infeasibility = 1.0;  ///< how far the design is from having one, in any measure of order 1; > 0
 };
 
 /// One number of a design, as results print it and as a study asks for it.
@@ -41,6 +55,8 @@ struct ResultQuantity {
   /// The pose that it is a figure of, under current; nothing for what is known without a pose (mass) or stands for
   /// whichever poses the operating point is held in (thermal_load).
   std::optional<actuator::HeldCases> pose{};
+  /// Why it has none in a design without a value, where that differs from design to design; empty: always `absence`.
+  std::function<NoValue(const DesignView&)> why_absent{};
 };
 
 /// Both poses together; nothing where neither is one.

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+
+namespace coilwright::simulation {
+
+struct DesignView;
+
+/// Where the results are kept that several quantities of one design need: a gripper's grasp has a margin, a closing
+/// time and forces. Safe to use from several threads.
+class SharedResults {
+ public:
+  /// What is kept of `maker`, or nullptr.
+  [[nodiscard]] std::shared_ptr<const void> find(const std::shared_ptr<const void>& maker) const {
+    const std::scoped_lock lock{guard_};
+    const auto found = kept_.find(maker);
+    return found == kept_.end() ? nullptr : found->second;
+  }
+  /// Keeps a result, and returns what is kept: of two that were made at the same time the first.
+  std::shared_ptr<const void> keep(std::shared_ptr<const void> maker, std::shared_ptr<const void> result) {
+    const std::scoped_lock lock{guard_};
+    return kept_.try_emplace(std::move(maker), std::move(result)).first->second;
+  }
+
+ private:
+  mutable std::mutex guard_;
+  // The makers live as long: another one at the address of one that is gone would find its result.
+  std::map<std::shared_ptr<const void>, std::shared_ptr<const void>> kept_;
+};
+
+/// A result that several quantities are read from. It is made when the first of them is asked for, and once for a
+/// design. Immutable; copies are cheap, and share what was made.
+template <class Result>
+class SharedResult {
+ public:
+  /// Must be pure.
+  using Make = std::function<Result(const DesignView&)>;
+  explicit SharedResult(Make make) : make_(std::make_shared<const Make>(std::move(make))) {}
+
+  /// The result of a design; made again for each call where the view keeps nothing.
+  template <class View>
+  requires std::is_same_v<View, DesignView>
+  [[nodiscard]] std::shared_ptr<const Result> of(const View& design) const {
+    if (design.shared != nullptr)
+      if (auto kept = design.shared->find(make_)) return std::static_pointer_cast<const Result>(kept);
+    auto made = std::make_shared<const Result>((*make_)(design));  // without the lock: it may ask for other results
+    if (design.shared == nullptr) return made;
+    return std::static_pointer_cast<const Result>(design.shared->keep(make_, std::move(made)));
+  }
+
+ private:
+  std::shared_ptr<const Make> make_;  // the key, too
+};
+
+}  // namespace coilwright::simulation

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -9,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "actuator_input.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
+#include "coilwright/systems/gripper/heat_of_hold.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "commands.hpp"
@@ -98,10 +97,7 @@ Answer answer_of(const Options& options) {
       .current = options.current, .open_current = options.open_current, .acceleration = options.acceleration};
   Answer out{.grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
                                [&] { return systems::gripper::grasp(gripper, object, task); })};
-  const auto performance = simulation::performance_of(
-      design, gripper.assembly(),
-      {.current = options.current, .grasp = {.opening = std::max(0.0, out.grasp.left.sum())}});
-  if (const auto* found = std::get_if<simulation::Performance>(&performance)) out.heat = found->gripping.heat;
+  out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = options.current});
   if (options.most_current > 0.0)
     out.least_current = systems::gripper::least_current(gripper, object, task, options.most_current);
   if (options.most_friction > 0.0)
@@ -152,7 +148,7 @@ std::string as_text(const Options& options, const Answer& answer) {
     const simulation::Heat& heat = *answer.heat;
     text +=
         fmt::format("\nHeat of one finger bent like that against a wall: {:.4g} A can be held for good; at {:.4g} A ",
-                    heat.continuous_current, options.current);
+                    systems::gripper::held_for_good(heat), options.current);
     text += heat.time_to_limit
                 ? fmt::format("a part reaches its limit after {:.3g} s, from cold.\n", *heat.time_to_limit)
                 : std::string("no part reaches its limit.\n");
@@ -192,7 +188,7 @@ std::string as_json(const Answer& answer) {
   if (answer.least_current) out.set("least_current_A", optional_number(*answer.least_current));
   if (answer.least_friction) out.set("least_friction", optional_number(*answer.least_friction));
   if (answer.heat) {
-    out.set("continuous_current_A", answer.heat->continuous_current);
+    out.set("continuous_current_A", systems::gripper::held_for_good(*answer.heat));
     out.set("time_to_limit_s", optional_number(answer.heat->time_to_limit));
   }
   return out.text();

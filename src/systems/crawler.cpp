@@ -51,6 +51,10 @@ mechanics::FloatingChain chain_of(const actuator::Design& design, const actuator
   return mechanics::FloatingChain(links, assembly.model.chain().gravity());
 }
 
+double current_of_pulse(int coils, double resistance, const CrawlerParts& parts) {
+  return parts.cell.voltage / (resistance + coils * parts.drive.lead_resistance);
+}
+
 }  // namespace
 
 Crawler::Crawler(const actuator::Design& design, const actuator::Assembly& assembly, const CrawlerParts& parts)
@@ -82,7 +86,11 @@ mechanics::CoordinateVector Crawler::lying() const {
 }
 
 double Crawler::pulse_current() const noexcept {
-  return parts_.cell.voltage / (coil_resistance_ + model_.coils() * parts_.drive.lead_resistance);
+  return current_of_pulse(model_.coils(), coil_resistance_, parts_);
+}
+
+double pulse_current(const actuator::Assembly& assembly, const CrawlerParts& parts) {
+  return assembly.coils == 0 ? 0.0 : current_of_pulse(assembly.coils, assembly.coil.resistance, parts);
 }
 
 }  // namespace coilwright::systems

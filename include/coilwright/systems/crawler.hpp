@@ -41,6 +41,10 @@ struct CrawlerParts {
   PulseDrive drive{};
 };
 
+/// Current of one coil of the actuator while the switch is closed and nothing moves, A, with coils at 20 degC; 0
+/// without coils.
+[[nodiscard]] double pulse_current(const actuator::Assembly& assembly, const CrawlerParts& parts);
+
 /// A crawling robot: an actuator that lies on level ground on its bottom layer, with the payload behind its rear part.
 ///
 /// Coordinates are those of its FloatingChain: the base (link 0) has its axis along -x while the robot lies straight,

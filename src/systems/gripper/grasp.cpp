@@ -1,6 +1,7 @@
 #include "coilwright/systems/gripper/grasp.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -69,10 +70,13 @@ class Programme {
     bool left = false;
     bool right = false;
     double still = 0.0;
+    std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (double time = task_.step; time <= close_time; time += task_.step) {
       scene_.advance({.current = task_.current, .load = weight, .support = true}, task_.step);
       left = left || scene_.touches(0);
       right = right || scene_.touches(1);
+      for (int f = 0; f < 2; ++f)
+        nearest[static_cast<std::size_t>(f)] = std::min(nearest[static_cast<std::size_t>(f)], scene_.gap(f));
       if (left && right && !out_.both_touched) {
         out_.both_touched = true;
         out_.closing_time = time;
@@ -80,6 +84,7 @@ class Programme {
       still = out_.both_touched && scene_.finger_energy() < still_energy ? still + task_.step : 0.0;
       if (still > record_time) break;
     }
+    if (!out_.both_touched) out_.missing = std::max(0.0, std::max(left ? 0.0 : nearest[0], right ? 0.0 : nearest[1]));
   }
 
   // Adds what touches now to a mean over `steps` steps.
@@ -156,6 +161,11 @@ class Programme {
   std::map<std::pair<int, int>, GraspContact> contacts_{};
 };
 
+// The margin of an object that creeps away under its whole load: not held, and as near to it as a search may see.
+constexpr double creeping = -0.01;
+// The farthest that a finger is said to be from the object, in widths of it: beyond, no face looks at it.
+constexpr double out_of_sight = 10.0;
+
 // The least of (0, most] for which `holds`, to 0.5 %; nothing if `most` does not.
 std::optional<double> least(double most, const std::function<bool(double)>& holds) {
   if (!holds(most)) return std::nullopt;
@@ -175,6 +185,12 @@ Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task)
   check(object);
   check(task);
   return Programme(gripper, object, task).run();
+}
+
+double holding_margin(const Grasp& grasp, const Object& object) {
+  if (!grasp.both_touched) return -1.0 - std::min(grasp.missing / object.width, out_of_sight);
+  const double margin = grasp.margin() - 1.0;
+  return grasp.holds ? std::max(0.0, margin) : std::min(margin, creeping);
 }
 
 std::optional<double> least_current(const Gripper& gripper, const Object& object, GraspTask task, double most) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -58,9 +59,9 @@ void Scene::require_apart() const {
   for (int f = 0; f < 2; ++f)
     for (const FacePoint& point : face_points(gripper_, f, angles(f), object_, object()))
       if (point.gap <= closed_gap)
-        throw std::invalid_argument(
-            fmt::format("object must leave the open fingers free; got {:.3g} mm of overlap with the {} finger",
-                        -1e3 * point.gap, f == 0 ? "left" : "right"));
+        throw NoRoom(closed_gap - point.gap,
+                     fmt::format("object must leave the open fingers free; got {:.3g} mm of overlap with the {} finger",
+                                 -1e3 * point.gap, f == 0 ? "left" : "right"));
 }
 
 ObjectPose Scene::object() const {
@@ -99,7 +100,10 @@ void Scene::add_contacts(const CoordinateVector& position, const Actions& action
   for (int f = 0; f < 2; ++f) {
     const JointVector angles = position.segment(f * joints_, joints_);
     const Placement here = placement(gripper_.mounting(), f);
+    double& nearest = gaps_[static_cast<std::size_t>(f)];
+    nearest = std::numeric_limits<double>::infinity();
     for (const FacePoint& point : face_points(gripper_, f, angles, object_, pose)) {
+      nearest = std::min(nearest, point.gap);
       if (point.gap > closed_gap) continue;
       Contact contact = of_object(joints_, pose, point.position, point.normal);
       const mechanics::PointJacobian moved = here.jacobian(gripper_.finger().chain().jacobian(point.on_finger, angles));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "coilwright/mechanics/moreau_step.hpp"
@@ -34,6 +35,8 @@ class Scene {
   };
   [[nodiscard]] const std::vector<Touch>& touches() const noexcept { return touches_; }
   [[nodiscard]] bool touches(int finger) const;
+  /// Gap between a finger and the object in the middle of the last step, m; infinite where no face looks at the object.
+  [[nodiscard]] double gap(int finger) const { return gaps_[static_cast<std::size_t>(finger)]; }
   /// Throws std::invalid_argument if a finger overlaps the object.
   void require_apart() const;
   [[nodiscard]] ObjectPose object() const;
@@ -57,6 +60,7 @@ class Scene {
   mechanics::CoordinateVector position_, velocity_;
   std::vector<FacePoint> closed_;  // of the contacts of the last step that are a finger's, in their order
   std::vector<Touch> touches_;
+  std::array<double, 2> gaps_{};  // m
   Gripper::Pull pull_;
   double pull_age_;  // s
 };

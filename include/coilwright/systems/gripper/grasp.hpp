@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "coilwright/systems/gripper/gripper.hpp"
@@ -31,6 +33,7 @@ struct GraspContact {
 struct Grasp {
   bool holds{};              ///< the load was still held, at rest, 0.2 s after it was reached
   bool both_touched{};       ///< both fingers reached the object
+  double missing{};          ///< how near the finger came that stayed away, m; 0 where both touched
   double closing_time{};     ///< from the current to the touch of the later finger, s; infinite if one never touched
   double load{};             ///< mass times gravity and acceleration, N
   double capacity{};         ///< largest load before the object was lost, N; 0 without a grasp
@@ -44,10 +47,27 @@ struct Grasp {
   [[nodiscard]] double margin() const { return load > 0.0 ? capacity / load : 0.0; }
 };
 
+/// How well an object is held, as one number that grows all the way from out of reach to held firmly: for searches.
+/// From 0 on it is held, and this is capacity over load less one. Between -1 and 0 it slips: the same, at most -0.01.
+/// Below -1 a finger does not reach it: -1 less what is missing over the object's width.
+[[nodiscard]] double holding_margin(const Grasp& grasp, const Object& object);
+
+/// The open fingers leave no room for the object.
+class NoRoom : public std::invalid_argument {
+ public:
+  /// With an overlap > 0, m, and what() to say.
+  NoRoom(double overlap, const std::string& text) : std::invalid_argument(text), overlap_(overlap) {}
+  /// m
+  [[nodiscard]] double overlap() const noexcept { return overlap_; }
+
+ private:
+  double overlap_;
+};
+
 /// Closes on an object that stands on a smooth support, takes the support away, loads it with its weight and the
 /// acceleration within 0.3 s, holds for 0.2 s, and loads on until it is lost. Rigid segments and object, dry friction
 /// by Moreau and Jean's time stepping, first order in the step. Throws std::invalid_argument for a task or an object
-/// that breaks a rule, or an object that the open fingers touch; std::runtime_error if the open fingers find no rest.
+/// that breaks a rule, NoRoom for an object that the open fingers touch; std::runtime_error if they find no rest.
 [[nodiscard]] Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task);
 
 /// The least current, A, up to `most`, with which the object is held, to 0.5 %; nothing if `most` does not hold it, and

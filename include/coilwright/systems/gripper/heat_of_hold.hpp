@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "coilwright/actuator/operating_point.hpp"
+#include "coilwright/simulation/performance.hpp"
+#include "coilwright/systems/gripper/grasp.hpp"
+
+namespace coilwright::systems::gripper {
+
+/// The heat of one finger, the left, bent as in this grasp against a wall; nothing if it has no performance there.
+/// `finger` is the design that the gripper was made of; of the point current and duty count.
+[[nodiscard]] std::optional<simulation::Heat> heat_of_hold(const actuator::Design& finger, const Gripper& gripper,
+                                                           const Grasp& grasp, const actuator::OperatingPoint& point);
+
+/// The largest current that neither coils nor magnets forbid for good, A.
+[[nodiscard]] double held_for_good(const simulation::Heat& heat);
+
+}  // namespace coilwright::systems::gripper

@@ -1,0 +1,110 @@
+#include "coilwright/systems/crawl_quantities.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace coilwright::systems {
+namespace {
+
+using simulation::DesignView;
+using simulation::NoValue;
+using simulation::ResultQuantity;
+using simulation::Settings;
+using simulation::SharedResult;
+using Value = std::optional<double>;
+using TaskOf = std::function<CrawlTask(const Settings&)>;
+using CrawlResult = std::variant<Crawl, NoValue>;
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr auto no_crawl = "the robot cannot be tried on the ground";
+
+CrawlTask task_in(const TaskOf& task, const DesignView& design) {
+  return task(design.settings == nullptr ? Settings{} : *design.settings);
+}
+
+// Current of all coils in a pulse over what the cell delivers.
+double cell_load(const CrawlTask& task, const DesignView& design) {
+  return design.assembly.coils * pulse_current(design.assembly, task.parts) / task.parts.cell.current_limit;
+}
+
+CrawlResult try_crawl(const TaskOf& task_of, const DesignView& design) {
+  const CrawlTask task = task_in(task_of, design);
+  try {
+    return crawl(Crawler(design.design, design.assembly, task.parts), task.timing);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return NoValue{.reason = failure.what(), .infeasibility = std::max(1.0, cell_load(task, design))};
+  }
+}
+
+ResultQuantity of_crawl(const SharedResult<CrawlResult>& result, std::string name, std::string meaning, double scale,
+                        double (*value)(const Crawl&)) {
+  return {.name = std::move(name),
+          .meaning = std::move(meaning),
+          .scale = scale,
+          .value = [result, value](const DesignView& design) -> Value {
+            const auto found = result.of(design);
+            const auto* done = std::get_if<Crawl>(found.get());
+            return done == nullptr ? Value() : Value(value(*done));
+          },
+          .absence = no_crawl,
+          .pose = actuator::HeldCases::free,
+          .why_absent = [result](const DesignView& design) -> NoValue {
+            const auto found = result.of(design);
+            const auto* none = std::get_if<NoValue>(found.get());
+            return none == nullptr ? NoValue{.reason = "it is not finite"} : *none;
+          }};
+}
+
+// What needs no steps on the ground.
+ResultQuantity of_robot(const TaskOf& task, std::string name, std::string meaning, double scale,
+                        double (*value)(const CrawlTask&, const DesignView&)) {
+  return {.name = std::move(name),
+          .meaning = std::move(meaning),
+          .scale = scale,
+          .value = [task, value](const DesignView& design) -> Value { return value(task_in(task, design), design); },
+          .pose = actuator::HeldCases::free};
+}
+
+}  // namespace
+
+std::vector<ResultQuantity> crawl_quantities(const TaskOf& task) {
+  const SharedResult<CrawlResult> result([task](const DesignView& design) { return try_crawl(task, design); });
+  return {of_robot(task, "crawler_mass_g", "mass of the robot with its payload", 91.0,
+                   [](const CrawlTask& t, const DesignView& d) {
+                     return 1e3 * (d.performance.mass + t.parts.payload.mass);
+                   }),
+          of_robot(task, "crawler_friction_forwards", "coefficient of friction forwards that is assumed", 1.0,
+                   [](const CrawlTask& t, const DesignView&) { return t.parts.friction.forwards; }),
+          of_robot(task, "crawler_friction_backwards", "coefficient of friction backwards that is assumed", 1.0,
+                   [](const CrawlTask& t, const DesignView&) { return t.parts.friction.backwards; }),
+          of_robot(task, "crawl_coil_current_A", "current of one coil in a pulse while nothing moves, coils at 20 degC",
+                   1.0, [](const CrawlTask& t, const DesignView& d) { return pulse_current(d.assembly, t.parts); }),
+          of_robot(task, "crawl_cell_load", "current of all coils in a pulse over the most that the cell delivers", 1.0,
+                   [](const CrawlTask& t, const DesignView& d) { return cell_load(t, d); }),
+          of_crawl(result, "crawl_speed_mm_s", "mean speed towards the fingertip", 50.0,
+                   [](const Crawl& crawl) { return 1e3 * crawl.speed; }),
+          of_crawl(result, "crawl_speed_scatter_mm_s", "standard deviation of the speeds of single periods", 5.0,
+                   [](const Crawl& crawl) { return 1e3 * crawl.speed_scatter; }),
+          of_crawl(result, "crawl_mean_current_A", "mean current out of the cell", 1.0,
+                   [](const Crawl& crawl) { return crawl.mean_current; }),
+          of_crawl(result, "crawl_power_W", "mean power out of the cell", 4.0,
+                   [](const Crawl& crawl) { return crawl.powers.electrical; }),
+          of_crawl(result, "crawl_run_time_s", "on one charge, at the cell's full voltage", 500.0,
+                   [](const Crawl& crawl) { return crawl.run_time; }),
+          of_crawl(result, "crawl_distance_per_charge_m", "distance on one charge, at the cell's full voltage", 30.0,
+                   [](const Crawl& crawl) { return crawl.distance_per_charge; }),
+          of_crawl(result, "crawl_largest_bending_deg", "largest bending angle on the ground", 30.0,
+                   [](const Crawl& crawl) { return crawl.largest_bending * degrees; }),
+          of_crawl(result, "crawl_smallest_bending_deg", "smallest bending angle on the ground", 10.0,
+                   [](const Crawl& crawl) { return crawl.smallest_bending * degrees; })};
+}
+
+}  // namespace coilwright::systems

@@ -1,0 +1,216 @@
+#include "coilwright/systems/gripper/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "coilwright/actuator/cost.hpp"
+#include "coilwright/systems/gripper/grasp.hpp"
+#include "coilwright/systems/gripper/heat_of_hold.hpp"
+
+namespace coilwright::systems::gripper {
+namespace {
+
+using actuator::HeldCases;
+using simulation::DesignView;
+using simulation::NoValue;
+using simulation::ResultQuantity;
+using simulation::Settings;
+using simulation::SharedResult;
+using Value = std::optional<double>;
+using TaskOf = std::function<GripperTask(const Settings&)>;
+
+constexpr auto no_grasp = "the gripper cannot be tried on the object";
+constexpr auto no_reach = "a finger does not reach the object";
+constexpr auto runaway = "the current is at or beyond that of a thermal runaway";
+
+GraspTask grasp_task(const GripperTask& task, double current) {
+  return {.current = current, .open_current = task.open_current, .acceleration = task.acceleration};
+}
+
+GripperTask task_in(const TaskOf& task, const DesignView& design) {
+  return task(design.settings == nullptr ? Settings{} : *design.settings);
+}
+
+// A gripper that was tried.
+struct Tried {
+  GripperTask task;
+  Gripper gripper;
+  Grasp grasp;
+};
+
+// What came of a try, or why there was none.
+template <class Result>
+using Try = std::variant<Result, NoValue>;
+
+// A design far from all hardware may break a rule of a room below; then it has no value, and the search goes on.
+template <class Work>
+auto tried(const GripperTask& task, const Work& work) -> Try<decltype(work())> {
+  try {
+    return work();
+  } catch (const NoRoom& none) {
+    return NoValue{.reason = none.what(), .infeasibility = 1.0 + none.overlap() / task.object.width};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return NoValue{.reason = failure.what(), .infeasibility = 1.0};
+  }
+}
+
+Try<Tried> try_grasp(const TaskOf& task_of, const DesignView& design) {
+  const GripperTask task = task_in(task_of, design);
+  return tried(task, [&] {
+    Gripper gripper(design.design, task.mounting);
+    Grasp found = grasp(gripper, task.object, grasp_task(task, design.point.current));
+    return Tried{.task = task, .gripper = std::move(gripper), .grasp = std::move(found)};
+  });
+}
+
+// The smaller of the two fingers' pressing forces, N.
+double normal_force(const Grasp& grasp) {
+  std::array<double, 2> sum{};
+  for (const GraspContact& contact : grasp.contacts) sum[static_cast<std::size_t>(contact.finger)] += contact.normal;
+  return std::min(sum[0], sum[1]);
+}
+
+// All that the quantities read, made for the first of them.
+class Results {
+ public:
+  explicit Results(const TaskOf& task)
+      : grasp_([task](const DesignView& design) { return try_grasp(task, design); }),
+        heat_([grasp = grasp_](const DesignView& design) -> std::optional<simulation::Heat> {
+          const auto found = grasp.of(design);
+          const auto* done = std::get_if<Tried>(found.get());
+          if (done == nullptr) return std::nullopt;
+          return heat_of_hold(design.design, done->gripper, done->grasp, design.point);
+        }),
+        least_([grasp = grasp_](const DesignView& design) -> Value {
+          const auto found = grasp.of(design);
+          const auto* done = std::get_if<Tried>(found.get());
+          if (done == nullptr) return std::nullopt;
+          const double most =
+              done->task.most_current > 0.0 ? done->task.most_current : design.performance.current_limit;
+          const auto least = tried(done->task, [&] {
+            return least_current(done->gripper, done->task.object, grasp_task(done->task, most), most);
+          });
+          const auto* value = std::get_if<Value>(&least);
+          return value == nullptr ? std::nullopt : *value;
+        }) {}
+
+  ResultQuantity of_grasp(std::string name, std::string meaning, double scale,
+                          const std::function<Value(const Tried&)>& value, const std::string& absence = {}) const {
+    return with_reason({.name = std::move(name),
+                        .meaning = std::move(meaning),
+                        .scale = scale,
+                        .value =
+                            [grasp = grasp_, value](const DesignView& design) {
+                              const auto found = grasp.of(design);
+                              const auto* done = std::get_if<Tried>(found.get());
+                              return done == nullptr ? std::nullopt : value(*done);
+                            },
+                        .absence = absence.empty() ? std::string(no_grasp) : absence,
+                        .pose = HeldCases::gripping});
+  }
+
+  ResultQuantity of_heat(std::string name, std::string meaning, double scale,
+                         const std::function<Value(const simulation::Heat&, const DesignView&)>& value,
+                         std::string absence) const {
+    return with_reason({.name = std::move(name),
+                        .meaning = std::move(meaning),
+                        .scale = scale,
+                        .value =
+                            [heat = heat_, value](const DesignView& design) {
+                              const auto found = heat.of(design);
+                              return found->has_value() ? value(**found, design) : std::nullopt;
+                            },
+                        .absence = std::move(absence),
+                        .pose = HeldCases::gripping});
+  }
+
+  ResultQuantity least_current_quantity() const {
+    return with_reason({.name = "grip_least_current_A",
+                        .meaning = "least current that holds the object, to 0.5 %",
+                        .scale = 1.0,
+                        .value = [least = least_](const DesignView& design) { return *least.of(design); },
+                        .absence = "no current up to the one allowed holds the object",
+                        .pose = HeldCases::gripping});
+  }
+
+ private:
+  // Where there was no grasp that is the reason; otherwise the quantity's own, and how far from holding it is.
+  ResultQuantity with_reason(ResultQuantity quantity) const {
+    quantity.why_absent = [grasp = grasp_, own = quantity.absence](const DesignView& design) -> NoValue {
+      const auto found = grasp.of(design);
+      if (const auto* none = std::get_if<NoValue>(found.get())) return *none;
+      const Tried& done = std::get<Tried>(*found);
+      return {.reason = own, .infeasibility = 1.0 + std::max(0.0, -holding_margin(done.grasp, done.task.object))};
+    };
+    return quantity;
+  }
+
+  SharedResult<Try<Tried>> grasp_;
+  SharedResult<std::optional<simulation::Heat>> heat_;
+  SharedResult<Value> least_;
+};
+
+// What needs no grasp.
+ResultQuantity of_design(std::string name, std::string meaning, double scale, ResultQuantity::Value value) {
+  return {.name = std::move(name), .meaning = std::move(meaning), .scale = scale, .value = std::move(value)};
+}
+
+}  // namespace
+
+std::vector<ResultQuantity> gripper_quantities(const TaskOf& task) {
+  const Results results(task);
+  return {
+      of_design("gripper_mass_g", "mass of both fingers without palm and wires", 140.0,
+                [](const DesignView& d) -> Value { return 2e3 * d.performance.mass; }),
+      of_design(
+          "gripper_cost_USD", "cost of both fingers, driver and supply", 44.0,
+          [](const DesignView& d) -> Value { return 2.0 * d.performance.cost + actuator::driver_and_supply_cost; }),
+      of_design("gripper_friction", "coefficient of friction between object and fingers that is assumed", 1.0,
+                [task](const DesignView& d) -> Value { return task_in(task, d).object.friction; }),
+      results.of_grasp("grip_margin",
+                       "load at which the object slips over its load, less one; below -1 a finger does not reach it",
+                       1.0, [](const Tried& done) -> Value { return holding_margin(done.grasp, done.task.object); }),
+      results.of_grasp("grip_load_N", "weight of the object and what its acceleration adds", 2.0,
+                       [](const Tried& done) -> Value { return done.grasp.load; }),
+      results.of_grasp("grip_capacity_N", "load at which the object slips; ten times its load where more holds", 2.0,
+                       [](const Tried& done) -> Value { return done.grasp.capacity; }),
+      results.of_grasp("grip_normal_force_N",
+                       "force with which the weaker finger presses in the hold, or before it where there is none", 1.0,
+                       [](const Tried& done) -> Value { return normal_force(done.grasp); }),
+      results.of_grasp(
+          "grip_closing_time_ms", "from the current to the touch of the later finger", 30.0,
+          [](const Tried& done) -> Value {
+            return done.grasp.both_touched ? Value(done.grasp.closing_time * 1e3) : Value();
+          },
+          no_reach),
+      results.of_grasp("grip_magnet_force_N", "largest force between magnets of different fingers in the hold", 1.0,
+                       [](const Tried& done) -> Value { return done.grasp.magnet_force; }),
+      results.of_heat(
+          "grip_continuous_current_A", "current that neither coils nor magnets forbid for good in the pose of the hold",
+          1.0, [](const simulation::Heat& heat, const DesignView&) -> Value { return held_for_good(heat); }, runaway),
+      results.of_heat(
+          "grip_thermal_load", "rms current divided by grip_continuous_current_A", 1.0,
+          [](const simulation::Heat& heat, const DesignView& d) -> Value {
+            const double allowed = held_for_good(heat);
+            return allowed > 0.0 ? Value(std::abs(d.point.current) * std::sqrt(d.point.duty) / allowed) : Value();
+          },
+          "the surroundings are as hot as a limit already"),
+      results.of_heat(
+          "grip_time_to_limit_s", "time from cold, current on, until a part is at its limit in the pose of the hold",
+          100.0, [](const simulation::Heat& heat, const DesignView&) { return heat.time_to_limit; },
+          "the current may be held for good"),
+      results.least_current_quantity()};
+}
+
+}  // namespace coilwright::systems::gripper

@@ -30,10 +30,10 @@ using sizing::EvaluatedDesign;
 
 // The answer is checked where it will be used: the text of actuator.json is read back, evaluated at the operating point
 // found, and held against every limit.
-void check_written_design(const std::string& text, const sizing::Study& study) {
+void check_written_design(const std::string& text, const sizing::Study& study, const EvaluatedDesign& found) {
   const formats::ActuatorFile file = formats::parse_actuator(text, "actuator.json");
-  const EvaluatedDesign again =
-      simulation::evaluate(std::get<actuator::Design>(file.content), file.operating_point.value());
+  EvaluatedDesign again = simulation::evaluate(std::get<actuator::Design>(file.content), file.operating_point.value());
+  again.settings = found.settings;  // no part of an actuator's file
   for (const sizing::Limit& limit : study.limits) {
     const std::optional<double> value = limit.quantity.value(again.view());
     if (!value || !(margin(limit, *value) >= 0.0))
@@ -58,7 +58,7 @@ void write_results(text::OutputFolder& folder, const DesignProblem& problem, con
     folder.remove("actuator.json");
   } else {
     const std::string text = actuator_text(problem, answer);
-    if (answer.result.feasible) check_written_design(text, problem.study());
+    if (answer.result.feasible) check_written_design(text, problem.study(), std::get<EvaluatedDesign>(*answer.best));
     folder.write("actuator.json", text);
   }
   folder.commit();

@@ -16,18 +16,29 @@
 namespace coilwright::sizing {
 namespace {
 
-std::optional<double> current_of(const Study& study, const actuator::Design& design) {
-  if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) return fixed->current;
-  const auto* share = std::get_if<ShareOfLimit>(&study.current);
-  if (share == nullptr) return std::nullopt;
-  return share->share * actuator::current_limit(design);
+// The study's operating point for a design whose current no variable sets; `otherwise` where one does.
+actuator::OperatingPoint operating_of(const Study& study, const actuator::Design& design,
+                                      const actuator::Assembly& assembly, const simulation::Settings& settings,
+                                      double otherwise) {
+  actuator::OperatingPoint point = study.operating;
+  point.current = otherwise;
+  if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) point.current = fixed->current;
+  if (const auto* share = std::get_if<ShareOfLimit>(&study.current))
+    point.current = share->share * actuator::current_limit(design);
+  if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) {
+    const DrivenCurrent::Drive drive = driven->drive(assembly, settings);
+    point.current = drive.current;
+    point.duty = drive.duty;
+  }
+  return point;
 }
 
-double current_of(const Study& study, const actuator::Design& design, std::span<const double> point) {
+// The current that a variable sets at a point; nothing if none does.
+std::optional<double> varied_current(const Study& study, std::span<const double> point) {
   for (std::size_t i = 0; i < study.variables.size(); ++i)
     if (std::holds_alternative<CurrentVariable>(study.variables[i]))
       return std::get<double>(value_at(study.variables[i], point[i]));
-  return current_of(study, design).value();
+  return std::nullopt;
 }
 
 NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
@@ -36,13 +47,15 @@ NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
   return {.reason = faults.front().rule, .infeasibility = 1.0 + excess};
 }
 
-// `current` is asked for only once the design is known to have a wire that exists.
+// `current` is asked for only once the design is known to have a wire that exists; it gives the current where a
+// variable sets it.
 template <class Current>
-DesignResult evaluate_buildable(actuator::Design design, const Current& current, actuator::OperatingPoint operating) {
+DesignResult evaluate_buildable(const Study& study, actuator::Design design, simulation::Settings settings,
+                                const Current& current) {
   std::variant<actuator::Assembly, actuator::ConstructionFaults> assembled = actuator::assemble(design);
   if (const auto* faults = std::get_if<actuator::ConstructionFaults>(&assembled)) return not_buildable(*faults);
   actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
-  operating.current = current(design);
+  const actuator::OperatingPoint operating = operating_of(study, design, assembly, settings, current(design));
   std::variant<simulation::Performance, simulation::NoPerformance> performance =
       simulation::performance_of(design, assembly, operating);
   if (const auto* none = std::get_if<simulation::NoPerformance>(&performance))
@@ -50,16 +63,17 @@ DesignResult evaluate_buildable(actuator::Design design, const Current& current,
   return EvaluatedDesign{.design = std::move(design),
                          .assembly = std::move(assembly),
                          .point = operating,
-                         .performance = std::get<simulation::Performance>(std::move(performance))};
+                         .performance = std::get<simulation::Performance>(std::move(performance)),
+                         .settings = std::move(settings)};
 }
 
 // A design far outside all hardware may break a rule of the physics rooms that assemble() does not name, or an
 // interpolation may fail. Then that design cannot be evaluated, and the search goes on.
 template <class Current>
-DesignResult evaluate_design(actuator::Design design, const Current& current,
-                             const actuator::OperatingPoint& operating) {
+DesignResult evaluate_design(const Study& study, actuator::Design design, simulation::Settings settings,
+                             const Current& current) {
   try {
-    return evaluate_buildable(std::move(design), current, operating);
+    return evaluate_buildable(study, std::move(design), std::move(settings), current);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& failure) {
@@ -69,6 +83,11 @@ DesignResult evaluate_design(actuator::Design design, const Current& current,
 
 // The failure of a design that does not have a value of a quantity that the study asks for.
 NotEvaluated without(const simulation::ResultQuantity& quantity, const simulation::DesignView& design) {
+  if (quantity.why_absent) {
+    const simulation::NoValue why = quantity.why_absent(design);
+    return {.reason = fmt::format("{} has no value: {}", quantity.name, why.reason),
+            .infeasibility = why.infeasibility};
+  }
   const std::string why = quantity.absence.empty() ? "it is not finite" : quantity.absence;
   std::string reason = fmt::format("{} has no value: {}", quantity.name, why);
   const simulation::Heat& free = design.performance.free.heat;
@@ -130,6 +149,7 @@ struct CoordinateOfBase {
     });
     return same == variable.values.end() ? 0.0 : static_cast<double>(same - variable.values.begin());
   }
+  double operator()(const SettingVariable& variable) const { return coordinate_of(variable.base, variable.range); }
 };
 
 }  // namespace
@@ -141,6 +161,8 @@ DesignProblem::DesignProblem(Study study) {
     throw std::invalid_argument("current: must be fixed or a variable, one of the two");
   for (const StudyObjective& objective : study.objectives) simulation::validate_quantity(objective.quantity);
   for (const Limit& limit : study.limits) simulation::validate_quantity(limit.quantity);
+  if (const auto* driven = std::get_if<DrivenCurrent>(&study.current); driven != nullptr && !driven->drive)
+    throw std::invalid_argument("current: the function that drives it must not be empty");
   std::vector<Variable> variables;
   variables.reserve(study.variables.size());
   for (const StudyVariable& variable : study.variables) variables.push_back(search_variable(variable));
@@ -160,17 +182,23 @@ actuator::Design DesignProblem::design_at(std::span<const double> point) const {
   return design;
 }
 
+simulation::Settings DesignProblem::settings_at(std::span<const double> point) const {
+  simulation::Settings settings;
+  for (std::size_t i = 0; i < study().variables.size(); ++i)
+    if (const auto* setting = std::get_if<SettingVariable>(&study().variables[i]))
+      settings[setting->name] =
+          units::to_memory(std::get<double>(value_at(study().variables[i], point[i])), setting->name);
+  return settings;
+}
+
 DesignResult DesignProblem::evaluate(std::span<const double> point) const {
-  return evaluate_design(
-      design_at(point), [&](const actuator::Design& design) { return current_of(study(), design, point); },
-      study().operating);
+  return evaluate_design(study(), design_at(point), settings_at(point),
+                         [&](const actuator::Design&) { return varied_current(study(), point).value_or(0.0); });
 }
 
 DesignResult DesignProblem::evaluate_base() const {
-  const auto current = [this](const actuator::Design& design) {
-    return current_of(study(), design).value_or(actuator::current_limit(design));
-  };
-  return evaluate_design(study().base, current, study().operating);
+  return evaluate_design(study(), study().base, {},
+                         [](const actuator::Design& design) { return actuator::current_limit(design); });
 }
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {

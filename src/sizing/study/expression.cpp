@@ -72,6 +72,23 @@ class SharedExpression {
     return result;
   }
 
+  // Of the first quantity in it without a value.
+  [[nodiscard]] simulation::NoValue why_absent(const DesignView& design, const std::string& otherwise) const {
+    for (const ResultQuantity& operand : operands_) {
+      const std::optional<double> value = operand.value(design);
+      if (value && std::isfinite(*value)) continue;
+      simulation::NoValue why = operand.why_absent ? operand.why_absent(design) : simulation::NoValue{operand.absence};
+      why.reason = fmt::format("{} has no value ({})", operand.name, why.reason);
+      return why;
+    }
+    return {.reason = otherwise};
+  }
+
+  [[nodiscard]] bool tells_why() const {
+    return std::ranges::any_of(operands_,
+                               [](const ResultQuantity& each) { return static_cast<bool>(each.why_absent); });
+  }
+
   [[nodiscard]] const std::vector<ResultQuantity>& operands() const { return operands_; }
 
  private:
@@ -192,13 +209,18 @@ ResultQuantity expression_quantity(const Expression& expression, const QuantityT
       throw std::invalid_argument(
           fmt::format("name: must be letters, digits and \"_\", a letter first; got \"{}\"", expression.name));
     const std::string suffix = suffix_of(expression.unit);
-    return {.name = suffix.empty() ? expression.name : fmt::format("{}_{}", expression.name, suffix),
-            .meaning = fmt::format("of the study: {}", expression.text),
-            .scale = scale_of(expression, *shared),
-            .value = [shared](const DesignView& design) { return shared->value(design); },
-            .absence = absence_of(*shared),
-            .unit = suffix,
-            .pose = pose_of(*shared)};
+    ResultQuantity out{.name = suffix.empty() ? expression.name : fmt::format("{}_{}", expression.name, suffix),
+                       .meaning = fmt::format("of the study: {}", expression.text),
+                       .scale = scale_of(expression, *shared),
+                       .value = [shared](const DesignView& design) { return shared->value(design); },
+                       .absence = absence_of(*shared),
+                       .unit = suffix,
+                       .pose = pose_of(*shared)};
+    if (shared->tells_why())
+      out.why_absent = [shared](const DesignView& design) {
+        return shared->why_absent(design, "the expression is not finite there");
+      };
+    return out;
   } catch (const mu::Parser::exception_type& mistake) {
     throw std::invalid_argument(message_of(mistake));
   }

@@ -19,6 +19,7 @@ struct NameOf {
   std::string operator()(const ParameterVariable& variable) const { return std::string(variable.parameter->name); }
   std::string operator()(const CurrentVariable&) const { return "current_A"; }
   std::string operator()(const ConfigurationVariable&) const { return "configuration"; }
+  std::string operator()(const SettingVariable& variable) const { return variable.name; }
 };
 
 Variable numeric_variable(std::string name, const std::variant<Interval, Choice>& range, VariableKind kind) {
@@ -50,6 +51,9 @@ struct AsSearchVariable {
             .kind = VariableKind::categorical,
             .lower = 0.0,
             .upper = static_cast<double>(variable.values.size()) - 1.0};
+  }
+  Variable operator()(const SettingVariable& variable) const {
+    return numeric_variable(variable.name, variable.range, VariableKind::continuous);
   }
 };
 
@@ -86,6 +90,7 @@ struct ValueAt {
   VariableValue operator()(const ConfigurationVariable& variable) const {
     return actuator::name_of(variable.values[index_of(coordinate)]);
   }
+  VariableValue operator()(const SettingVariable& variable) const { return number_at(variable.range, coordinate); }
 };
 
 }  // namespace

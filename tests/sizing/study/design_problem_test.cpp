@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "coilwright/sizing/study/expression.hpp"
 #include "sizing/expect_error.hpp"
 #include "sizing/small_study.hpp"
 
@@ -210,6 +211,62 @@ TEST(DesignProblem, RefusesToNumberPointsWithoutEndOrBeyondCounting) {
                                                    .range = Interval{.lower = 1, .upper = 2, .step = 2e-6}});
   expect_error<std::invalid_argument>([&] { (void)DesignProblem(study).point_count(); },
                                       "a grid must have at most 1000000000000 designs");
+}
+
+// Of a gripper 70 mm wide, say: a number that is no part of the design.
+TEST(DesignProblem, GivesTheSettingsOfAPointToItsQuantities) {
+  Study study = small_study();
+  study.variables = {SettingVariable{
+      .name = "gripper_spacing_mm", .base = 71.0, .range = Interval{.lower = 60, .upper = 80, .step = 5}}};
+  study.objectives = {{.quantity = {.name = "spacing_m",
+                                    .meaning = "the setting itself",
+                                    .scale = 0.1,
+                                    .value = [](const simulation::DesignView& d) -> std::optional<double> {
+                                      const auto found = d.settings->find("gripper_spacing_mm");
+                                      return found == d.settings->end() ? 0.071 : found->second;
+                                    }},
+                       .sense = Sense::maximise}};
+  const DesignProblem problem(study);
+  EXPECT_EQ(problem.problem().evaluate(std::vector{65.0}).objectives, (std::vector{0.065}));
+  EXPECT_EQ(problem.problem().start, (std::vector{71.0}));
+  EXPECT_EQ(problem.assess(problem.evaluate_base()).objectives, (std::vector{0.071}));
+}
+
+TEST(DesignProblem, TakesCurrentAndDutyThatFollowFromTheDesign) {
+  Study study = small_study();
+  study.current = DrivenCurrent{.drive = [](const actuator::Assembly& assembly, const simulation::Settings&) {
+    return DrivenCurrent::Drive{.current = 4.2 / assembly.coil.resistance, .duty = 0.35};
+  }};
+  const auto design = std::get<EvaluatedDesign>(DesignProblem(study).evaluate(std::vector{0.0, 0.9, 13.0, 1.0}));
+  EXPECT_EQ(design.point.current, 4.2 / design.performance.coil_resistance);
+  EXPECT_EQ(design.point.duty, 0.35);
+  study.current = DrivenCurrent{};
+  expect_error<std::invalid_argument>([&] { DesignProblem{study}; },
+                                      "current: the function that drives it must not be empty");
+}
+
+TEST(DesignProblem, TellsWhyAQuantityHasNoValueInADesign) {
+  Study study = small_study();
+  const simulation::ResultQuantity never{.name = "room_mm",
+                                         .meaning = "without a value anywhere",
+                                         .scale = 1.0,
+                                         .value = [](const simulation::DesignView&) { return std::optional<double>(); },
+                                         .why_absent =
+                                             [](const simulation::DesignView& d) {
+                                               return simulation::NoValue{.reason = "no room",
+                                                                          .infeasibility = d.performance.mass};
+                                             }};
+  study.objectives = {{.quantity = never}};
+  const DesignProblem problem(study);
+  const std::vector point{0.0, 0.9, 13.0, 1.0};
+  const Evaluation seen = problem.problem().evaluate(point);
+  EXPECT_EQ(seen.failure, "room_mm has no value: no room");
+  EXPECT_EQ(seen.infeasibility, std::get<EvaluatedDesign>(problem.evaluate(point)).performance.mass);
+  // Through an expression too.
+  study.objectives = {{.quantity = expression_quantity({.text = "room_mm * mass_g", .name = "product", .unit = "mm_g"},
+                                                       study.quantities.with(never))}};
+  EXPECT_EQ(DesignProblem(study).problem().evaluate(point).failure,
+            "product_mm_g has no value: room_mm has no value (no room)");
 }
 
 }  // namespace

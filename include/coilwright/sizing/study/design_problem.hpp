@@ -45,6 +45,9 @@ class DesignProblem {
   /// The design at a point: the study's base with the variables set to it.
   [[nodiscard]] actuator::Design design_at(std::span<const double> point) const;
 
+  /// The numbers beside the design that the study varies, at a point, in SI.
+  [[nodiscard]] simulation::Settings settings_at(std::span<const double> point) const;
+
   /// The design at a point and its performance. Pure.
   [[nodiscard]] DesignResult evaluate(std::span<const double> point) const;
 

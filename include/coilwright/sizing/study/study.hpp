@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,7 +44,14 @@ struct CurrentVariable {
 struct ConfigurationVariable {
   std::vector<actuator::Configuration> values;
 };
-using StudyVariable = std::variant<ParameterVariable, CurrentVariable, ConfigurationVariable>;
+
+/// A number that is no part of the design, if it varies: of what the study's quantities build from the actuator.
+struct SettingVariable {
+  std::string name;  ///< as in simulation::Settings, which has its values; ends with its unit
+  double base{};     ///< where the search begins, in the unit of the name
+  std::variant<Interval, Choice> range;
+};
+using StudyVariable = std::variant<ParameterVariable, CurrentVariable, ConfigurationVariable, SettingVariable>;
 
 /// A variable that moves one of actuator::parameters(). Throws std::invalid_argument where none has that name, and for
 /// a range of one that has names and takes a choice of their indices.
@@ -106,19 +114,29 @@ struct ShareOfLimit {
   double share{};  ///< > 0
 };
 
+/// Current and duty follow from the design: what a cell drives through its coils.
+struct DrivenCurrent {
+  struct Drive {
+    double current{};  ///< in every coil while it is on, A
+    double duty{};     ///< 0 to 1
+  };
+  /// Pure; never empty.
+  std::function<Drive(const actuator::Assembly&, const simulation::Settings&)> drive;
+};
+
 /// What to search for: which numbers of a design vary, its objectives, its limits.
 struct Study {
   std::string name;
   actuator::Design base;  ///< actuator with its calibration; variables are set on a copy of it
-  std::variant<VariedCurrent, FixedCurrent, ShareOfLimit> current;
-  /// How it is driven and used; of its current `current` decides. Its `cases` count as they stand: poses_of_use() has
-  /// those that the study asks for.
+  std::variant<VariedCurrent, FixedCurrent, ShareOfLimit, DrivenCurrent> current;
+  /// How it is driven and used; of its current, and of its duty where it is driven, `current` decides. Its `cases`
+  /// count as they stand: poses_of_use() has those that the study asks for.
   actuator::OperatingPoint operating{};
   std::vector<StudyVariable> variables;
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
   SearchOptions search;
-  /// All quantities that results list.
+  /// All quantities that results list. Each is worked out for every design.
   simulation::QuantityTable quantities = simulation::standard_quantities();
 };
 

@@ -27,7 +27,7 @@ ROOMS = {
     "formats/actuator": "text actuator",
     "formats/simulation": "text control",
     "formats/data": "formats/actuator formats/simulation measurement systems",
-    "formats/study": "formats/actuator formats/simulation sizing",
+    "formats/study": "formats/actuator formats/simulation sizing systems",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
     "cli": "validation systems report",

@@ -80,6 +80,8 @@ constexpr std::array table = {
     Unit{"mA", "current", 1, 1e3},
     Unit{"A_mm2", "current density", 1e6},
     Unit{"1_A2", "per square current"},
+    Unit{"As", "charge"},
+    Unit{"mAh", "charge", 36, 10},
     Unit{"V", "voltage"},
     Unit{"mV", "voltage", 1, 1e3},
     Unit{"W", "power"},

@@ -23,6 +23,15 @@ NOTHING_FEASIBLE = 3
 WAS_READ = re.compile(r"nothing=1: is not a number of a design|is a lumped model: --set changes designs only")
 
 
+# What a study may build from its actuator: every key.
+BLOCKS = {"gripper": {"mounting_angle_deg": 30, "spacing_mm": 65, "polarity": "same", "shape": "box", "width_mm": 60,
+                      "height_mm": 40, "mass_g": 40, "friction": 0.8, "centre_x_mm": 1, "centre_below_palm_mm": 20,
+                      "open_current_A": -0.5, "acceleration_m_s2": 1, "least_current_up_to_A": 1.4},
+          "crawler": {"friction_forwards": 0.3, "friction_backwards": 0.6, "frequency_Hz": 10, "duty": 0.5,
+                      "cell_voltage_V": 4.2, "cell_capacity_mAh": 150, "cell_limit_A": 3, "lead_resistance_Ohm": 0.12,
+                      "payload_mass_g": 23, "payload_length_mm": 30, "step_ms": 0.2, "settling_periods": 1, "periods": 1}}
+
+
 def validator(name):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", DeprecationWarning)  # since 4.18, beyond Debian's
@@ -243,6 +252,11 @@ class SchemasAndProgram(ProgramTest):
             ("study", "/constraints/0/at_most", None), ("study", "/constraints/0/at_least", 1),
             ("study", "/constraints/0/at_most", "66"), ("study", "/search/algorithm", "newton"),
             ("study", "/search/seed", -1), ("study", "/search/seed", 1.5), ("study", "/search/max_evaluations", 0),
+            ("study", "/gripper", {}), ("study", "/gripper", {"width_mm": 60, "mass_g": 40, "friction": 1, "shape": "box"}),
+            ("study", "/gripper", {"width_mm": 60, "mass_g": 40, "friction": 1, "height_mm": 40}),
+            ("study", "/gripper", {"width_mm": 60, "mass_g": 40, "friction": 1, "shape": "ball"}),
+            ("study", "/crawler", {"friction_forwards": 1}), ("study", "/columns", ["mass_g"]),
+            ("study", "/columns", [{"quantity": "mass_kg"}]), ("study", "/operating_point/current_of", "cell"),
             ("experiment", "/name", None), ("experiment", "/runs", []), ("experiment", "/sampling_rate_Hz", None),
             ("experiment", "/sampling_rate_Hz", 0), ("experiment", "/measure", ["angle_deg"]), ("experiment", "/measure", []),
             ("experiment", "/noise/angle_rad", 0.1), ("experiment", "/noise/angle_deg", -0.1),
@@ -347,13 +361,36 @@ class SchemasAndProgram(ProgramTest):
         printed = [key for key, value in json.loads(result.stdout).items() if not isinstance(value, (list, dict))]
         self.assertEqual(SCHEMAS["study.schema.json"]["$defs"]["quantity"]["enum"], printed)
 
+    def test_know_every_quantity_of_a_block(self):
+        names = SCHEMAS["study.schema.json"]["$defs"]["quantity_of_block"]["enum"]
+        cells = [line.split("|")[1] for line in (ROOT / "docs/formats.md").read_text().splitlines()
+                 if re.match(r"\| `(grip|crawl)", line)]
+        documented = re.findall(r"`((?:grip|gripper|crawl|crawler)_\w+)`", " ".join(cells))
+        self.assertEqual(names, documented)
+        study = {**data_file("study.json"), **BLOCKS, "columns": [{"quantity": name} for name in names]}
+        self.assertEqual(faults(study), [])
+        self.assertEqual(self.refusal("study", study), "")
+        # Each needs its block.
+        for name in names:
+            self.assertIn(f' /objectives/0/maximise: needs the block "{"gripper" if name.startswith("grip") else "crawler"}"',
+                          self.refusal("study", changed(data_file("study.json"), "/objectives/0/maximise", name)))
+
+    def test_bound_the_numbers_of_the_blocks_alike(self):
+        study = {**data_file("study.json"), **BLOCKS}
+        self.assert_same_bounds("study", study, "/gripper/")
+        self.assert_same_bounds("study", study, "/crawler/")
+
     def test_know_every_variable_and_algorithm_of_a_study(self):
         study = data_file("study.json")
         rows = re.findall(r"^\| `(\w+)` \| [^|`]+ \| `(\w+)` \|", (ROOT / "docs/formats.md").read_text(), re.M)
         factors = defaults(SCHEMAS["actuator.schema.json"]["properties"]["calibration"])
-        names = {"configuration", "current_A", *(name for _, name in rows), *factors}
+        of_blocks = {f"{block}_{key}" for block, content in BLOCKS.items() for key, value in content.items()
+                     if isinstance(value, (int, float)) and key not in ("least_current_up_to_A", "step_ms", "periods",
+                                                                        "settling_periods")}
+        names = {"configuration", "current_A", *(name for _, name in rows), *factors, *of_blocks}
         variables = SCHEMAS["study.schema.json"]["properties"]["variables"]["properties"]
         self.assertEqual(set(variables), names)
+        study.update(BLOCKS)
         for name in sorted(names - {"configuration", "current_A"}):
             # Far above every number there is: told of the bound, and not of the name.
             refusal = self.refusal("study", changed(study, "/variables", {name: {"values": [1e9]}}))

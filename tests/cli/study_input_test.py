@@ -27,8 +27,9 @@ class StudyInput(ProgramTest):
             return {"constraints": list(limits)}
 
         for changes, message in (
-            ({"objective": FRONT[0]}, '/objective: unknown key; the keys here are "actuator", "constraints", '
-             '"description", "format", "name", "objectives", "operating_point", "search", "variables"'),
+            ({"objective": FRONT[0]}, '/objective: unknown key; the keys here are "actuator", "columns", '
+             '"constraints", "crawler", "description", "format", "gripper", "name", "objectives", "operating_point", "search", '
+             '"variables"'),
             ({"objectives": None, "objective": FRONT},
              '/objectives: is missing; is "objective" meant to be it?'),
             ({"variables": None}, "/variables: is missing"),

@@ -4,17 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
-#include "coilwright/sizing/study/expression.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "formats/actuator/design_reader.hpp"
 #include "formats/actuator/operating_point_reader.hpp"
+#include "formats/study/crawler_block.hpp"
+#include "formats/study/gripper_block.hpp"
+#include "formats/study/wanted_quantities.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -25,47 +28,34 @@ using namespace sizing;
 // Bounds far beyond any hardware and any search, and near enough that nothing overflows.
 constexpr std::size_t most_values = 1'000'000;  // of one variable
 constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
-constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 
 using simulation::QuantityTable;
-using simulation::ResultQuantity;
 
-std::string nearest_quantity(std::string_view name, const QuantityTable& quantities) {
-  std::vector<std::string> names;
-  for (const ResultQuantity& quantity : quantities) names.push_back(quantity.name);
-  return did_you_mean(name, names);
+// What a study builds from its actuator.
+struct Blocks {
+  std::optional<SystemBlock> gripper, crawler;
+};
+
+Blocks read_blocks(ObjectReader& in) {
+  Blocks out;
+  if (const auto node = in.find("gripper")) out.gripper = read_gripper_block(*node);
+  if (const auto node = in.find("crawler")) out.crawler = read_crawler_block(*node);
+  return out;
 }
 
-ResultQuantity read_expression(const Node& node, ObjectReader& in, const QuantityTable& quantities) {
-  const std::string text = node.text();
-  Expression expression{.text = text, .name = {}, .unit = {}};
-  try {
-    // First the expression alone: that its name is missing says nothing to a person who misspelt a quantity.
-    (void)expression_quantity({.text = text, .name = "any", .unit = "1"}, quantities);
-    expression.name = in.text("name");
-    expression.unit = in.text("unit");
-    expression.scale = in.number_or("scale", 0.0, positive);
-    ResultQuantity quantity = expression_quantity(expression, quantities);
-    const ResultQuantity* same = quantities.find(quantity.name);
-    if (same != nullptr && same->meaning != quantity.meaning)
-      throw in.at("name").error(fmt::format("makes a name that is taken (\"{}\")", quantity.name));
-    return quantity;
-  } catch (const UnknownSymbol& unknown) {
-    throw node.error(unknown.what() + nearest_quantity(unknown.symbol(), quantities));
-  } catch (const std::invalid_argument& mistake) {
-    throw node.error(mistake.what());
+std::vector<BlockVariable> variables_of(const Blocks& blocks) {
+  std::vector<BlockVariable> out;
+  for (const auto* block : {&blocks.gripper, &blocks.crawler})
+    if (*block) out.insert(out.end(), (*block)->variables.begin(), (*block)->variables.end());
+  return out;
+}
+
+QuantityTable with_quantities_of(const Blocks& blocks, QuantityTable table) {
+  for (const auto* block : {&blocks.gripper, &blocks.crawler}) {
+    if (!*block) continue;
+    for (const simulation::ResultQuantity& each : (*block)->quantities) table = table.with(each);
   }
-}
-
-// A quantity by its name, or an expression of quantities, which comes with a name and a unit of its own and joins the
-// table.
-ResultQuantity read_quantity(const Node& node, ObjectReader& in, QuantityTable& quantities) {
-  const std::string text = node.text();
-  if (const ResultQuantity* quantity = quantities.find(text)) return *quantity;
-  if (is_name(text)) throw node.error("must be a quantity that evaluate prints" + nearest_quantity(text, quantities));
-  ResultQuantity quantity = read_expression(node, in, quantities);
-  if (quantities.find(quantity.name) == nullptr) quantities = quantities.with(quantity);
-  return quantity;
+  return table;
 }
 
 double read_value(const Node& node, const Rule& rule, VariableKind kind) {
@@ -129,15 +119,21 @@ ParameterVariable read_named(const Node& node, const actuator::Parameter& parame
   });
 }
 
-StudyVariable read_variable(const Node& node, const std::string& name) {
+StudyVariable read_variable(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
   if (name == "configuration") return read_configurations(node);
   if (name == "current_A")
     return read_object(node, [](ObjectReader& in) {
       return CurrentVariable{read_range(in, current_rule(), VariableKind::continuous)};
     });
+  if (const auto found = std::ranges::find(of_blocks, name, &BlockVariable::name); found != of_blocks.end())
+    return read_object(node, [&](ObjectReader& in) {
+      return SettingVariable{
+          .name = name, .base = found->base, .range = read_range(in, found->rule, VariableKind::continuous)};
+    });
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   if (parameter == nullptr) {
     std::vector<std::string> names{"configuration", "current_A"};
+    for (const BlockVariable& known : of_blocks) names.push_back(known.name);
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
     throw node.error_without_value("is not a variable of a design" + did_you_mean(name, names));
   }
@@ -148,61 +144,12 @@ StudyVariable read_variable(const Node& node, const std::string& name) {
   });
 }
 
-std::vector<StudyVariable> read_variables(const Node& node) {
+std::vector<StudyVariable> read_variables(const Node& node, const std::vector<BlockVariable>& of_blocks) {
   node.expect_object();
   std::vector<StudyVariable> variables;
-  for (const std::string& name : node.keys()) variables.push_back(read_variable(*node.find(name), name));
+  for (const std::string& name : node.keys()) variables.push_back(read_variable(*node.find(name), name, of_blocks));
   if (variables.empty()) throw node.error_without_value("needs at least one variable");
   return variables;
-}
-
-StudyObjective read_objective(const Node& node, QuantityTable& quantities) {
-  return read_object(node, [&quantities](ObjectReader& in) {
-    // British as everything is written, and American as many people type it.
-    const std::string sense = in.one_of({"maximise", "minimise", "maximize", "minimize"});
-    return StudyObjective{.quantity = read_quantity(in.at(sense), in, quantities),
-                          .sense = sense.starts_with("max") ? Sense::maximise : Sense::minimise};
-  });
-}
-
-std::vector<StudyObjective> read_objectives(const Node& node, QuantityTable& quantities) {
-  std::vector<StudyObjective> objectives;
-  for (const Node& element : node.elements(Length::from_to(1, 3))) {
-    objectives.push_back(read_objective(element, quantities));
-    const auto same = [&](const StudyObjective& other) {
-      return other.quantity.name == objectives.back().quantity.name;
-    };
-    if (std::ranges::count_if(objectives, same) > 1) throw element.error_without_value("asks for a quantity twice");
-  }
-  return objectives;
-}
-
-Limit read_limit(const Node& node, QuantityTable& quantities) {
-  return read_object(node, [&quantities](ObjectReader& in) {
-    Limit limit{.quantity = read_quantity(in.at("quantity"), in, quantities)};
-    const std::string side = in.one_of({"at_most", "at_least"});
-    limit.side = side == "at_most" ? Limit::Side::at_most : Limit::Side::at_least;
-    limit.value = in.number(side, limit_rule);
-    return limit;
-  });
-}
-
-std::vector<Limit> read_limits(const Node& node, QuantityTable& quantities) {
-  std::vector<Limit> limits;
-  for (const Node& element : node.elements(Length::from_to(0, 4 * quantities.size()))) {
-    const Limit limit = read_limit(element, quantities);
-    for (const Limit& other : limits) {
-      if (other.quantity.name != limit.quantity.name) continue;
-      if (other.side == limit.side) throw element.error_without_value("limits the same side of a quantity twice");
-      const double low = limit.side == Limit::Side::at_least ? limit.value : other.value;
-      const double high = limit.side == Limit::Side::at_least ? other.value : limit.value;
-      if (low > high)
-        throw element.error_without_value(
-            fmt::format("contradicts an earlier limit: {} cannot be >= {} and <= {}", limit.quantity.name, low, high));
-    }
-    limits.push_back(limit);
-  }
-  return limits;
 }
 
 SearchOptions read_search(const Node& node) {
@@ -233,7 +180,9 @@ actuator::Design read_base(const Node& node, const actuator::EffectCatalogue& ef
 void require_corrected_geometry(const Study& study, const Node& actuator) {
   if (!study.base.as_built.torque_correction) return;
   for (const StudyVariable& variable : study.variables) {
-    if (std::holds_alternative<CurrentVariable>(variable)) continue;
+    // Neither the current nor what stands beside the finger changes it.
+    if (std::holds_alternative<CurrentVariable>(variable) || std::holds_alternative<SettingVariable>(variable))
+      continue;
     const auto* number = std::get_if<ParameterVariable>(&variable);
     if (number != nullptr && number->parameter->section == "surroundings") continue;
     throw actuator.error_without_value(fmt::format(
@@ -247,14 +196,30 @@ bool varies_current(const Study& study) {
                              [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
 }
 
-void read_operation(const Node& node, Study& study) {
+// The current that the crawler's cell drives, with the duty of its pulses.
+void read_driven(ObjectReader& in, const std::optional<SystemBlock>& crawler, Study& study) {
+  in.literal("current_of", "crawler");
+  if (!crawler) throw in.at("current_of").error_without_value("needs the block \"crawler\" in the study");
+  if (const auto duty = in.find("duty")) throw duty->error_without_value("is the crawler's, with its current");
+  study.current = crawler->driven;
+}
+
+void read_operation(const Node& node, const std::optional<SystemBlock>& crawler, Study& study) {
   ObjectReader in(node);
   read_operating_conditions(in, study.operating);
   if (varies_current(study)) {
-    for (const std::string_view key : {"current_A", "share_of_current_limit"})
+    for (const std::string_view key : {"current_A", "share_of_current_limit", "current_of"})
       if (const auto fixed = in.find(key))
         throw fixed->error_without_value("sets the current, which is a variable of this study too");
-  } else if (in.one_of({"current_A", "share_of_current_limit"}) == "current_A") {
+    in.finish();
+    return;
+  }
+  const std::string key = crawler || node.find("current_of")
+                              ? in.one_of({"current_A", "share_of_current_limit", "current_of"})
+                              : in.one_of({"current_A", "share_of_current_limit"});
+  if (key == "current_of") {
+    read_driven(in, crawler, study);
+  } else if (key == "current_A") {
     study.current = FixedCurrent{in.number("current_A", current_rule())};
   } else {
     study.current = ShareOfLimit{in.number("share_of_current_limit", largest_share)};
@@ -262,24 +227,39 @@ void read_operation(const Node& node, Study& study) {
   in.finish();
 }
 
+void require_suitable(const Blocks& blocks, const actuator::Design& base, const Node& root) {
+  for (const auto& [key, block] : {std::pair{"gripper", &blocks.gripper}, std::pair{"crawler", &blocks.crawler}}) {
+    if (!*block) continue;
+    try {
+      (*block)->require_suitable(base);
+    } catch (const std::invalid_argument& rule) {
+      throw root.find(key)->error_without_value(rule.what());
+    }
+  }
+}
+
 Study read_study_file(const Document& document, const QuantityTable& quantities,
                       const actuator::EffectCatalogue& effects) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
-    study.quantities = quantities;
     study.name = in.text("name");
     (void)in.text_or("description", "");
-    study.variables = read_variables(in.at("variables"));
+    const Blocks blocks = read_blocks(in);
+    study.variables = read_variables(in.at("variables"), variables_of(blocks));
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
-    if (operation) read_operation(*operation, study);
-    study.objectives = read_objectives(in.at("objectives"), study.quantities);
-    if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, study.quantities);
+    if (operation) read_operation(*operation, blocks.crawler, study);
+    StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities};
+    study.objectives = read_objectives(in.at("objectives"), wanted);
+    if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, wanted);
+    if (const auto columns = in.find("columns")) read_columns(*columns, wanted);
+    study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base = read_base(in.at("actuator"), effects);
     require_corrected_geometry(study, in.at("actuator"));
+    require_suitable(blocks, study.base, in.node());
     return study;
   });
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "formats/study/system_block.hpp"
+
+namespace coilwright::formats {
+
+/// The block "gripper" of a study: how two fingers are mounted and what they lift. Its keys are in docs/formats.md.
+[[nodiscard]] SystemBlock read_gripper_block(const text::Node& node);
+
+/// Names of the quantities that the block brings.
+[[nodiscard]] std::vector<std::string> gripper_quantity_names();
+
+}  // namespace coilwright::formats

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/simulation/quantity.hpp"
+#include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/units/unit.hpp"
+
+namespace coilwright::formats {
+
+/// A number of a block of a study that says what is built from the actuator. The one table that the block's reader and
+/// the study's variables share.
+template <class Task>
+struct BlockNumber {
+  std::string_view key;                        ///< in the block, its unit at its end
+  text::Rule rule;                             ///< in that unit
+  double (*get)(const Task&) = nullptr;        ///< SI
+  void (*set)(Task&, double) = nullptr;        ///< SI
+  enum class Presence { required, optional };  ///< in the block
+  Presence presence = Presence::optional;
+  enum class Kind { setting, whole_step, of_computation };
+  Kind kind = Kind::setting;  ///< what the others are: whole numbers, and how finely it is computed: no variables
+};
+
+/// A number of a block that a study's variables may move.
+struct BlockVariable {
+  std::string name;  ///< "gripper_spacing_mm"
+  text::Rule rule;   ///< in its unit
+  double base{};     ///< what the block says, in its unit
+};
+
+/// What a block of a study brings.
+struct SystemBlock {
+  std::vector<simulation::ResultQuantity> quantities;
+  std::vector<BlockVariable> variables;
+  /// Throws std::invalid_argument where a study's actuator cannot be a part of it, whatever varies.
+  std::function<void(const actuator::Design&)> require_suitable;
+  /// Its drive, for a study whose current follows from it; empty if it has none.
+  sizing::DrivenCurrent driven{};
+};
+
+/// "gripper_" and "spacing_mm".
+inline std::string variable_name(std::string_view block, std::string_view key) {
+  return std::string(block) + "_" + std::string(key);
+}
+
+/// Reads the numbers of a block into `task`.
+template <class Task>
+void read_numbers(text::ObjectReader& in, std::span<const BlockNumber<Task>> numbers, Task& task) {
+  using Number = BlockNumber<Task>;
+  for (const Number& number : numbers) {
+    const auto node = number.presence == Number::Presence::required ? in.at(number.key) : in.find(number.key);
+    if (!node) continue;
+    const double value =
+        number.kind == Number::Kind::whole_step ? node->template integer<int>(number.rule) : node->number(number.rule);
+    number.set(task, units::to_memory(value, number.key));
+  }
+}
+
+/// The numbers of a block that may vary.
+template <class Task>
+std::vector<BlockVariable> variables_of(std::string_view block, std::span<const BlockNumber<Task>> numbers,
+                                        const Task& task) {
+  std::vector<BlockVariable> out;
+  for (const BlockNumber<Task>& number : numbers)
+    if (number.kind == BlockNumber<Task>::Kind::setting)
+      out.push_back({.name = variable_name(block, number.key),
+                     .rule = number.rule,
+                     .base = units::from_memory(number.get(task), number.key)});
+  return out;
+}
+
+/// The task of one design: the block's own, with the settings of that design.
+template <class Task>
+std::function<Task(const simulation::Settings&)> task_by(std::string_view block, std::vector<BlockNumber<Task>> numbers,
+                                                         Task task) {
+  std::vector<std::pair<std::string, void (*)(Task&, double)>> setters;
+  for (const BlockNumber<Task>& number : numbers) setters.emplace_back(variable_name(block, number.key), number.set);
+  return [setters = std::move(setters), task = std::move(task)](const simulation::Settings& settings) {
+    Task out = task;
+    if (settings.empty()) return out;
+    for (const auto& [name, set] : setters)
+      if (const auto found = settings.find(name); found != settings.end()) set(out, found->second);
+    return out;
+  };
+}
+
+}  // namespace coilwright::formats

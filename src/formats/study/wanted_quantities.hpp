@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coilwright/simulation/quantity.hpp"
+#include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/json/object_reader.hpp"
+
+namespace coilwright::formats {
+
+/// The quantities of a study while it is read.
+struct StudyQuantities {
+  simulation::QuantityTable known;   ///< by name: the table of the reader, and what the study's blocks bring
+  simulation::QuantityTable listed;  ///< what results list: the reader's table, and of the rest what was asked for
+};
+
+/// The key "objectives".
+[[nodiscard]] std::vector<sizing::StudyObjective> read_objectives(const text::Node& node, StudyQuantities& quantities);
+
+/// The key "constraints".
+[[nodiscard]] std::vector<sizing::Limit> read_limits(const text::Node& node, StudyQuantities& quantities);
+
+/// The key "columns": quantities that results list though nothing asks for them.
+void read_columns(const text::Node& node, StudyQuantities& quantities);
+
+}  // namespace coilwright::formats

@@ -66,3 +66,11 @@ run least_ringing size
 run grip_per_mass size
 run speed_against_grip pareto
 run speed_grip_mass pareto
+run lightest_gripper size
+run gripper_friction pareto
+run fastest_crawler size
+run crawler_range pareto
+
+echo "== fastest_crawler: other frictions"
+python3 -B studies/fastest_crawler/friction.py "$program" results/reference/fastest_crawler \
+  >results/reference/fastest_crawler/friction.txt

@@ -1,8 +1,9 @@
-# coilwright_precompile(<target> [TEST])
+# coilwright_precompile(<target> [TEST] [HEADERS <header>...])
 #
 # Lets a target start from headers that were parsed once for the whole build. Nobody includes by this: every file names
 # what it uses, and what has COILWRIGHT_PCH=OFF (preset clang; clang-tidy, which .ci/run asks about every source that
-# changed) fails where one does not.
+# changed) fails where one does not. HEADERS: what this target alone includes everywhere; it then has a precompiled
+# header of its own.
 option(COILWRIGHT_PCH "Precompile the heaviest headers of other projects" ${PROJECT_IS_TOP_LEVEL})
 
 # What a twentieth of the files or more includes, by itself or by another.
@@ -10,6 +11,7 @@ set(precompiled_everywhere
   <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <iostream> <limits> <map>
   <memory> <numbers> <numeric> <optional> <random> <set> <span> <stdexcept> <string> <string_view> <utility> <variant>
   <vector> <Eigen/Core>)
+set(precompiled_in_rooms <Eigen/Cholesky> <fmt/format.h> <fmt/ranges.h>)
 
 # A library that does nothing but own the precompiled header. GCC takes one only under the flags it was made with
 # (position-independent code or not, macros, even -Wpedantic for a macro of its own), so its users have these in common.
@@ -26,7 +28,7 @@ endfunction()
 
 if(COILWRIGHT_PCH)
   coilwright_precompiled(coilwright_precompiled PIC ON
-    HEADERS <Eigen/Cholesky> <fmt/format.h> <fmt/ranges.h> LINK fmt::fmt)
+    HEADERS ${precompiled_in_rooms} LINK fmt::fmt)
   if(COILWRIGHT_TESTS)
     coilwright_precompiled(coilwright_precompiled_tests PIC OFF
       HEADERS <gmock/gmock.h> <gtest/gtest.h> LINK GTest::gtest GTest::gmock)
@@ -34,11 +36,13 @@ if(COILWRIGHT_PCH)
 endif()
 
 function(coilwright_precompile target)
-  cmake_parse_arguments(PCH "TEST" "" "" ${ARGN})
+  cmake_parse_arguments(PCH "TEST" "" "HEADERS" ${ARGN})
   if(NOT COILWRIGHT_PCH)
     return()
   endif()
-  if(PCH_TEST)
+  if(PCH_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${precompiled_everywhere} ${precompiled_in_rooms} ${PCH_HEADERS})
+  elseif(PCH_TEST)
     target_precompile_headers(${target} REUSE_FROM coilwright_precompiled_tests)
   else()
     target_precompile_headers(${target} REUSE_FROM coilwright_precompiled)

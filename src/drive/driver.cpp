@@ -17,9 +17,10 @@ Driver driver_of(const HBridge& bridge) {
   // With all switches off the current flows up through the diode of one low and one high switch.
   const Path returned{.source = -bridge.supply_voltage,
                       .diodes = 2.0 * bridge.diode_voltage,
-                      .supply_resistance = bridge.supply_resistance};
+                      .supply_resistance = bridge.supply_resistance,
+                      .one_way = true};
   // Of a slow decay only one half switches: its diode and the other half's low switch carry the current meanwhile.
-  const Path half{.diodes = bridge.diode_voltage, .resistance = bridge.low_resistance};
+  const Path half{.diodes = bridge.diode_voltage, .resistance = bridge.low_resistance, .one_way = true};
   const bool slow = bridge.decay == Decay::slow;
   Driver driver{.on = {.source = bridge.supply_voltage,
                        .resistance = bridge.high_resistance + bridge.low_resistance,
@@ -42,7 +43,7 @@ Driver driver_of(const CellSwitch& cell) {
   require_not_negative("resistance", cell.resistance);
   require_not_negative("switch_resistance", cell.switch_resistance);
   require_not_negative("diode_voltage", cell.diode_voltage);
-  const Path freewheeling{.diodes = cell.diode_voltage};
+  const Path freewheeling{.diodes = cell.diode_voltage, .one_way = true};
   return {.on = {.source = cell.emf, .resistance = cell.switch_resistance, .supply_resistance = cell.resistance},
           .dead = freewheeling,
           .off = freewheeling,

@@ -27,30 +27,12 @@ struct Sums {
   bool limited{};
 };
 
-struct Lengths {
-  double on{}, dead_before_off{}, off{}, dead_before_on{};
-};
-
-// The dead time delays switching on, so that it is taken off the pulse. A pause shorter than it has no off phase.
-Lengths lengths_of(const Driver& driver, const Pulses& pulses) {
-  const double period = 1.0 / pulses.frequency;
-  if (pulses.duty == 1.0) return {.on = period};
-  const double on = pulses.duty * period - driver.dead_time;
-  if (pulses.duty == 0.0 || on <= 0.0) return {.off = period};
-  const double off = std::max(0.0, (1.0 - pulses.duty) * period - driver.dead_time);
-  const double dead = period - on - off;
-  return {.on = on,
-          .dead_before_off = std::min(dead, driver.dead_time),
-          .off = off,
-          .dead_before_on = dead - std::min(dead, driver.dead_time)};
-}
-
 class Runner {
  public:
   Runner(const Circuit& circuit, const Driver& driver) : circuit_(circuit), driver_(driver) {}
 
   // Follows one period from `start` and adds it to `sums`. Returns the current at its end.
-  double period(double start, const Lengths& lengths, Sums& sums) const {
+  double period(double start, const PhaseLengths& lengths, Sums& sums) const {
     double current = drive(start, lengths.on, sums);
     current = along(driver_.dead, current, lengths.dead_before_off, sums);
     current = along(driver_.off, current, lengths.off, sums);
@@ -58,7 +40,7 @@ class Runner {
   }
 
   // The start that an unlimited period, taken as linear, comes back to; below zero where the current stops.
-  [[nodiscard]] double linear_start(const Lengths& lengths) const {
+  [[nodiscard]] double linear_start(const PhaseLengths& lengths) const {
     double slope = 1.0, end = 0.0;
     const auto add = [&](const Path& path, double time) {
       const Phase phase(circuit_, path);
@@ -163,7 +145,7 @@ void check(const Circuit& circuit, const Pulses& pulses) {
 SteadyCurrent steady_current(const Circuit& circuit, const Driver& driver, const Pulses& pulses) {
   check(circuit, pulses);
   const Runner runner(circuit, driver);
-  const Lengths lengths = lengths_of(driver, pulses);
+  const PhaseLengths lengths = phase_lengths(driver, pulses);
   const Phase on(circuit, driver.on);
   const bool reaches_limit = driver.limit && lengths.on > 0.0 && on.goal > driver.limit->trip;
   if (reaches_limit && pulses.duty == 1.0) {

@@ -4,13 +4,14 @@
 
 namespace coilwright::drive {
 
-/// What the current flows through in one phase of a driver, besides the coils. Currents are never negative: no driver
-/// here lets them reverse within a period.
+/// What the current flows through in one phase of a driver, besides the coils. The driver itself never turns a current
+/// round; motion may (systems::drive_motion), where no diode is in its way.
 struct Path {
   double source{};             ///< voltage that drives the current, V; below 0 where it flows back into the supply
   double diodes{};             ///< forward drops, whatever the current, V; >= 0
   double resistance{};         ///< of the switches, ohm; >= 0
   double supply_resistance{};  ///< inside the supply with its leads, ohm; >= 0
+  bool one_way{};              ///< whether diodes carry it, so that it cannot turn round
 };
 
 /// Fixed off-time regulation: at `trip` the driver shorts the coils for `off_time`, then drives again.

@@ -2,14 +2,9 @@
 
 #include "coilwright/drive/coil_bank.hpp"
 #include "coilwright/drive/driver.hpp"
+#include "coilwright/drive/pulses.hpp"
 
 namespace coilwright::drive {
-
-/// A train of pulses.
-struct Pulses {
-  double frequency{};  ///< Hz; finite, > 0
-  double duty{};       ///< fraction of a period with the command on, 0 to 1; at 0 and 1 nothing switches
-};
 
 /// Mean powers over the periods looked at, W. source = coils + switches + diodes + supply + stored.
 struct DrivePowers {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "coilwright/drive/driver.hpp"
+
+namespace coilwright::drive {
+
+/// A train of pulses.
+struct Pulses {
+  double frequency{};  ///< Hz; finite, > 0
+  double duty{};       ///< fraction of a period with the command on, 0 to 1; at 0 and 1 nothing switches
+};
+
+/// How long each phase of a period lasts, in their order, s.
+struct PhaseLengths {
+  double on{};
+  double dead_before_off{};
+  double off{};
+  double dead_before_on{};
+};
+
+/// The dead time delays switching on, so that it is taken off the pulse: a pulse shorter than it never switches on. A
+/// pause shorter than it has no off phase. Precondition: the pulses keep their rules.
+[[nodiscard]] PhaseLengths phase_lengths(const Driver& driver, const Pulses& pulses);
+
+}  // namespace coilwright::drive

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "coilwright/actuator/assemble.hpp"
+#include "coilwright/drive/coil_bank.hpp"
+#include "coilwright/drive/driver.hpp"
+#include "coilwright/drive/steady_current.hpp"
+
+namespace coilwright::systems {
+
+/// A battery cell with a switch.
+struct CellDrive {
+  drive::CellSwitch circuit{};
+  double capacity{};  ///< A s; finite, > 0
+};
+
+/// How an actuator is driven, and what is asked. Of duty and mean current at least one is given: the duty alone asks
+/// what it makes, the mean current alone for its duty, and both for the supply voltage that makes it at that duty.
+struct DriveQuestion {
+  std::variant<drive::HBridge, CellDrive> driver{};
+  drive::BankWiring wiring = drive::BankWiring::parallel;
+  int actuators = 1;             ///< alike and on the same driver; >= 1. Between them there is no mutual inductance.
+  double frequency = 490.0;      ///< of the pulses, Hz
+  std::optional<double> duty{};  ///< 0 to 1
+  std::optional<double> mean{};  ///< of the coil that carries most, A; > 0
+  /// Mean of every coil, degC; nothing: where this drive leaves it when held for good.
+  std::optional<double> coil_temperature = 20.0;
+};
+
+/// The highest supply voltage that is looked for, V.
+inline constexpr double most_supply_voltage = 1000.0;
+
+/// What a user of a driven actuator must know.
+enum class DriveWarning {
+  out_of_reach,      ///< the wanted mean current cannot be had
+  dead_time,         ///< the pulse is shorter than the dead time: nothing is switched on
+  limited,           ///< the current limit clips the current
+  no_period,         ///< the limit and the pulses beat: no period is as the one before
+  discontinuous,     ///< the current is zero for part of each period
+  ripple,            ///< the coils have at least 5 % more heat than their mean current would make
+  above_continuous,  ///< the rms current is more than can be held for good
+  above_ampacity,    ///< the rms current is more than the wire's ampacity
+  runaway            ///< at this rms current the coils have no steady temperature below copper's melting
+};
+
+/// "out_of_reach" and so on, as JSON has it.
+[[nodiscard]] std::string_view name_of(DriveWarning warning);
+
+/// What motion does to the circuit while it carries a current, for the straight actuator.
+struct MotionalEffect {
+  double emf_per_rate{};  ///< voltage at the driver per rate of bending with like rates of all joints, V s/rad
+  /// Damping of that motion by the currents that it drives through a closed circuit, and of the joints, N m s/rad, as
+  /// the sum over all joints of one actuator.
+  double damping{};
+  double joint_damping{};
+};
+
+/// The answer.
+struct DrivenActuator {
+  double duty{};
+  double supply_voltage{};              ///< of the open circuit, V
+  drive::ReducedBank bank{};            ///< of all actuators
+  drive::Driver phases{};               ///< what drives them, at that voltage
+  double driver_resistance{};           ///< of switches and supply while on, ohm
+  drive::SteadyCurrent driver{};        ///< of the driver; powers are those of all actuators
+  drive::SteadyCurrent coil{};          ///< of the coil that carries most; without powers
+  double heat_by_mean{};                ///< what the coils' mean current alone would make in them, W
+  double continuous_current{};          ///< rms that coils and magnets bear for good, A
+  double ampacity{};                    ///< of the wire, A
+  Eigen::VectorXd coil_temperatures{};  ///< mean of each coil of an actuator, for which all this holds, degC
+  /// Of the coils, when this rms current is held for good, degC; nothing in a runaway. A coil that warms takes less of
+  /// a voltage: there it is an upper bound, unless coil_temperature asks for the coils' own.
+  std::optional<double> steady_hot_spot{};
+  std::optional<double> run_time{};  ///< of the cell, s; infinite without current
+  MotionalEffect motion{};
+  std::vector<DriveWarning> warnings{};
+};
+
+/// Drives an assembled design. The thermal figures are those with the joints at actuator::thermal_joint_angle; magnets
+/// are those of the model at 20 degC. Throws std::invalid_argument naming field, rule and value for a question that is
+/// none, and where the coils' own temperature is asked for and is none at which copper is solid.
+[[nodiscard]] DrivenActuator drive_actuator(const actuator::Design& design, const actuator::Assembly& assembly,
+                                            const DriveQuestion& question);
+
+}  // namespace coilwright::systems

@@ -1,0 +1,238 @@
+#include "coilwright/systems/driven_actuator.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "coilwright/actuator/coil_bank.hpp"
+#include "coilwright/actuator/heat.hpp"
+#include "coilwright/drive/settings.hpp"
+#include "coilwright/thermal/steady_state.hpp"
+#include "systems/check.hpp"
+#include "systems/motional_effect.hpp"
+
+namespace coilwright::systems {
+namespace {
+
+using actuator::Assembly;
+using actuator::Design;
+using drive::Driver;
+using drive::ReducedBank;
+using drive::Setting;
+
+// Of temperatures that are looked for, K, and how often at most. Half of each change is taken: the heat of a voltage
+// falls as a coil warms, that of a current grows by less than 0.81 of the change where the end is below melting.
+constexpr double temperature_closeness = 1e-9;
+constexpr int most_rounds = 2000;
+
+constexpr double copper_melts = 1085.0;  // degC, CRC Handbook
+
+// Heat over what the mean current suggests: 2.5 % of current, as a good ammeter reads.
+constexpr double worth_a_warning = 1.05;
+
+void check(const DriveQuestion& question) {
+  if (!question.duty && !question.mean) throw std::invalid_argument("duty or mean must be given; got neither");
+  if (question.mean) require(*question.mean > 0.0, "mean", "> 0", *question.mean, "A");
+  if (question.duty) require(*question.duty >= 0.0 && *question.duty <= 1.0, "duty", "from 0 to 1", *question.duty);
+  require(question.actuators >= 1, "actuators", ">= 1", question.actuators);
+  if (const auto* cell = std::get_if<CellDrive>(&question.driver))
+    require(cell->capacity > 0.0, "capacity", "> 0", cell->capacity, "A s");
+}
+
+double voltage_of(const DriveQuestion& question) {
+  if (const auto* bridge = std::get_if<drive::HBridge>(&question.driver)) return bridge->supply_voltage;
+  return std::get<CellDrive>(question.driver).circuit.emf;
+}
+
+Driver driver_at(const DriveQuestion& question, double voltage) {
+  if (const auto* bridge = std::get_if<drive::HBridge>(&question.driver)) {
+    drive::HBridge other = *bridge;
+    other.supply_voltage = voltage;
+    return driver_of(other);
+  }
+  drive::CellSwitch other = std::get<CellDrive>(question.driver).circuit;
+  other.emf = voltage;
+  return driver_of(other);
+}
+
+// All actuators' coils on the driver, one actuator after the other.
+drive::CoilBank bank_of(const Design& design, const Assembly& assembly, const DriveQuestion& question,
+                        const Eigen::VectorXd& temperatures) {
+  const drive::CoilBank one = coil_bank(design, assembly, question.wiring, temperatures);
+  const Eigen::Index coils = one.resistances.size();
+  drive::CoilBank all{.resistances = one.resistances.replicate(question.actuators, 1),
+                      .inductances = Eigen::MatrixXd::Zero(coils * question.actuators, coils * question.actuators),
+                      .wiring = question.wiring};
+  for (int i = 0; i < question.actuators; ++i)
+    all.inductances.block(i * coils, i * coils, coils, coils) = one.inductances;
+  return all;
+}
+
+struct Solved {
+  ReducedBank bank;
+  Driver driver;
+  drive::SteadyCurrent current;
+  double duty{}, voltage{};
+  bool reached = true;
+};
+
+Solved solve(const drive::CoilBank& coils, const DriveQuestion& question) {
+  Solved out{.bank = reduce(coils), .driver = {}, .current = {}, .duty = 0.0, .voltage = voltage_of(question)};
+  out.driver = driver_at(question, out.voltage);
+  const auto answer = [&](double duty, double voltage, const drive::SteadyCurrent& current, bool reached) {
+    out.duty = duty;
+    out.voltage = voltage;
+    out.driver = driver_at(question, voltage);
+    out.current = current;
+    out.reached = reached;
+    return out;
+  };
+  const drive::Circuit& circuit = out.bank.circuit;
+  if (!question.mean)
+    return answer(*question.duty, out.voltage,
+                  steady_current(circuit, out.driver, {.frequency = question.frequency, .duty = *question.duty}), true);
+  const double mean = *question.mean / out.bank.shares.maxCoeff();
+  if (!question.duty) {
+    const Setting found = duty_for_mean(circuit, out.driver, question.frequency, mean);
+    return answer(found.value.value_or(1.0), out.voltage, found.current, found.value.has_value());
+  }
+  const Setting found = voltage_for_mean(
+      circuit, [&](double voltage) { return driver_at(question, voltage); },
+      {.frequency = question.frequency, .duty = *question.duty}, mean, most_supply_voltage);
+  return answer(*question.duty, found.value.value_or(most_supply_voltage), found.current, found.value.has_value());
+}
+
+// Of one actuator's parts under that drive; all its actuators are alike.
+thermal::SteadyState heated(const Design& design, const thermal::Network& network, const Solved& solved) {
+  thermal::NodeVector squares = thermal::NodeVector::Zero(network.size());
+  Eigen::Index coil = 0;
+  for (const int place : actuator::coil_places(design.layout))
+    squares[place] = std::pow(solved.bank.shares[coil++] * solved.current.rms, 2);
+  return steady_state(network, squares);
+}
+
+Eigen::VectorXd of_coils(const Design& design, const thermal::NodeVector& nodes) {
+  const std::vector<int> places = actuator::coil_places(design.layout);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = nodes[places[i]];
+  return out;
+}
+
+// The drive with the coils as warm as it makes them. The heat is that of the present currents at the present
+// temperatures: a network under fixed currents would run away where a voltage, whose current falls, does not.
+Solved solve_warm(const Design& design, const Assembly& assembly, const thermal::Network& network,
+                  const DriveQuestion& question, Eigen::VectorXd& temperatures) {
+  const std::vector<int> places = actuator::coil_places(design.layout);
+  const Eigen::LLT<thermal::NodeMatrix> conductance(network.conductance());
+  for (int round = 0; round < most_rounds; ++round) {
+    const drive::CoilBank bank = bank_of(design, assembly, question, temperatures);
+    Solved solved = solve(bank, question);
+    thermal::NodeVector heat = thermal::NodeVector::Zero(network.size());
+    for (Eigen::Index i = 0; i < temperatures.size(); ++i)
+      heat[places[i]] = bank.resistances[i] * std::pow(solved.bank.shares[i] * solved.current.rms, 2);
+    const thermal::NodeVector rises = conductance.solve(heat);
+    const Eigen::VectorXd change = of_coils(design, rises).array() + network.ambient() - temperatures.array();
+    if (!(temperatures.maxCoeff() < 1e6)) break;  // without end
+    if (change.cwiseAbs().maxCoeff() < temperature_closeness) {
+      if (temperatures.maxCoeff() > copper_melts) break;
+      return solved;
+    }
+    temperatures += 0.5 * change;
+  }
+  throw std::invalid_argument(
+      fmt::format("coil temperature must be given: held for good, this drive heats the coils beyond {} degC, where "
+                  "copper melts",
+                  copper_melts));
+}
+
+drive::SteadyCurrent shared(drive::SteadyCurrent current, double share) {
+  current.mean *= share;
+  current.rms *= share;
+  current.peak *= share;
+  current.valley *= share;
+  current.supply_mean *= share;
+  current.powers = {};
+  return current;
+}
+
+std::vector<DriveWarning> warnings_of(const DrivenActuator& answer, const Solved& solved, double frequency) {
+  std::vector<DriveWarning> out;
+  const auto warn = [&](bool holds, DriveWarning warning) {
+    if (holds) out.push_back(warning);
+  };
+  warn(!solved.reached, DriveWarning::out_of_reach);
+  warn(answer.duty > 0.0 && answer.duty < 1.0 && answer.duty <= solved.driver.dead_time * frequency,
+       DriveWarning::dead_time);
+  warn(answer.driver.is_limited, DriveWarning::limited);
+  warn(!answer.driver.repeats, DriveWarning::no_period);
+  warn(answer.driver.is_discontinuous() && answer.driver.peak > 0.0, DriveWarning::discontinuous);
+  warn(answer.driver.powers.coils >= worth_a_warning * answer.heat_by_mean && answer.heat_by_mean > 0.0,
+       DriveWarning::ripple);
+  warn(answer.coil.rms > answer.continuous_current, DriveWarning::above_continuous);
+  warn(answer.coil.rms > answer.ampacity, DriveWarning::above_ampacity);
+  warn(!answer.steady_hot_spot, DriveWarning::runaway);
+  return out;
+}
+
+}  // namespace
+
+std::string_view name_of(DriveWarning warning) {
+  switch (warning) {
+    case DriveWarning::out_of_reach:
+      return "out_of_reach";
+    case DriveWarning::dead_time:
+      return "dead_time";
+    case DriveWarning::limited:
+      return "limited";
+    case DriveWarning::no_period:
+      return "no_period";
+    case DriveWarning::discontinuous:
+      return "discontinuous";
+    case DriveWarning::ripple:
+      return "ripple";
+    case DriveWarning::above_continuous:
+      return "above_continuous";
+    case DriveWarning::above_ampacity:
+      return "above_ampacity";
+    case DriveWarning::runaway:
+      return "runaway";
+  }
+  return "";
+}
+
+DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, const DriveQuestion& question) {
+  check(question);
+  const thermal::Network network = heat_network(design, assembly);
+  Eigen::VectorXd temperatures =
+      Eigen::VectorXd::Constant(assembly.coils, question.coil_temperature.value_or(network.ambient()));
+  const Solved solved = question.coil_temperature ? solve(bank_of(design, assembly, question, temperatures), question)
+                                                  : solve_warm(design, assembly, network, question, temperatures);
+  const thermal::CurrentLimits limits = current_limits(network);
+  const thermal::SteadyState heat = heated(design, network, solved);
+  DrivenActuator out{
+      .duty = solved.duty,
+      .supply_voltage = solved.voltage,
+      .bank = solved.bank,
+      .phases = solved.driver,
+      .driver_resistance = solved.driver.on.resistance + solved.driver.on.supply_resistance,
+      .driver = solved.current,
+      .coil = shared(solved.current, solved.bank.shares.maxCoeff()),
+      .heat_by_mean = solved.bank.circuit.resistance * solved.current.mean * solved.current.mean,
+      .continuous_current = std::min(limits.coils, limits.magnets),
+      .ampacity = assembly.coil.current_limit,
+      .coil_temperatures = temperatures,
+      .motion = motional_effect(assembly, bank_of(design, assembly, question, temperatures), solved.driver)};
+  if (heat.outcome == thermal::Outcome::settles) {
+    const double hottest = of_coils(design, heat.hot_spots).maxCoeff();
+    if (hottest < copper_melts) out.steady_hot_spot = hottest;
+  }
+  if (const auto* cell = std::get_if<CellDrive>(&question.driver))
+    out.run_time = drive::run_time(cell->capacity, solved.current.supply_mean);
+  out.warnings = warnings_of(out, solved, question.frequency);
+  return out;
+}
+
+}  // namespace coilwright::systems

@@ -3,21 +3,13 @@
 
 #include "actuator/effects/starts.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
+#include "coilwright/actuator/parts/coil_magnet_pairs.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {
 
 using mechanics::JointMatrix;
 using mechanics::JointVector;
-
-// The pairs whose torque is proportional to a current: magnets that pull at each other induce nothing, and what coils
-// induce in each other is left out as being small (1 % of a magnet's).
-MagneticStage driven_pairs(const MagneticStage& magnetics) {
-  std::vector<DistantPair> distant;
-  for (const DistantPair& pair : magnetics.distant_pairs())
-    if (pair.coil >= 0 && pair.second_coil < 0) distant.push_back(pair);
-  return {magnetics.hinge_pairs(), std::move(distant)};
-}
 
 class BackEmfTerm final : public EffectTerm {
  public:
@@ -81,7 +73,7 @@ class BackEmf final : public DescribedEffect {
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
     if (values[0] == 0.0) return nullptr;
-    return std::make_unique<BackEmfTerm>(driven_pairs(spec.magnetics), spec.coils, values[0]);
+    return std::make_unique<BackEmfTerm>(coil_magnet_pairs(spec.magnetics), spec.coils, values[0]);
   }
 };
 

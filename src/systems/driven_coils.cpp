@@ -1,0 +1,111 @@
+#include "systems/driven_coils.hpp"
+
+#include <Eigen/Cholesky>
+#include <utility>
+
+#include "coilwright/actuator/parts/coil_magnet_pairs.hpp"
+
+namespace coilwright::systems {
+namespace {
+
+using actuator::CoilCurrents;
+using actuator::MagneticStage;
+using mechanics::JointVector;
+
+class CoilsTerm final : public actuator::EffectTerm {
+ public:
+  CoilsTerm(CoilLoop loop, MagneticStage pairs) : loop_(std::move(loop)), pairs_(std::move(pairs)) {}
+
+  int states() const override { return coils() + DrivenCoils::integrals; }
+
+  void magnetize(InternalStateView own, const CoilCurrents& /*currents*/, CoilCurrents& strength) const override {
+    strength = Eigen::Map<const Eigen::VectorXd>(own.states, coils());
+    if (own.slopes == nullptr) return;
+    const double driver = loop_.entry.dot(strength);
+    const CoilCurrents dropped = loop_.resistances.cwiseProduct(strength);
+    const CoilCurrents left = (loop_.voltage - loop_.resistance * driver) * loop_.entry - dropped;
+    slopes(own).noalias() = loop_.response * left;
+    own.slopes[coils() + DrivenCoils::charge] = driver;
+    own.slopes[coils() + DrivenCoils::square] = driver * driver;
+    own.slopes[coils() + DrivenCoils::heat] = dropped.dot(strength);
+  }
+
+  void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
+                   JointVector& /*torques*/) const override {
+    if (own.slopes == nullptr) return;
+    const CoilCurrents voltages = induced(pairs_, coils(), motion);
+    slopes(own).noalias() -= loop_.response * voltages;
+    own.slopes[coils() + DrivenCoils::work] = voltages.dot(strength);
+  }
+
+ private:
+  int coils() const { return static_cast<int>(loop_.entry.size()); }
+  Eigen::Map<Eigen::VectorXd> slopes(InternalStateView own) const { return {own.slopes, loop_.entry.size()}; }
+
+  CoilLoop loop_;
+  MagneticStage pairs_;
+};
+
+}  // namespace
+
+CoilLoop loop_of(const drive::CoilBank& bank) {
+  const Eigen::Index coils = bank.resistances.size();
+  CoilLoop loop{.resistances = bank.resistances, .response = {}, .entry = CoilCurrents::Ones(coils)};
+  if (bank.wiring == drive::BankWiring::parallel) {
+    loop.response = Eigen::LLT<Eigen::MatrixXd>(bank.inductances).solve(Eigen::MatrixXd::Identity(coils, coils));
+  } else {
+    loop.response = CoilMatrix::Constant(coils, coils, 1.0 / bank.inductances.sum());
+    loop.entry /= static_cast<double>(coils);
+  }
+  return loop;
+}
+
+CoilLoop on_path(const drive::CoilBank& bank, const drive::Path& path, int actuators) {
+  const bool series = bank.wiring == drive::BankWiring::series;
+  CoilLoop loop = loop_of(bank);
+  loop.voltage = (path.source - path.diodes) / (series ? actuators : 1);
+  loop.resistance = (path.resistance + path.supply_resistance) * (series ? 1.0 / actuators : actuators);
+  return loop;
+}
+
+CoilLoop opened(CoilLoop loop) {
+  const CoilCurrents answer = loop.response * loop.entry;
+  const CoilMatrix taken = answer * answer.transpose() / loop.entry.dot(answer);
+  loop.response -= taken;
+  loop.voltage = loop.resistance = 0.0;
+  return loop;
+}
+
+CoilCurrents induced(const MagneticStage& pairs, int coils, const actuator::EffectTerm::Kinematics& motion) {
+  CoilCurrents voltages(coils);
+  CoilCurrents unit = CoilCurrents::Zero(coils);
+  JointVector torque(motion.angles.size());
+  for (int c = 0; c < coils; ++c) {
+    unit[c] = 1.0;
+    torque.setZero();
+    pairs.add_torques(motion.chain, motion.angles, unit, torque);
+    voltages[c] = torque.dot(motion.rates);
+    unit[c] = 0.0;
+  }
+  return voltages;
+}
+
+DrivenCoils::DrivenCoils(CoilLoop loop)
+    : DescribedEffect(
+          {.id = "driven_coils",
+           .stage = actuator::Stage::magnetics,
+           .description = "a driver's voltage drives the currents against resistance, inductance and motion",
+           .equation = "L i' = u - R i - g . omega for each coil, g = dq/di",
+           .source = "Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3"}),
+      loop_(std::move(loop)) {}
+
+std::vector<std::vector<double>> DrivenCoils::starts(const actuator::RigScale& /*scale*/) const {
+  return {{}};
+}
+
+std::unique_ptr<const actuator::EffectTerm> DrivenCoils::build(std::span<const double> /*values*/,
+                                                               actuator::ModelSpec& spec) const {
+  return std::make_unique<CoilsTerm>(loop_, coil_magnet_pairs(spec.magnetics));
+}
+
+}  // namespace coilwright::systems

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "coilwright/actuator/model/described_effect.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
+#include "coilwright/drive/coil_bank.hpp"
+#include "coilwright/drive/driver.hpp"
+
+namespace coilwright::systems {
+
+/// Matrix over the coils of an actuator; no heap.
+using CoilMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mechanics::max_joints + 1,
+                                 mechanics::max_joints + 1>;
+
+/// The coils of one actuator on one path of a driver. The driver's current is I = entry . i, and
+///   di/dt = response (voltage entry - diag(resistances) i - resistance I entry - induced by motion).
+/// In parallel every entry is 1 and the response is L^-1; in series all coils have one current, every entry is 1/n and
+/// the response 11^T / (1^T L 1). With the driver open, I stays as it is.
+struct CoilLoop {
+  actuator::CoilCurrents resistances;  ///< of the coils, ohm
+  CoilMatrix response;                 ///< 1/H
+  actuator::CoilCurrents entry;        ///< dimensionless
+  double voltage{};                    ///< of the driver, V
+  double resistance{};                 ///< of the driver, ohm
+};
+
+/// The loop of a bank that keeps its rules (drive::reduce checks them), with nothing driving it.
+[[nodiscard]] CoilLoop loop_of(const drive::CoilBank& bank);
+
+/// The loop of an actuator's bank on a path of a driver that as many `actuators` share, alike and moving alike: in
+/// parallel each sees as many times the driver's resistance, in series that part of its voltage and resistance.
+[[nodiscard]] CoilLoop on_path(const drive::CoilBank& bank, const drive::Path& path, int actuators);
+
+/// A loop with the driver open: I does not change. Coils in parallel may still drive currents round each other.
+[[nodiscard]] CoilLoop opened(CoilLoop loop);
+
+/// The coils' currents as states of a model, with what motion induces in them by the model's own torques per ampere g_j
+/// of each joint: sum g_j omega_j (Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3), so that what the
+/// circuit loses the chain gains. States, all of one actuator: the currents, then Integral by Integral.
+class DrivenCoils final : public actuator::DescribedEffect {
+ public:
+  /// What is integrated beside the currents, in this order after them.
+  enum Integral {
+    charge,  ///< of the driver's current, A s
+    square,  ///< of its square, A^2 s
+    heat,    ///< in the coils, J
+    work,    ///< done on the chain, J
+    integrals
+  };
+
+  /// Keeps the loop.
+  explicit DrivenCoils(CoilLoop loop);
+
+  std::vector<std::vector<double>> starts(const actuator::RigScale& scale) const override;
+  std::unique_ptr<const actuator::EffectTerm> build(std::span<const double> values,
+                                                    actuator::ModelSpec& spec) const override;
+
+ private:
+  CoilLoop loop_;
+};
+
+/// What motion induces in each coil, V, against the current that opens the joints: sum over the joints of torque per
+/// ampere and rate. `pairs` are actuator::coil_magnet_pairs().
+[[nodiscard]] actuator::CoilCurrents induced(const actuator::MagneticStage& pairs, int coils,
+                                             const actuator::EffectTerm::Kinematics& motion);
+
+}  // namespace coilwright::systems

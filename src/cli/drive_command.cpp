@@ -1,0 +1,225 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "actuator_input.hpp"
+#include "coilwright/formats/data/drive_json.hpp"
+#include "coilwright/report/drive_text.hpp"
+#include "coilwright/systems/driven_actuator.hpp"
+#include "coilwright/systems/driven_motion.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "commands.hpp"
+#include "keep_inputs.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using text::Rule;
+
+// As on the command line, each in the unit of its name.
+struct Options {
+  ActuatorOptions actuator;
+  std::optional<double> duty, mean, supply_voltage, cell_voltage, cell_capacity, limit, switch_resistance;
+  double supply_resistance{};
+  double high_resistance = 307.0, low_resistance = 258.0;
+  std::optional<double> diode_voltage;
+  double dead_time = 0.22, limit_off_time = 25.0, limit_blanking = 2.0;
+  double frequency = 490.0;
+  std::string decay = "slow", wiring = "parallel";
+  int actuators = 1;
+  double coil_temperature = 20.0;
+  bool warm{false};
+  std::optional<double> motion;
+  double interval = 1.0;
+  std::string out;
+  bool json{false};
+};
+
+drive::HBridge bridge_of(const Options& options) {
+  drive::HBridge bridge{.supply_voltage = options.supply_voltage.value_or(24.0),
+                        .supply_resistance = options.supply_resistance,
+                        .high_resistance = options.high_resistance * 1e-3,
+                        .low_resistance = options.low_resistance * 1e-3,
+                        .dead_time = options.dead_time * 1e-6,
+                        .decay = options.decay == "slow" ? drive::Decay::slow : drive::Decay::fast,
+                        .trip = options.limit,
+                        .limit_off_time = options.limit_off_time * 1e-6,
+                        .limit_blanking = options.limit_blanking * 1e-6};
+  bridge.diode_voltage = options.diode_voltage.value_or(bridge.diode_voltage);
+  return bridge;
+}
+
+systems::CellDrive cell_of(const Options& options) {
+  systems::CellDrive cell{.circuit = {.emf = *options.cell_voltage,
+                                      .resistance = options.supply_resistance,
+                                      .switch_resistance = options.switch_resistance.value_or(50.0) * 1e-3},
+                          .capacity = *options.cell_capacity * 3.6};
+  cell.circuit.diode_voltage = options.diode_voltage.value_or(cell.circuit.diode_voltage);
+  return cell;
+}
+
+systems::DriveQuestion question_of(const Options& options) {
+  systems::DriveQuestion question{
+      .wiring = options.wiring == "series" ? drive::BankWiring::series : drive::BankWiring::parallel,
+      .actuators = options.actuators,
+      .frequency = options.frequency,
+      .duty = options.duty,
+      .mean = options.mean};
+  if (options.cell_voltage)
+    question.driver = cell_of(options);
+  else
+    question.driver = bridge_of(options);
+  question.coil_temperature = options.warm ? std::nullopt : std::optional<double>(options.coil_temperature);
+  return question;
+}
+
+// Follows the motion into its file, if one is asked for.
+std::optional<systems::MotionSummary> follow(const Options& options, const actuator::Design& design,
+                                             const actuator::Assembly& assembly, const systems::DriveQuestion& question,
+                                             const systems::DrivenActuator& driven) {
+  if (!options.motion) return std::nullopt;
+  const std::vector<systems::MotionSample> motion =
+      drive_motion(design, assembly, question, driven,
+                   {.duration = *options.motion, .interval = std::min(options.interval * 1e-3, *options.motion)});
+  text::OutputFile file(options.out);
+  formats::write_motion(file.stream(), motion);
+  file.commit();
+  return summary_of(motion);
+}
+
+void run_drive(const Options& options) {
+  if (!options.duty && !options.mean)
+    throw CLI::ValidationError("--duty", "or --mean-A is needed: what is set, or what is wanted");
+  if (options.motion)
+    keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
+                std::array<std::filesystem::path, 1>{options.out});
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  const actuator::Design design = design_in(file, options.actuator, "a drive needs a design (actuator/1)");
+  const actuator::Assembly assembly = assemble(design, options.actuator);
+  const systems::DriveQuestion question = question_of(options);
+  try {
+    const systems::DrivenActuator driven = systems::drive_actuator(design, assembly, question);
+    const std::optional<systems::MotionSummary> motion = follow(options, design, assembly, question, driven);
+    if (options.json) {
+      text::Json out = formats::to_json(driven);
+      if (motion) out.set("motion", formats::to_json(*motion));
+      std::cout << out.text();
+    } else {
+      std::cout << report::to_text(driven, question) << (motion ? report::to_text(*motion) : "");
+    }
+  } catch (const std::invalid_argument& rule) {
+    throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
+  }
+}
+
+void add_asked(CLI::App& command, Options& options) {
+  command.add_option("--duty", options.duty, "Fraction of a period that is switched on, 0 to 1")
+      ->check(number_rule(Rule::between(0.0, 1.0)));
+  command
+      .add_option("--mean-A", options.mean,
+                  "Wanted mean current of a coil, A: finds the duty for it, or with --duty the supply voltage")
+      ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(100.0))));
+  command.add_option("--frequency-Hz", options.frequency, "Frequency of the pulses, Hz (default 490)")
+      ->check(number_rule(Rule::between(0.1, 1e6)));
+  command
+      .add_option("--wiring", options.wiring, "series or parallel: how all coils hang on the driver (default parallel)")
+      ->check(CLI::IsMember({"series", "parallel"}));
+  command.add_option("--actuators", options.actuators, "Like actuators on the same driver (default 1)")
+      ->check(number_rule(Rule::between(1, 16)));
+  auto* stated = command
+                     .add_option("--coil-temperature-degC", options.coil_temperature,
+                                 "Mean temperature of the coils, degC (default 20)")
+                     ->check(number_rule(Rule::between(-50.0, 200.0)));
+  command.add_flag("--warm", options.warm, "Coils as warm as this drive leaves them when it is held for good")
+      ->disable_flag_override()
+      ->excludes(stated);
+}
+
+void add_driver(CLI::App& command, Options& options) {
+  const Rule voltage = Rule::above(0.0).and_also(Rule::at_most(1000.0));
+  auto* supply =
+      command.add_option("--supply-voltage-V", options.supply_voltage, "Of the H-bridge's supply, V (default 24)")
+          ->check(number_rule(voltage));
+  auto* decay =
+      command
+          .add_option("--decay", options.decay,
+                      "slow (coils shorted while off) or fast (current returned to the supply) (default slow)")
+          ->check(CLI::IsMember({"slow", "fast"}));
+  auto* limit = command.add_option("--current-limit-A", options.limit, "At which the H-bridge chops, A (default none)")
+                    ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(100.0))));
+  const auto from_zero = [&](double most, const char* name, double& value, const char* text) {
+    return command.add_option(name, value, text)->check(number_rule(Rule::between(0.0, most)));
+  };
+  from_zero(1e3, "--supply-resistance-Ohm", options.supply_resistance,
+            "Inside supply or cell, with leads, Ohm (default 0)");
+  auto* high =
+      from_zero(1e5, "--high-resistance-mOhm", options.high_resistance, "Of a high switch, mOhm (default 307)");
+  auto* low = from_zero(1e5, "--low-resistance-mOhm", options.low_resistance, "Of a low switch, mOhm (default 258)");
+  auto* dead = from_zero(1e3, "--dead-time-us", options.dead_time, "Between switches, us (default 0.22)");
+  auto* off = command
+                  .add_option("--limit-off-time-us", options.limit_off_time,
+                              "For which the current limit switches off, us (default 25)")
+                  ->check(number_rule(Rule::between(1.0, 1e4)));
+  auto* blanking = from_zero(1e3, "--limit-blanking-us", options.limit_blanking,
+                             "In which the limit does not look after switching on, us (default 2)");
+  command
+      .add_option("--diode-voltage-V", options.diode_voltage,
+                  "Of a diode, V (default 0.8 in a bridge, 0.4 across the coils at a cell)")
+      ->check(number_rule(Rule::between(0.0, 10.0)));
+  auto* cell = command
+                   .add_option("--cell-voltage-V", options.cell_voltage,
+                               "Drives by a battery cell of this open voltage through a switch instead, V")
+                   ->check(number_rule(voltage));
+  for (CLI::Option* other : {supply, decay, limit, high, low, dead, off, blanking}) cell->excludes(other);
+  auto* capacity = command.add_option("--cell-capacity-mAh", options.cell_capacity, "Of the cell, mAh")
+                       ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e6))));
+  capacity->needs(cell);
+  cell->needs(capacity);
+  command.add_option("--switch-resistance-mOhm", options.switch_resistance, "Of the cell's switch, mOhm (default 50)")
+      ->check(number_rule(Rule::between(0.0, 1e5)))
+      ->needs(cell);
+}
+
+void add_motion(CLI::App& command, Options& options) {
+  auto* motion = command.add_option("--motion-s", options.motion, "Follows the motion from rest for this long, s")
+                     ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e4))));
+  auto* out = command.add_option("--out", options.out, "CSV file to write the motion to")->needs(motion);
+  motion->needs(out);
+  command.add_option("--interval-ms", options.interval, "Between rows of the motion, ms (default 1)")
+      ->check(number_rule(Rule::between(1e-3, 1e6)))
+      ->needs(motion);
+}
+
+}  // namespace
+
+void add_drive_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "drive", "Compute the currents, heat and run time of coils under pulses from a supply or a cell");
+  add_actuator_options(*command, options->actuator);
+  add_asked(*command, *options);
+  add_driver(*command, *options);
+  add_motion(*command, *options);
+  command->add_flag("--json", options->json, "Print JSON instead of tables")->disable_flag_override();
+  command->footer(
+      "The H-bridge's defaults are typical of an integrated driver such as the DRV8870 or DRV8871 on 24 V. All is the\n"
+      "periodic steady state without motion; currents of a coil are those of the one that carries most. The motion\n"
+      "starts at rest without current and with a pulse; its coils keep their temperatures.\n\n"
+      "Examples:\n"
+      "  coilwright drive configs/actuators/paper_finger.json --mean-A 1.4 --wiring series --actuators 2\n"
+      "  coilwright drive configs/actuators/paper_finger.json --duty 0.5 --frequency-Hz 10 --cell-voltage-V 4.2 \\\n"
+      "    --cell-capacity-mAh 150\n"
+      "  coilwright drive configs/actuators/paper_finger.json --mean-A 1.4 --motion-s 0.5 --out motion.csv");
+  command->callback([options] { run_drive(*options); });
+}
+
+}  // namespace coilwright::cli

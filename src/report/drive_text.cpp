@@ -1,0 +1,163 @@
+#include "coilwright/report/drive_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <variant>
+
+#include "coilwright/units/unit.hpp"
+#include "report/text_table.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using systems::DrivenActuator;
+using systems::DriveQuestion;
+using systems::DriveWarning;
+
+std::string number(double value) {
+  return fmt::format("{:.5g}", value);
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.3g} %", 100.0 * share);
+}
+
+bool is_cell(const DriveQuestion& question) {
+  return std::holds_alternative<systems::CellDrive>(question.driver);
+}
+
+std::string setting_text(const DrivenActuator& driven, const DriveQuestion& question) {
+  const auto* bridge = std::get_if<drive::HBridge>(&question.driver);
+  const std::string decay = bridge == nullptr                     ? ""
+                            : bridge->decay == drive::Decay::slow ? ", slow decay"
+                                                                  : ", fast decay";
+  const Eigen::Index coils = driven.bank.shares.size();
+  const std::string wiring = question.wiring == drive::BankWiring::series ? "series" : "parallel";
+  return fmt::format("{} of {} V, {}, {} Hz{}, coils at {} degC\n",
+                     is_cell(question) ? "Cell with a switch" : "H-bridge", number(driven.supply_voltage),
+                     coils == 1 ? std::string("1 coil") : fmt::format("{} coils in {}", coils, wiring),
+                     number(question.frequency), decay, number(driven.coil_temperatures.maxCoeff()));
+}
+
+std::string asked_text(const DrivenActuator& driven, const DriveQuestion& question) {
+  const std::string gives = fmt::format("{} A of mean current in a coil.\n", number(driven.coil.mean));
+  const bool reached = driven.warnings.empty() || driven.warnings.front() != DriveWarning::out_of_reach;
+  if (question.mean && question.duty && reached)
+    return fmt::format("{} V at duty {} give {}", number(driven.supply_voltage), number(driven.duty), gives);
+  return fmt::format("Duty {} gives {}", number(driven.duty), gives);
+}
+
+std::string currents_text(const DrivenActuator& driven) {
+  TextTable table;
+  table.row({"current A", "mean", "rms", "peak", "valley", "ripple"});
+  const auto row = [&](const char* name, const drive::SteadyCurrent& current) {
+    table.row({name, number(current.mean), number(current.rms), number(current.peak), number(current.valley),
+               number(current.ripple())});
+  };
+  row("coil", driven.coil);
+  row("driver", driven.driver);
+  return table.text(2, {TextTable::Align::left}) +
+         fmt::format("  The supply delivers {} A on average.\n", number(driven.driver.supply_mean));
+}
+
+std::string powers_text(const DrivenActuator& driven) {
+  const drive::DrivePowers& powers = driven.driver.powers;
+  TextTable table;
+  table.row({"power W", ""});
+  table.row({"from the supply", number(powers.source)});
+  table.row({"heat of all coils", number(powers.coils)});
+  table.row({"as their mean current suggests", number(driven.heat_by_mean)});
+  table.row({"heat of switches and diodes", number(powers.switches + powers.diodes)});
+  table.row({"heat inside the supply", number(powers.supply)});
+  return table.text(2, {TextTable::Align::left});
+}
+
+std::string circuit_text(const DrivenActuator& driven) {
+  const drive::Circuit& circuit = driven.bank.circuit;
+  const systems::MotionalEffect& motion = driven.motion;
+  std::string out =
+      fmt::format("The coils are {} Ohm and {} mH together, L/R {} ms; the driver adds {} Ohm while on.\n",
+                  number(circuit.resistance), number(circuit.inductance * 1e3), number(circuit.time_constant() * 1e3),
+                  number(driven.driver_resistance));
+  out += fmt::format(
+      "Straight and with every joint opening at 1 rad/s they induce {} mV; the closed circuit adds {} Nmms/rad of "
+      "damping to {} of the joints.\n",
+      number(motion.emf_per_rate * 1e3), number(units::from_memory(motion.damping, "damping_Nmms_rad")),
+      number(units::from_memory(motion.joint_damping, "damping_Nmms_rad")));
+  const std::string held = fmt::format("{} A rms in a coil can be held for good", number(driven.continuous_current));
+  out += driven.steady_hot_spot ? fmt::format("{}; these {} A bring the hottest turn to {} degC.\n", held,
+                                              number(driven.coil.rms), number(*driven.steady_hot_spot))
+                                : held + ".\n";
+  if (driven.run_time)
+    out += std::isfinite(*driven.run_time) ? fmt::format("The cell lasts {} min.\n", number(*driven.run_time / 60.0))
+                                           : std::string("The cell is not discharged, as nothing flows.\n");
+  return out;
+}
+
+// What would bring a current that is out of reach nearer.
+std::string remedy(const DrivenActuator& driven, const DriveQuestion& question) {
+  if (driven.driver.is_limited) return "Raise --current-limit-A.";
+  if (question.duty) return "Raise --duty.";
+  const std::string series = question.wiring == drive::BankWiring::series ? ", or take --wiring parallel" : "";
+  return fmt::format("Raise {}{}.", is_cell(question) ? "--cell-voltage-V" : "--supply-voltage-V", series);
+}
+
+std::string sentence(DriveWarning warning, const DrivenActuator& driven, const DriveQuestion& question) {
+  switch (warning) {
+    case DriveWarning::out_of_reach:
+      return fmt::format("{} A of mean current are out of reach: {} V at duty {} give {} A. {}", number(*question.mean),
+                         number(driven.supply_voltage), number(driven.duty), number(driven.coil.mean),
+                         remedy(driven, question));
+    case DriveWarning::dead_time:
+      return "The pulse is shorter than the dead time, so that nothing is switched on: raise --duty or lower "
+             "--frequency-Hz.";
+    case DriveWarning::limited:
+      return "The current limit acts: the current is clipped, and a larger duty or voltage gives little more.";
+    case DriveWarning::no_period:
+      return "Pulses and current limit beat: no period is like the one before, and the figures are means of 1000.";
+    case DriveWarning::discontinuous:
+      return fmt::format(
+          "The current is discontinuous: it is zero for {} of each period, and its mean is not in proportion to the "
+          "duty.",
+          percent(1.0 - driven.driver.conduction));
+    case DriveWarning::ripple:
+      return fmt::format(
+          "The coils get {} more heat than their mean current suggests: a higher --frequency-Hz has less ripple.",
+          percent(driven.driver.powers.coils / driven.heat_by_mean - 1.0));
+    case DriveWarning::above_continuous:
+      return fmt::format("The rms current of {} A is above the continuous current of {} A: do not hold it for good.",
+                         number(driven.coil.rms), number(driven.continuous_current));
+    case DriveWarning::above_ampacity:
+      return fmt::format("The rms current of {} A is above the ampacity of the wire, {} A.", number(driven.coil.rms),
+                         number(driven.ampacity));
+    case DriveWarning::runaway:
+      return "Held at this rms current the coils have no steady temperature: copper melts first.";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string to_text(const DrivenActuator& driven, const DriveQuestion& question) {
+  std::string out = setting_text(driven, question) + asked_text(driven, question) + currents_text(driven) +
+                    powers_text(driven) + circuit_text(driven);
+  for (const DriveWarning warning : driven.warnings) out += sentence(warning, driven, question) + '\n';
+  return out;
+}
+
+std::string to_text(const systems::MotionSummary& motion) {
+  const auto degrees = [](double angle) { return fmt::format("{:.2f}", units::from_memory(angle, "angle_deg")); };
+  const systems::MotionEnergies& energy = motion.energies;
+  return fmt::format(
+      "Pulses from rest for {} s: bending {} deg before, {} deg at the end, at most {} deg at {} s; at most {:.5g} "
+      "deg/s at {} s.\n"
+      "Of {} J from the supply {} J heat the coils, {} J switches and diodes, {} J the supply itself; {} J move the "
+      "actuator, {} J are left in the coils' field.\n",
+      number(motion.duration), degrees(motion.start_bending), degrees(motion.end_bending), degrees(motion.most_bending),
+      number(motion.most_bending_time), units::from_memory(motion.most_speed, "speed_deg_s"),
+      number(motion.most_speed_time), number(energy.source), number(energy.coils),
+      number(energy.switches + energy.diodes), number(energy.supply), number(energy.work), number(energy.field));
+}
+
+}  // namespace coilwright::report

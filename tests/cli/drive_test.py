@@ -1,0 +1,107 @@
+"""Coils under pulses from a supply or a cell."""
+
+import csv
+import json
+import pathlib
+import tempfile
+import unittest
+
+from program import PAPER_FINGER as FINGER
+from program import ProgramTest, run
+
+CELL = ("--cell-voltage-V", "4.2", "--cell-capacity-mAh", "150")
+
+
+def answer(*arguments):
+    return json.loads(run("drive", FINGER, *arguments, "--json").stdout)
+
+
+class Drive(ProgramTest):
+    def test_says_which_duty_gives_a_mean_current(self):
+        text = run("drive", FINGER, "--mean-A", "1.4", "--wiring", "series", "--actuators", "2").stdout
+        self.assertIn("H-bridge of 24 V, 4 coils in series, 490 Hz, slow decay, coils at 20 degC\n", text)
+        self.assertRegex(text, r"\nDuty 0\.9\d+ gives 1\.4 A of mean current in a coil\.\n")
+        self.assertIn("The rms current of 1.4113 A is above the continuous current of 1.1 A: do not hold it for good.\n", text)
+        found = answer("--mean-A", "1.4", "--wiring", "series", "--actuators", "2")
+        self.assertAlmostEqual(found["coil"]["mean_A"], 1.4, places=8)
+        self.assertEqual(found["coil"], found["driver"])
+
+    def test_balances_its_power(self):
+        power = answer("--duty", "0.3", "--decay", "fast")["power"]
+        self.assertAlmostEqual(power["supply_W"],
+                               power["coils_W"] + power["switches_W"] + power["diodes_W"] + power["inside_supply_W"],
+                               places=9)
+        self.assertGreater(power["coils_W"], power["coils_by_mean_current_W"])
+
+    def test_drives_by_a_cell(self):
+        text = run("drive", FINGER, "--duty", "0.5", "--frequency-Hz", "10", *CELL).stdout
+        self.assertIn("Cell with a switch of 4.2 V", text)
+        self.assertRegex(text, r"\nThe cell lasts [\d.]+ min\.\n")
+        self.assertIn("The current is discontinuous: it is zero for ", text)
+
+    def test_finds_the_voltage_at_a_duty(self):
+        found = answer("--duty", "0.5", "--mean-A", "1")
+        self.assertAlmostEqual(answer("--duty", "0.5", "--supply-voltage-V", found["supply_voltage_V"])["coil"]["mean_A"],
+                               1.0, places=8)
+
+    def test_says_that_a_current_is_out_of_reach(self):
+        text = run("drive", FINGER, "--mean-A", "5", "--supply-voltage-V", "5").stdout
+        self.assertRegex(text, r"5 A of mean current are out of reach: 5 V at duty 1 give [\d.]+ A\. "
+                               r"Raise --supply-voltage-V\.\n")
+        self.assertIn("out_of_reach", answer("--mean-A", "5", "--supply-voltage-V", "5")["warnings"])
+
+    def test_a_warm_coil_carries_less(self):
+        cold = answer("--duty", "0.4", "--supply-voltage-V", "9")
+        warm = answer("--duty", "0.4", "--supply-voltage-V", "9", "--warm")
+        self.assertLess(warm["coil"]["mean_A"], cold["coil"]["mean_A"])
+        self.assertGreater(warm["coil_temperature_degC"], 20.0)
+
+    def test_follows_the_motion(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "motion.csv"
+            arguments = ("--mean-A", "1.0", "--supply-voltage-V", "9", "--frequency-Hz", "2000", "--motion-s", "0.1",
+                         "--out", str(out))
+            motion = answer(*arguments)["motion"]
+            with out.open(encoding="utf-8") as table:
+                rows = list(csv.DictReader(table))
+            self.assertEqual(len(rows), 101)
+            self.assertAlmostEqual(float(rows[-1]["time_s"]), 0.1, places=12)
+            self.assertAlmostEqual(float(rows[0]["bending_angle_deg"]), motion["start_bending_deg"], places=9)
+            self.assertAlmostEqual(float(rows[-1]["bending_angle_deg"]), motion["end_bending_deg"], places=9)
+            self.assertEqual(rows[0]["driver_mean_A"], "")
+            # Two coils in parallel; the motion's own voltage takes a little of the current while it opens.
+            self.assertAlmostEqual(float(rows[40]["driver_mean_A"]), 2.0, delta=0.2)
+            spent = sum(motion[key] for key in ("coils_J", "switches_J", "diodes_J", "inside_supply_J", "work_J",
+                                                "field_J"))
+            self.assertAlmostEqual(spent / motion["supply_J"], 1.0, places=5)
+            self.assertIn("\nPulses from rest for 0.1 s: bending 21.07 deg before, ", run("drive", FINGER, *arguments).stdout)
+
+    def test_refuses_what_makes_no_sense(self):
+        for arguments, message in (
+            ((), "--duty: or --mean-A is needed: what is set, or what is wanted"),
+            (("--duty", "1.2"), "--duty"),
+            (("--mean-A", "0"), "--mean-A"),
+            (("--duty", "0.5", "--frequency-Hz", "0"), "--frequency-Hz"),
+            (("--duty", "0.5", "--decay", "mixed"), "--decay: mixed not in {slow,fast}"),
+            (("--duty", "0.5", "--cell-voltage-V", "4.2"), "--cell-voltage-V requires --cell-capacity-mAh"),
+            (("--duty", "0.5", "--decay", "fast", *CELL), "--decay excludes --cell-voltage-V"),
+            (("--duty", "0.5", "--warm", "--coil-temperature-degC", "60"), "excludes"),
+            (("--mean-A", "5", "--supply-voltage-V", "200", "--warm"),
+             "paper_finger.json: coil temperature must be given: held for good, this drive heats the coils beyond 1085 "
+             "degC, where copper melts"),
+            (("--duty", "0.5", "--motion-s", "0.1"), "--motion-s requires --out"),
+            (("--duty", "0.5", "--out", "x.csv"), "--out requires --motion-s"),
+            (("--duty", "0.5", "--motion-s", "0", "--out", "x.csv"), "--motion-s"),
+            (("--duty", "0.5", "--motion-s", "0.1", "--out", FINGER), "paper_finger.json"),
+            (("--duty", "0.5", "--motion-s", "300", "--out", "x.csv"),
+             "duration must be at most 204.082 s, the time of 100000 pulses; got 300 s"),
+        ):
+            result = run("drive", FINGER, *arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertIn(message, result.stderr)
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            self.assertEqual(result.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main()

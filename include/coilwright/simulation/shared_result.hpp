@@ -40,6 +40,7 @@ class SharedResult {
  public:
   /// Must be pure.
   using Make = std::function<Result(const DesignView&)>;
+  /// `make` makes the result of a design.
   explicit SharedResult(Make make) : make_(std::make_shared<const Make>(std::move(make))) {}
 
   /// The result of a design; made again for each call where the view keeps nothing.

@@ -116,6 +116,7 @@ struct ShareOfLimit {
 
 /// Current and duty follow from the design: what a cell drives through its coils.
 struct DrivenCurrent {
+  /// Of one design.
   struct Drive {
     double current{};  ///< in every coil while it is on, A
     double duty{};     ///< 0 to 1

@@ -99,6 +99,14 @@ std::optional<systems::MotionSummary> follow(const Options& options, const actua
 void run_drive(const Options& options) {
   if (!options.duty && !options.mean)
     throw CLI::ValidationError("--duty", "or --mean-A is needed: what is set, or what is wanted");
+  if (options.duty && options.mean) {
+    if (options.cell_voltage)
+      throw CLI::ValidationError("--cell-voltage-V",
+                                 "a cell has the voltage it has; give --duty or --mean-A, not both");
+    if (options.supply_voltage)
+      throw CLI::ValidationError("--supply-voltage-V", "with --duty and --mean-A the voltage is what is looked for");
+    if (*options.duty == 0.0) throw CLI::ValidationError("--duty", "must be > 0 with --mean-A; got 0");
+  }
   if (options.motion)
     keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
                 std::array<std::filesystem::path, 1>{options.out});

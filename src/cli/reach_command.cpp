@@ -91,14 +91,23 @@ control::Reach answer(const Options& options, const Asked& asked, const control:
 }
 
 // As simulate --input takes it: at rest under the current before, which the first row has.
-void write_profile(const std::string& path, const control::CurrentProfile& profile, double end) {
+void write_profile(std::ostream& stream, const control::CurrentProfile& profile, double end) {
   constexpr double before = -0.01;  // s
-  text::OutputFile file(path);
-  text::CsvWriter csv(file.stream(), {"time_s", "current_A"});
+  text::CsvWriter csv(stream, {"time_s", "current_A"});
   csv.row(std::array{before, profile.before});
   for (std::size_t i = 0; i < profile.times.size(); ++i) csv.row(std::array{profile.times[i], profile.levels[i]});
   csv.row(std::array{end, profile.last()});
-  file.commit();
+}
+
+// Both files, or none.
+void write(const Options& options, const Asked& asked, const control::Reach& reach,
+           const control::ProfileQuality& best) {
+  std::optional<text::OutputFile> header;
+  std::optional<text::OutputFile> profile;
+  if (!options.header.empty()) header.emplace(options.header).stream() << formats::controller_header(asked.model, best);
+  if (!options.out.empty()) write_profile(profile.emplace(options.out).stream(), best.profile, reach.duration);
+  if (header) header->commit();
+  if (profile) profile->commit();
 }
 
 std::string remarks(const control::Reach& reach, const control::ReachTask& task, const Asked& asked) {
@@ -116,16 +125,14 @@ std::string remarks(const control::Reach& reach, const control::ReachTask& task,
 void run_reach(const Options& options) {
   keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
               std::array<std::filesystem::path, 2>{options.out, options.header});
+  if (!options.out.empty() &&
+      std::filesystem::path(options.out).lexically_normal() == std::filesystem::path(options.header).lexically_normal())
+    throw InputError({.file = "--c-header", .rule = "must be another file than that of --out"});
   const Asked asked = read(options);
   const control::ReachTask task = task_of(options, asked);
   const control::Reach reach = answer(options, asked, task);
   const control::ProfileQuality& best = report::best_profile(reach);
-  if (!options.header.empty()) {
-    text::OutputFile file(options.header);
-    file.stream() << formats::controller_header(asked.model, best);
-    file.commit();
-  }
-  if (!options.out.empty()) write_profile(options.out, best.profile, reach.duration);
+  write(options, asked, reach, best);
   std::cout << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
   std::cerr << remarks(reach, task, asked);
 }
@@ -158,7 +165,8 @@ void add_reach_command(CLI::App& app, Outcome&) {
       "A step makes a finger ring for a second. A profile of a few levels arrives in a seventh of that, without a\n"
       "sensor. Compared are the plain step, the step shaped for the slowest motion (zero vibration, and with zero\n"
       "derivative), and a search over levels and lengths within the driver's currents whose worst finger, of the one\n"
-      "as it is and four with k and b off, is the first to stay within 2 %.\n\n"
+      "as it is and four with k and b off, is the first to stay within 2 %, at an overshoot of 10 % at most. Angles\n"
+      "are true ones, without what the actuator declares of a camera.\n\n"
       "Example:\n"
       "  coilwright reach configs/actuators/paper_finger.json --angle-deg 50 --out profile.csv");
   command->callback([options] { run_reach(*options); });

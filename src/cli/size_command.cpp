@@ -86,7 +86,7 @@ ExitCode run_size(const StudyOptions& options) {
       read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"}));
   const Interruption interruption;
   text::OutputFolder folder(options.out);
-  const sizing::SearchResult result = [&] {
+  sizing::SearchResult result = [&] {
     ProgressLine line(options);
     sizing::SearchOptions search = problem.study().search;
     search.stop = interruption.token();
@@ -99,12 +99,14 @@ ExitCode run_size(const StudyOptions& options) {
     throw std::logic_error("the design found gives other numbers when it is evaluated again");
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
+  const std::vector<sizing::AssumptionEffect> assumptions = assumptions_of(problem, result, interruption);
+  if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer{.study = problem.study(),
                                    .result = result,
                                    .best = best ? &*best : nullptr,
                                    .base = base,
                                    .base_seen = base_seen,
-                                   .assumptions = assumptions_of(problem, result, interruption)};
+                                   .assumptions = assumptions};
   write_results(folder, problem, answer);
   const std::vector<simulation::CorrectionReach> reach = reach_of(best);
   if (options.json) {

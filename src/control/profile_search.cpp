@@ -78,8 +78,11 @@ class Profiles {
     if (profile.times.back() >= search_.duration) return worst_of_all;
     double worst = 0.0;
     try {
-      for (const actuator::Model& model : models_)
-        worst = std::max(worst, arrival(model, profile, search_.duration).time_outside);
+      for (const actuator::Model& model : models_) {
+        const Arrival one = arrival(model, profile, search_.duration);
+        const double beyond = std::max(0.0, one.overshoot - most_overshoot);
+        worst = std::max(worst, one.time_outside + beyond * search_.duration);
+      }
     } catch (const std::runtime_error&) {
       return worst_of_all;  // it cannot be followed, or ends in another pose
     }

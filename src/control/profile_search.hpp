@@ -19,9 +19,10 @@ struct ProfileSearch {
   std::vector<CurrentProfile> starts;  ///< from the same current to the same, of any number of pieces
 };
 
-/// The profile whose largest Arrival::time_outside over `models` is least, by NLopt's Sbplx (Rowan's Subplex: Nelder
-/// and Mead on subspaces, which a largest of several values does not lead astray as it does methods with slopes) from
-/// each start and from a push at the current limit. Never worse than the best start.
+/// The profile whose largest Arrival::time_outside over `models` is least (with a fine for more than most_overshoot),
+/// by NLopt's Sbplx (Rowan's Subplex: Nelder and Mead on subspaces, which a largest of several values does not lead
+/// astray as it does methods with slopes) from each start and from a push at the current limit. Never worse than the
+/// best start.
 [[nodiscard]] CurrentProfile search_profile(const std::vector<actuator::Model>& models, const ProfileSearch& search);
 
 }  // namespace coilwright::control

@@ -32,8 +32,10 @@ void check(const Model& model, const ReachTask& task) {
   require(std::isfinite(task.lowest_current), "lowest current", "finite", task.lowest_current);
   require(std::isfinite(task.highest_current) && task.highest_current > task.lowest_current, "highest current",
           "finite and above the lowest", task.highest_current);
-  require(task.start_current >= task.lowest_current && task.start_current <= task.highest_current, "start current",
-          "between the lowest and the highest", task.start_current);
+  if (task.start_current < task.lowest_current || task.start_current > task.highest_current)
+    throw std::invalid_argument(
+        fmt::format("start current must be from {:.6g} to {:.6g} A, the lowest and the highest; got {:.6g} A",
+                    task.lowest_current, task.highest_current, task.start_current));
   require(task.stiffness_error >= 0.0 && task.stiffness_error <= 0.5, "stiffness error", "from 0 to 0.5",
           task.stiffness_error);
   require(task.damping_error >= 0.0 && task.damping_error <= 0.5, "damping error", "from 0 to 0.5", task.damping_error);
@@ -95,6 +97,17 @@ double holding_current(const Model& model, const ReachTask& task) {
   return 0.5 * (bracket.first + bracket.second);
 }
 
+// What sticks comes to rest where friction holds it, which no profile without a sensor decides.
+void require_not_sticking(const Model& model, double current) {
+  for (const actuator::Effect& effect : model.nominal_spec().effects)
+    if (effect.kind->id() == "dry_friction" || effect.kind->id() == "hysteresis" || effect.kind->id() == "backlash")
+      throw std::invalid_argument(
+          fmt::format("effect {}: a joint that sticks stops short of an angle or beyond it, which a profile without a "
+                      "sensor cannot "
+                      "mend; take the effect out to see the rest, {:.4g} A hold the angle without it",
+                      effect.kind->id(), current));
+}
+
 // Of small motions at the angle: the slowest that oscillates, or the slowest of all.
 simulation::Mode mode_at(const Model& model, double current, const JointVector& near) {
   const auto pose = simulation::find_equilibrium(model, model.all_coils(current), near);
@@ -142,11 +155,13 @@ Reach reach(const Model& model, const ReachTask& task) {
     throw std::invalid_argument(
         fmt::format("angle must differ from where the motion starts, {:.4g} deg; got {:.4g} deg", start.sum() * degrees,
                     task.angle * degrees));
+  require_not_sticking(held, current);
   const std::vector<Model> models = fingers(model, task);
-  Reach out{.current = current,
-            .mode = mode_at(held, current, start),
-            .duration = duration_for(models, task, current),
-            .profiles = {}};
+  Reach out{
+      .current = current,
+      .mode = mode_at(held, current, start),
+      .duration = std::max(duration_for(models, task, current), 4.0 / mode_at(held, current, start).natural_frequency),
+      .profiles = {}};
   std::vector<CurrentProfile> shaped;
   const auto add = [&](std::string name, const CurrentProfile& profile) {
     out.profiles.push_back(quality(models, std::move(name), profile, out.duration));

@@ -205,6 +205,10 @@ std::string_view name_of(DriveWarning warning) {
 
 DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, const DriveQuestion& question) {
   check(question);
+  for (const actuator::Effect& effect : assembly.model.nominal_spec().effects)
+    if (effect.kind->stage() == actuator::Stage::drive)
+      throw std::invalid_argument(
+          fmt::format("effect {}: acts on the currents, which follow from the driver here", effect.kind->id()));
   const thermal::Network network = heat_network(design, assembly);
   Eigen::VectorXd temperatures =
       Eigen::VectorXd::Constant(assembly.coils, question.coil_temperature.value_or(network.ambient()));

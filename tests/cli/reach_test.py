@@ -135,10 +135,16 @@ class Reach(ProgramTest):
             worst = max(abs(float(angle) - motion[round(float(time), 6)]) for time, angle in map(str.split, lines))
             self.assertLess(worst, bound, real)
 
+    def test_an_output_that_cannot_be_written_leaves_nothing(self):
+        self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "50", "--c-header", "finger.h", "--out", "none/a.csv"),
+                            "none/a.csv: cannot be written: No such file or directory")
+
     def test_refuses_what_makes_no_sense(self):
         finger = json.loads(PAPER_FINGER.read_text())
         finger["effects"] = [{"id": "coil_lag", "parameters": {"time_constant_ms": 10}}]
         self.write("lagging.json", json.dumps(finger))
+        finger["effects"] = [{"id": "dry_friction", "parameters": {"torque_Nmm": 0.5}}]
+        self.write("sticking.json", json.dumps(finger))
         self.write("lumped.json", LUMPED.read_bytes())
         for arguments, message in (
             ((PAPER_FINGER,), "reach: --angle-deg is required (see coilwright reach --help)"),
@@ -147,10 +153,16 @@ class Reach(ProgramTest):
             ((PAPER_FINGER, "--angle-deg", "40", "--highest-current-A", "-1"),
              f"{PAPER_FINGER}: highest current must be finite and above the lowest; got -1"),
             ((PAPER_FINGER, "--angle-deg", "40", "--from-A", "2"),
-             f"{PAPER_FINGER}: start current must be between the lowest and the highest; got 2"),
+             f"{PAPER_FINGER}: start current must be from 0 to 1.4 A, the lowest and the highest; got 2 A"),
             ((PAPER_FINGER, "--angle-deg", "40", "--pieces", "0"), "reach: --pieces: must be from 1 to 6; got \"0\" (see coilwright reach --help)"),
             ((PAPER_FINGER, "--angle-deg", "40", "--stiffness-error-percent", "80"),
              "reach: --stiffness-error-percent: must be from 0 to 50; got \"80\" (see coilwright reach --help)"),
+            ((PAPER_FINGER, "--angle-deg", "40", "--out", "a.csv", "--c-header", "./a.csv"),
+             "--c-header: must be another file than that of --out"),
+            (("sticking.json", "--angle-deg", "40"),
+             "sticking.json: effect dry_friction: a joint that sticks stops short of an angle or beyond it, which a "
+             "profile without a sensor cannot mend; take the effect out to see the rest, 0.3983 A hold the angle without "
+             "it"),
             (("lumped.json", "--angle-deg", "40"),
              "--highest-current-A: is needed: a lumped model does not say what current its coils bear"),
             (("lagging.json", "--angle-deg", "40", "--c-header", "finger.h"),

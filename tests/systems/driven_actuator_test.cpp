@@ -145,6 +145,14 @@ TEST(DrivenActuator, WarnsOfWhatMatters) {
   EXPECT_THAT(driven({.driver = bridge(24.0), .duty = 1.0}).warnings, Contains(DriveWarning::runaway));
 }
 
+TEST(DrivenActuator, RejectsEffectsOnTheCurrent) {
+  actuator::Design lagging = finger();
+  lagging.effects.push_back({.kind = actuator::standard_effects().find("driver_saturation"), .values = {0.5}});
+  const Assembly built = actuator::assemble_or_throw(lagging);
+  EXPECT_EQ(error_text([&] { (void)drive_actuator(lagging, built, {.driver = bridge(24.0), .duty = 0.5}); }),
+            "effect driver_saturation: acts on the currents, which follow from the driver here");
+}
+
 TEST(DrivenActuator, RejectsWhatIsNone) {
   EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(24.0)}); }), "duty or mean must be given; got neither");
   EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(24.0), .actuators = 0, .duty = 0.5}); }),

@@ -12,6 +12,9 @@ namespace coilwright::control {
 /// it.
 inline constexpr double settling_band = 0.02;
 
+/// Overshoot above which a profile does not count as one without ringing.
+inline constexpr double most_overshoot = 0.1;
+
 /// How the bending angle arrives where a profile leads it.
 struct Arrival {
   double start{};  ///< rad, under the current before

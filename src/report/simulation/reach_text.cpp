@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace coilwright::report {
 namespace {
@@ -34,8 +35,10 @@ std::string levels(const control::CurrentProfile& profile) {
 }  // namespace
 
 const control::ProfileQuality& best_profile(const control::Reach& reach) {
+  // A fling that is over soon still is one: more overshoot than allowed comes after any that keeps within it.
   const auto worst = [](const control::ProfileQuality& each) {
-    return each.worst.settling_time.value_or(std::numeric_limits<double>::infinity());
+    const double late = each.worst.settling_time.value_or(std::numeric_limits<double>::infinity());
+    return std::pair{std::max(0.0, each.worst.overshoot - control::most_overshoot), late};
   };
   return *std::ranges::min_element(reach.profiles, {}, worst);
 }
@@ -54,6 +57,8 @@ std::string to_text(const control::Reach& reach, const control::ReachTask& task)
                        seconds(each.worst.settling_time, reach.duration), 100.0 * each.nominal.overshoot,
                        100.0 * each.worst.overshoot);
   const control::ProfileQuality& best = best_profile(reach);
+  if (!best.worst.settling_time)
+    out += "\nNo profile settles at its worst while it was followed: creep, or another slow effect, decides.";
   out +=
       fmt::format("\nAt worst: with {}, either way. Settled: within 2 % of the change about where that finger ends.\n",
                   errors(task));

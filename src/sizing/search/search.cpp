@@ -12,8 +12,9 @@ namespace coilwright::sizing {
 namespace {
 
 // The surroundings of the answer may hold a better design than the search found. Then that one is the answer, with its
-// own surroundings. Each repetition improves the answer; in all cases seen, three were enough to improve it no more.
-constexpr int max_repetitions = 3;
+// own surroundings. Each repetition improves the answer: three are enough after a search of hundreds of evaluations,
+// one of sixty has taken more.
+constexpr int max_repetitions = 40;
 
 void add_sensitivity(SearchResult& result, const SearchOptions& options) {
   const std::size_t before = result.archive.size();
@@ -24,6 +25,7 @@ void add_sensitivity(SearchResult& result, const SearchOptions& options) {
     const std::optional<Record> better = result.archive.best_feasible();
     if (better->point == result.best->point) break;
     result.best = better;
+    result.sensitivity = {};  // of the design before
   }
   result.sensitivity_evaluations = result.archive.size() - before;
 }
@@ -46,6 +48,7 @@ SearchResult search(const Problem& problem, const SearchOptions& options) {
     if (result.best) result.violated = violated_by(problem, result.best->evaluation);
   } else if (options.afterwards == Afterwards::sensitivity) {
     add_sensitivity(result, options);
+    if (options.stop.stop_requested()) result.stop_reason = StopReason::interrupted;
   }
   return result;
 }

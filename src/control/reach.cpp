@@ -103,8 +103,7 @@ void require_not_sticking(const Model& model, double current) {
     if (effect.kind->id() == "dry_friction" || effect.kind->id() == "hysteresis" || effect.kind->id() == "backlash")
       throw std::invalid_argument(
           fmt::format("effect {}: a joint that sticks stops short of an angle or beyond it, which a profile without a "
-                      "sensor cannot "
-                      "mend; take the effect out to see the rest, {:.4g} A hold the angle without it",
+                      "sensor cannot mend; take the effect out to see the rest, {:.4g} A hold the angle without it",
                       effect.kind->id(), current));
 }
 
@@ -136,11 +135,14 @@ ProfileQuality quality(const std::vector<Model>& models, std::string name, const
     return one.settling_time.value_or(never) < other.settling_time.value_or(never);
   };
   ProfileQuality out{.name = std::move(name), .profile = profile, .nominal = {}, .worst = {}};
+  double overshoot = 0.0;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Arrival one = arrival(models[i], profile, duration);
     if (i == 0) out.nominal = out.worst = one;
     if (later(out.worst, one)) out.worst = one;
+    overshoot = std::max(overshoot, one.overshoot);
   }
+  out.worst.overshoot = overshoot;
   return out;
 }
 

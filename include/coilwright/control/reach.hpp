@@ -27,7 +27,8 @@ struct ProfileQuality {
   std::string name;  ///< "step", "zero_vibration", "zero_vibration_derivative", "searched"
   CurrentProfile profile;
   Arrival nominal;
-  Arrival worst;  ///< the latest arrival of the finger as it is and with k and b off either way
+  /// The latest arrival of the finger as it is and with k and b off either way; its overshoot is the largest of theirs.
+  Arrival worst;
 };
 
 /// The answer.

@@ -6,13 +6,14 @@
 #include <string_view>
 
 #include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 
 /// A number of a part as a file writes it: shared by the reader and by the names of numbers that may be calibrated.
 template <class Part>
 struct PartKey {
-  std::string_view key;  ///< its unit at its end
+  std::string_view key;  ///< its unit at its end, if it has one
   text::Rule rule;       ///< in that unit
   double Part::*member{};
   std::optional<double> otherwise{};  ///< SI, where the key may be absent
@@ -21,9 +22,14 @@ struct PartKey {
 /// The part whose numbers are `keys`.
 template <class Part, std::size_t Count>
 [[nodiscard]] Part read_numbers(text::ObjectReader& in, const std::array<PartKey<Part>, Count>& keys, Part part = {}) {
-  for (const PartKey<Part>& each : keys)
-    part.*each.member =
-        each.otherwise ? in.quantity_or(each.key, *each.otherwise, each.rule) : in.quantity(each.key, each.rule);
+  for (const PartKey<Part>& each : keys) {
+    const bool has_unit = units::split_unit(each.key).has_value();
+    if (each.otherwise)
+      part.*each.member = has_unit ? in.quantity_or(each.key, *each.otherwise, each.rule)
+                                   : in.number_or(each.key, *each.otherwise, each.rule);
+    else
+      part.*each.member = has_unit ? in.quantity(each.key, each.rule) : in.number(each.key, each.rule);
+  }
   return part;
 }
 

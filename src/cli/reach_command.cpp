@@ -131,7 +131,7 @@ void run_reach(const Options& options) {
   const Asked asked = read(options);
   const control::ReachTask task = task_of(options, asked);
   const control::Reach reach = answer(options, asked, task);
-  const control::ProfileQuality& best = report::best_profile(reach);
+  const control::ProfileQuality& best = control::best_profile(reach);
   write(options, asked, reach, best);
   std::cout << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
   std::cerr << remarks(reach, task, asked);

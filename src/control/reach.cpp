@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "coilwright/control/input_shaping.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
@@ -58,22 +59,19 @@ std::vector<Model> fingers(const Model& model, const ReachTask& task) {
   return out;
 }
 
-// A model whose heat and the like stay as they are at rest under a current.
-Model held_at_rest(const Model& model, double current) {
-  if (!model.has_slow_states()) return model;
-  const auto rest = simulation::state_at_rest(model, model.all_coils(current), JointVector::Zero(model.joints()));
-  if (!rest) throw std::runtime_error("has no stable pose under the current at the start");
-  return model.with_slow_states_held(rest->internal);
+simulation::State at_rest(const Model& model, double current) {
+  auto rest = simulation::state_at_rest(model, model.all_coils(current), JointVector::Zero(model.joints()));
+  if (!rest) throw std::runtime_error(fmt::format("has no stable pose under {} A", current));
+  return *std::move(rest);
 }
 
-JointVector rest_pose(const Model& model, double current) {
-  const auto rest = simulation::state_at_rest(model, model.all_coils(current), JointVector::Zero(model.joints()));
-  if (!rest) throw std::runtime_error(fmt::format("has no stable pose under {} A", current));
-  return rest->angles;
+// A model whose heat and the like stay as they are at rest under a current.
+Model held_at_rest(const Model& model, double current) {
+  return model.has_slow_states() ? model.with_slow_states_held(at_rest(model, current).internal) : model;
 }
 
 double holding_current(const Model& model, const ReachTask& task) {
-  const JointVector start = rest_pose(model, task.start_current);
+  const JointVector start = at_rest(model, task.start_current).angles;
   const auto angle = [&](double current) {
     const auto pose = simulation::find_equilibrium(model, model.all_coils(current), start);
     if (!pose) throw std::runtime_error(fmt::format("has no stable pose under {} A", current));
@@ -121,29 +119,25 @@ double duration_for(const std::vector<Model>& models, const ReachTask& task, dou
   double longest = 0.0;
   for (const Model& each : models) {
     const Model held = held_at_rest(each, task.start_current);
-    const auto step = simulation::step_response(held, held.all_coils(current), rest_pose(held, task.start_current));
+    const auto step =
+        simulation::step_response(held, held.all_coils(current), at_rest(held, task.start_current).angles);
     if (!step || !step->settling_time) throw std::runtime_error("does not settle after a plain step to the angle");
     longest = std::max(longest, *step->settling_time);
   }
   return 1.1 * longest + 0.02;
 }
 
-ProfileQuality quality(const std::vector<Model>& models, std::string name, const CurrentProfile& profile,
-                       double duration) {
-  const auto later = [](const Arrival& one, const Arrival& other) {
-    constexpr double never = 1e9;
-    return one.settling_time.value_or(never) < other.settling_time.value_or(never);
-  };
-  ProfileQuality out{.name = std::move(name), .profile = profile, .nominal = {}, .worst = {}};
-  double overshoot = 0.0;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const Arrival one = arrival(models[i], profile, duration);
-    if (i == 0) out.nominal = out.worst = one;
-    if (later(out.worst, one)) out.worst = one;
-    overshoot = std::max(overshoot, one.overshoot);
-  }
-  out.worst.overshoot = overshoot;
+// How a profile does in each finger.
+std::vector<Arrival> arrivals(const std::vector<Model>& models, const CurrentProfile& profile, double duration) {
+  std::vector<Arrival> out;
+  for (const Model& model : models) out.push_back(arrival(model, profile, duration));
   return out;
+}
+
+ProfileQuality quality(std::string name, const CurrentProfile& profile, const std::vector<Arrival>& of_fingers) {
+  Arrival worst = *std::ranges::max_element(of_fingers, {}, &Arrival::settling_or_never);
+  worst.overshoot = std::ranges::max(of_fingers, {}, &Arrival::overshoot).overshoot;
+  return {.name = std::move(name), .profile = profile, .nominal = of_fingers.front(), .worst = worst};
 }
 
 }  // namespace
@@ -152,25 +146,31 @@ Reach reach(const Model& model, const ReachTask& task) {
   check(model, task);
   const Model held = held_at_rest(model, task.start_current);
   const double current = holding_current(held, task);
-  const JointVector start = rest_pose(held, task.start_current);
+  const JointVector start = at_rest(held, task.start_current).angles;
   if (std::abs(task.angle - start.sum()) < 1e-3)
     throw std::invalid_argument(
         fmt::format("angle must differ from where the motion starts, {:.4g} deg; got {:.4g} deg", start.sum() * degrees,
                     task.angle * degrees));
   require_not_sticking(held, current);
   const std::vector<Model> models = fingers(model, task);
-  Reach out{
-      .current = current,
-      .mode = mode_at(held, current, start),
-      .duration = std::max(duration_for(models, task, current), 4.0 / mode_at(held, current, start).natural_frequency),
-      .profiles = {}};
-  std::vector<CurrentProfile> shaped;
+  const simulation::Mode mode = mode_at(held, current, start);
+  Reach out{.current = current,
+            .mode = mode,
+            .duration = std::max(duration_for(models, task, current), 4.0 / mode.natural_frequency),
+            .profiles = {}};
   const auto add = [&](std::string name, const CurrentProfile& profile) {
-    out.profiles.push_back(quality(models, std::move(name), profile, out.duration));
+    const std::vector<Arrival> of_fingers = arrivals(models, profile, out.duration);
+    out.profiles.push_back(quality(std::move(name), profile, of_fingers));
+    return of_fingers;
   };
-  for (const Shaper shaper : {Shaper::step, Shaper::zero_vibration, Shaper::zero_vibration_derivative}) {
-    const CurrentProfile profile = shaped_step(task.start_current, current, out.mode, shaper);
-    if (shaper != Shaper::step && profile.times.size() == 1) continue;  // nothing oscillates
+  const CurrentProfile step = shaped_step(task.start_current, current, mode, Shaper::step);
+  const auto [least, greatest] = std::ranges::minmax(add(std::string(name_of(Shaper::step)), step), {}, &Arrival::end);
+  out.least_end = least.end;
+  out.greatest_end = greatest.end;
+  std::vector<CurrentProfile> shaped{step};
+  for (const Shaper shaper : {Shaper::zero_vibration, Shaper::zero_vibration_derivative}) {
+    const CurrentProfile profile = shaped_step(task.start_current, current, mode, shaper);
+    if (profile.times.size() == 1) continue;  // nothing oscillates
     if (profile.times.back() >= out.duration) continue;
     add(std::string(name_of(shaper)), profile);
     shaped.push_back(profile);
@@ -180,16 +180,17 @@ Reach reach(const Model& model, const ReachTask& task) {
                                           .highest = task.highest_current,
                                           .current = current,
                                           .pieces = task.pieces,
-                                          .longest_piece = 0.75 / out.mode.natural_frequency,
+                                          .longest_piece = 0.75 / mode.natural_frequency,
                                           .duration = out.duration,
                                           .starts = shaped}));
-  out.least_end = out.greatest_end = out.profiles.front().nominal.end;
-  for (const Model& each : models) {
-    const double end = arrival(each, out.profiles.front().profile, out.duration).end;
-    out.least_end = std::min(out.least_end, end);
-    out.greatest_end = std::max(out.greatest_end, end);
-  }
   return out;
+}
+
+const ProfileQuality& best_profile(const Reach& reach) {
+  const auto worst = [](const ProfileQuality& each) {
+    return std::pair{std::max(0.0, each.worst.overshoot - most_overshoot), each.worst.settling_or_never()};
+  };
+  return *std::ranges::min_element(reach.profiles, {}, worst);
 }
 
 }  // namespace coilwright::control

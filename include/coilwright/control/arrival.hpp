@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Arrival {
   /// Time outside the band with a soft edge, integral of e^2 / (e^2 + band^2), s: a smooth measure of the settling
   /// time.
   double time_outside{};
+
+  /// The settling time, infinite where there is none: to compare by.
+  [[nodiscard]] double settling_or_never() const {
+    return settling_time.value_or(std::numeric_limits<double>::infinity());
+  }
 };
 
 /// Follows `model` under `profile` from rest for `duration` (s), looking 2000 times a second. Heat and whatever else of

@@ -48,4 +48,8 @@ struct Reach {
 /// plain step does not settle.
 [[nodiscard]] Reach reach(const actuator::Model& model, const ReachTask& task);
 
+/// The profile whose worst finger settles first; the earlier one of equals. A fling that is over soon still is one:
+/// more overshoot than most_overshoot comes after any that keeps within it.
+[[nodiscard]] const ProfileQuality& best_profile(const Reach& reach);
+
 }  // namespace coilwright::control

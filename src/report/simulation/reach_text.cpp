@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 namespace coilwright::report {
 namespace {
@@ -34,15 +31,6 @@ std::string levels(const control::CurrentProfile& profile) {
 
 }  // namespace
 
-const control::ProfileQuality& best_profile(const control::Reach& reach) {
-  // A fling that is over soon still is one: more overshoot than allowed comes after any that keeps within it.
-  const auto worst = [](const control::ProfileQuality& each) {
-    const double late = each.worst.settling_time.value_or(std::numeric_limits<double>::infinity());
-    return std::pair{std::max(0.0, each.worst.overshoot - control::most_overshoot), late};
-  };
-  return *std::ranges::min_element(reach.profiles, {}, worst);
-}
-
 std::string to_text(const control::Reach& reach, const control::ReachTask& task) {
   const control::Arrival& whole = reach.profiles.front().nominal;
   std::string out = fmt::format(
@@ -56,7 +44,7 @@ std::string to_text(const control::Reach& reach, const control::ReachTask& task)
                        seconds(each.nominal.settling_time, reach.duration),
                        seconds(each.worst.settling_time, reach.duration), 100.0 * each.nominal.overshoot,
                        100.0 * each.worst.overshoot);
-  const control::ProfileQuality& best = best_profile(reach);
+  const control::ProfileQuality& best = control::best_profile(reach);
   if (!best.worst.settling_time)
     out += "\nNo profile settles at its worst while it was followed: creep, or another slow effect, decides.";
   out +=

@@ -10,7 +10,4 @@ namespace coilwright::report {
 /// profile mends.
 [[nodiscard]] std::string to_text(const control::Reach& reach, const control::ReachTask& task);
 
-/// The profile whose worst finger settles first; the earlier one of equals.
-[[nodiscard]] const control::ProfileQuality& best_profile(const control::Reach& reach);
-
 }  // namespace coilwright::report

@@ -38,15 +38,10 @@ RecoilCurrents::RecoilCurrents(const CylinderMagnet& magnet)
       width[at] = 3.0 * side_.radius * t * t * across.weight[i];
     }
   }
-  const SheetBody sheet{.inner_radius = side_.radius,
-                        .outer_radius = side_.radius,
-                        .half_length = side_.half_length,
-                        .surface_current = 1.0,
-                        .shells = 1,
-                        .spread = Spread::shells};
   std::array<double, count> radial{};
   std::array<double, count> axial{};
-  field_of_sheets(sheet, log_field_error, {.radius = radius, .height = height}, {.radial = radial, .axial = axial});
+  field_of_sheets(sheets_of(magnet), log_field_error, {.radius = radius, .height = height},
+                  {.radial = radial, .axial = axial});
   const double susceptibility = magnet.recoil_permeability() - 1.0;
   const double change =
       susceptibility /

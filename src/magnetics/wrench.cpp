@@ -18,17 +18,25 @@ void check(const Pose& pose) {
   require(pose.axis.allFinite() && pose.axis.norm() > 0.0, "pose axis", "finite and not zero", pose.axis.norm());
 }
 
+void add(Wrench& total, const Wrench& part, double weight) {
+  total.force += weight * part.force;
+  total.torque += weight * part.torque;
+}
+
+// Of what is computed for unit currents, over mu0.
+double scale_of(const SheetBody& first, const SheetBody& second) {
+  return vacuum_permeability * first.surface_current * second.surface_current;
+}
+
 Wrench wrench_between(const SheetBody& first, const SheetBody& second, const Pose& pose) {
   const Eigen::Vector3d axis = pose.axis.normalized();
   const SheetNodes sheets(second, 23.0);
   Wrench total;
   for (int i = 0; i < sheets.count(); ++i) {
     const TargetSheet target{.radius = sheets.radius(i), .half_length = second.half_length};
-    const Wrench part = lorentz_wrench(first, target, pose.position, axis);
-    total.force += sheets.weight(i) * part.force;
-    total.torque += sheets.weight(i) * part.torque;
+    add(total, lorentz_wrench(first, target, pose.position, axis), sheets.weight(i));
   }
-  const double scale = vacuum_permeability * first.surface_current * second.surface_current;
+  const double scale = scale_of(first, second);
   total.force *= scale;
   total.torque *= scale;
   return total;
@@ -58,12 +66,8 @@ Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magne
   const SheetBody source = sheets_of(coil, current);
   const SheetBody target = sheets_of(magnet);
   Wrench total = wrench_between(source, target, pose);
-  if (magnet.recoil_permeability() > 1.0) {
-    const Wrench part = RecoilCurrents(magnet).wrench(source, pose.position, pose.axis.normalized());
-    const double scale = vacuum_permeability * source.surface_current * target.surface_current;
-    total.force += scale * part.force;
-    total.torque += scale * part.torque;
-  }
+  if (magnet.recoil_permeability() > 1.0)
+    add(total, RecoilCurrents(magnet).wrench(source, pose.position, pose.axis.normalized()), scale_of(source, target));
   return total;
 }
 

@@ -24,17 +24,13 @@ using CrawlResult = std::variant<Crawl, NoValue>;
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr auto no_crawl = "the robot cannot be tried on the ground";
 
-CrawlTask task_in(const TaskOf& task, const DesignView& design) {
-  return task(design.settings == nullptr ? Settings{} : *design.settings);
-}
-
 // Current of all coils in a pulse over what the cell delivers.
 double cell_load(const CrawlTask& task, const DesignView& design) {
   return design.assembly.coils * pulse_current(design.assembly, task.parts) / task.parts.cell.current_limit;
 }
 
 CrawlResult try_crawl(const TaskOf& task_of, const DesignView& design) {
-  const CrawlTask task = task_in(task_of, design);
+  const CrawlTask task = task_of(simulation::settings_of(design));
   try {
     return crawl(Crawler(design.design, design.assembly, task.parts), task.timing);
   } catch (const std::bad_alloc&) {
@@ -69,7 +65,9 @@ ResultQuantity of_robot(const TaskOf& task, std::string name, std::string meanin
   return {.name = std::move(name),
           .meaning = std::move(meaning),
           .scale = scale,
-          .value = [task, value](const DesignView& design) -> Value { return value(task_in(task, design), design); },
+          .value = [task, value](const DesignView& design) -> Value {
+            return value(task(simulation::settings_of(design)), design);
+          },
           .pose = actuator::HeldCases::free};
 }
 

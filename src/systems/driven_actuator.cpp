@@ -12,6 +12,7 @@
 #include "coilwright/drive/settings.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "systems/check.hpp"
+#include "systems/driven_coils.hpp"
 #include "systems/motional_effect.hpp"
 
 namespace coilwright::systems {
@@ -205,10 +206,7 @@ std::string_view name_of(DriveWarning warning) {
 
 DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, const DriveQuestion& question) {
   check(question);
-  for (const actuator::Effect& effect : assembly.model.nominal_spec().effects)
-    if (effect.kind->stage() == actuator::Stage::drive)
-      throw std::invalid_argument(
-          fmt::format("effect {}: acts on the currents, which follow from the driver here", effect.kind->id()));
+  require_no_effects_up_to(assembly.model, actuator::Stage::drive, "the currents");
   const thermal::Network network = heat_network(design, assembly);
   Eigen::VectorXd temperatures =
       Eigen::VectorXd::Constant(assembly.coils, question.coil_temperature.value_or(network.ambient()));

@@ -1,6 +1,9 @@
 #include "systems/driven_coils.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
+#include <stdexcept>
 #include <utility>
 
 #include "coilwright/actuator/parts/coil_magnet_pairs.hpp"
@@ -74,6 +77,13 @@ CoilLoop opened(CoilLoop loop) {
   loop.response -= taken;
   loop.voltage = loop.resistance = 0.0;
   return loop;
+}
+
+void require_no_effects_up_to(const actuator::Model& model, actuator::Stage last, std::string_view on) {
+  for (const actuator::Effect& effect : model.nominal_spec().effects)
+    if (effect.kind->stage() <= last)
+      throw std::invalid_argument(
+          fmt::format("effect {}: acts on {}, which follow from the driver here", effect.kind->id(), on));
 }
 
 CoilCurrents induced(const MagneticStage& pairs, int coils, const actuator::EffectTerm::Kinematics& motion) {

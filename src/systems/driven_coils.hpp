@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string_view>
+
 #include "coilwright/actuator/model/described_effect.hpp"
+#include "coilwright/actuator/model/model.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
 #include "coilwright/drive/coil_bank.hpp"
 #include "coilwright/drive/driver.hpp"
@@ -57,6 +60,10 @@ class DrivenCoils final : public actuator::DescribedEffect {
  private:
   CoilLoop loop_;
 };
+
+/// Throws std::invalid_argument where the model has an effect of a stage up to `last`, which acts `on` what follows
+/// from a driver here.
+void require_no_effects_up_to(const actuator::Model& model, actuator::Stage last, std::string_view on);
 
 /// What motion induces in each coil, V, against the current that opens the joints: sum over the joints of torque per
 /// ampere and rate. `pairs` are actuator::coil_magnet_pairs().

@@ -200,10 +200,7 @@ void check(const Model& model, const MotionDrive& drive, const MotionTiming& tim
   require(timing.duration / timing.interval <= most_pulses, "interval",
           fmt::format("at least {:.6g} s, for {:.0f} samples", timing.duration / most_pulses, most_pulses),
           timing.interval, "s");
-  for (const actuator::Effect& effect : model.nominal_spec().effects)
-    if (effect.kind->stage() <= actuator::Stage::magnetics)
-      throw std::invalid_argument(fmt::format(
-          "effect {}: acts on currents or magnetics, which follow from the driver here", effect.kind->id()));
+  require_no_effects_up_to(model, actuator::Stage::magnetics, "currents or magnetics");
   if (start.internal.size() != model.internal_states())
     throw std::invalid_argument(fmt::format("start: {} states of the effects are needed; got {}",
                                             model.internal_states(), start.internal.size()));

@@ -31,6 +31,12 @@ struct DesignView {
   SharedResults* shared = nullptr;     ///< where results are kept that several quantities need; nullptr: nowhere
 };
 
+/// The settings of a design; none where its study varies none.
+[[nodiscard]] inline const Settings& settings_of(const DesignView& design) {
+  static const Settings none;
+  return design.settings == nullptr ? none : *design.settings;
+}
+
 /// Why a quantity has no value in one design.
 struct NoValue {
   std::string reason;          ///< as the end of a sentence

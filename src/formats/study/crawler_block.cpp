@@ -1,9 +1,5 @@
 #include "formats/study/crawler_block.hpp"
 
-#include <stdexcept>
-#include <variant>
-
-#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/systems/crawl_quantities.hpp"
 
 namespace coilwright::formats {
@@ -12,10 +8,6 @@ namespace {
 using namespace text;
 using systems::CrawlTask;
 using Number = BlockNumber<CrawlTask>;
-
-constexpr Rule up_to(double most) {
-  return positive.and_also(Rule::at_most(most));
-}
 
 // As `crawl` has options.
 std::vector<Number> numbers() {
@@ -80,10 +72,8 @@ std::vector<Number> numbers() {
 }
 
 void require_no_terms(const actuator::Design& design) {
-  const auto assembled = actuator::assemble(design);
-  const auto* assembly = std::get_if<actuator::Assembly>(&assembled);
-  if (assembly != nullptr && assembly->model.has_terms())
-    throw std::invalid_argument("needs an actuator without effects that act while it runs");
+  require_without(
+      design, [](const actuator::Model& model) { return model.has_terms(); }, "effects that act while it runs");
 }
 
 }  // namespace

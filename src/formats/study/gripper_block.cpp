@@ -1,11 +1,5 @@
 #include "formats/study/gripper_block.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-#include <variant>
-
-#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/systems/gripper/quantities.hpp"
 
 namespace coilwright::formats {
@@ -16,10 +10,6 @@ using systems::gripper::GripperTask;
 using systems::gripper::ObjectShape;
 using systems::gripper::Polarity;
 using Number = BlockNumber<GripperTask>;
-
-constexpr Rule up_to(double most) {
-  return positive.and_also(Rule::at_most(most));
-}
 
 // As `grip` has options. A height belongs to a box alone.
 std::vector<Number> numbers_of(ObjectShape shape) {
@@ -78,10 +68,9 @@ std::vector<Number> numbers_of(ObjectShape shape) {
 }
 
 void require_no_states(const actuator::Design& design) {
-  const auto assembled = actuator::assemble(design);
-  const auto* assembly = std::get_if<actuator::Assembly>(&assembled);
-  if (assembly != nullptr && assembly->model.internal_states() > 0)
-    throw std::invalid_argument("needs an actuator without effects that have states of their own");
+  require_without(
+      design, [](const actuator::Model& model) { return model.internal_states() > 0; },
+      "effects that have states of their own");
 }
 
 }  // namespace

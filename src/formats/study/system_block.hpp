@@ -3,11 +3,14 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/study/study.hpp"
@@ -46,6 +49,20 @@ struct SystemBlock {
   /// Its drive, for a study whose current follows from it; empty if it has none.
   sizing::DrivenCurrent driven{};
 };
+
+/// Above zero, and within what any hardware has.
+constexpr text::Rule up_to(double most) {
+  return text::positive.and_also(text::Rule::at_most(most));
+}
+
+/// Throws std::invalid_argument "needs an actuator without `what`" where a design that can be built has it.
+inline void require_without(const actuator::Design& design, bool (*has)(const actuator::Model&),
+                            std::string_view what) {
+  const auto assembled = actuator::assemble(design);
+  const auto* assembly = std::get_if<actuator::Assembly>(&assembled);
+  if (assembly != nullptr && has(assembly->model))
+    throw std::invalid_argument("needs an actuator without " + std::string(what));
+}
 
 /// "gripper_" and "spacing_mm".
 inline std::string variable_name(std::string_view block, std::string_view key) {

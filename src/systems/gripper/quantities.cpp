@@ -36,10 +36,6 @@ GraspTask grasp_task(const GripperTask& task, double current) {
   return {.current = current, .open_current = task.open_current, .acceleration = task.acceleration};
 }
 
-GripperTask task_in(const TaskOf& task, const DesignView& design) {
-  return task(design.settings == nullptr ? Settings{} : *design.settings);
-}
-
 // A gripper that was tried.
 struct Tried {
   GripperTask task;
@@ -66,7 +62,7 @@ auto tried(const GripperTask& task, const Work& work) -> Try<decltype(work())> {
 }
 
 Try<Tried> try_grasp(const TaskOf& task_of, const DesignView& design) {
-  const GripperTask task = task_in(task_of, design);
+  const GripperTask task = task_of(simulation::settings_of(design));
   return tried(task, [&] {
     Gripper gripper(design.design, task.mounting);
     Grasp found = grasp(gripper, task.object, grasp_task(task, design.point.current));
@@ -177,7 +173,7 @@ std::vector<ResultQuantity> gripper_quantities(const TaskOf& task) {
           "gripper_cost_USD", "cost of both fingers, driver and supply", 44.0,
           [](const DesignView& d) -> Value { return 2.0 * d.performance.cost + actuator::driver_and_supply_cost; }),
       of_design("gripper_friction", "coefficient of friction between object and fingers that is assumed", 1.0,
-                [task](const DesignView& d) -> Value { return task_in(task, d).object.friction; }),
+                [task](const DesignView& d) -> Value { return task(simulation::settings_of(d)).object.friction; }),
       results.of_grasp("grip_margin",
                        "load at which the object slips over its load, less one; below -1 a finger does not reach it",
                        1.0, [](const Tried& done) -> Value { return holding_margin(done.grasp, done.task.object); }),

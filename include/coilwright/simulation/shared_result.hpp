@@ -22,9 +22,9 @@ class SharedResults {
     return found == kept_.end() ? nullptr : found->second;
   }
   /// Keeps a result, and returns what is kept: of two that were made at the same time the first.
-  std::shared_ptr<const void> keep(std::shared_ptr<const void> maker, std::shared_ptr<const void> result) {
+  std::shared_ptr<const void> keep(const std::shared_ptr<const void>& maker, const std::shared_ptr<const void>& result) {
     const std::scoped_lock lock{guard_};
-    return kept_.try_emplace(std::move(maker), std::move(result)).first->second;
+    return kept_.try_emplace(maker, result).first->second;
   }
 
  private:
@@ -51,7 +51,7 @@ class SharedResult {
       if (auto kept = design.shared->find(make_)) return std::static_pointer_cast<const Result>(kept);
     auto made = std::make_shared<const Result>((*make_)(design));  // without the lock: it may ask for other results
     if (design.shared == nullptr) return made;
-    return std::static_pointer_cast<const Result>(design.shared->keep(make_, std::move(made)));
+    return std::static_pointer_cast<const Result>(design.shared->keep(make_, made));
   }
 
  private:

@@ -28,9 +28,10 @@ ROOMS = {
     "formats/simulation": "text control",
     "formats/data": "formats/actuator formats/simulation measurement systems",
     "formats/study": "formats/actuator formats/simulation sizing systems",
+    "exports": "formats/actuator",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
-    "cli": "validation systems report",
+    "cli": "validation systems exports report",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

@@ -16,6 +16,7 @@ void add_crawl_command(CLI::App& app, Outcome& outcome);
 void add_diagnose_command(CLI::App& app, Outcome& outcome);
 void add_drive_command(CLI::App& app, Outcome& outcome);
 void add_evaluate_command(CLI::App& app, Outcome& outcome);
+void add_export_command(CLI::App& app, Outcome& outcome);
 void add_force_command(CLI::App& app, Outcome& outcome);
 void add_linearise_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);

@@ -17,6 +17,7 @@ constexpr std::array commands = {
     &coilwright::cli::add_diagnose_command,  // the measurement
     &coilwright::cli::add_plan_command,     &coilwright::cli::add_twin_command,
     &coilwright::cli::add_rig_command,
+    &coilwright::cli::add_export_command,    // the workshop
     &coilwright::cli::add_validate_command,  // the proof
 };
 

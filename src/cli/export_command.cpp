@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "actuator_input.hpp"
+#include "coilwright/exports/kinds.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_folder.hpp"
+#include "coilwright/units/unit.hpp"
+#include "commands.hpp"
+#include "keep_inputs.hpp"
+#include "number_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+using exports::ExportedFile;
+using exports::ExportKind;
+using exports::ExportSetting;
+using text::InputError;
+
+struct Options {
+  ActuatorOptions actuator;
+  std::string kind;
+  std::string out;
+  std::deque<std::optional<double>> settings;  // one per row of export_settings(), in the unit of its name
+};
+
+// "lead_mm" on the command line.
+std::string option_name(const ExportSetting& setting) {
+  std::string name = fmt::format("--{}", setting.name);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const ExportKind& kind : exports::export_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+std::string list_of_kinds() {
+  std::string text = "Kinds:\n";
+  for (const ExportKind& kind : exports::export_kinds()) {
+    text += fmt::format("  {:<10} {}", kind.name, kind.gives);
+    std::vector<std::string> options;
+    for (const ExportSetting& setting : exports::export_settings())
+      if (std::ranges::count(kind.settings, setting.name) > 0) options.push_back(option_name(setting));
+    if (!options.empty()) text += fmt::format(" ({})", fmt::join(options, ", "));
+    text += '\n';
+  }
+  return text;
+}
+
+exports::ExportSettings settings_of(const Options& options, const ExportKind& kind) {
+  exports::ExportSettings out;
+  for (std::size_t i = 0; i < options.settings.size(); ++i) {
+    if (!options.settings[i]) continue;
+    const ExportSetting& setting = exports::export_settings()[i];
+    if (std::ranges::count(kind.settings, setting.name) == 0)
+      throw InputError({.file = option_name(setting), .rule = fmt::format("is no setting of {}", kind.name)});
+    out.*setting.value = units::to_memory(*options.settings[i], setting.name);
+  }
+  return out;
+}
+
+exports::Subject subject_of(const Options& options) {
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  std::string made_by = fmt::format("coilwright {}: {}", COILWRIGHT_VERSION, options.actuator.file);
+  for (const std::string& assignment : options.actuator.assignments) made_by += " --set " + assignment;
+  exports::Origin origin{.name = file.name, .made_by = std::move(made_by)};
+  if (auto* model = std::get_if<actuator::Model>(&file.content))
+    return exports::ModelSubject{.origin = std::move(origin), .model = std::move(*model)};
+  auto& design = std::get<actuator::Design>(file.content);
+  actuator::Assembly assembly = assemble(design, options.actuator);
+  return exports::DesignSubject{
+      .origin = std::move(origin), .design = std::move(design), .assembly = std::move(assembly)};
+}
+
+std::vector<ExportedFile> files_of(const Options& options, const ExportKind& kind) {
+  const exports::ExportSettings settings = settings_of(options, kind);
+  const exports::Subject subject = subject_of(options);
+  try {
+    return exports::export_files(kind, subject, settings);
+  } catch (const std::invalid_argument& rule) {
+    throw InputError({.file = options.actuator.file, .rule = rule.what()});
+  }
+}
+
+void run_export(const Options& options) {
+  const ExportKind& kind = *exports::find_export_kind(options.kind);
+  const std::vector<ExportedFile> files = files_of(options, kind);
+  const std::filesystem::path out(options.out);
+  std::vector<std::filesystem::path> outputs;
+  for (const ExportedFile& file : files) outputs.push_back(out / file.name);
+  keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file}, outputs);
+  text::OutputFolder folder(out.has_filename() ? out : out.parent_path());
+  for (const ExportedFile& file : files) folder.write(file.name, file.text);
+  folder.commit();
+  for (const std::filesystem::path& output : outputs) std::cout << output.string() << '\n';
+  std::cout << kind.use << '\n';
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write an actuator as files to build it from or to simulate it with");
+  add_actuator_options(*command, options->actuator);
+  command->add_option("--as", options->kind, "Kind of export, see below")
+      ->required()
+      ->check(CLI::IsMember(kind_names()));
+  command->add_option("--out", options->out, "Folder for the files; it is created if it does not exist")
+      ->required()
+      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
+  for (const ExportSetting& setting : exports::export_settings())
+    command->add_option(option_name(setting), options->settings.emplace_back(), std::string(setting.text))
+        ->check(number_rule(text::Rule::between(setting.lowest, setting.highest)));
+  command->footer(list_of_kinds() +
+                  "\nExample:\n"
+                  "  coilwright export configs/actuators/finger.json --as workshop --out results/workshop");
+  command->callback([options] { run_export(*options); });
+}
+
+}  // namespace coilwright::cli

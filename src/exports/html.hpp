@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coilwright::exports {
+
+/// Text for an element or an attribute of HTML, or of any other XML: & < > " ' as entities, control characters (which
+/// XML does not have) as a question mark.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+/// A table; all cells are texts and are escaped. A cell that begins with a digit is set to the right.
+[[nodiscard]] std::string html_table(const std::vector<std::string>& header,
+                                     const std::vector<std::vector<std::string>>& rows);
+
+/// An ordered list of escaped texts.
+[[nodiscard]] std::string html_list(const std::vector<std::string>& items);
+
+/// A complete page for A4 paper, without scripts and without anything from outside. `body` is HTML.
+[[nodiscard]] std::string html_page(std::string_view title, std::string_view body);
+
+}  // namespace coilwright::exports

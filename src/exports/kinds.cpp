@@ -1,0 +1,58 @@
+#include "coilwright/exports/kinds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "coilwright/exports/workshop.hpp"
+
+namespace coilwright::exports {
+namespace {
+
+constexpr std::array<std::string_view, 3> of_workshop = {"lead_mm", "waste", "base_per_hardener"};
+
+// One row a kind.
+constexpr std::array table = {
+    ExportKind{.name = "workshop",
+               .gives = "winding sheet, bill of materials, casting recipe and order of assembly, to print and as CSV",
+               .use = "Open workshop.html in a browser and print it on A4; the CSV files have the same numbers.",
+               .settings = of_workshop,
+               .write_text = &workshop},
+};
+
+struct Writing {
+  const ExportKind& kind;
+  const ExportSettings& settings;
+
+  std::vector<ExportedFile> operator()(DesignExport write, const DesignSubject& subject) const {
+    return write(subject, settings);
+  }
+  std::vector<ExportedFile> operator()(DesignExport, const ModelSubject&) const {
+    throw std::invalid_argument(fmt::format("{} needs the geometry of a design (actuator/1)", kind.name));
+  }
+  std::vector<ExportedFile> operator()(ModelExport write, const DesignSubject& subject) const {
+    return write({.origin = subject.origin, .model = subject.assembly.model}, settings);
+  }
+  std::vector<ExportedFile> operator()(ModelExport write, const ModelSubject& subject) const {
+    return write(subject, settings);
+  }
+};
+
+}  // namespace
+
+std::span<const ExportKind> export_kinds() noexcept {
+  return table;
+}
+
+const ExportKind* find_export_kind(std::string_view name) noexcept {
+  const auto* found = std::ranges::find(table, name, &ExportKind::name);
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<ExportedFile> export_files(const ExportKind& kind, const Subject& subject, const ExportSettings& settings) {
+  return std::visit(Writing{kind, settings}, kind.write_text, subject);
+}
+
+}  // namespace coilwright::exports

@@ -1,0 +1,154 @@
+#include "exports/workshop/assembly_order.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <sstream>
+
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/units/unit.hpp"
+
+namespace coilwright::exports {
+namespace {
+
+using actuator::ComponentKind;
+
+// Of an alkaline cell, fresh and without load, V.
+constexpr double cell_voltage = 1.5;
+
+double in_mm(double length) {
+  return 1e3 * length;
+}
+
+PartRow row_of(const PlacedPart& part, int number) {
+  const bool magnet = part.component.kind == ComponentKind::magnet;
+  const bool positive = part.component.polarity > 0;
+  // A positive current sets a coil's moment against that of a magnet of the same polarity (towards the tip).
+  if (magnet)
+    return {.number = number,
+            .kind = ComponentKind::magnet,
+            .centre = part.centre,
+            .north_towards = positive ? "tip" : "base",
+            .current = "",
+            .positive_lead = ""};
+  return {.number = number,
+          .kind = ComponentKind::coil,
+          .centre = part.centre,
+          .north_towards = positive ? "base" : "tip",
+          .current = positive ? "clockwise" : "anticlockwise",
+          .positive_lead = positive ? "start" : "end"};
+}
+
+std::string_view effect_at(const actuator::Component& near, const actuator::Component& far) {
+  if (near.kind == far.kind) return "nothing";
+  return near.polarity * far.polarity > 0 ? "pushes apart" : "pulls together";
+}
+
+std::vector<JointRow> joints_of(const DesignSubject& subject, const BodyPlan& plan) {
+  std::vector<JointRow> rows;
+  for (std::size_t j = 0; j < plan.joints.size(); ++j)
+    rows.push_back({.number = static_cast<int>(j) + 1,
+                    .place = plan.joints[j],
+                    .gap = actuator::gap_of_joint(subject.design, static_cast<int>(j)),
+                    .effect = effect_at(plan.parts[j].component, plan.parts[j + 1].component)});
+  return rows;
+}
+
+// Between magnets there is a pull or a push without any current, too strong for uncured silicone.
+std::string_view remark_on_magnets(int magnets) {
+  return magnets < 2 ? "" : " The magnets act on each other through the coils: hold them in place until it has cured.";
+}
+
+std::vector<std::string> steps_of(const DesignSubject& subject, const Cast& cast, const Recipe& recipe,
+                                  const WindingSheet& winding) {
+  const BodyPlan& plan = cast.plan;
+  return {
+      fmt::format("Wind {} coil{} by the winding sheet, all alike: mark one face, and seen from it lead the wire "
+                  "clockwise from its start at the bore. Mark the start. Fix the turns, take the bobbin out, solder "
+                  "nothing yet, and compare the resistance with the sheet.",
+                  winding.coils, winding.coils == 1 ? "" : "s"),
+      "Find the north face of each magnet with a compass (the end of the needle that points north turns away from it) "
+      "and mark it.",
+      "Mix and de-air the first batch. Pour the main body into the mould.",
+      fmt::format(
+          "Dip all coils and magnets whole into what is left of it, once. One dip must leave a wall of {:.3g} mm "
+          "on a face (the source paper's left 0.3 mm); wipe the round side so that no more than {:.3g} mm stay "
+          "there. Let all of it cure for 12 hours at room temperature.",
+          in_mm(recipe.coil_dip), in_mm(cast.clearance)),
+      fmt::format(
+          "Mix the second batch and dip again: the magnets whole, to a wall of {:.3g} mm on each face; the coils "
+          "without the faces that look at another part, which keep their {:.3g} mm. Let it cure for 12 hours.",
+          in_mm(recipe.magnet_dip), in_mm(recipe.coil_dip)),
+      "Do the checks before bonding, below.",
+      fmt::format(
+          "Mix the third batch. Lay the parts into the pockets of the main body in the order and sense of the table, "
+          "marked faces of the coils towards the tip, wall against wall. Lead the wires out at the top. Fill the bores "
+          "and "
+          "the pockets up to the upside of the body, and let it cure for 12 hours.{}",
+          remark_on_magnets(subject.assembly.magnets)),
+      fmt::format(
+          "Solder flexible silicone wires to the leads. Cut the slits across the body at the places of the joints, "
+          "between wall and wall, from the upside down to {:.4g} mm above the underside, and no deeper: what is "
+          "left is the hinge.",
+          in_mm(plan.bottom_layer)),
+      "Do the checks after cutting, below.",
+  };
+}
+
+std::string cell_text(const WindingSheet& winding) {
+  const double resistance = meter_reading(winding, 20.0).expected;
+  const double current = cell_voltage / resistance;
+  if (current <= winding.current_limit)
+    return fmt::format("A cell of {:.2g} V drives {:.3g} A through one coil, below the {:.3g} A of its wire",
+                       cell_voltage, current, winding.current_limit);
+  return fmt::format(
+      "A cell of {:.2g} V would drive {:.3g} A through one coil, more than the {:.3g} A of its wire: put "
+      "a resistor of {:.2g} ohm in series, or touch for a moment only",
+      cell_voltage, current, winding.current_limit, cell_voltage / winding.current_limit - resistance);
+}
+
+std::vector<std::string> checks_of(const AssemblyOrder& order, const WindingSheet& winding) {
+  std::vector<std::string> checks = {
+      "Before bonding. " + cell_text(winding) +
+      ". Connect its plus pole to the start of a coil and look at the marked face with a compass: it is a south pole, "
+      "and "
+      "draws the end of the needle that points north. If it does not, the coil is wound the other way round: mark the "
+      "other face instead."};
+  for (const JointRow& joint : order.joints)
+    if (joint.effect != "nothing")
+      checks.push_back(
+          fmt::format("Before bonding, joint {}. Hold the two parts in front of each other as they will lie, "
+                      "with the cell's plus pole at the coil's positive lead: the current {}.",
+                      joint.number, joint.effect == "pushes apart" ? "pushes them apart" : "pulls them together"));
+  checks.emplace_back(
+      "After cutting. No lead may have contact with another coil. With the positive leads of all coils at plus, each "
+      "joint does as the table of joints says: the slit opens where the current pushes apart. With the cell reversed "
+      "it "
+      "does the opposite.");
+  return checks;
+}
+
+}  // namespace
+
+AssemblyOrder assembly_order(const DesignSubject& subject, const Cast& cast, const Recipe& recipe,
+                             const WindingSheet& winding) {
+  AssemblyOrder order;
+  for (const PlacedPart& part : cast.plan.parts)
+    order.parts.push_back(row_of(part, static_cast<int>(order.parts.size()) + 1));
+  order.joints = joints_of(subject, cast.plan);
+  order.steps = steps_of(subject, cast, recipe, winding);
+  order.checks = checks_of(order, winding);
+  return order;
+}
+
+std::string assembly_csv(const AssemblyOrder& order) {
+  std::ostringstream out;
+  text::CsvWriter csv(
+      out, {"part", "kind", "centre_mm", "north_towards", "positive_current_seen_from_tip", "positive_lead"});
+  for (const PartRow& row : order.parts)
+    csv.row({row.number, row.kind == ComponentKind::magnet ? "magnet" : "coil",
+             units::from_memory(row.centre, "centre_mm"), row.north_towards, row.current, row.positive_lead});
+  return out.str();
+}
+
+}  // namespace coilwright::exports

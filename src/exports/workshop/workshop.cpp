@@ -1,0 +1,35 @@
+#include "coilwright/exports/workshop.hpp"
+
+#include <fmt/format.h>
+
+#include "exports/cast.hpp"
+#include "exports/html.hpp"
+#include "exports/workshop/assembly_order.hpp"
+#include "exports/workshop/bill.hpp"
+#include "exports/workshop/recipe.hpp"
+#include "exports/workshop/sections.hpp"
+#include "exports/workshop/winding_sheet.hpp"
+
+namespace coilwright::exports {
+
+std::vector<ExportedFile> workshop(const DesignSubject& subject, const ExportSettings& settings) {
+  const Cast cast = cast_of(subject);
+  const WindingSheet winding = winding_sheet(subject, settings);
+  const std::vector<BillRow> bill = bill_of_materials(subject, settings, winding, cast);
+  const Recipe silicone = recipe(subject, settings, cast);
+  const AssemblyOrder order = assembly_order(subject, cast, silicone, winding);
+  const std::string title =
+      subject.origin.name.empty() ? "Workshop sheets" : fmt::format("Workshop sheets: {}", subject.origin.name);
+  const std::string head =
+      fmt::format("<h1>{}</h1>\n<p class=\"from\">{}</p>\n", escaped(title), escaped(subject.origin.made_by));
+  return {{.name = "workshop.html",
+           .text = html_page(title, head + winding_section(winding) + bill_section(bill) + recipe_section(silicone) +
+                                        assembly_section(order))},
+          {.name = "winding.csv", .text = winding_csv(winding)},
+          {.name = "layers.csv", .text = layers_csv(winding)},
+          {.name = "materials.csv", .text = materials_csv(bill)},
+          {.name = "casting.csv", .text = casting_csv(silicone)},
+          {.name = "assembly.csv", .text = assembly_csv(order)}};
+}
+
+}  // namespace coilwright::exports

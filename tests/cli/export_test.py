@@ -1,0 +1,38 @@
+"""`coilwright export`: what it writes and says, and every way to ask wrongly."""
+
+import unittest
+
+from program import CONFIGS, DATA, ProgramTest, run
+
+FINGER = CONFIGS / "actuators" / "finger.json"
+
+
+class Export(ProgramTest):
+    def test_it_names_the_files_that_it_wrote_and_what_to_do_with_them(self):
+        result = run("export", FINGER, "--as", "workshop", "--out", "sheets/", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        *names, use = result.stdout.splitlines()
+        self.assertEqual(sorted(names), sorted(name for name, content in self.files().items() if content is not None))
+        self.assertRegex(use, r"\.$")
+
+    def test_an_unknown_kind_is_refused_with_those_that_there_are(self):
+        result = run("export", FINGER, "--as", "banana", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, self.files()), (2, "", {}))
+        self.assertRegex(result.stderr, r"^coilwright: export: --as: banana not in \{workshop.*\n$")
+
+    def test_a_lumped_model_has_nothing_to_build(self):
+        lumped = DATA / "formats" / "lumped_model.json"
+        self.assert_refused(["export", str(lumped), "--as", "workshop", "--out", "out"],
+                            f"{lumped}: workshop needs the geometry of a design (actuator/1)")
+
+    def test_a_setting_outside_its_bounds_is_refused(self):
+        self.assert_refused(["export", str(FINGER), "--as", "workshop", "--out", "out", "--lead-mm", "-1"],
+                            'export: --lead-mm: must be from 0 to 10000; got "-1" (see coilwright export --help)')
+
+    def test_an_actuator_that_cannot_be_built_is_refused(self):
+        self.assert_refused(["export", str(FINGER), "--set", "gap_mm=1200", "--as", "workshop", "--out", "out"],
+                            f"{FINGER}: gap must be > 0 and at most 1000 mm; got 1200 mm (with gap_mm=1200)")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -13,6 +13,7 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/as_built_format.hpp"
+#include "formats/actuator/magnetic_parts_json.hpp"
 #include "formats/actuator/torque_correction_format.hpp"
 
 namespace coilwright::formats {
@@ -47,18 +48,6 @@ Json polarity_json(const Layout& layout) {
   return out;
 }
 
-std::string_view word(magnetics::CurrentDistribution winding) {
-  switch (winding) {
-    case magnetics::CurrentDistribution::paper_shells:
-      return "paper_shells";
-    case magnetics::CurrentDistribution::layer_centres:
-      return "layer_centres";
-    case magnetics::CurrentDistribution::uniform:
-      return "uniform";
-  }
-  return "";
-}
-
 std::string_view word(HingeLaw hinge) {
   switch (hinge) {
     case HingeLaw::slit:
@@ -73,7 +62,7 @@ std::string_view word(HingeLaw hinge) {
 
 Json choices_json(const ModelChoices& choices) {
   return Json::object(
-      {{"winding", word(choices.winding)},
+      {{"winding", winding_word(choices.winding)},
        {"torque", choices.torque == magnetics::Fidelity::exact ? "exact" : "line_of_centres"},
        {"face_contact", choices.faces == ContactChoice::walls ? "walls" : "hard_parts"},
        {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"},

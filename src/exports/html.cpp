@@ -2,22 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 namespace coilwright::exports {
 namespace {
 
 constexpr std::string_view style = R"(
 @page { size: A4; margin: 15mm; }
-body { font: 10.5pt/1.4 sans-serif; color: #1c2733; max-width: 180mm; margin: 0 auto; padding: 5mm; }
+body { font: 9.5pt/1.35 sans-serif; color: #1c2733; max-width: 180mm; margin: 0 auto; padding: 5mm; }
 h1 { font-size: 18pt; margin: 0; }
-h2 { font-size: 13pt; margin: 7mm 0 2mm; border-bottom: 0.3mm solid #1c2733; break-after: avoid; }
+h2 { font-size: 13pt; margin: 5mm 0 1.5mm; border-bottom: 0.3mm solid #1c2733; break-after: avoid; }
 p { margin: 2mm 0; }
 .from { color: #55626f; font-size: 9pt; overflow-wrap: anywhere; }
 table { border-collapse: collapse; width: 100%; break-inside: avoid; }
 table.long { break-inside: auto; }
-th, td { text-align: left; vertical-align: top; padding: 0.8mm 2mm; border-bottom: 0.2mm solid #b9c2cb; }
+th, td { text-align: left; vertical-align: top; padding: 0.45mm 2mm; border-bottom: 0.2mm solid #b9c2cb; }
 th { background: #eef1f4; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-li { margin: 1.5mm 0; break-inside: avoid; }
+th:first-child:not(.number) { min-width: 28mm; }
+.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+li { margin: 1mm 0; break-inside: avoid; }
 figure { margin: 3mm 0; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }
 section.page { break-before: page; }
@@ -25,7 +28,19 @@ section.page { break-before: page; }
 )";
 
 bool is_number(std::string_view cell) {
-  return !cell.empty() && ((cell.front() >= '0' && cell.front() <= '9') || cell.front() == '-');
+  return !cell.empty() && cell.find_first_not_of("0123456789.-") == std::string_view::npos;
+}
+
+// Columns of numbers, and of nothing else, are set to the right.
+std::string_view alignment(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
+  bool numbers = false;
+  for (const std::vector<std::string>& row : rows) {
+    if (is_number(row.at(column)))
+      numbers = true;
+    else if (!row.at(column).empty())
+      return "";
+  }
+  return numbers ? " class=\"number\"" : "";
 }
 
 }  // namespace
@@ -60,12 +75,13 @@ std::string escaped(std::string_view text) {
 
 std::string html_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
   std::string out = rows.size() > 20 ? "<table class=\"long\">\n<thead><tr>" : "<table>\n<thead><tr>";
-  for (const std::string& name : header) out += fmt::format("<th>{}</th>", escaped(name));
+  for (std::size_t i = 0; i < header.size(); ++i)
+    out += fmt::format("<th{}>{}</th>", alignment(rows, i), escaped(header[i]));
   out += "</tr></thead>\n<tbody>\n";
   for (const std::vector<std::string>& row : rows) {
     out += "<tr>";
-    for (const std::string& cell : row)
-      out += fmt::format("<td{}>{}</td>", is_number(cell) ? " class=\"number\"" : "", escaped(cell));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += fmt::format("<td{}>{}</td>", alignment(rows, i), escaped(row[i]));
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table>\n";

@@ -10,7 +10,8 @@ namespace coilwright::exports {
 /// XML does not have) as a question mark.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// A table; all cells are texts and are escaped. A cell that begins with a digit is set to the right.
+/// A table; all cells are texts and are escaped; each row has one for each name of the header.
+/// Columns of numbers are set to the right.
 [[nodiscard]] std::string html_table(const std::vector<std::string>& header,
                                      const std::vector<std::vector<std::string>>& rows);
 

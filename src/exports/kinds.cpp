@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "coilwright/exports/drawing.hpp"
 #include "coilwright/exports/workshop.hpp"
 
 namespace coilwright::exports {
@@ -20,6 +21,11 @@ constexpr std::array table = {
                .use = "Open workshop.html in a browser and print it on A4; the CSV files have the same numbers.",
                .settings = of_workshop,
                .write_text = &workshop},
+    ExportKind{.name = "drawing",
+               .gives = "dimensioned sections to scale, as SVG and DXF",
+               .use = "Print drawing.svg as it is; drawing.dxf has the actuator at its own size, in mm.",
+               .settings = {},
+               .write_text = &drawing},
 };
 
 struct Writing {

@@ -9,17 +9,14 @@
 #include <string>
 #include <variant>
 
-#include "coilwright/actuator/assemble.hpp"
 #include "coilwright/units/unit.hpp"
+#include "exports/finger.hpp"
 
 namespace coilwright::exports {
 namespace {
 
 DesignSubject finger() {
-  const actuator::Design design;
-  return {.origin = {.name = "finger", .made_by = "a test"},
-          .design = design,
-          .assembly = actuator::assemble_or_throw(design)};
+  return subject_of(actuator::Design{});
 }
 
 TEST(ExportKinds, HaveDistinctNamesAndSayWhatTheyGive) {

@@ -7,6 +7,7 @@
 
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/units/unit.hpp"
+#include "exports/workshop/rounded.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -64,27 +65,25 @@ std::vector<std::string> steps_of(const DesignSubject& subject, const Cast& cast
   const BodyPlan& plan = cast.plan;
   return {
       fmt::format("Wind {} coil{} by the winding sheet, all alike: mark one face, and seen from it lead the wire "
-                  "clockwise from its start at the bore. Mark the start. Fix the turns, take the bobbin out, solder "
-                  "nothing yet, and compare the resistance with the sheet.",
+                  "clockwise from its start at the bore. Mark the start. Fix the turns, take the bobbin out, and "
+                  "compare the resistance with the sheet.",
                   winding.coils, winding.coils == 1 ? "" : "s"),
       "Find the north face of each magnet with a compass (the end of the needle that points north turns away from it) "
       "and mark it.",
       "Mix and de-air the first batch. Pour the main body into the mould.",
       fmt::format(
           "Dip all coils and magnets whole into what is left of it, once. One dip must leave a wall of {:.3g} mm "
-          "on a face (the source paper's left 0.3 mm); wipe the round side so that no more than {:.3g} mm stay "
-          "there. Let all of it cure for 12 hours at room temperature.",
-          in_mm(recipe.coil_dip), in_mm(cast.clearance)),
-      fmt::format(
-          "Mix the second batch and dip again: the magnets whole, to a wall of {:.3g} mm on each face; the coils "
-          "without the faces that look at another part, which keep their {:.3g} mm. Let it cure for 12 hours.",
-          in_mm(recipe.magnet_dip), in_mm(recipe.coil_dip)),
+          "on a face (the source paper's: 0.3 mm); wipe the round side so that no more than {:.3g} mm stay there. "
+          "Let all of it cure for 12 hours at room temperature; the magnets bear {:.4g} degC at most.",
+          in_mm(recipe.coil_dip), in_mm(cast.clearance), subject.design.magnet.temperature_limit),
+      fmt::format("Mix the second batch and dip the magnets again, to a wall of {:.3g} mm on each face. The coils keep "
+                  "their {:.3g} mm: the pockets leave no room for more. Let it cure for 12 hours.",
+                  in_mm(recipe.magnet_dip), in_mm(recipe.coil_dip)),
       "Do the checks before bonding, below.",
       fmt::format(
           "Mix the third batch. Lay the parts into the pockets of the main body in the order and sense of the table, "
           "marked faces of the coils towards the tip, wall against wall. Lead the wires out at the top. Fill the bores "
-          "and "
-          "the pockets up to the upside of the body, and let it cure for 12 hours.{}",
+          "and the pockets up to the upside of the body, and let it cure for 12 hours.{}",
           remark_on_magnets(subject.assembly.magnets)),
       fmt::format(
           "Solder flexible silicone wires to the leads. Cut the slits across the body at the places of the joints, "
@@ -147,7 +146,7 @@ std::string assembly_csv(const AssemblyOrder& order) {
       out, {"part", "kind", "centre_mm", "north_towards", "positive_current_seen_from_tip", "positive_lead"});
   for (const PartRow& row : order.parts)
     csv.row({row.number, row.kind == ComponentKind::magnet ? "magnet" : "coil",
-             units::from_memory(row.centre, "centre_mm"), row.north_towards, row.current, row.positive_lead});
+             rounded(units::from_memory(row.centre, "centre_mm")), row.north_towards, row.current, row.positive_lead});
   return out.str();
 }
 

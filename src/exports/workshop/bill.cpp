@@ -6,6 +6,7 @@
 
 #include "coilwright/actuator/cost.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
+#include "exports/workshop/rounded.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -59,7 +60,7 @@ std::vector<BillRow> bill_of_materials(const DesignSubject& subject, const Expor
 std::string materials_csv(const std::vector<BillRow>& rows) {
   std::ostringstream out;
   text::CsvWriter csv(out, {"item", "specification", "quantity", "price_USD"});
-  for (const BillRow& row : rows) csv.row({row.item, row.specification, row.quantity, row.price});
+  for (const BillRow& row : rows) csv.row({row.item, row.specification, row.quantity, rounded(row.price)});
   return out.str();
 }
 

@@ -7,6 +7,7 @@
 
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/units/unit.hpp"
+#include "exports/workshop/rounded.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -23,14 +24,14 @@ Recipe recipe(const DesignSubject& subject, const ExportSettings& settings, cons
   const auto batch = [&](std::string_view use, double in_actuator, double dip) {
     return Batch{.use = use, .in_actuator = in_actuator, .waste = settings.waste * in_actuator, .dip = dip};
   };
-  Recipe out{
-      .density = subject.design.body.density,
-      .base_per_hardener = settings.base_per_hardener,
-      .segments = {},
-      .batches = {batch("main body, then first dip", cast.main_volume, cast.dip_volume),
-                  batch("second dip", 0.0, cast.dip_volume), batch("walls, bores and bond", cast.filling_volume, 0.0)},
-      .coil_dip = wall_on(cast.plan, actuator::ComponentKind::coil),
-      .magnet_dip = wall_on(cast.plan, actuator::ComponentKind::magnet)};
+  Recipe out{.density = subject.design.body.density,
+             .base_per_hardener = settings.base_per_hardener,
+             .segments = {},
+             .batches = {batch("main body and first dip", cast.main_volume, cast.dip_volume),
+                         batch("second dip", 0.0, cast.dip_volume),
+                         batch("walls and bores and bond", cast.filling_volume, 0.0)},
+             .coil_dip = wall_on(cast.plan, actuator::ComponentKind::coil),
+             .magnet_dip = wall_on(cast.plan, actuator::ComponentKind::magnet)};
   for (std::size_t i = 0; i < subject.assembly.segments.size(); ++i)
     out.segments.push_back({.segment = static_cast<int>(i) + 1,
                             .kind = subject.design.layout[i].kind,
@@ -41,10 +42,10 @@ Recipe recipe(const DesignSubject& subject, const ExportSettings& settings, cons
 std::string casting_csv(const Recipe& recipe) {
   std::ostringstream out;
   text::CsvWriter csv(out, {"what", "in_actuator_cm3", "waste_cm3", "dip_cm3", "mixed_cm3", "mixed_g"});
-  const auto cm3 = [](double volume) { return 1e6 * volume; };
+  const auto cm3 = [](double volume) { return rounded(1e6 * volume); };
   for (const Batch& batch : recipe.batches)
     csv.row({batch.use, cm3(batch.in_actuator), cm3(batch.waste), cm3(batch.dip), cm3(batch.mixed()),
-             1e3 * recipe.density * batch.mixed()});
+             rounded(1e3 * recipe.density * batch.mixed())});
   for (const SegmentSilicone& segment : recipe.segments) {
     const std::string what = fmt::format("segment {} ({})", segment.segment,
                                          segment.kind == actuator::ComponentKind::coil ? "coil" : "magnet");

@@ -16,7 +16,7 @@ std::string mm(double length) {
 }
 
 std::string ohm(double resistance) {
-  return fmt::format("{:.4g} Ω", resistance);
+  return fmt::format("{:#.4g} Ω", resistance);
 }
 
 std::string cm3(double volume) {
@@ -45,7 +45,7 @@ std::string wire_and_bobbin(const WindingSheet& sheet) {
       {"diameter of the finished coil", mm(sheet.outer_diameter)},
       {"wire of the turns", fmt::format("{:.4g} m", sheet.wire_length)},
       {"each of the two leads", mm(sheet.lead_length)},
-      {"wire to cut for one coil", fmt::format("{:.4g} m", sheet.wire_with_leads)},
+      {"wire of one coil with its leads", fmt::format("{:.4g} m", sheet.wire_with_leads)},
       {"copper of the turns", fmt::format("{:.4g} g", 1e3 * sheet.copper_mass)},
       {"inductance", fmt::format("{:.3g} mH", 1e3 * sheet.inductance)},
       {"current limit of the wire", fmt::format("{:.3g} A", sheet.current_limit)},
@@ -151,7 +151,7 @@ std::string recipe_section(const Recipe& recipe) {
   return text + html_table({"where it ends", "silicone, cm³", "silicone, g"}, segments) + "</section>\n";
 }
 
-std::string assembly_section(const AssemblyOrder& order) {
+std::string assembly_section(const AssemblyOrder& order, std::string_view figure) {
   Rows parts;
   for (const PartRow& row : order.parts)
     parts.push_back({fmt::format("{}", row.number), std::string(kind_name(row.kind)),
@@ -161,7 +161,7 @@ std::string assembly_section(const AssemblyOrder& order) {
   for (const JointRow& row : order.joints)
     joints.push_back({fmt::format("{}", row.number), fmt::format("{:.2f}", 1e3 * row.place),
                       fmt::format("{:.2f}", 1e3 * row.gap), std::string(row.effect)});
-  return "<section class=\"page\">\n<h2>Parts, from the base to the tip</h2>\n" +
+  return fmt::format("<section class=\"page\">\n<h2>Parts, from the base to the tip</h2>\n{}", figure) +
          html_table({"part", "kind", "centre from the rear end, mm", "north pole towards",
                      "positive current, seen from the tip", "positive lead"},
                     parts) +

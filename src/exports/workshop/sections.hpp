@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exports/workshop/assembly_order.hpp"
@@ -10,10 +11,10 @@
 
 namespace coilwright::exports {
 
-/// The sections of workshop.html, each a heading with what stands below it.
+/// The sections of workshop.html, each a heading with what stands below it. `figure` is HTML.
 [[nodiscard]] std::string winding_section(const WindingSheet& sheet);
 [[nodiscard]] std::string bill_section(const std::vector<BillRow>& rows);
 [[nodiscard]] std::string recipe_section(const Recipe& recipe);
-[[nodiscard]] std::string assembly_section(const AssemblyOrder& order);
+[[nodiscard]] std::string assembly_section(const AssemblyOrder& order, std::string_view figure);
 
 }  // namespace coilwright::exports

@@ -7,6 +7,7 @@
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/copper.hpp"
+#include "exports/workshop/rounded.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -77,7 +78,7 @@ double reading_of_wider_coil(const WindingSheet& sheet, double excess) {
 std::string winding_csv(const WindingSheet& sheet) {
   std::ostringstream out;
   text::CsvWriter csv(out, {"quantity", "value"});
-  const auto row = [&](std::string_view name, double si) { csv.row({name, units::from_memory(si, name)}); };
+  const auto row = [&](std::string_view name, double si) { csv.row({name, rounded(units::from_memory(si, name))}); };
   const MeterReading reading = meter_reading(sheet, 20.0);
   row("coils", sheet.coils);
   row("wire_gauge_AWG", sheet.wire_gauge);
@@ -111,8 +112,8 @@ std::string layers_csv(const WindingSheet& sheet) {
   std::ostringstream out;
   text::CsvWriter csv(out, {"layer", "diameter_mm", "turns_so_far", "wire_so_far_m", "resistance_so_far_Ohm"});
   for (const LayerRow& row : sheet.rows)
-    csv.row({row.layer, units::from_memory(row.diameter, "diameter_mm"), row.layer * sheet.turns_in_layer,
-             row.wire_so_far, row.resistance});
+    csv.row({row.layer, rounded(units::from_memory(row.diameter, "diameter_mm")), row.layer * sheet.turns_in_layer,
+             rounded(row.wire_so_far), rounded(row.resistance)});
   return out.str();
 }
 

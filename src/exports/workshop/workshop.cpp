@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "exports/cast.hpp"
+#include "exports/drawing/drawing.hpp"
+#include "exports/drawing/svg.hpp"
 #include "exports/html.hpp"
 #include "exports/workshop/assembly_order.hpp"
 #include "exports/workshop/bill.hpp"
@@ -11,6 +13,23 @@
 #include "exports/workshop/winding_sheet.hpp"
 
 namespace coilwright::exports {
+
+namespace {
+
+// What fits on a page of A4 beside its text, m.
+constexpr double figure_width = 180e-3;
+constexpr double figure_height = 180e-3;
+
+std::string figure(const BodyPlan& plan) {
+  const ScaledSketch scaled = drawing_on(plan, figure_width, figure_height);
+  return fmt::format(
+      "<figure>\n{}<figcaption>Scale {}, lengths in mm. Slits in red.</figcaption>\n</figure>\n",
+      svg_of(scaled.sketch, scaled.scale,
+             {.title = "Sections", .description = "Longitudinal section and cross-sections, lengths in mm"}),
+      scale_text(scaled.scale));
+}
+
+}  // namespace
 
 std::vector<ExportedFile> workshop(const DesignSubject& subject, const ExportSettings& settings) {
   const Cast cast = cast_of(subject);
@@ -24,7 +43,7 @@ std::vector<ExportedFile> workshop(const DesignSubject& subject, const ExportSet
       fmt::format("<h1>{}</h1>\n<p class=\"from\">{}</p>\n", escaped(title), escaped(subject.origin.made_by));
   return {{.name = "workshop.html",
            .text = html_page(title, head + winding_section(winding) + bill_section(bill) + recipe_section(silicone) +
-                                        assembly_section(order))},
+                                        assembly_section(order, figure(cast.plan)))},
           {.name = "winding.csv", .text = winding_csv(winding)},
           {.name = "layers.csv", .text = layers_csv(winding)},
           {.name = "materials.csv", .text = materials_csv(bill)},

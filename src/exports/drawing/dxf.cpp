@@ -1,0 +1,193 @@
+#include "exports/drawing/dxf.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace coilwright::exports {
+namespace {
+
+struct LayerRow {
+  Layer layer{};
+  std::string_view name;
+  int colour{};  // AutoCAD colour index
+  std::string_view line;
+};
+
+// Colours: 7 black or white, 1 red, 30 orange, 8 grey, 5 blue.
+constexpr std::array layer_table = {
+    LayerRow{Layer::body, "BODY", 7, "CONTINUOUS"},     LayerRow{Layer::winding, "WINDING", 30, "CONTINUOUS"},
+    LayerRow{Layer::magnet, "MAGNET", 8, "CONTINUOUS"}, LayerRow{Layer::slit, "SLIT", 1, "CONTINUOUS"},
+    LayerRow{Layer::axis, "AXIS", 8, "CENTER"},         LayerRow{Layer::dimension, "DIMENSION", 5, "CONTINUOUS"},
+    LayerRow{Layer::note, "NOTE", 7, "CONTINUOUS"},
+};
+
+std::string_view name_of(Layer layer) {
+  for (const LayerRow& row : layer_table)
+    if (row.layer == layer) return row.name;
+  return "0";
+}
+
+// A group: its code, then its value, a line each.
+void put(std::string& out, int code, std::string_view value) {
+  out += fmt::format("{:>3}\n{}\n", code, value);
+}
+void put(std::string& out, int code, int value) {
+  put(out, code, fmt::format("{}", value));
+}
+void put(std::string& out, int code, double value) {
+  put(out, code, fmt::format("{:.6f}", value));
+}
+
+// Its x has the code, its y ten more, its z twenty more.
+void put_point(std::string& out, int code, Point at) {
+  put(out, code, 1e3 * at.x);
+  put(out, code + 10, 1e3 * at.y);
+  put(out, code + 20, 0.0);
+}
+
+std::string ascii(std::string_view text) {
+  constexpr std::string_view diameter = "⌀";
+  std::string out;
+  while (!text.empty()) {
+    if (text.starts_with(diameter)) {
+      out += "%%c";
+      text.remove_prefix(diameter.size());
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(text.front());
+    if (byte >= 0x20 && byte < 0x7f) out += text.front();
+    if (byte >= 0xc0 || byte < 0x20) out += '?';  // what continues a letter adds nothing
+    text.remove_prefix(1);
+  }
+  return out;
+}
+
+void put_header(std::string& out, const Bounds& bounds) {
+  put(out, 0, "SECTION");
+  put(out, 2, "HEADER");
+  put(out, 9, "$ACADVER");
+  put(out, 1, "AC1009");
+  put(out, 9, "$EXTMIN");
+  put_point(out, 10, bounds.low);
+  put(out, 9, "$EXTMAX");
+  put_point(out, 10, bounds.high);
+  put(out, 0, "ENDSEC");
+}
+
+void begin_table(std::string& out, std::string_view name, int rows) {
+  put(out, 0, "TABLE");
+  put(out, 2, name);
+  put(out, 70, rows);
+}
+
+void put_line_types(std::string& out, double letter) {
+  begin_table(out, "LTYPE", 2);
+  put(out, 0, "LTYPE");
+  put(out, 2, "CONTINUOUS");
+  put(out, 70, 0);
+  put(out, 3, "Solid line");
+  put(out, 72, 65);
+  put(out, 73, 0);
+  put(out, 40, 0.0);
+  put(out, 0, "LTYPE");
+  put(out, 2, "CENTER");
+  put(out, 70, 0);
+  put(out, 3, "Centre line");
+  put(out, 72, 65);
+  const std::array dashes = {4.0 * letter, -0.8 * letter, 0.4 * letter, -0.8 * letter};  // negative: a gap
+  put(out, 73, static_cast<int>(dashes.size()));
+  put(out, 40, 6.0 * letter);
+  for (const double dash : dashes) put(out, 49, dash);
+  put(out, 0, "ENDTAB");
+}
+
+void put_layers(std::string& out) {
+  begin_table(out, "LAYER", static_cast<int>(layer_table.size()));
+  for (const LayerRow& row : layer_table) {
+    put(out, 0, "LAYER");
+    put(out, 2, row.name);
+    put(out, 70, 0);
+    put(out, 62, row.colour);
+    put(out, 6, row.line);
+  }
+  put(out, 0, "ENDTAB");
+}
+
+void put_text_style(std::string& out) {
+  begin_table(out, "STYLE", 1);
+  put(out, 0, "STYLE");
+  put(out, 2, "STANDARD");
+  put(out, 70, 0);
+  put(out, 40, 0.0);
+  put(out, 41, 1.0);
+  put(out, 50, 0.0);
+  put(out, 71, 0);
+  put(out, 42, 2.5);
+  put(out, 3, "txt");
+  put(out, 4, "");
+  put(out, 0, "ENDTAB");
+}
+
+void begin_entity(std::string& out, std::string_view kind, Layer layer) {
+  put(out, 0, kind);
+  put(out, 8, name_of(layer));
+}
+
+void put_line(std::string& out, Layer layer, Point from, Point to) {
+  begin_entity(out, "LINE", layer);
+  put_point(out, 10, from);
+  put_point(out, 11, to);
+}
+
+void put_rectangle(std::string& out, const SketchRectangle& each) {
+  const Point a = each.low;
+  const Point b{each.high.x, each.low.y};
+  const Point c = each.high;
+  const Point d{each.low.x, each.high.y};
+  put_line(out, each.layer, a, b);
+  put_line(out, each.layer, b, c);
+  put_line(out, each.layer, c, d);
+  put_line(out, each.layer, d, a);
+}
+
+void put_text(std::string& out, const SketchText& each) {
+  begin_entity(out, "TEXT", each.layer);
+  put_point(out, 10, each.at);
+  put(out, 40, 1e3 * each.height);
+  put(out, 1, ascii(each.text));
+  if (each.upright) put(out, 50, 90.0);
+  if (each.anchor == Anchor::start) return;
+  put(out, 72, each.anchor == Anchor::middle ? 1 : 2);
+  put_point(out, 11, each.at);
+}
+
+}  // namespace
+
+std::string dxf_of(const Sketch& sketch) {
+  std::string out;
+  put(out, 999, "lengths in mm");
+  put_header(out, sketch.bounds());
+  put(out, 0, "SECTION");
+  put(out, 2, "TABLES");
+  put_line_types(out, 1e3 * sketch.text_height());
+  put_layers(out);
+  put_text_style(out);
+  put(out, 0, "ENDSEC");
+  put(out, 0, "SECTION");
+  put(out, 2, "ENTITIES");
+  for (const SketchRectangle& each : sketch.rectangles()) put_rectangle(out, each);
+  for (const SketchCircle& each : sketch.circles()) {
+    begin_entity(out, "CIRCLE", each.layer);
+    put_point(out, 10, each.centre);
+    put(out, 40, 1e3 * each.radius);
+  }
+  for (const SketchLine& each : sketch.lines()) put_line(out, each.layer, each.from, each.to);
+  for (const SketchText& each : sketch.texts()) put_text(out, each);
+  put(out, 0, "ENDSEC");
+  put(out, 0, "EOF");
+  return out;
+}
+
+}  // namespace coilwright::exports

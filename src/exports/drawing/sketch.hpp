@@ -1,0 +1,97 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace coilwright::exports {
+
+/// A place on the sheet, m in the world of the part that is drawn: x to the right, y up.
+struct Point {
+  double x{};
+  double y{};
+};
+
+/// What a line belongs to: layer of a DXF file, style of an SVG.
+enum class Layer { body, winding, magnet, slit, axis, dimension, note };
+
+struct SketchLine {
+  Layer layer{};
+  Point from;
+  Point to;
+};
+
+struct SketchCircle {
+  Layer layer{};
+  Point centre;
+  double radius{};
+};
+
+/// With its sides along x and y.
+struct SketchRectangle {
+  Layer layer{};
+  Point low;
+  Point high;
+};
+
+enum class Anchor { start, middle, end };
+
+struct SketchText {
+  Layer layer{};
+  Point at;         ///< start, middle or end of the base line
+  double height{};  ///< of a capital letter, m
+  Anchor anchor = Anchor::start;
+  bool upright{};  ///< reads from below upwards
+  std::string text;
+};
+
+/// Smallest box with sides along x and y.
+struct Bounds {
+  Point low;
+  Point high;
+};
+
+/// A drawing by its parts, which an SVG and a DXF writer write alike. Lengths in m, true to the part; only letters and
+/// arrows have the size that they need on paper.
+class Sketch {
+ public:
+  /// `text_height`: of the letters of dimensions and notes, m in the world of the part; > 0.
+  explicit Sketch(double text_height) : text_height_(text_height) {}
+
+  void line(Layer layer, Point from, Point to) { lines_.push_back({layer, from, to}); }
+  void circle(Layer layer, Point centre, double radius) { circles_.push_back({layer, centre, radius}); }
+  void rectangle(Layer layer, Point low, Point high) { rectangles_.push_back({layer, low, high}); }
+  void text(Layer layer, Point at, std::string text, Anchor anchor = Anchor::start, double times_height = 1.0);
+
+  /// What is between two places as a number in mm, on a line at height `row`, with lines out to it from `edge`. A
+  /// number that is too wide for its place stands to the right of it.
+  void horizontal_dimension(double x1, double x2, double edge, double row);
+  /// The same for heights, on a line at x = `row`; what is too wide stands a line further out.
+  void vertical_dimension(double y1, double y2, double edge, double row);
+  /// The diameter of a circle in mm, at x = `row` to the right of it, with a line to it.
+  void diameter(Point centre, double radius, double row);
+
+  [[nodiscard]] double text_height() const noexcept { return text_height_; }
+  [[nodiscard]] const std::vector<SketchRectangle>& rectangles() const noexcept { return rectangles_; }
+  [[nodiscard]] const std::vector<SketchCircle>& circles() const noexcept { return circles_; }
+  [[nodiscard]] const std::vector<SketchLine>& lines() const noexcept { return lines_; }
+  [[nodiscard]] const std::vector<SketchText>& texts() const noexcept { return texts_; }
+  /// Of everything, texts by an estimate of their width.
+  [[nodiscard]] Bounds bounds() const;
+
+ private:
+  void tick(Point at);
+
+  double text_height_;
+  std::vector<SketchRectangle> rectangles_;
+  std::vector<SketchCircle> circles_;
+  std::vector<SketchLine> lines_;
+  std::vector<SketchText> texts_;
+};
+
+/// "12.4", a length of m as mm to a hundredth at most.
+[[nodiscard]] std::string length_text(double length);
+
+/// Width of a text, m: an estimate.
+[[nodiscard]] double width_of(const SketchText& text);
+
+}  // namespace coilwright::exports

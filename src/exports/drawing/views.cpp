@@ -1,0 +1,136 @@
+#include "exports/drawing/views.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace coilwright::exports {
+namespace {
+
+using actuator::ComponentKind;
+
+// Distances between rows of dimensions, in heights of a letter.
+constexpr double first_row = 3.0;
+constexpr double next_row = 4.0;
+
+void coil_in_section(Sketch& sketch, const BodyPlan& plan, const PlacedPart& coil) {
+  const double left = coil.centre - 0.5 * coil.length;
+  const double right = coil.centre + 0.5 * coil.length;
+  for (const double side : {-1.0, 1.0}) {
+    const double inner = plan.axis_height + side * coil.inner_radius;
+    const double outer = plan.axis_height + side * coil.radius;
+    sketch.rectangle(Layer::winding, {left, std::min(inner, outer)}, {right, std::max(inner, outer)});
+    sketch.line(Layer::winding, {left, inner}, {right, outer});
+    sketch.line(Layer::winding, {left, outer}, {right, inner});
+  }
+}
+
+void magnet_in_section(Sketch& sketch, const BodyPlan& plan, const PlacedPart& magnet) {
+  const double half = 0.5 * magnet.length;
+  sketch.rectangle(Layer::magnet, {magnet.centre - half, plan.axis_height - magnet.radius},
+                   {magnet.centre + half, plan.axis_height + magnet.radius});
+  const double height = std::min(0.4 * magnet.length, 0.5 * magnet.radius) / sketch.text_height();
+  const double base = plan.axis_height + 0.2 * magnet.radius;
+  const bool north_to_tip = magnet.component.polarity > 0;
+  sketch.text(Layer::magnet, {magnet.centre - 0.5 * half, base}, north_to_tip ? "S" : "N", Anchor::middle,
+              std::min(1.0, height));
+  sketch.text(Layer::magnet, {magnet.centre + 0.5 * half, base}, north_to_tip ? "N" : "S", Anchor::middle,
+              std::min(1.0, height));
+}
+
+void longitudinal_section(Sketch& sketch, const BodyPlan& plan) {
+  const double unit = sketch.text_height();
+  sketch.rectangle(Layer::body, {0.0, 0.0}, {plan.length, plan.height});
+  sketch.line(Layer::body, {0.0, plan.bottom_layer}, {plan.length, plan.bottom_layer});
+  int number = 0;
+  for (const PlacedPart& part : plan.parts) {
+    if (part.component.kind == ComponentKind::magnet)
+      magnet_in_section(sketch, plan, part);
+    else
+      coil_in_section(sketch, plan, part);
+    sketch.text(Layer::note, {part.centre, plan.axis_height - 1.7 * unit}, fmt::format("{}", ++number), Anchor::middle);
+  }
+  for (const double joint : plan.joints) sketch.line(Layer::slit, {joint, plan.bottom_layer}, {joint, plan.height});
+  sketch.line(Layer::axis, {-unit, plan.axis_height}, {plan.length + unit, plan.axis_height});
+  sketch.line(Layer::axis, {-unit, plan.hinge_height}, {plan.length + unit, plan.hinge_height});
+}
+
+// Above: faces of the parts, then all. Below: what is between the parts, then the places of the slits.
+void lengths(Sketch& sketch, const BodyPlan& plan) {
+  const double unit = sketch.text_height();
+  const auto front_face = [](const PlacedPart& part) { return part.centre + 0.5 * part.length; };
+  const auto rear_face = [](const PlacedPart& part) { return part.centre - 0.5 * part.length; };
+  const double above = plan.height + first_row * unit;
+  sketch.horizontal_dimension(0.0, rear_face(plan.parts.front()), plan.height, above);
+  for (const PlacedPart& part : plan.parts)
+    sketch.horizontal_dimension(rear_face(part), front_face(part), plan.height, above);
+  sketch.horizontal_dimension(front_face(plan.parts.back()), plan.length, plan.height, above);
+  sketch.horizontal_dimension(0.0, plan.length, plan.height, above + next_row * unit);
+  const double below = -first_row * unit;
+  double last = 0.0;
+  for (std::size_t joint = 0; joint < plan.joints.size(); ++joint) {
+    sketch.horizontal_dimension(front_face(plan.parts[joint]), rear_face(plan.parts[joint + 1]), 0.0, below);
+    sketch.horizontal_dimension(last, plan.joints[joint], 0.0, below - next_row * unit);
+    last = plan.joints[joint];
+  }
+  sketch.horizontal_dimension(last, plan.length, 0.0, below - next_row * unit);
+}
+
+void heights(Sketch& sketch, const BodyPlan& plan) {
+  const double unit = sketch.text_height();
+  double row = -first_row * unit;
+  sketch.vertical_dimension(0.0, plan.bottom_layer, 0.0, row);
+  sketch.vertical_dimension(plan.bottom_layer, plan.height, 0.0, row);
+  row = plan.length + first_row * unit;
+  sketch.vertical_dimension(plan.hinge_height, plan.axis_height, plan.length, row);
+  row += next_row * unit;
+  sketch.vertical_dimension(0.0, plan.axis_height, plan.length, row);
+  row += next_row * unit;
+  sketch.vertical_dimension(0.0, plan.height, plan.length, row);
+}
+
+// With its lower left corner there; returns where, to the right, the next view may begin.
+double cross_section(Sketch& sketch, const BodyPlan& plan, const PlacedPart& part, Point corner) {
+  const double unit = sketch.text_height();
+  const bool magnet = part.component.kind == ComponentKind::magnet;
+  const Layer layer = magnet ? Layer::magnet : Layer::winding;
+  const Point far{corner.x + plan.width, corner.y + plan.height};
+  const Point centre{corner.x + 0.5 * plan.width, corner.y + plan.axis_height};
+  sketch.rectangle(Layer::body, corner, far);
+  sketch.line(Layer::body, {corner.x, corner.y + plan.bottom_layer}, {far.x, corner.y + plan.bottom_layer});
+  sketch.circle(layer, centre, part.radius);
+  if (!magnet) sketch.circle(layer, centre, part.inner_radius);
+  sketch.line(Layer::axis, {corner.x - unit, centre.y}, {far.x + unit, centre.y});
+  sketch.line(Layer::axis, {centre.x, corner.y - unit}, {centre.x, far.y + unit});
+  const double beside = far.x + 2.0 * unit;
+  sketch.diameter(centre, part.radius, beside);
+  if (!magnet) sketch.diameter(centre, part.inner_radius, beside);
+  sketch.horizontal_dimension(corner.x, far.x, corner.y, corner.y - first_row * unit);
+  sketch.text(Layer::note, {centre.x, corner.y - (first_row + 2.0) * unit},
+              magnet ? "through a magnet" : "through a coil", Anchor::middle);
+  return beside + 12.0 * unit;
+}
+
+const PlacedPart& first_of(const BodyPlan& plan, ComponentKind kind) {
+  return *std::ranges::find_if(plan.parts, [kind](const PlacedPart& part) { return part.component.kind == kind; });
+}
+
+}  // namespace
+
+Sketch sketch_of(const BodyPlan& plan, double text_height) {
+  Sketch sketch(text_height);
+  longitudinal_section(sketch, plan);
+  lengths(sketch, plan);
+  heights(sketch, plan);
+  const double below = -(first_row + next_row + 3.0) * text_height;
+  sketch.text(Layer::note, {0.0, below}, "rear end, held by the base");
+  sketch.text(Layer::note, {plan.length, below}, "tip", Anchor::end);
+  const double corner = below - 2.0 * text_height - plan.height;
+  const double next = cross_section(sketch, plan, first_of(plan, ComponentKind::coil), {0.0, corner});
+  static_cast<void>(cross_section(sketch, plan, first_of(plan, ComponentKind::magnet), {next, corner}));
+  return sketch;
+}
+
+}  // namespace coilwright::exports

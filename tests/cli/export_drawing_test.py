@@ -1,0 +1,136 @@
+"""`coilwright export --as drawing`: both files show the actuator of the input file, by the arithmetic of this test alone."""
+
+import json
+import re
+import unittest
+import xml.etree.ElementTree
+
+from program import CONFIGS, ProgramTest, run
+
+FINGER = CONFIGS / "actuators" / "finger.json"
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def expected():
+    """Of the finger, mm: its file says what the coil measures."""
+    actuator = json.loads(FINGER.read_text())
+    body, magnet, measured = actuator["body"], actuator["magnet"], actuator["measured"]
+    coil_radius, coil_length = measured["coil_outer_radius_mm"], measured["coil_length_mm"]
+    widest = max(coil_radius, magnet["radius_mm"])
+    coil_pitch = coil_length + 2 * body["gap_mm"] / 3
+    magnet_pitch = magnet["length_mm"] + 4 * body["gap_mm"] / 3
+    joints = [body["rear_length_mm"] + coil_pitch, body["rear_length_mm"] + coil_pitch + magnet_pitch]
+    return {"length": joints[1] + coil_pitch + body["front_length_mm"],
+            "width": 2 * (widest + body["side_wall_mm"]),
+            "height": body["bottom_layer_mm"] + body["bottom_wall_mm"] + 2 * widest + body["top_wall_mm"],
+            "axis": measured["axis_offset_mm"] + body["bottom_layer_mm"] / 2,
+            "bottom": body["bottom_layer_mm"], "joints": joints, "coil_radius": coil_radius,
+            "bore": actuator["coil"]["inner_radius_mm"], "magnet_radius": magnet["radius_mm"],
+            "coil_length": coil_length, "magnet_length": magnet["length_mm"], "gap": body["gap_mm"]}
+
+
+def groups_of(text):
+    """A DXF file as (code, value)."""
+    lines = text.split("\n")
+    assert len(lines) % 2 == 1 and lines[-1] == ""
+    return [(int(lines[i]), lines[i + 1]) for i in range(0, len(lines) - 1, 2)]
+
+
+def entities_of(text):
+    """The entities as dictionaries of code to value."""
+    groups = groups_of(text)
+    first = groups.index((2, "ENTITIES"))
+    found = []
+    for code, value in groups[first + 1:]:
+        if code == 0 and value == "ENDSEC":
+            break
+        if code == 0:
+            found.append({0: value})
+        else:
+            found[-1][code] = value if code in (1, 8) else float(value)
+    return found
+
+
+class Drawing(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.export()
+
+    def export(self, *options):
+        result = run("export", FINGER, *options, "--as", "drawing", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.svg = xml.etree.ElementTree.fromstring((self.folder / "out" / "drawing.svg").read_text())
+        self.dxf = (self.folder / "out" / "drawing.dxf").read_text(encoding="ascii")
+
+    def assert_close(self, first, second):
+        self.assertEqual(len(first), len(second), (first, second))
+        for a, b in zip(first, second):
+            self.assertAlmostEqual(a, b, delta=1e-3)  # the calibrated coil's digits
+
+    def test_the_dxf_has_the_body_and_its_parts_in_mm(self):
+        want, entities = expected(), entities_of(self.dxf)
+        body = [e for e in entities if e[0] == "LINE" and e[8] == "BODY"]
+        self.assert_close((min(e[10] for e in body), min(e[20] for e in body if e[20] >= -1e-9),
+                           max(e[20] for e in body)), (0, 0, want["height"]))
+        # The longitudinal section is the first view, and the four sides of its body the first lines.
+        self.assert_close((body[0][11] - body[0][10], body[1][21] - body[1][20]), (want["length"], want["height"]))
+        slits = [e for e in entities if e[8] == "SLIT"]
+        self.assert_close([e[10] for e in slits], want["joints"])
+        for slit in slits:
+            self.assert_close(sorted((slit[20], slit[21])), (want["bottom"], want["height"]))
+        radii = sorted(e[40] for e in entities if e[0] == "CIRCLE")
+        self.assert_close(radii, sorted((want["bore"], want["coil_radius"], want["magnet_radius"])))
+
+    def test_both_files_give_the_same_numbers(self):
+        want = expected()
+        in_svg = sorted(e.text.replace("⌀", "%%c") for e in self.svg.iter(SVG + "text") if e.get("class") == "dimension")
+        in_dxf = sorted(e[1] for e in entities_of(self.dxf) if e[0] == "TEXT" and e[8] == "DIMENSION")
+        self.assertEqual(in_svg, in_dxf)
+        for number in (want["length"], want["width"], want["height"], want["axis"], want["bottom"], want["coil_length"],
+                       want["magnet_length"], want["gap"], want["joints"][0], want["height"] - want["bottom"]):
+            self.assertIn(f"{number:.2f}".rstrip("0").rstrip("."), in_dxf)
+        for radius in (want["bore"], want["coil_radius"], want["magnet_radius"]):
+            self.assertIn(f"%%c{2 * radius:g}", in_dxf)
+
+    def test_the_svg_is_to_scale_and_fits_on_a4(self):
+        want = expected()
+        width, height = (float(re.fullmatch(r"([\d.]+)mm", self.svg.get(name))[1]) for name in ("width", "height"))
+        self.assertLessEqual(width, 297 - 20)
+        self.assertLessEqual(height, 210 - 20)
+        _, _, inner_width, inner_height = map(float, self.svg.get("viewBox").split())
+        scale = width / inner_width
+        self.assertAlmostEqual(scale, height / inner_height, delta=1e-5 * scale)
+        self.assertAlmostEqual(scale, 2, delta=1e-4)
+        self.assertTrue(any(f"Scale {scale:.0f}:1" in (e.text or "") for e in self.svg.iter(SVG + "text")))
+        body = next(e for e in self.svg.iter(SVG + "rect") if e.get("class") == "body")
+        self.assert_close((float(body.get("width")), float(body.get("height"))), (want["length"], want["height"]))
+        circles = sorted(float(e.get("r")) for e in self.svg.iter(SVG + "circle"))
+        self.assert_close(circles, sorted((want["bore"], want["coil_radius"], want["magnet_radius"])))
+
+    def test_every_layer_line_type_and_style_is_in_its_table(self):
+        groups = groups_of(self.dxf)
+        layers = {groups[i + 1][1] for i, group in enumerate(groups) if group == (0, "LAYER")}
+        types = {groups[i + 1][1] for i, group in enumerate(groups) if group == (0, "LTYPE")}
+        self.assertEqual({e[8] for e in entities_of(self.dxf)} - layers, set())
+        self.assertEqual({value for code, value in groups if code == 6} - types, set())
+        self.assertIn((1, "AC1009"), groups)
+        self.assertEqual(groups[-1], (0, "EOF"))
+
+    def test_another_program_reads_the_dxf_without_complaint(self):
+        try:
+            import ezdxf
+        except ImportError:
+            self.skipTest("ezdxf is not installed")
+        document = ezdxf.readfile(self.folder / "out" / "drawing.dxf")
+        self.assertEqual(document.dxfversion, "AC1009")
+        self.assertEqual([str(error) for error in document.audit().errors], [])
+        self.assertEqual(len(document.modelspace()), len(entities_of(self.dxf)))
+
+    def test_a_large_actuator_is_drawn_smaller(self):
+        self.export("--set", "configuration=D", "--set", "rear_length_mm=300")
+        self.assertTrue(any("Scale 1:2" in (e.text or "") for e in self.svg.iter(SVG + "text")))
+        self.assertLessEqual(float(self.svg.get("width")[:-2]), 297 - 20)
+
+
+if __name__ == "__main__":
+    unittest.main()

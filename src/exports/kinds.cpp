@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "coilwright/exports/drawing.hpp"
+#include "coilwright/exports/mould.hpp"
 #include "coilwright/exports/workshop.hpp"
 
 namespace coilwright::exports {
@@ -26,6 +27,13 @@ constexpr std::array table = {
                .use = "Print drawing.svg as it is; drawing.dxf has the actuator at its own size, in mm.",
                .settings = {},
                .write_text = &drawing},
+    ExportKind{.name = "mould",
+               .gives = "parts, bobbin and casting mould as parametric OpenSCAD",
+               .use =
+                   "Render each part that its first lines name: openscad -D 'part=\"mould_lower\"' -o mould_lower.stl "
+                   "mould.scad. The numbers on top may be changed.",
+               .settings = {},
+               .write_text = &mould},
 };
 
 struct Writing {

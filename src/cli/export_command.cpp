@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <filesystem>
 #include <iostream>
@@ -18,6 +19,7 @@
 #include "actuator_input.hpp"
 #include "coilwright/exports/kinds.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
@@ -31,6 +33,10 @@ using exports::ExportedFile;
 using exports::ExportKind;
 using exports::ExportSetting;
 using text::InputError;
+
+// Bytes of what the files say about where they come from.
+constexpr std::size_t longest_name = 80;
+constexpr std::size_t longest_origin = 1000;
 
 struct Options {
   ActuatorOptions actuator;
@@ -81,7 +87,8 @@ exports::Subject subject_of(const Options& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   std::string made_by = fmt::format("coilwright {}: {}", COILWRIGHT_VERSION, options.actuator.file);
   for (const std::string& assignment : options.actuator.assignments) made_by += " --set " + assignment;
-  exports::Origin origin{.name = file.name, .made_by = std::move(made_by)};
+  exports::Origin origin{.name = text::one_line(file.name, longest_name),
+                         .made_by = text::one_line(made_by, longest_origin)};
   if (auto* model = std::get_if<actuator::Model>(&file.content))
     return exports::ModelSubject{.origin = std::move(origin), .model = std::move(*model)};
   auto& design = std::get<actuator::Design>(file.content);

@@ -19,7 +19,8 @@ table.long { break-inside: auto; }
 th, td { text-align: left; vertical-align: top; padding: 0.45mm 2mm; border-bottom: 0.2mm solid #b9c2cb; }
 th { background: #eef1f4; }
 th:first-child:not(.number) { min-width: 28mm; }
-.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
 li { margin: 1mm 0; break-inside: avoid; }
 figure { margin: 3mm 0; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }

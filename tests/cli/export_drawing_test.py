@@ -102,6 +102,7 @@ class Drawing(ProgramTest):
         self.assertAlmostEqual(scale, height / inner_height, delta=1e-5 * scale)
         self.assertAlmostEqual(scale, 2, delta=1e-4)
         self.assertTrue(any(f"Scale {scale:.0f}:1" in (e.text or "") for e in self.svg.iter(SVG + "text")))
+        self.assertNotIn("Scale", self.dxf)  # that is the size of the part
         body = next(e for e in self.svg.iter(SVG + "rect") if e.get("class") == "body")
         self.assert_close((float(body.get("width")), float(body.get("height"))), (want["length"], want["height"]))
         circles = sorted(float(e.get("r")) for e in self.svg.iter(SVG + "circle"))

@@ -1,5 +1,6 @@
 """`coilwright export`: what it writes and says, and every way to ask wrongly."""
 
+import json
 import unittest
 
 from program import CONFIGS, DATA, ProgramTest, run
@@ -28,6 +29,35 @@ class Export(ProgramTest):
     def test_a_setting_outside_its_bounds_is_refused(self):
         self.assert_refused(["export", str(FINGER), "--as", "workshop", "--out", "out", "--lead-mm", "-1"],
                             'export: --lead-mm: must be from 0 to 10000; got "-1" (see coilwright export --help)')
+
+    def test_a_setting_of_another_kind_is_refused(self):
+        self.assert_refused(["export", str(FINGER), "--as", "mould", "--out", "out", "--lead-mm", "100"],
+                            "--lead-mm: is no setting of mould")
+
+    def test_the_input_is_not_written_over(self):
+        self.write("winding.csv", FINGER.read_text())
+        self.assert_refused(["export", "winding.csv", "--as", "workshop", "--out", "."],
+                            "./winding.csv: cannot be written: it is an input of this command")
+
+    def test_the_silicone_s_parts_are_told_where_their_ratio_is(self):
+        run("export", FINGER, "--as", "workshop", "--out", "out", "--base-per-hardener", "9", cwd=self.folder)
+        page = (self.folder / "out" / "workshop.html").read_text()
+        batch = next(row for row in self.table("out/casting.csv") if row["what"] == "second dip")
+        mixed = float(batch["mixed_g"])
+        self.assertIn(f"<td class=\"number\">{0.9 * mixed:.2f}</td><td class=\"number\">{0.1 * mixed:.2f}</td>", page)
+
+    def test_a_name_cannot_become_code(self):
+        finger = json.loads(FINGER.read_text())
+        finger["name"] = 'x\n*/ cube(9); // <script>alert("é")</script>'
+        self.write("finger.json", json.dumps(finger))
+        for kind in ("workshop", "drawing", "mould"):
+            result = run("export", "finger.json", "--as", kind, "--out", "out", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertNotIn("<script", (self.folder / "out" / "workshop.html").read_text())
+        self.assertNotIn("<script", (self.folder / "out" / "drawing.svg").read_text())
+        self.assertTrue(all(ord(letter) < 128 for letter in (self.folder / "out" / "drawing.dxf").read_text()))
+        scad = (self.folder / "out" / "mould.scad").read_text().splitlines()
+        self.assertEqual([line[:2] for line in scad if "cube(9)" in line], ["//"])
 
     def test_an_actuator_that_cannot_be_built_is_refused(self):
         self.assert_refused(["export", str(FINGER), "--set", "gap_mm=1200", "--as", "workshop", "--out", "out"],

@@ -11,8 +11,8 @@ namespace coilwright::exports {
 
 /// Where an export comes from, as the exported files say it.
 struct Origin {
-  std::string name;     ///< of the actuator; may be empty
-  std::string made_by;  ///< one line: program, version, input file and what was changed of it; may be empty
+  std::string name;     ///< of the actuator, one line of UTF-8; may be empty
+  std::string made_by;  ///< one line of UTF-8: program, version, input file and what was changed of it; may be empty
 };
 
 /// An actuator whose geometry is known.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "coilwright/exports/drawing.hpp"
 #include "exports/drawing/dxf.hpp"
@@ -18,6 +19,12 @@ constexpr double letter_on_paper = 2.5e-3;
 // A4 across, less its margins and a line for the title.
 constexpr double sheet_width = 277e-3;
 constexpr double sheet_height = 180e-3;
+
+Sketch titled(Sketch sketch, std::string title) {
+  const Point corner = sketch.bounds().low;
+  sketch.text(Layer::note, {corner.x, corner.y - 2.0 * sketch.text_height()}, std::move(title));
+  return sketch;
+}
 
 }  // namespace
 
@@ -38,15 +45,15 @@ std::string scale_text(double scale) {
 }
 
 std::vector<ExportedFile> drawing(const DesignSubject& subject, const ExportSettings&) {
-  ScaledSketch scaled = drawing_on(body_plan(subject), sheet_width, sheet_height);
+  const ScaledSketch scaled = drawing_on(body_plan(subject), sheet_width, sheet_height);
   const std::string title = subject.origin.name.empty() ? "Actuator" : subject.origin.name;
-  const Bounds bounds = scaled.sketch.bounds();
-  scaled.sketch.text(Layer::note, {bounds.low.x, bounds.low.y - 2.0 * scaled.sketch.text_height()},
-                     fmt::format("{}. Scale {}, lengths in mm.", title, scale_text(scaled.scale)));
+  const std::string scale = scale_text(scaled.scale);
   const std::string description = fmt::format("Longitudinal section and cross-sections, lengths in mm, scale {}. {}",
-                                              scale_text(scaled.scale), subject.origin.made_by);
-  return {{.name = "drawing.svg", .text = svg_of(scaled.sketch, scaled.scale, {title, description})},
-          {.name = "drawing.dxf", .text = dxf_of(scaled.sketch)}};
+                                              scale, subject.origin.made_by);
+  return {{.name = "drawing.svg",
+           .text = svg_of(titled(scaled.sketch, fmt::format("{}. Scale {}, lengths in mm.", title, scale)),
+                          scaled.scale, {title, description})},
+          {.name = "drawing.dxf", .text = dxf_of(titled(scaled.sketch, fmt::format("{}. Lengths in mm.", title)))}};
 }
 
 }  // namespace coilwright::exports

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double letter_width = 0.8;
 constexpr double above_line = 0.35;
 constexpr double line_spacing = 1.4;
-constexpr double beside = 0.6;
+constexpr double number_padding = 0.4;
 constexpr double overhang = 0.5;
 constexpr double gap_at_edge = 0.3;
 constexpr double tick_size = 0.45;
@@ -25,6 +26,36 @@ constexpr double half_root = 0.70710678118654752;
 double letters(const std::string& text) {
   return static_cast<double>(std::ranges::count_if(text, [](char byte) { return (byte & 0xc0) != 0x80; }));
 }
+
+// Which places a row of numbers takes, on levels above each other; 0 is that of the numbers within their line.
+class Levels {
+ public:
+  explicit Levels(double padding) : padding_(padding) {}
+
+  void take(int level, const SketchText& text) {
+    if (static_cast<std::size_t>(level) >= taken_.size()) taken_.resize(static_cast<std::size_t>(level) + 1);
+    taken_[static_cast<std::size_t>(level)].push_back(place_of(text));
+  }
+  // From 1 on: a number beside its line.
+  [[nodiscard]] int first_free(const SketchText& text) const {
+    std::size_t level = 1;
+    while (level < taken_.size() && overlaps(level, place_of(text))) ++level;
+    return static_cast<int>(level);
+  }
+
+ private:
+  [[nodiscard]] Span place_of(const SketchText& text) const {
+    const double half = 0.5 * (width_of(text) + padding_);
+    return {text.at.x - half, text.at.x + half};
+  }
+  [[nodiscard]] bool overlaps(std::size_t level, const Span& place) const {
+    return std::ranges::any_of(taken_[level],
+                               [&](const Span& other) { return other.from < place.to && place.from < other.to; });
+  }
+
+  double padding_;
+  std::vector<std::vector<Span>> taken_;
+};
 
 }  // namespace
 
@@ -54,23 +85,46 @@ void Sketch::tick(Point at) {
 }
 
 void Sketch::horizontal_dimension(double x1, double x2, double edge, double row) {
+  const Span span{x1, x2};
+  horizontal_dimensions({&span, 1}, edge, row);
+}
+
+double Sketch::horizontal_dimensions(std::span<const Span> spans, double edge, double row) {
   const double out = row > edge ? 1.0 : -1.0;
-  for (const double x : {x1, x2}) {
-    line(Layer::dimension, {x, edge + out * gap_at_edge * text_height_}, {x, row + out * overhang * text_height_});
-    tick({x, row});
+  Levels levels(number_padding * text_height_);
+  std::vector<SketchText> narrow;
+  for (const Span& span : spans) {
+    for (const double x : {span.from, span.to}) {
+      line(Layer::dimension, {x, edge + out * gap_at_edge * text_height_}, {x, row + out * overhang * text_height_});
+      tick({x, row});
+    }
+    line(Layer::dimension, {span.from, row}, {span.to, row});
+    SketchText number{.layer = Layer::dimension,
+                      .at = {0.5 * (span.from + span.to), row + above_line * text_height_},
+                      .height = text_height_,
+                      .anchor = Anchor::middle,
+                      .upright = false,
+                      .text = length_text(span.to - span.from)};
+    if (width_of(number) > span.to - span.from) {
+      narrow.push_back(std::move(number));
+    } else {
+      levels.take(0, number);
+      texts_.push_back(std::move(number));
+    }
   }
-  line(Layer::dimension, {x1, row}, {x2, row});
-  SketchText number{.layer = Layer::dimension,
-                    .at = {0.5 * (x1 + x2), row + above_line * text_height_},
-                    .height = text_height_,
-                    .anchor = Anchor::middle,
-                    .upright = false,
-                    .text = length_text(std::abs(x2 - x1))};
-  if (width_of(number) > std::abs(x2 - x1)) {
-    number.at.x = std::max(x1, x2) + beside * text_height_;
-    number.anchor = Anchor::start;
+  double end = row + (out > 0.0 ? (above_line + 1.0) * text_height_ : 0.0);
+  for (SketchText& number : narrow) {
+    const int level = levels.first_free(number);
+    levels.take(level, number);
+    const double first = out > 0.0 ? above_line + line_spacing : overhang + above_line;
+    const double distance = (first + (level - 1) * line_spacing) * text_height_;
+    number.at.y = row + (out > 0.0 ? distance : -distance - text_height_);
+    line(Layer::dimension, {number.at.x, row}, {number.at.x, row + out * (distance - 0.5 * above_line * text_height_)});
+    const double outer = out > 0.0 ? number.at.y + text_height_ : number.at.y;
+    end = out > 0.0 ? std::max(end, outer) : std::min(end, outer);
+    texts_.push_back(std::move(number));
   }
-  texts_.push_back(std::move(number));
+  return end;
 }
 
 void Sketch::vertical_dimension(double y1, double y2, double edge, double row) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,12 @@ struct Bounds {
   Point high;
 };
 
+/// From one place to another one, m.
+struct Span {
+  double from{};
+  double to{};
+};
+
 /// A drawing by its parts, which an SVG and a DXF writer write alike. Lengths in m, true to the part; only letters and
 /// arrows have the size that they need on paper.
 class Sketch {
@@ -62,9 +69,12 @@ class Sketch {
   void rectangle(Layer layer, Point low, Point high) { rectangles_.push_back({layer, low, high}); }
   void text(Layer layer, Point at, std::string text, Anchor anchor = Anchor::start, double times_height = 1.0);
 
-  /// What is between two places as a number in mm, on a line at height `row`, with lines out to it from `edge`. A
-  /// number that is too wide for its place stands to the right of it.
+  /// What is between two places as a number in mm, on a line at height `row`, with lines out to it from `edge`.
   void horizontal_dimension(double x1, double x2, double edge, double row);
+  /// The same for each of `spans`, all on one line. Numbers that are too wide for their place stand further out, on as
+  /// many levels as it takes to keep them apart, with a line to them. Returns the height at which the outermost one
+  /// ends.
+  double horizontal_dimensions(std::span<const Span> spans, double edge, double row);
   /// The same for heights, on a line at x = `row`; what is too wide stands a line further out.
   void vertical_dimension(double y1, double y2, double edge, double row);
   /// The diameter of a circle in mm, at x = `row` to the right of it, with a line to it.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace coilwright::exports {
 namespace {
@@ -50,32 +52,37 @@ void longitudinal_section(Sketch& sketch, const BodyPlan& plan) {
       magnet_in_section(sketch, plan, part);
     else
       coil_in_section(sketch, plan, part);
-    sketch.text(Layer::note, {part.centre, plan.axis_height - 1.7 * unit}, fmt::format("{}", ++number), Anchor::middle);
+    sketch.text(Layer::note, {part.centre, plan.axis_height - 1.7 * unit}, fmt::format("{}", ++number), Anchor::middle,
+                std::min(1.0, 0.5 * part.length / unit));
   }
   for (const double joint : plan.joints) sketch.line(Layer::slit, {joint, plan.bottom_layer}, {joint, plan.height});
   sketch.line(Layer::axis, {-unit, plan.axis_height}, {plan.length + unit, plan.axis_height});
   sketch.line(Layer::axis, {-unit, plan.hinge_height}, {plan.length + unit, plan.hinge_height});
 }
 
-// Above: faces of the parts, then all. Below: what is between the parts, then the places of the slits.
-void lengths(Sketch& sketch, const BodyPlan& plan) {
+// Above: faces of the parts, then all. Below: the places of the slits, then what is between the parts, once where it is
+// the same. Returns the height at which the lowest one ends.
+double lengths(Sketch& sketch, const BodyPlan& plan) {
   const double unit = sketch.text_height();
   const auto front_face = [](const PlacedPart& part) { return part.centre + 0.5 * part.length; };
   const auto rear_face = [](const PlacedPart& part) { return part.centre - 0.5 * part.length; };
-  const double above = plan.height + first_row * unit;
-  sketch.horizontal_dimension(0.0, rear_face(plan.parts.front()), plan.height, above);
-  for (const PlacedPart& part : plan.parts)
-    sketch.horizontal_dimension(rear_face(part), front_face(part), plan.height, above);
-  sketch.horizontal_dimension(front_face(plan.parts.back()), plan.length, plan.height, above);
-  sketch.horizontal_dimension(0.0, plan.length, plan.height, above + next_row * unit);
-  const double below = -first_row * unit;
-  double last = 0.0;
+  std::vector<Span> faces{{0.0, rear_face(plan.parts.front())}};
+  for (const PlacedPart& part : plan.parts) faces.push_back({rear_face(part), front_face(part)});
+  faces.push_back({front_face(plan.parts.back()), plan.length});
+  const double above = sketch.horizontal_dimensions(faces, plan.height, plan.height + first_row * unit);
+  sketch.horizontal_dimension(0.0, plan.length, plan.height, above + 2.0 * unit);
+
+  std::vector<Span> gaps;
+  std::vector<Span> segments;
+  std::set<std::string> shown;
   for (std::size_t joint = 0; joint < plan.joints.size(); ++joint) {
-    sketch.horizontal_dimension(front_face(plan.parts[joint]), rear_face(plan.parts[joint + 1]), 0.0, below);
-    sketch.horizontal_dimension(last, plan.joints[joint], 0.0, below - next_row * unit);
-    last = plan.joints[joint];
+    const Span gap{front_face(plan.parts[joint]), rear_face(plan.parts[joint + 1])};
+    if (shown.insert(length_text(gap.to - gap.from)).second) gaps.push_back(gap);
+    segments.push_back({joint == 0 ? 0.0 : plan.joints[joint - 1], plan.joints[joint]});
   }
-  sketch.horizontal_dimension(last, plan.length, 0.0, below - next_row * unit);
+  segments.push_back({plan.joints.back(), plan.length});
+  const double below = sketch.horizontal_dimensions(segments, 0.0, -first_row * unit);
+  return sketch.horizontal_dimensions(gaps, 0.0, below - 2.5 * unit);
 }
 
 void heights(Sketch& sketch, const BodyPlan& plan) {
@@ -122,10 +129,9 @@ const PlacedPart& first_of(const BodyPlan& plan, ComponentKind kind) {
 Sketch sketch_of(const BodyPlan& plan, double text_height) {
   Sketch sketch(text_height);
   longitudinal_section(sketch, plan);
-  lengths(sketch, plan);
   heights(sketch, plan);
-  const double below = -(first_row + next_row + 3.0) * text_height;
-  sketch.text(Layer::note, {0.0, below}, "rear end, held by the base");
+  const double below = lengths(sketch, plan) - 2.5 * text_height;
+  sketch.text(Layer::note, {0.0, below}, "rear end");
   sketch.text(Layer::note, {plan.length, below}, "tip", Anchor::end);
   const double corner = below - 2.0 * text_height - plan.height;
   const double next = cross_section(sketch, plan, first_of(plan, ComponentKind::coil), {0.0, corner});

@@ -41,7 +41,7 @@ PartRow row_of(const PlacedPart& part, int number) {
 }
 
 std::string_view effect_at(const actuator::Component& near, const actuator::Component& far) {
-  if (near.kind == far.kind) return "nothing";
+  if (near.kind == far.kind) return "nearly nothing";
   return near.polarity * far.polarity > 0 ? "pushes apart" : "pulls together";
 }
 
@@ -68,8 +68,9 @@ std::vector<std::string> steps_of(const DesignSubject& subject, const Cast& cast
                   "clockwise from its start at the bore. Mark the start. Fix the turns, take the bobbin out, and "
                   "compare the resistance with the sheet.",
                   winding.coils, winding.coils == 1 ? "" : "s"),
-      "Find the north face of each magnet with a compass (the end of the needle that points north turns away from it) "
-      "and mark it.",
+      std::string(
+          "Find the north face of each magnet with a compass (the end of the needle that points north turns away "
+          "from it) and mark it."),
       "Mix and de-air the first batch. Pour the main body into the mould.",
       fmt::format(
           "Dip all coils and magnets whole into what is left of it, once. One dip must leave a wall of {:.3g} mm "
@@ -114,7 +115,7 @@ std::vector<std::string> checks_of(const AssemblyOrder& order, const WindingShee
       "draws the end of the needle that points north. If it does not, the coil is wound the other way round: mark the "
       "other face instead."};
   for (const JointRow& joint : order.joints)
-    if (joint.effect != "nothing")
+    if (joint.effect != "nearly nothing")
       checks.push_back(
           fmt::format("Before bonding, joint {}. Hold the two parts in front of each other as they will lie, "
                       "with the cell's plus pole at the coil's positive lead: the current {}.",

@@ -27,7 +27,7 @@ struct JointRow {
   int number{};             ///< 1 is the base's
   double place{};           ///< of its slit, from the rear end of the body, m
   double gap{};             ///< silicone between the two parts, m
-  std::string_view effect;  ///< "pushes apart", "pulls together" or "nothing" (two coils)
+  std::string_view effect;  ///< "pushes apart", "pulls together" or "nearly nothing" (two coils)
 };
 
 /// The actuator as it is put together.

@@ -26,7 +26,7 @@ std::vector<BillRow> bill_of_materials(const DesignSubject& subject, const Expor
   const actuator::Cost cost = actuator::cost_of(subject.design, subject.assembly);
   const actuator::BodyDesign& body = subject.design.body;
   return {
-      {.item = "magnet wire",
+      {.item = "coils, of magnet wire",
        .specification =
            fmt::format("enamelled copper, AWG {} ({:.4g} mm bare), single build, enamel for {:.4g} degC or more",
                        winding.wire_gauge, 1e3 * winding.bare_diameter, subject.design.surroundings.coil_limit),

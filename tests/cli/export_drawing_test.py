@@ -127,6 +127,23 @@ class Drawing(ProgramTest):
         self.assertEqual([str(error) for error in document.audit().errors], [])
         self.assertEqual(len(document.modelspace()), len(entities_of(self.dxf)))
 
+    def test_numbers_do_not_stand_on_each_other(self):
+        for options in ((), ("configuration=D",), ("configuration=C", "turns_axial=3", "magnet_length_mm=1.5")):
+            self.export(*(word for option in options for word in ("--set", option)))
+            boxes = []
+            for text in self.svg.iter(SVG + "text"):
+                if text.get("class") != "dimension" or text.get("transform") is not None:
+                    continue
+                size, x, y = (float(text.get(name)) for name in ("font-size", "x", "y"))
+                width = 0.6 * size * len(text.text)  # a digit of a sans-serif font
+                left = x - (width / 2 if text.get("text-anchor") == "middle" else 0)
+                boxes.append((left, left + width, y - 0.72 * size, y, text.text))
+            self.assertGreater(len(boxes), 8)
+            for i, a in enumerate(boxes):
+                for b in boxes[:i]:
+                    apart = a[0] >= b[1] or b[0] >= a[1] or a[2] >= b[3] or b[2] >= a[3]
+                    self.assertTrue(apart, (options, a, b))
+
     def test_a_large_actuator_is_drawn_smaller(self):
         self.export("--set", "configuration=D", "--set", "rear_length_mm=300")
         self.assertTrue(any("Scale 1:2" in (e.text or "") for e in self.svg.iter(SVG + "text")))

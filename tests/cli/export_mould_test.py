@@ -7,7 +7,6 @@ Ends with 77, which ctest shows as skipped, where openscad is not installed.
 import collections
 import json
 import math
-import pathlib
 import re
 import shutil
 import subprocess

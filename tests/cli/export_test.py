@@ -1,6 +1,8 @@
 """`coilwright export`: what it writes and says, and every way to ask wrongly."""
 
+import html.parser
 import json
+import math
 import unittest
 
 from program import CONFIGS, DATA, ProgramTest, run
@@ -45,6 +47,36 @@ class Export(ProgramTest):
         batch = next(row for row in self.table("out/casting.csv") if row["what"] == "second dip")
         mixed = float(batch["mixed_g"])
         self.assertIn(f"<td class=\"number\">{0.9 * mixed:.2f}</td><td class=\"number\">{0.1 * mixed:.2f}</td>", page)
+
+    def test_the_sheets_weigh_and_cost_what_evaluate_says(self):
+        """Another route: the masses by which the actuator moves, and the cost that studies search for."""
+        self.write("finger.json", '{"format": "actuator/1", "configuration": "C", "magnet": {"radius_mm": 8.5}, '
+                                  '"coil": {"turns_radial": 12}}')
+        run("export", "finger.json", "--as", "workshop", "--out", "out", cwd=self.folder)
+        result = json.loads(run("evaluate", "finger.json", "--current", "1", "--json", cwd=self.folder).stdout)
+        silicone = sum(float(row["in_actuator_cm3"]) for row in self.table("out/casting.csv")
+                       if row["what"].startswith("segment")) * 1.13
+        winding = {row["quantity"]: float(row["value"]) for row in self.table("out/winding.csv")}
+        copper = winding["coils"] * winding["copper_mass_g"]
+        magnets = 2 * math.pi * 0.85 ** 2 * 0.6 * 7.5
+        self.assertAlmostEqual(silicone + copper + magnets, result["mass_g"], delta=1e-4 * result["mass_g"])  # six digits
+        prices = {row["item"]: float(row["price_USD"]) for row in self.table("out/materials.csv")}
+        self.assertAlmostEqual(sum(prices.values()) - prices["driver and supply"], result["cost_USD"], delta=1e-3)
+
+    def test_every_element_of_the_page_is_closed(self):
+        run("export", FINGER, "--as", "workshop", "--out", "out", cwd=self.folder)
+        open_elements = []
+
+        class Reader(html.parser.HTMLParser):
+            def handle_starttag(self, tag, _):
+                if tag not in ("meta", "br"):
+                    open_elements.append(tag)
+
+            def handle_endtag(self, tag):
+                assert open_elements.pop() == tag, tag
+
+        Reader().feed((self.folder / "out" / "workshop.html").read_text())
+        self.assertEqual(open_elements, [])
 
     def test_a_name_cannot_become_code(self):
         finger = json.loads(FINGER.read_text())

@@ -8,8 +8,9 @@ struct BareDiameters {
   double largest{};
 };
 
-/// Limits of NEMA MW 1000 for the bare diameter of a gauge: 1 % either way of AWG 20 and 28, 3 % of AWG 40. The diameter
-/// of ASTM B258 (WireGauge::bare_diameter) lies between them. Throws std::invalid_argument unless thickest_gauge <= awg
+/// Limits of NEMA MW 1000 for the bare diameter of a gauge: 1 % either way of AWG 20 and 28, 3 % of AWG 40. The
+/// diameter of ASTM B258 (WireGauge::bare_diameter) lies between them. Throws std::invalid_argument unless
+/// thickest_gauge <= awg
 /// <= thinnest_gauge.
 [[nodiscard]] BareDiameters bare_diameters(int awg);
 

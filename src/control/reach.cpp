@@ -159,7 +159,7 @@ Reach reach(const Model& model, const ReachTask& task) {
             .duration = std::max(duration_for(models, task, current), 4.0 / mode.natural_frequency),
             .profiles = {}};
   const auto add = [&](std::string name, const CurrentProfile& profile) {
-    const std::vector<Arrival> of_fingers = arrivals(models, profile, out.duration);
+    std::vector<Arrival> of_fingers = arrivals(models, profile, out.duration);
     out.profiles.push_back(quality(std::move(name), profile, of_fingers));
     return of_fingers;
   };

@@ -14,23 +14,25 @@ namespace {
 
 constexpr int first_intervals = 12;
 constexpr int max_intervals = 96;
+constexpr int whole_turn = 2 * max_intervals;
 /// Series with a decay below this share of what the next doubling needs are doubled all the same: halving costs more.
 constexpr double nearly = 10.0;
 
 /// cos(pi m / max_intervals) for a whole turn, symmetric to the bit; every smaller number of intervals divides it.
-const std::array<double, 2 * max_intervals>& cosines() {
+const std::array<double, whole_turn>& cosines() {
   static const auto table = [] {
-    std::array<double, 2 * max_intervals> cosine;
+    std::array<double, whole_turn> cosine;
     for (int m = 0; m <= max_intervals; ++m)
       cosine[m] = std::sin(0.5 * std::numbers::pi * (max_intervals - 2 * m) / max_intervals);
-    for (int m = max_intervals + 1; m < 2 * max_intervals; ++m) cosine[m] = cosine[2 * max_intervals - m];
+    for (int m = max_intervals + 1; m < whole_turn; ++m) cosine[m] = cosine[whole_turn - m];
     return cosine;
   }();
   return table;
 }
 
 double chebyshev_point(int j, int n) {
-  return cosines()[static_cast<std::size_t>(j * (max_intervals / n))];
+  const int m = j * (max_intervals / n);
+  return cosines()[static_cast<std::size_t>(m)];
 }
 
 /// A panel that needed this many is next to a singularity; its decay may mislead.
@@ -216,7 +218,7 @@ double Curve::refine(const BatchFunction& function, double tolerance, Panel& pan
     function({points.data(), static_cast<std::size_t>(count)}, {fresh.data(), static_cast<std::size_t>(count)});
     evaluations_ += count;
     if (!first)
-      for (int j = n / 2; j >= 0; --j) values[2 * j] = values[j];
+      for (int from = n / 2, to = n; from >= 0; --from, to -= 2) values[to] = values[from];
     for (int i = 0, j = first ? 0 : 1; i < count; ++i, j += first ? 1 : 2) {
       if (!std::isfinite(fresh[i]))
         throw std::invalid_argument(fmt::format("curve function must be finite; got {} at {}", fresh[i], points[i]));

@@ -84,7 +84,8 @@ Eigen::Matrix3d energy_curvature(const DistantPair& pair, const Eigen::Vector2d&
 }
 
 const LinkFrame& frame_of(const mechanics::LinkFrames& frames, int link) {
-  return frames[static_cast<std::size_t>(link + 1)];
+  const int index = link + 1;  // the base comes first
+  return frames[static_cast<std::size_t>(index)];
 }
 
 // Where the bodies of a pair are: their links, the centre of the second, and the way to it from the first.

@@ -31,7 +31,6 @@ constexpr double absolute_zero = -273.15;  // degC
 constexpr double softest_shore = 20.0;
 constexpr double hardest_shore = 80.0;
 
-using actuator::Component;
 using actuator::ComponentKind;
 using actuator::Design;
 

@@ -15,7 +15,6 @@ namespace {
 using namespace text;
 using actuator::Design;
 using actuator::Hinge;
-using actuator::Measured;
 using actuator::ModelSpec;
 using actuator::Parameter;
 using measurement::replay::DesignParameter;

@@ -20,7 +20,6 @@ namespace {
 using namespace text;
 using actuator::Hinge;
 using actuator::LumpedModel;
-using measurement::replay::CalibratableNumber;
 using measurement::replay::CalibrationParameter;
 using measurement::replay::GravityNumber;
 using measurement::replay::LumpedNumber;

@@ -36,7 +36,7 @@ void refuse_without_block(const Node& node, const std::string& name) {
 }
 
 ResultQuantity read_expression(const Node& node, ObjectReader& in, const QuantityTable& quantities) {
-  const std::string text = node.text();
+  const std::string& text = node.text();
   Expression expression{.text = text, .name = {}, .unit = {}};
   try {
     // First the expression alone: that its name is missing says nothing to a person who misspelt a quantity.
@@ -64,7 +64,7 @@ void add_once(QuantityTable& table, const ResultQuantity& quantity) {
 // A quantity by its name, or an expression of quantities, which comes with a name and a unit of its own. Results list
 // it.
 ResultQuantity read_quantity(const Node& node, ObjectReader& in, StudyQuantities& quantities) {
-  const std::string text = node.text();
+  const std::string& text = node.text();
   if (const ResultQuantity* found = quantities.known.find(text)) {
     ResultQuantity quantity = *found;
     add_once(quantities.listed, quantity);

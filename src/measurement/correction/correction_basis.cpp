@@ -77,7 +77,7 @@ Eigen::MatrixXd covariance(const CorrectionShape::Variable& variable) {
 }
 
 Eigen::MatrixXd covariance(const CorrectionShape& shape) {
-  const Eigen::MatrixXd first = covariance(shape.variables[0]);
+  Eigen::MatrixXd first = covariance(shape.variables[0]);
   if (shape.variables.size() == 1) return first;
   const Eigen::MatrixXd second = covariance(shape.variables[1]);
   const Eigen::Index n = second.rows();

@@ -14,7 +14,6 @@
 namespace coilwright::measurement::correction {
 namespace {
 
-using actuator::CorrectionVariable;
 using compare::FittedHypothesis;
 
 // Of runs left out in turn, the mean share of the squared residual above the noise that a correction must take away
@@ -32,7 +31,7 @@ constexpr fit::FitEffort effort{.iterations = 8, .tolerance = 5e-3};
 
 // The angle alone finely, for torques that alternate over it; pairs of variables more coarsely.
 std::vector<CorrectionShape> shapes(bool has_coils) {
-  using enum CorrectionVariable;
+  using enum actuator::CorrectionVariable;
   std::vector<CorrectionShape> out{
       {.variables = {{angle, 25, 0.06}}, .most_directions = 18},
       {.variables = {{angle, 9, 0.2}, {rate, 7, 0.25}}, .most_directions = 16},

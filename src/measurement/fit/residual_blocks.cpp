@@ -24,8 +24,9 @@ constexpr double parameter_step = 1e-4;
 constexpr double initial_state_step = 1e-5;
 // The same for a number that has a tolerance, as a fraction of it.
 constexpr double tolerance_step = 0.01;
-// The step in another local number, as a fraction of its prior deviation.
-constexpr double local_step = 1e-3;
+// The step in another local number, as a fraction of its prior deviation; of half of the way between two samples for
+// the place of an edge.
+constexpr double local_number_step = 1e-3;
 
 // The residuals of a window, followed by those of the prior of its local numbers.
 Eigen::VectorXd with_prior(const ResidualBlock& block, const replay::PreparedRun& prepared, replay::SampleRange range,
@@ -37,6 +38,24 @@ Eigen::VectorXd with_prior(const ResidualBlock& block, const replay::PreparedRun
     out[predicted.size() + static_cast<Eigen::Index>(i)] =
         (block.numbers.mean()[i] - local[i]) / block.numbers.sigma()[i];
   return out;
+}
+
+// How far a local number is displaced for its derivative, and what the slope there is over that of the chord.
+struct LocalStep {
+  double number{};
+  double slope_over_chord = 1.0;
+};
+
+LocalStep local_step(const ResidualBlock& block, const replay::Window& window, std::size_t i) {
+  if (block.numbers.is_state(i)) return {.number = initial_state_step * std::max(1.0, std::abs(block.local[i]))};
+  const std::optional<std::size_t> place = block.numbers.edge_of(i);
+  if (!place) return {.number = local_number_step * block.numbers.sigma()[i]};
+  // Near a sample a number hardly moves its edge: the step is one in time, towards the middle.
+  const replay::InputEdge& edge = window.edges[*place];
+  const double shift = edge.shift(block.local[i]);
+  const double step = std::copysign(local_number_step * edge.half_width, -shift);
+  const double number = edge.number(shift + step) - block.local[i];
+  return {.number = number, .slope_over_chord = edge.slope(block.local[i]) * number / step};
 }
 
 }  // namespace
@@ -289,16 +308,22 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
     const replay::Window& window = prepared.windows[block.window];
     const Model& model = models.on(rig_of_run_[block.run]);
     const std::size_t in_run = b - first_block_[block.run];
+    const Eigen::Index samples = block.samples();
     for (std::size_t i = 0; i < block.local.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
+      const std::optional<std::size_t> edge = block.numbers.edge_of(i);
       if (request_.derivatives_from != nullptr && block.numbers.moves(i)) {
         out.local_jacobian.col(column) = request_.derivatives_from->local_columns[b].col(column);
+        if (edge) {
+          const replay::InputEdge& known = window.edges[*edge];
+          const double there = request_.derivatives_from->runs[block.run].local_numbers[block.window][i];
+          out.local_jacobian.col(column).head(samples) *= known.slope(block.local[i]) / known.slope(there);
+        }
         continue;
       }
+      const LocalStep step = local_step(block, window, i);
       std::vector<double> displaced(block.local.begin(), block.local.end());
-      const double step = block.numbers.is_state(i) ? initial_state_step * std::max(1.0, std::abs(displaced[i]))
-                                                    : local_step * block.numbers.sigma()[i];
-      displaced[i] += step;
+      displaced[i] += step.number;
       const replay::LocalValues there{.numbers = &block.numbers, .values = displaced};
       std::optional<Trajectory> moved;
       if (block.numbers.moves(i)) {
@@ -311,7 +336,8 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
       const Trajectory& motion = moved ? *moved : runs[block.run].trajectories[in_run];
       const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, motion, there);
       out.local_jacobian.col(column) =
-          (with_prior(block, prepared, window.range, predicted, displaced) - out.residuals) / step;
+          (with_prior(block, prepared, window.range, predicted, displaced) - out.residuals) / step.number;
+      out.local_jacobian.col(column).head(samples) *= step.slope_over_chord;
     }
   });
   return std::ranges::count(simulated, 0) == 0;

@@ -6,8 +6,6 @@
 namespace coilwright::measurement::replay {
 namespace {
 
-// An edge lies anywhere between two samples: the standard deviation of an even distribution over them.
-const double even_over_half_width = 1.0 / std::sqrt(3.0);
 // The hum of a run may be a few times that of the record in which nothing moved.
 constexpr double line_freedom = 3.0;
 
@@ -34,7 +32,7 @@ LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
   }
   first_edge_ = size();
   edges_ = window.edges.size();
-  for (const InputEdge& edge : window.edges) add(0.0, even_over_half_width * edge.half_width);
+  for (std::size_t i = 0; i < edges_; ++i) add(0.0, 1.0);
   has_bend_ = !window.bend.times.empty();
   if (has_bend_) {
     // A logger that says `linear` knows as little of what is between its samples as another one.
@@ -69,8 +67,13 @@ simulation::State LocalNumbers::initial_state(std::span<const double> values,
           .internal = internal};
 }
 
-std::span<const double> LocalNumbers::edge_shifts(std::span<const double> values) const {
+std::span<const double> LocalNumbers::edge_numbers(std::span<const double> values) const {
   return values.subspan(first_edge_, edges_);
+}
+
+std::optional<std::size_t> LocalNumbers::edge_of(std::size_t i) const {
+  if (i < first_edge_ || i >= first_edge_ + edges_) return std::nullopt;
+  return i - first_edge_;
 }
 
 double LocalNumbers::bend(std::span<const double> values) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,8 +35,10 @@ class LocalNumbers {
   [[nodiscard]] double bend(std::span<const double> values) const;
   /// The errors of the window's input, each over its standard deviation.
   [[nodiscard]] std::span<const double> input_errors(std::span<const double> values) const;
-  /// How much later than in the middle each edge of the window's input lies, s.
-  [[nodiscard]] std::span<const double> edge_shifts(std::span<const double> values) const;
+  /// Where each edge of the window's input lies: numbers of InputEdge::shift().
+  [[nodiscard]] std::span<const double> edge_numbers(std::span<const double> values) const;
+  /// Which edge of the window number `i` places, if it is one of those.
+  [[nodiscard]] std::optional<std::size_t> edge_of(std::size_t i) const;
   [[nodiscard]] double clock_offset(std::span<const double> values) const;  ///< s
   [[nodiscard]] double clock_rate(std::span<const double> values) const;
   /// Four amplitudes a line and angle channel: cosine, sine, and both growing over the window; rad.

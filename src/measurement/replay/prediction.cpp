@@ -205,7 +205,7 @@ std::optional<Trajectory> simulate_window(const Model& model, const Window& wind
                                           const actuator::InternalStates& internal) {
   const bool as_planned = window.edges.empty() && window.bend.times.empty() && window.errors.empty();
   const ModelInput driven = as_planned ? ModelInput{}
-                                       : as_driven(window, {.shifts = local.numbers->edge_shifts(local.values),
+                                       : as_driven(window, {.edges = local.numbers->edge_numbers(local.values),
                                                             .bend = local.numbers->bend(local.values),
                                                             .errors = local.numbers->input_errors(local.values)});
   const ModelInput& input = as_planned ? window.input : driven;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -27,10 +28,22 @@ struct InitialStatePrior {
   simulation::State sigma{};
 };
 
-/// An edge of the input whose place between two samples is unknown.
+/// An edge of the input whose place between two samples is unknown. A number without bounds says where it is: it is
+/// about as likely everywhere between them (within a factor of two over nine tenths of the way) if that number has the
+/// standard normal distribution, and a fit meets no wall at the samples.
 struct InputEdge {
   std::size_t row{};    ///< of the window's input, which begins in the middle between the two samples
   double half_width{};  ///< s, half the distance of the two samples
+
+  /// How much later than in the middle it lies, s: 0 at 0, never as much as half_width.
+  [[nodiscard]] double shift(double number) const { return half_width * number / std::sqrt(1.0 + number * number); }
+  /// The slope of shift(), s; > 0.
+  [[nodiscard]] double slope(double number) const { return half_width * std::pow(1.0 + number * number, -1.5); }
+  /// The number of a shift; its size is below half_width.
+  [[nodiscard]] double number(double shift) const {
+    const double share = shift / half_width;
+    return share / std::sqrt(1.0 - share * share);
+  }
 };
 
 /// What noise may have left in rows of a window's input, one standard deviation of it.

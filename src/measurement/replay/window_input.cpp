@@ -307,8 +307,7 @@ ModelInput as_driven(const Window& window, const InputChange& change) {
   for (std::size_t e = 0; e < window.edges.size(); ++e) {
     const InputEdge& edge = window.edges[e];
     const double middle = window.input.times[edge.row];
-    constexpr double furthest = 0.98;  // of the way to the sample
-    const double shift = std::clamp(change.shifts[e], -furthest * edge.half_width, furthest * edge.half_width);
+    const double shift = edge.shift(change.edges[e]);
     // The rows between the two samples stretch on one side of the edge and close up on the other.
     const auto moved = [&](double time) { return time + shift * (1.0 - std::abs(time - middle) / edge.half_width); };
     out.times[edge.row] = middle + shift;

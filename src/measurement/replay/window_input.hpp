@@ -15,7 +15,7 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
 
 /// How the input of a window differs from what was planned for it.
 struct InputChange {
-  std::span<const double> shifts{};  ///< of its edges, s; beyond the two samples of an edge, it ends there
+  std::span<const double> edges{};   ///< where they lie: numbers of InputEdge::shift()
   double bend{};                     ///< how much of its bend it has
   std::span<const double> errors{};  ///< of its errors, each over one standard deviation
 };

@@ -60,8 +60,8 @@ TEST(WindowInput, HasEdgesThatLieAnywhereBetweenTwoSamples) {
     // The samples at 0.49 s and 0.5 s differ.
     EXPECT_NEAR(window.input.times[window.edges[e].row], 0.5 * static_cast<double>(e + 1) - 0.5 * interval, 1e-9);
   }
-  const std::vector<double> shifts{0.003, -1.0};
-  const simulation::ModelInput moved = as_driven(window, {.shifts = shifts});
+  const std::vector<double> numbers{window.edges[0].number(0.003), -20.0};
+  const simulation::ModelInput moved = as_driven(window, {.edges = numbers});
   EXPECT_EQ(force_in(moved, 0.4979), force_at(49));
   EXPECT_EQ(force_in(moved, 0.4981), force_at(50));
   // Never beyond the sample that it precedes.

@@ -64,8 +64,31 @@ FittedLine without_line(const Series& values, double frequency) {
   return out;
 }
 
+// What a periodogram has at ordinate `at` without a line there, by a power law through its surroundings. The logarithm
+// of an exponential distribution lies Euler's constant below that of its mean, and a line among them hardly moves it.
+double surroundings_of(const std::vector<double>& power, std::size_t at, std::size_t reach, std::size_t gap,
+                       std::size_t last) {
+  const std::size_t from = at > reach ? at - reach : 1;
+  const std::size_t to = std::min(at + reach, last);
+  const double centre = std::log(static_cast<double>(at));
+  double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (std::size_t i = from; i <= to; ++i) {
+    if (i + gap >= at && i <= at + gap) continue;
+    const double place = std::log(static_cast<double>(i)) - centre;
+    const double value = std::log(std::max(power[i], 1e-300));
+    count += 1.0;
+    x += place;
+    y += value;
+    xx += place * place;
+    xy += place * value;
+  }
+  const double determinant = count * xx - x * x;
+  if (determinant <= 0.0) return 0.0;
+  return std::exp((xx * y - x * xy) / determinant + std::numbers::egamma);
+}
+
 // The strongest line that stands out of its surroundings, cycles per sample. The surroundings are a third of the
-// frequency to both sides, at least 24 ordinates; their median over ln 2 is the mean of an exponential distribution.
+// frequency to both sides, at least 24 ordinates.
 std::optional<double> strongest_line(const Series& values) {
   const Periodogram spectrum = periodogram(values);
   const std::size_t per_ordinate = std::max<std::size_t>(1, spectrum.size / values.size());
@@ -78,16 +101,10 @@ std::optional<double> strongest_line(const Series& values) {
   std::optional<std::size_t> found;
   for (std::size_t k = first; k + first < last; ++k) {
     const std::size_t reach = std::max<std::size_t>(k / 3, 24 * per_ordinate);
-    const std::size_t from = k > reach ? k - reach : 1;
-    const std::size_t to = std::min(k + reach, last - 1);
     if (spectrum.power[k] < spectrum.power[k - 1] || spectrum.power[k] < spectrum.power[k + 1]) continue;
-    Series around;
-    for (std::size_t i = from; i <= to; ++i)
-      if (i + 2 * per_ordinate < k || i > k + 2 * per_ordinate) around.push_back(spectrum.power[i]);
-    if (around.empty()) continue;
-    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-    std::nth_element(around.begin(), middle, around.end());
-    const double excess = spectrum.power[k] / (*middle / std::numbers::ln2 * limit);
+    const double around = surroundings_of(spectrum.power, k, reach, 2 * per_ordinate, last - 1);
+    if (around <= 0.0) continue;
+    const double excess = spectrum.power[k] / (around * limit);
     if (excess > best) {
       best = excess;
       found = k;

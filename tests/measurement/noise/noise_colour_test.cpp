@@ -63,6 +63,23 @@ TEST(NoiseColour, CallsWhiteNoiseWhiteAndFindsNoLineInIt) {
   EXPECT_LE(with_a_line, 1);
 }
 
+// A sum of filters with corners from 0.03 to 100 Hz: a spectrum near 1/f, steep over all of it, without a line.
+TEST(NoiseColour, FindsNoLineInPinkNoise) {
+  constexpr double interval = 1.0 / 120.0;
+  int with_a_line = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    std::vector<double> values(1800);
+    for (int filter = 0; filter < 8; ++filter) {
+      const double corner = 0.03 * std::pow(100.0 / 0.03, filter / 7.0);
+      const std::vector<double> part =
+          first_order_noise(values.size(), std::exp(-2.0 * pi * corner * interval), 10 * seed + filter);
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] += part[i];
+    }
+    with_a_line += colour(values, interval).lines.empty() ? 0 : 1;
+  }
+  EXPECT_LE(with_a_line, 1);
+}
+
 TEST(NoiseColour, HasTheSpectrumOfFirstOrderNoise) {
   constexpr double r = 0.8;
   constexpr double interval = 0.01;

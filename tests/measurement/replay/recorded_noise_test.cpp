@@ -61,6 +61,36 @@ TEST(RecordedNoise, IsTakenAsWhiteWhereNothingShowsIt) {
   EXPECT_EQ(none.prepared.whiteners.front(), nullptr);
 }
 
+// A slide that is pushed by a constant force for 8 s, under hum of that amplitude.
+data::Run long_push(double hum) {
+  Normal normal(10);
+  data::Run run = slide_run(1000, {}, [&] { return noise_sigma * normal(); });
+  Place place{};
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    run.inputs[i] = {i < 100 ? 0.0 : 2.0};
+    const double wave = hum * std::sin(2.0 * std::numbers::pi * 20.0 * run.times[i] + 0.3);
+    run.channels.front().values[i] = place.position + wave + noise_sigma * normal();
+    place = slid(place, run.inputs[i][0], interval);
+  }
+  run.sigma.reset();
+  run.start = data::Start::free;  // no part of it is at rest
+  return run;
+}
+
+TEST(RecordedNoise, HumShowsUnderAConstantInput) {
+  const data::Run with = long_push(noise_sigma);
+  const Told found = told(with, {});
+  EXPECT_EQ(found.level().colour,
+            "taken as white but for hum at 20 Hz, which the parts under a constant input show: no still run");
+  ASSERT_EQ(found.prepared.lines.size(), 1u);
+  EXPECT_NEAR(found.prepared.lines.front(), 20.0, 0.02);
+  EXPECT_NEAR(found.prepared.line_sizes.front(), noise_sigma, 0.2 * noise_sigma);
+  EXPECT_EQ(found.prepared.whiteners.front(), nullptr);
+  // What drifts there is the motion, not its noise.
+  const data::Run without = long_push(0.0);
+  EXPECT_THAT(told(without, {}).prepared.lines, ::testing::IsEmpty());
+}
+
 TEST(RecordedNoise, OfAWhiteStillRunIsItsLevel) {
   const data::Run run = motion();
   const Told white = told(run, {still_run(filtered_noise(2000, 0.0, 0.003, 1))});

@@ -10,6 +10,7 @@
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
+#include "measurement/compare/search_effort.hpp"
 #include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/diagnosis_warnings.hpp"
@@ -41,14 +42,12 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Declared numbers that are less likely than this, by their tolerances, are off.
-constexpr double least_probability = 0.01;
-
 Verdict verdict_of(const compare::Attribution& found) {
   if (found.steps.size() == 1) {
     if (!found.before().whiteness.is_white()) return Verdict::unexplained;
-    return compare::probability_of_declared_numbers(found.before()) < least_probability ? Verdict::declared_numbers_off
-                                                                                        : Verdict::no_missing_effect;
+    const double probability = compare::probability_of_declared_numbers(found.before());
+    return probability < compare::decision_thresholds.least_probability ? Verdict::declared_numbers_off
+                                                                        : Verdict::no_missing_effect;
   }
   return found.after().whiteness.is_white() ? Verdict::explained : Verdict::partly_explained;
 }

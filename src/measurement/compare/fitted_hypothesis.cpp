@@ -40,10 +40,13 @@ double overdispersion_of(std::span<const replay::PreparedRun> runs, const Fitted
   return std::max(1.0, mean_square * whiteness::correlation_time(fit::scaled_residuals(runs, reference.fit)));
 }
 
+double penalty_per_number(const FittedHypothesis& fitted, double overdispersion) {
+  return std::log(std::max(std::exp(1.0), static_cast<double>(fitted.fit.samples()) / overdispersion));
+}
+
 double quasi_bic(const FittedHypothesis& fitted, double overdispersion) {
-  const auto samples = static_cast<double>(fitted.fit.samples());
-  const double penalty = std::log(std::max(std::exp(1.0), samples / overdispersion));
-  return fitted.fit.objective() / overdispersion + static_cast<double>(fitted.hypothesis.size()) * penalty;
+  return fitted.fit.objective() / overdispersion +
+         static_cast<double>(fitted.hypothesis.size()) * penalty_per_number(fitted, overdispersion);
 }
 
 Evidence evidence_between(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,

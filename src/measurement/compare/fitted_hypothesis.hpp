@@ -30,6 +30,8 @@ struct FittedHypothesis {
 /// (The c-hat of quasi-likelihood: Burnham and Anderson, Model Selection and Multimodel Inference, 2002, section 2.5.)
 [[nodiscard]] double overdispersion_of(std::span<const replay::PreparedRun> runs, const FittedHypothesis& reference);
 
+/// What each number of a hypothesis costs it in the quasi-BIC.
+[[nodiscard]] double penalty_per_number(const FittedHypothesis& fitted, double overdispersion);
 /// Quasi-BIC of a hypothesis, the smaller the better: chi-square over the overdispersion, plus a penalty for every
 /// parameter (Schwarz 1978, with the number of independent samples).
 [[nodiscard]] double quasi_bic(const FittedHypothesis& fitted, double overdispersion);

@@ -167,7 +167,8 @@ class HypothesisSearch {
         break;
       }
       all.insert(all.end(), level.begin(), level.end());
-      if (adequate || before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
+      if (size == search_effort.largest_hypothesis) break;
+      if ((adequate || before.whiteness.is_white()) && !another_is_decisive(before, level)) break;
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
       auto combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
@@ -187,6 +188,23 @@ class HypothesisSearch {
 
   [[nodiscard]] Counted<Screened> screen(const FittedHypothesis& base) const {
     return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
+  }
+
+  // Whether the best of a level (sorted) is decisively better than the model without effects, and one more effect would
+  // be decisive again by its screening. A residual may pass as white because few samples tell little of the noise;
+  // what an effect takes away from it does not depend on that.
+  [[nodiscard]] bool another_is_decisive(const FittedHypothesis& before, const Level& level) {
+    if (level.empty()) return false;
+    const FittedHypothesis& best = level.front();
+    if (quasi_bic(before, overdispersion_) - quasi_bic(best, overdispersion_) < decision_thresholds.decisive_gain)
+      return false;
+    const double per_number = penalty_per_number(best, overdispersion_);
+    const Screened more = counted(screen(best));
+    return std::ranges::any_of(more, [&](const ScreenedEffect& each) {
+      const auto numbers = static_cast<double>(std::max<std::size_t>(1, each.guess.values.size()));
+      return each.predicted_chi_square_fall / overdispersion_ - numbers * per_number >=
+             decision_thresholds.decisive_gain;
+    });
   }
 
   // Every effect alone.

@@ -88,7 +88,14 @@ PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun>
         unsupported(found.steps[found.steps.size() - 2], found.after(), out.evidence.back());
     if (!reason && !all_effects_present(found.after(), out.estimates))
       reason = "may be absent: a 95 % interval of its numbers reaches that far";
-    if (!reason && found.before().whiteness.is_white() && !bears_the_name_of_a_number(found.after())) {
+    // What is left without the last effect is noise already: numbers may do what this effect does.
+    const bool numbers_suffice = found.steps[found.steps.size() - 2].whiteness.is_white();
+    const bool names_a_number = bears_the_name_of_a_number(found.after());
+    // An effect may be the name of the one number that is off; where others are too, a list of numbers says it all.
+    if (!reason && numbers_suffice && names_a_number &&
+        probability_of_declared_numbers(found.after()) < decision_thresholds.least_probability)
+      reason = "is not the only declared number that is off";
+    if (!reason && numbers_suffice && !names_a_number) {
       const fit::Counted<double> gain =
           gain_with_wide_tolerances(runs, found.steps[found.steps.size() - 2], found.after(), out.overdispersion);
       out.simulated_runs += gain.simulated_runs;

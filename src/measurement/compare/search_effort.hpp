@@ -80,6 +80,8 @@ struct DecisionThresholds {
   /// model that is known to be incomplete takes the shape of what is missing.
   double least_explained = 0.2;
   double least_explained_later = 0.5;
+  /// Declared numbers that so few of the rigs built to their tolerances would have are off.
+  double least_probability = 0.01;
 };
 inline constexpr DecisionThresholds decision_thresholds{};
 

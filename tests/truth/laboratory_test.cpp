@@ -166,6 +166,21 @@ TEST(NoiseOfTheCamera, HasItsLevelAndColour) {
   EXPECT_NEAR(correlation(Colour::pink, 0), 1.0, 0.2);
 }
 
+// What is left of noise over its own colour is white, and has its level.
+TEST(NoiseOfTheCamera, IsWhiteOverItself) {
+  Random random(12);
+  std::vector<double> times;
+  for (int i = 0; i < 4000; ++i) times.push_back(i / 120.0);
+  for (const Colour colour : {Colour::white, Colour::low_passed, Colour::pink, Colour::hum}) {
+    const std::vector<double> values = Noise(colour, random).at(times);
+    const Eigen::VectorXd left =
+        over_noise(colour, 1e-6, times, Eigen::Map<const Eigen::VectorXd>(values.data(), 4000));
+    EXPECT_NEAR(left.squaredNorm() / 4000.0, 1.0, 0.07) << static_cast<int>(colour);
+    for (const int lag : {1, 2, 12})
+      EXPECT_NEAR(left.head(4000 - lag).dot(left.tail(4000 - lag)) / 4000.0, 0.0, 0.05) << lag;
+  }
+}
+
 TEST(Outliers, AreWhereTheAnswerSays) {
   Request request{.seed = 6, .programme = Programme::few};
   request.camera.frame_rate = 240.0;

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include "truth/laboratory/noise.hpp"
+#include "truth/laboratory/recorded_run.hpp"
 #include "truth/laboratory/run_keys.hpp"
 
 namespace truth::laboratory {
@@ -13,18 +16,6 @@ namespace {
 
 constexpr double part = 0.25;    // of a standard deviation: the step of a slope
 constexpr double change = 1e-3;  // of stiffness and damping
-
-Eigen::VectorXd joined(const RecordedAngles& runs) {
-  Eigen::Index size = 0;
-  for (const auto& run : runs) size += run.size();
-  Eigen::VectorXd out(size);
-  Eigen::Index at = 0;
-  for (const auto& run : runs) {
-    out.segment(at, run.size()) = run;
-    at += run.size();
-  }
-  return out;
-}
 
 // The coefficients of a curve error for one standard deviation of each: as build_finger() draws them.
 std::array<double, 4> curve_deviations(double tolerance) {
@@ -44,13 +35,14 @@ Absorption::Absorption(const Place& place) : place_(place) {
   if (place.request.tolerances != Tolerances::exact) add_numbers();
   add_clocks();
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
-  const Eigen::VectorXd nominal = joined(place.nominal);
-  slope_ = Eigen::MatrixXd::Zero(nominal.size() + count, count);
+  Eigen::Index samples = 0;
+  for (const Eigen::VectorXd& run : place.nominal) samples += run.size();
+  slope_ = Eigen::MatrixXd::Zero(samples + count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Unknown& unknown = unknowns_[static_cast<std::size_t>(i)];
-    slope_.col(i).head(nominal.size()) =
-        (seen_with(unknown.step * Eigen::VectorXd::Unit(count, i)) - nominal) / (unknown.step * place.noise);
-    slope_(nominal.size() + i, i) = unknown.prior;
+    slope_.col(i).head(samples) =
+        difference(place.nominal, seen_with(unknown.step * Eigen::VectorXd::Unit(count, i))) / unknown.step;
+    slope_(samples + i, i) = unknown.prior;
   }
 }
 
@@ -86,8 +78,27 @@ void Absorption::add_clocks() {
   }
 }
 
+Eigen::VectorXd Absorption::difference(const RecordedAngles& from, const RecordedAngles& to) const {
+  const double rounding = resolution_deg * std::numbers::pi / 180.0 / std::sqrt(12.0);
+  const double white = std::pow(rounding / place_.noise, 2);
+  std::vector<Eigen::VectorXd> parts;
+  Eigen::Index size = 0;
+  for (std::size_t run = 0; run < from.size(); ++run) {
+    parts.push_back(
+        over_noise(place_.request.noise.colour, white, place_.fit[run].seen, (to[run] - from[run]) / place_.noise));
+    size += parts.back().size();
+  }
+  Eigen::VectorXd out(size);
+  Eigen::Index at = 0;
+  for (const Eigen::VectorXd& part : parts) {
+    out.segment(at, part.size()) = part;
+    at += part.size();
+  }
+  return out;
+}
+
 // Runs whose finger and clock nothing has moved are not simulated again.
-Eigen::VectorXd Absorption::seen_with(const Eigen::VectorXd& moves) const {
+RecordedAngles Absorption::seen_with(const Eigen::VectorXd& moves) const {
   Bench bench{.finger = place_.built.finger, .clocks = std::vector<RunClock>(place_.fit.size())};
   bool another_finger = false;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
@@ -108,25 +119,25 @@ Eigen::VectorXd Absorption::seen_with(const Eigen::VectorXd& moves) const {
     for (double& time : filmed.seen) time = std::max((1.0 + clock.rate) * time + clock.offset, 0.0);
     seen[run] = camera_view(place_.request.channels, {}, filmed, simulate(bench.finger, {}, filmed));
   }
-  return joined(seen);
+  return seen;
 }
 
 double Absorption::left_of(const RecordedAngles& moved) const {
   const auto count = static_cast<Eigen::Index>(unknowns_.size());
-  const Eigen::VectorXd target = joined(moved);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(slope_);
   Eigen::VectorXd moves = Eigen::VectorXd::Zero(count);
-  double least = (target - joined(place_.nominal)).norm() / place_.noise;
+  const Eigen::Index samples = slope_.rows() - count;
+  double least = difference(place_.nominal, moved).norm();
   constexpr int steps = 4;
   for (int step = 0; step < steps; ++step) {
-    Eigen::VectorXd left(target.size() + count);
+    Eigen::VectorXd left(slope_.rows());
     try {
-      left.head(target.size()) = (target - seen_with(moves)) / place_.noise;
+      left.head(samples) = difference(seen_with(moves), moved);
     } catch (const std::runtime_error&) {
       break;  // such a finger leaves its range of angles
     }
     for (Eigen::Index i = 0; i < count; ++i)
-      left[target.size() + i] = -unknowns_[static_cast<std::size_t>(i)].prior * moves[i];
+      left[samples + i] = -unknowns_[static_cast<std::size_t>(i)].prior * moves[i];
     least = std::min(least, left.norm());
     moves += solver.solve(left);
   }

@@ -46,7 +46,9 @@ class Absorption {
 
   void add_numbers();
   void add_clocks();
-  [[nodiscard]] Eigen::VectorXd seen_with(const Eigen::VectorXd& moves) const;
+  [[nodiscard]] RecordedAngles seen_with(const Eigen::VectorXd& moves) const;
+  // What runs differ by, over the noise: as long as all samples together.
+  [[nodiscard]] Eigen::VectorXd difference(const RecordedAngles& from, const RecordedAngles& to) const;
 
   Place place_;
   std::vector<Unknown> unknowns_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "truth/laboratory/request.hpp"
@@ -22,5 +23,15 @@ class Noise {
   Colour colour_;
   Random& random_;
 };
+
+/// The covariance of that noise at two times so far apart, s; 1 at 0.
+[[nodiscard]] double covariance(Colour colour, double apart);
+
+/// `change` of readings at increasing times, in standard deviations of a reading, as what it is worth beside this noise
+/// and `white` variance more (of rounding): its norm is the number of standard deviations by which noise would have to
+/// differ to look alike (by Cholesky's factor of the covariance). Stretches of 1500 readings are taken as independent,
+/// which is exact for white noise.
+[[nodiscard]] Eigen::VectorXd over_noise(Colour colour, double white, const std::vector<double>& times,
+                                         const Eigen::VectorXd& change);
 
 }  // namespace truth::laboratory

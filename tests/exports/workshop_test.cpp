@@ -188,6 +188,20 @@ TEST(AssemblyOrder, HasTheSensesByWhichTheModelMoves) {
   }
 }
 
+TEST(AssemblyOrder, LeadsTheStartOutWhereNoMagnetIs) {
+  const auto faces = [](actuator::Configuration configuration) {
+    Design design;
+    design.layout = actuator::layout_of(configuration);
+    std::vector<std::string> out;
+    for (const auto& row : rows_of(text_of(workshop(subject_of(design), {}), "assembly.csv")))
+      if (row[1] == "coil") out.push_back(row[6]);
+    return out;
+  };
+  EXPECT_THAT(faces(actuator::Configuration::B), testing::ElementsAre("base", "tip"));
+  EXPECT_THAT(faces(actuator::Configuration::C), testing::ElementsAre("base", "neither", "tip"));
+  EXPECT_THAT(faces(actuator::Configuration::D), testing::ElementsAre("base", "tip", "base", "tip"));
+}
+
 TEST(Workshop, IsOnePageWithoutAnythingFromOutside) {
   const std::string page = text_of(workshop(subject_of(Design{}, R"(a <b> & "c" 'd')"), {}), "workshop.html");
   EXPECT_THAT(page, testing::HasSubstr("a &lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;"));

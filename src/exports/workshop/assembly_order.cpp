@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <sstream>
 
@@ -21,23 +22,39 @@ double in_mm(double length) {
   return 1e3 * length;
 }
 
-PartRow row_of(const PlacedPart& part, int number) {
-  const bool magnet = part.component.kind == ComponentKind::magnet;
+bool is_magnet(const BodyPlan& plan, std::size_t part) {
+  return part < plan.parts.size() && plan.parts[part].component.kind == ComponentKind::magnet;
+}
+
+// The wall towards a magnet is thinner than most wires.
+std::string_view start_face(const BodyPlan& plan, std::size_t coil) {
+  const bool behind = coil > 0 && is_magnet(plan, coil - 1);
+  const bool before = is_magnet(plan, coil + 1);
+  if (behind && before) return "neither";
+  if (!behind && !before) return "either";
+  return behind ? "tip" : "base";
+}
+
+PartRow row_of(const BodyPlan& plan, std::size_t index) {
+  const PlacedPart& part = plan.parts[index];
+  const int number = static_cast<int>(index) + 1;
   const bool positive = part.component.polarity > 0;
   // A positive current sets a coil's moment against that of a magnet of the same polarity (towards the tip).
-  if (magnet)
+  if (is_magnet(plan, index))
     return {.number = number,
             .kind = ComponentKind::magnet,
             .centre = part.centre,
             .north_towards = positive ? "tip" : "base",
             .current = "",
-            .positive_lead = ""};
+            .positive_lead = "",
+            .start_face = ""};
   return {.number = number,
           .kind = ComponentKind::coil,
           .centre = part.centre,
           .north_towards = positive ? "base" : "tip",
           .current = positive ? "clockwise" : "anticlockwise",
-          .positive_lead = positive ? "start" : "end"};
+          .positive_lead = positive ? "start" : "end",
+          .start_face = start_face(plan, index)};
 }
 
 std::string_view effect_at(const actuator::Component& near, const actuator::Component& far) {
@@ -60,14 +77,27 @@ std::string_view remark_on_magnets(int magnets) {
   return magnets < 2 ? "" : " The magnets act on each other through the coils: hold them in place until it has cured.";
 }
 
-std::vector<std::string> steps_of(const DesignSubject& subject, const Cast& cast, const Recipe& recipe,
-                                  const WindingSheet& winding) {
+// A coil between two magnets has no face where its start is out of the way.
+std::string remark_on_starts(const AssemblyOrder& order, const Recipe& recipe, const WindingSheet& winding) {
+  const bool between = std::ranges::count(order.parts, "neither", &PartRow::start_face) > 0;
+  if (!between || winding.insulated_diameter <= recipe.coil_dip) return "";
+  return fmt::format(
+      " Where it says neither, the start crosses a wall of {:.3g} mm with a wire of {:.3g} mm, and that gap grows by "
+      "the "
+      "difference.",
+      in_mm(recipe.coil_dip), in_mm(winding.insulated_diameter));
+}
+
+std::vector<std::string> steps_of(const DesignSubject& subject, const AssemblyOrder& order, const Cast& cast,
+                                  const Recipe& recipe, const WindingSheet& winding) {
   const BodyPlan& plan = cast.plan;
   return {
-      fmt::format("Wind {} coil{} by the winding sheet, all alike: mark one face, and seen from it lead the wire "
-                  "clockwise from its start at the bore. Mark the start. Fix the turns, take the bobbin out, and "
-                  "compare the resistance with the sheet.",
-                  winding.coils, winding.coils == 1 ? "" : "s"),
+      fmt::format(
+          "Wind {} coil{} by the winding sheet: mark the face that will look towards the tip, and seen from it "
+          "lead the wire clockwise from its start at the bore. The start leaves the bore over the face that the "
+          "table names, where no magnet will be.{} Mark the start. Fix the turns, take the bobbin out, and compare "
+          "the resistance with the sheet.",
+          winding.coils, winding.coils == 1 ? "" : "s", remark_on_starts(order, recipe, winding)),
       std::string(
           "Find the north face of each magnet with a compass (the end of the needle that points north turns away "
           "from it) and mark it."),
@@ -111,20 +141,22 @@ std::vector<std::string> checks_of(const AssemblyOrder& order, const WindingShee
   std::vector<std::string> checks = {
       "Before bonding. " + cell_text(winding) +
       ". Connect its plus pole to the start of a coil and look at the marked face with a compass: it is a south pole, "
-      "and "
-      "draws the end of the needle that points north. If it does not, the coil is wound the other way round: mark the "
-      "other face instead."};
+      "and draws the end of the needle that points north. If it does not, the coil is wound the other way round: "
+      "exchange "
+      "the names of its leads."};
   for (const JointRow& joint : order.joints)
     if (joint.effect != "nearly nothing")
       checks.push_back(
           fmt::format("Before bonding, joint {}. Hold the two parts in front of each other as they will lie, "
                       "with the cell's plus pole at the coil's positive lead: the current {}.",
                       joint.number, joint.effect == "pushes apart" ? "pushes them apart" : "pulls them together"));
-  checks.emplace_back(
+  const auto magnets = std::ranges::count(order.parts, ComponentKind::magnet, &PartRow::kind);
+  checks.push_back(fmt::format(
       "After cutting. No lead may have contact with another coil. With the positive leads of all coils at plus, each "
-      "joint does as the table of joints says: the slit opens where the current pushes apart. With the cell reversed "
+      "joint does as the table of joints says: the slit opens where the current pushes apart{}. With the cell reversed "
       "it "
-      "does the opposite.");
+      "does the opposite.",
+      magnets > 1 ? ", unless the magnets hold it against so small a current" : ""));
   return checks;
 }
 
@@ -133,21 +165,21 @@ std::vector<std::string> checks_of(const AssemblyOrder& order, const WindingShee
 AssemblyOrder assembly_order(const DesignSubject& subject, const Cast& cast, const Recipe& recipe,
                              const WindingSheet& winding) {
   AssemblyOrder order;
-  for (const PlacedPart& part : cast.plan.parts)
-    order.parts.push_back(row_of(part, static_cast<int>(order.parts.size()) + 1));
+  for (std::size_t i = 0; i < cast.plan.parts.size(); ++i) order.parts.push_back(row_of(cast.plan, i));
   order.joints = joints_of(subject, cast.plan);
-  order.steps = steps_of(subject, cast, recipe, winding);
+  order.steps = steps_of(subject, order, cast, recipe, winding);
   order.checks = checks_of(order, winding);
   return order;
 }
 
 std::string assembly_csv(const AssemblyOrder& order) {
   std::ostringstream out;
-  text::CsvWriter csv(
-      out, {"part", "kind", "centre_mm", "north_towards", "positive_current_seen_from_tip", "positive_lead"});
+  text::CsvWriter csv(out, {"part", "kind", "centre_mm", "north_towards", "positive_current_seen_from_tip",
+                            "positive_lead", "start_face"});
   for (const PartRow& row : order.parts)
     csv.row({row.number, row.kind == ComponentKind::magnet ? "magnet" : "coil",
-             rounded(units::from_memory(row.centre, "centre_mm")), row.north_towards, row.current, row.positive_lead});
+             rounded(units::from_memory(row.centre, "centre_mm")), row.north_towards, row.current, row.positive_lead,
+             row.start_face});
   return out.str();
 }
 

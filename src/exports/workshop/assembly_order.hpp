@@ -11,8 +11,8 @@
 
 namespace coilwright::exports {
 
-/// How one part is built in. Every coil is wound alike: seen from its marked face, the wire runs clockwise from the
-/// start of the winding, at the bore, to its end. Marked faces look towards the tip.
+/// How one part is built in. Every coil is wound in one sense: seen from its marked face, the wire runs clockwise from
+/// the start of the winding, at the bore, to its end. Marked faces look towards the tip.
 struct PartRow {
   int number{};  ///< 1 is the base's
   actuator::ComponentKind kind{};
@@ -20,6 +20,9 @@ struct PartRow {
   std::string_view north_towards;  ///< "tip" or "base": of a magnet; of a coil at positive current
   std::string_view current;        ///< of a coil, positive, seen from the tip: "clockwise" or "anticlockwise"; or empty
   std::string_view positive_lead;  ///< of a coil: "start" or "end" of the winding; or empty
+  /// Face of a coil over which the start leaves the bore: "base", "tip" or "either", where no magnet is; "neither"
+  /// between two magnets. Empty for a magnet.
+  std::string_view start_face;
 };
 
 /// What a positive current does at one joint.

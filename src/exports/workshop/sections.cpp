@@ -29,7 +29,7 @@ std::string_view kind_name(actuator::ComponentKind kind) {
 
 std::string wire_and_bobbin(const WindingSheet& sheet) {
   const Rows rows = {
-      {"coils to wind, all alike", fmt::format("{}", sheet.coils)},
+      {"coils to wind", fmt::format("{}", sheet.coils)},
       {"wire", fmt::format("AWG {}, single build", sheet.wire_gauge)},
       {"bare diameter", mm(sheet.bare_diameter)},
       {"bare diameter as sold", fmt::format("{:.4g} to {}", 1e3 * sheet.bare_sold.least, mm(sheet.bare_sold.largest))},
@@ -156,14 +156,14 @@ std::string assembly_section(const AssemblyOrder& order, std::string_view figure
   for (const PartRow& row : order.parts)
     parts.push_back({fmt::format("{}", row.number), std::string(kind_name(row.kind)),
                      fmt::format("{:.2f}", 1e3 * row.centre), std::string(row.north_towards), std::string(row.current),
-                     std::string(row.positive_lead)});
+                     std::string(row.positive_lead), std::string(row.start_face)});
   Rows joints;
   for (const JointRow& row : order.joints)
     joints.push_back({fmt::format("{}", row.number), fmt::format("{:.2f}", 1e3 * row.place),
                       fmt::format("{:.2f}", 1e3 * row.gap), std::string(row.effect)});
   return fmt::format("<section class=\"page\">\n<h2>Parts, from the base to the tip</h2>\n{}", figure) +
          html_table({"part", "kind", "centre from the rear end, mm", "north pole towards",
-                     "positive current, seen from the tip", "positive lead"},
+                     "positive current, seen from the tip", "positive lead", "start over the face towards"},
                     parts) +
          "<p>The poles of a coil are those at a positive current. Start: the end of the wire at the bore.</p>\n"
          "<h2>Joints, from the base to the tip</h2>\n" +

@@ -47,6 +47,7 @@ FOLDERS = {
 HIDDEN = {
     "nlopt": "sizing control",
     "muParser": "sizing",
+    "pugixml": "exports",
     "tbb/": "sizing measurement",
     "oneapi/": "sizing measurement",
     "ceres/": "measurement/fit",

@@ -119,6 +119,8 @@ void run_export(const Options& options) {
   folder.commit();
   for (const std::filesystem::path& output : outputs) std::cout << output.string() << '\n';
   std::cout << kind.use << '\n';
+  for (const ExportedFile& file : files)
+    for (const std::string& line : file.left_out) std::cerr << file.name << " leaves out " << line << ".\n";
 }
 
 }  // namespace

@@ -7,7 +7,10 @@
 #include <stdexcept>
 
 #include "coilwright/exports/drawing.hpp"
+#include "coilwright/exports/lumped.hpp"
+#include "coilwright/exports/mjcf.hpp"
 #include "coilwright/exports/mould.hpp"
+#include "coilwright/exports/urdf.hpp"
 #include "coilwright/exports/workshop.hpp"
 
 namespace coilwright::exports {
@@ -34,6 +37,22 @@ constexpr std::array table = {
                    "mould.scad. The numbers on top may be changed.",
                .settings = {},
                .write_text = &mould},
+    ExportKind{
+        .name = "lumped",
+        .gives = "links, joints and torque curves by their numbers (lumped-model/1)",
+        .use = "Commands that need no geometry (evaluate, simulate, linearise, diagnose, twin) take lumped_model.json.",
+        .settings = {},
+        .write_text = &lumped},
+    ExportKind{.name = "mjcf",
+               .gives = "the chain as a MuJoCo model, with its torque over angle",
+               .use = "Load actuator.xml in MuJoCo and apply the torque of each joint as its first lines say.",
+               .settings = {},
+               .write_text = &mjcf},
+    ExportKind{.name = "urdf",
+               .gives = "the chain as URDF, with its springs, stops and torque over angle as CSV",
+               .use = "Load actuator.urdf, and apply what its first lines say: URDF has no springs.",
+               .settings = {},
+               .write_text = &urdf},
 };
 
 struct Writing {

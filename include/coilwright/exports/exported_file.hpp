@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace coilwright::exports {
 
@@ -8,6 +9,8 @@ namespace coilwright::exports {
 struct ExportedFile {
   std::string name;  ///< a plain file name, without a folder
   std::string text;  ///< UTF-8, lines end with a newline
+  /// What of the actuator the file cannot say, one line each without a full stop: the text names it too.
+  std::vector<std::string> left_out{};
 };
 
 }  // namespace coilwright::exports

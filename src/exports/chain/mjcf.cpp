@@ -1,0 +1,196 @@
+#include "coilwright/exports/mjcf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <pugixml.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "exports/chain/plain_model.hpp"
+#include "exports/chain/rigid_links.hpp"
+#include "exports/chain/torque_table.hpp"
+#include "exports/chain/xml_text.hpp"
+
+namespace coilwright::exports {
+namespace {
+
+using mechanics::FaceContact;
+using pugi::xml_node;
+
+// Of MuJoCo's stops: the share of a push that a stop takes at once. The rest is its softness, which is what gives it a
+// stiffness: docs/exports/simulators.md.
+constexpr double impedance = 0.9;
+constexpr double longest_step = 1e-4;     // s
+constexpr double steps_per_radian = 5.0;  // of the fastest oscillation in a stop, at the least
+
+std::string joint_name(int joint) {
+  return fmt::format("joint{}", joint + 1);
+}
+
+// A stop that is as stiff at rest as the faces, and rebounds with their damping ratio. MuJoCo's constraint of a joint
+// with the inverse inertia A pushes with k r / ((1 - d) A) at rest where solref is (-k, -b) and the impedance d is
+// constant, and moves with the frequency sqrt(k).
+struct Stop {
+  double k{};
+  double b{};
+};
+
+Stop stop_of(const FaceContact& faces, double mobility) {
+  const double softness = (1.0 - impedance) * mobility;
+  return {.k = faces.stiffness * softness, .b = faces.damping * mobility * std::sqrt(1.0 - impedance)};
+}
+
+// Where a joint may be: from where its faces meet to where its torque ceases to be known.
+double upper_limit(int joint, const std::vector<TorqueTable>& tables) {
+  double upper = std::numbers::pi;
+  for (const TorqueTable& table : tables)
+    if (table.joint == joint) upper = std::min(upper, table.angles.back());
+  return upper;
+}
+
+double step_for(const actuator::Model& model) {
+  const mechanics::JointVector mobility = model.chain().joint_mobility();
+  double step = longest_step;
+  for (int j = 0; j < model.joints(); ++j) {
+    const FaceContact& faces = model.hinges()[j].contact;
+    if (faces.stiffness > 0.0)
+      step = std::min(step, 1.0 / (steps_per_radian * std::sqrt(stop_of(faces, mobility[j]).k)));
+  }
+  // One digit, rounded down: a number that a person would choose.
+  const double unit = std::pow(10.0, std::floor(std::log10(step)));
+  return std::stod(fmt::format("{:.0e}", unit * std::floor(step / unit * (1.0 + 1e-9))));
+}
+
+void add_joint(xml_node body, int joint, const actuator::Model& model, const std::vector<TorqueTable>& tables) {
+  const actuator::Hinge& hinge = model.hinges()[joint];
+  xml_node node = body.append_child("joint");
+  set(node, "name", joint_name(joint));
+  set(node, "type", "hinge");
+  set(node, "axis", "0 -1 0");
+  set(node, "stiffness", hinge.stiffness);
+  set(node, "damping", hinge.damping);
+  if (hinge.torque_offset != 0.0 && hinge.stiffness > 0.0)
+    set(node, "springref", hinge.torque_offset / hinge.stiffness);
+  if (hinge.contact.stiffness <= 0.0) {
+    set(node, "limited", "false");
+    return;
+  }
+  const Stop stop = stop_of(hinge.contact, model.chain().joint_mobility()[joint]);
+  set(node, "limited", "true");
+  set(node, "range", words({hinge.contact.closing_angle, upper_limit(joint, tables)}));
+  // A zero would turn the meaning of both numbers.
+  set(node, "solreflimit", words({-stop.k, -std::max(stop.b, 1e-9 * std::sqrt(stop.k))}));
+  set(node, "solimplimit", words({impedance, impedance, 0.001, 0.5, 2.0}));
+}
+
+void add_body(xml_node parent, int link, const actuator::Model& model, const std::vector<RigidLink>& links,
+              const std::vector<TorqueTable>& tables) {
+  const RigidLink& body = links[static_cast<std::size_t>(link)];
+  xml_node node = parent.append_child("body");
+  set(node, "name", fmt::format("link{}", link + 1));
+  set(node, "pos", coordinates(body.joint));
+  xml_node inertial = node.append_child("inertial");
+  set(inertial, "pos", coordinates(body.centre));
+  set(inertial, "mass", body.mass);
+  set(inertial, "diaginertia", words({body.inertia, body.inertia, body.inertia}));
+  add_joint(node, link, model, tables);
+  xml_node box = node.append_child("geom");
+  set(box, "type", "box");
+  set(box, "pos", coordinates(body.box_centre));
+  set(box, "size", coordinates(0.5 * body.box_size));
+  set(box, "mass", "0");
+  set(box, "contype", "0");
+  set(box, "conaffinity", "0");
+  if (model.tip().link == link) {
+    xml_node tip = node.append_child("site");
+    set(tip, "name", "tip");
+    set(tip, "pos", coordinates(in_frame(model.tip().along, model.tip().offset)));
+  }
+  if (link + 1 < model.joints()) add_body(node, link + 1, model, links, tables);
+}
+
+void add_tables(xml_node custom, const std::vector<TorqueTable>& tables) {
+  const auto add = [&custom](const std::string& name, const std::vector<double>& data) {
+    xml_node node = custom.append_child("numeric");
+    set(node, "name", name);
+    set(node, "data", words(data));
+  };
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string pair = fmt::format("pair{}_", i + 1);
+    add(pair + "joint", {tables[i].joint + 1.0});
+    add(pair + "coil", {tables[i].coil + 1.0});
+    add(pair + "angle_rad", tables[i].angles);
+    add(pair + "torque_Nm_A", tables[i].torques);
+  }
+}
+
+std::string header(const Origin& origin, const std::vector<TorqueTable>& tables,
+                   const std::vector<std::string>& left_out) {
+  std::string text = fmt::format(
+      "\n  {}{}\n  SI units. Hangs along -z where all joints are 0; a positive angle bends it towards +x.\n"
+      "  The motor of a joint takes the torque in N m: for each pair, the current of its coil (A, positive opens) "
+      "times\n"
+      "  pairN_torque_Nm_A over pairN_angle_rad at the angle of the joint; torque.csv has the same numbers.\n",
+      origin.name.empty() ? "Actuator" : origin.name,
+      origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".");
+  double miss = 0.0;
+  for (const TorqueTable& table : tables) miss = std::max(miss, table.linear_error / largest_torque(table));
+  if (!tables.empty())
+    text += fmt::format("  Straight lines between the rows miss by at most {:.2g} of the largest torque.\n", miss);
+  text +=
+      "  The lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and "
+      "no\n"
+      "  stop of the actuator.\n";
+  for (const std::string& line : left_out) text += fmt::format("  Left out: {}.\n", line);
+  return text;
+}
+
+}  // namespace
+
+std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings&) {
+  PlainModel plain = plain_model(subject.model);
+  const actuator::Model& model = plain.model;
+  for (const actuator::Hinge& hinge : model.hinges())
+    if (hinge.torque_offset != 0.0 && hinge.stiffness == 0.0)
+      throw std::invalid_argument("mjcf: a joint with a torque offset needs a stiffness, for its rest angle");
+  plain.left_out.push_back(planar_inertia_remark());
+  const std::vector<TorqueTable> tables = torque_tables(model);
+  const std::vector<RigidLink> links = rigid_links(model.chain());
+
+  pugi::xml_document document;
+  xml_node root = document.append_child("mujoco");
+  set(root, "model", subject.origin.name.empty() ? "actuator" : subject.origin.name);
+  root.append_child(pugi::node_comment).set_value(comment_text(header(subject.origin, tables, plain.left_out)).c_str());
+  xml_node compiler = root.append_child("compiler");
+  set(compiler, "angle", "radian");
+  set(compiler, "inertiafromgeom", "false");
+  xml_node option = root.append_child("option");
+  set(option, "timestep", step_for(model));
+  set(option, "gravity", coordinates(Eigen::Vector3d(0.0, 0.0, -model.chain().gravity())));
+  set(option, "integrator", "RK4");
+  if (!tables.empty()) add_tables(root.append_child("custom"), tables);
+  xml_node base = root.append_child("worldbody").append_child("body");
+  set(base, "name", "base");
+  if (model.chain().base_tilt() != 0.0) set(base, "axisangle", words({0.0, -1.0, 0.0, model.chain().base_tilt()}));
+  add_body(base, 0, model, links, tables);
+  xml_node motors = root.append_child("actuator");
+  xml_node sensors = root.append_child("sensor");
+  for (int j = 0; j < model.joints(); ++j) {
+    xml_node motor = motors.append_child("motor");
+    set(motor, "name", joint_name(j) + "_torque");
+    set(motor, "joint", joint_name(j));
+    xml_node sensor = sensors.append_child("jointpos");
+    set(sensor, "name", joint_name(j) + "_angle");
+    set(sensor, "joint", joint_name(j));
+  }
+  std::vector<ExportedFile> files{
+      {.name = "actuator.xml", .text = text_of(document), .left_out = std::move(plain.left_out)}};
+  if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
+  return files;
+}
+
+}  // namespace coilwright::exports

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coilwright/actuator/model/model.hpp"
+
+namespace coilwright::exports {
+
+/// A model of links, springs, dampers, stops and torque curves alone, and what had to go to make it one.
+struct PlainModel {
+  actuator::Model model;                ///< has_terms() is false; may have distant pairs
+  std::vector<std::string> left_out{};  ///< one line each: what it was, and where it can be told how large it is
+};
+
+/// `model` without the effects that act while it runs and without a torque correction. Effects that change what is
+/// fixed (a mass, a spring, a tilt, a curve) stay built in. Forces between parts that are not neighbours stay in the
+/// result and are named among what is left out, because no format of links and joints has them.
+[[nodiscard]] PlainModel plain_model(const actuator::Model& model);
+
+/// What the forces between parts that are not neighbours do, a line for magnets and one for coils with their largest
+/// torque on the straight chain, and a third where that is so much that the motion without them is another; empty where
+/// there are none.
+[[nodiscard]] std::vector<std::string> distant_forces(const actuator::Model& model);
+
+/// That everything is at 20 degC, where the model is of a design, which knows its heat; empty for any other.
+[[nodiscard]] std::vector<std::string> heat_of_a_design(const actuator::Model& model);
+
+}  // namespace coilwright::exports

@@ -1,0 +1,163 @@
+#include "coilwright/exports/urdf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <pugixml.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "coilwright/text/csv/csv_writer.hpp"
+#include "exports/chain/plain_model.hpp"
+#include "exports/chain/rigid_links.hpp"
+#include "exports/chain/torque_table.hpp"
+#include "exports/chain/xml_text.hpp"
+
+namespace coilwright::exports {
+namespace {
+
+using pugi::xml_node;
+
+// URDF wants bounds of torque (N m) and rate (rad/s), and simulators clip at them. An actuator has neither: these are
+// far beyond any.
+constexpr double no_bound = 1000.0;
+
+std::string link_name(int link) {
+  return link < 0 ? "base" : fmt::format("link{}", link + 1);
+}
+
+std::string joint_name(int joint) {
+  return fmt::format("joint{}", joint + 1);
+}
+
+double rest_angle(const actuator::Hinge& hinge) {
+  return hinge.torque_offset == 0.0 ? 0.0 : hinge.torque_offset / hinge.stiffness;
+}
+
+double upper_limit(int joint, const std::vector<TorqueTable>& tables) {
+  double upper = std::numbers::pi;
+  for (const TorqueTable& table : tables)
+    if (table.joint == joint) upper = std::min(upper, table.angles.back());
+  return upper;
+}
+
+void add_link(xml_node robot, int link, const RigidLink& body) {
+  xml_node node = robot.append_child("link");
+  set(node, "name", link_name(link));
+  xml_node inertial = node.append_child("inertial");
+  set(inertial.append_child("origin"), "xyz", coordinates(body.centre));
+  set(inertial.append_child("mass"), "value", body.mass);
+  xml_node inertia = inertial.append_child("inertia");
+  for (const auto* own : {"ixx", "iyy", "izz"}) set(inertia, own, body.inertia);
+  for (const auto* mixed : {"ixy", "ixz", "iyz"}) set(inertia, mixed, 0.0);
+  xml_node visual = node.append_child("visual");
+  set(visual.append_child("origin"), "xyz", coordinates(body.box_centre));
+  set(visual.append_child("geometry").append_child("box"), "size", coordinates(body.box_size));
+}
+
+void add_joint(xml_node robot, int joint, const RigidLink& body, const actuator::Hinge& hinge, double upper) {
+  const bool stops = hinge.contact.stiffness > 0.0;
+  xml_node node = robot.append_child("joint");
+  set(node, "name", joint_name(joint));
+  set(node, "type", stops ? "revolute" : "continuous");
+  set(node.append_child("parent"), "link", link_name(joint - 1));
+  set(node.append_child("child"), "link", link_name(joint));
+  set(node.append_child("origin"), "xyz", coordinates(body.joint));
+  set(node.append_child("axis"), "xyz", "0 -1 0");
+  xml_node dynamics = node.append_child("dynamics");
+  set(dynamics, "damping", hinge.damping);
+  set(dynamics, "friction", 0.0);
+  xml_node limit = node.append_child("limit");
+  if (stops) {
+    set(limit, "lower", hinge.contact.closing_angle);
+    set(limit, "upper", upper);
+  }
+  set(limit, "effort", no_bound);
+  set(limit, "velocity", no_bound);
+  xml_node gazebo = robot.append_child("gazebo");
+  set(gazebo, "reference", joint_name(joint));
+  gazebo.append_child("springReference").text().set(fmt::format("{}", rest_angle(hinge)).c_str());
+  gazebo.append_child("springStiffness").text().set(fmt::format("{}", hinge.stiffness).c_str());
+}
+
+// The base with its mount: tilted links hang in gravity otherwise.
+void add_base(xml_node robot, double tilt) {
+  set(robot.append_child("link"), "name", "world");
+  set(robot.append_child("link"), "name", "base");
+  xml_node mount = robot.append_child("joint");
+  set(mount, "name", "mount");
+  set(mount, "type", "fixed");
+  set(mount.append_child("parent"), "link", "world");
+  set(mount.append_child("child"), "link", "base");
+  xml_node origin = mount.append_child("origin");
+  set(origin, "xyz", "0 0 0");
+  set(origin, "rpy", words({0.0, 0.0 - tilt, 0.0}));
+}
+
+std::string header(const Origin& origin, double gravity, const std::vector<std::string>& left_out) {
+  std::string text = fmt::format(
+      "\n  {}{}\n  SI units. Hangs along -z where all joints are 0; a positive angle bends it towards +x.\n"
+      "  Gravity is {:.6g} m/s2 along -z. URDF has no springs: joints.csv has them, and so have the elements for "
+      "Gazebo.\n"
+      "  A joint's torque in N m: for each of its rows of one coil in torque.csv, the current of that coil (A, "
+      "positive\n"
+      "  opens) times torque_Nm_A at the angle of the joint.\n"
+      "  The lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and "
+      "no\n"
+      "  stop of the actuator. Effort and velocity of {} are no bounds of the actuator: URDF wants some.\n",
+      origin.name.empty() ? "Actuator" : origin.name,
+      origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".", gravity, no_bound);
+  for (const std::string& line : left_out) text += fmt::format("  Left out: {}.\n", line);
+  return text;
+}
+
+std::string joints_csv(const actuator::Model& model) {
+  std::ostringstream out;
+  text::CsvWriter csv(out, {"joint", "stiffness_Nm_rad", "rest_angle_rad", "damping_Nms_rad", "closing_angle_rad",
+                            "stop_stiffness_Nm_rad", "stop_damping_Nms_rad"});
+  for (int j = 0; j < model.joints(); ++j) {
+    const actuator::Hinge& hinge = model.hinges()[j];
+    std::vector<text::CsvCell> row{j + 1, hinge.stiffness, rest_angle(hinge), hinge.damping};
+    if (hinge.contact.stiffness > 0.0)
+      row.insert(row.end(), {hinge.contact.closing_angle, hinge.contact.stiffness, hinge.contact.damping});
+    else
+      row.resize(7);
+    csv.row(row);
+  }
+  return out.str();
+}
+
+}  // namespace
+
+std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings&) {
+  PlainModel plain = plain_model(subject.model);
+  const actuator::Model& model = plain.model;
+  for (const actuator::Hinge& hinge : model.hinges())
+    if (hinge.torque_offset != 0.0 && hinge.stiffness == 0.0)
+      throw std::invalid_argument("urdf: a joint with a torque offset needs a stiffness, for its rest angle");
+  plain.left_out.push_back(planar_inertia_remark());
+  const std::vector<TorqueTable> tables = torque_tables(model);
+  const std::vector<RigidLink> links = rigid_links(model.chain());
+
+  pugi::xml_document document;
+  xml_node robot = document.append_child("robot");
+  set(robot, "name", subject.origin.name.empty() ? "actuator" : subject.origin.name);
+  robot.append_child(pugi::node_comment)
+      .set_value(comment_text(header(subject.origin, model.chain().gravity(), plain.left_out)).c_str());
+  add_base(robot, model.chain().base_tilt());
+  for (int j = 0; j < model.joints(); ++j) {
+    const RigidLink& body = links[static_cast<std::size_t>(j)];
+    add_joint(robot, j, body, model.hinges()[j], upper_limit(j, tables));
+    add_link(robot, j, body);
+  }
+  std::vector<ExportedFile> files{
+      {.name = "actuator.urdf", .text = text_of(document), .left_out = std::move(plain.left_out)},
+      {.name = "joints.csv", .text = joints_csv(model)}};
+  if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
+  return files;
+}
+
+}  // namespace coilwright::exports

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "coilwright/exports/drawing.hpp"
+#include "coilwright/exports/femm.hpp"
+#include "coilwright/exports/getdp.hpp"
 #include "coilwright/exports/lumped.hpp"
 #include "coilwright/exports/mjcf.hpp"
 #include "coilwright/exports/mould.hpp"
@@ -17,6 +19,7 @@ namespace coilwright::exports {
 namespace {
 
 constexpr std::array<std::string_view, 3> of_workshop = {"lead_mm", "waste", "base_per_hardener"};
+constexpr std::array<std::string_view, 1> of_fields = {"current_A"};
 
 // One row a kind.
 constexpr std::array table = {
@@ -53,6 +56,19 @@ constexpr std::array table = {
                .use = "Load actuator.urdf, and apply what its first lines say: URDF has no springs.",
                .settings = {},
                .write_text = &urdf},
+    ExportKind{
+        .name = "getdp",
+        .gives = "a coil and its magnet as geometry and field problem for Gmsh and GetDP",
+        .use =
+            "In that folder: gmsh -2 -format msh22 pair.geo -o pair.msh && getdp pair.pro -msh pair.msh -solve Solve; "
+            "forces.txt has the force.",
+        .settings = of_fields,
+        .write_text = &getdp},
+    ExportKind{.name = "femm",
+               .gives = "a coil and its magnet as a script for FEMM 4.2",
+               .use = "In FEMM 4.2, open pair.lua as a Lua script: it draws, solves and prints the force.",
+               .settings = of_fields,
+               .write_text = &femm},
 };
 
 struct Writing {

@@ -21,6 +21,12 @@ constexpr std::array table = {
                   .lowest = 0.01,
                   .highest = 1000.0,
                   .value = &ExportSettings::base_per_hardener},
+    ExportSetting{
+        .name = "current_A",
+        .text = "Current in the coil of the pair whose field is computed, A; positive repels the magnet (default 1)",
+        .lowest = -1000.0,
+        .highest = 1000.0,
+        .value = &ExportSettings::current},
 };
 
 }  // namespace

@@ -14,6 +14,8 @@ struct ExportSettings {
   double waste = 0.25;
   /// Mass of part A of the silicone over that of part B; 0: not known, then only the sum of both is told.
   double base_per_hardener = 0.0;
+  /// In the coil of a pair whose field is computed, A; positive repels the magnet.
+  double current = 1.0;
 };
 
 /// One of them as a person gives it.

@@ -191,8 +191,8 @@ class HypothesisSearch {
   }
 
   // Whether the best of a level (sorted) is decisively better than the model without effects, and one more effect would
-  // be decisive again by its screening. A residual may pass as white because few samples tell little of the noise;
-  // what an effect takes away from it does not depend on that.
+  // be decisive again, and worth its name, by its screening. A residual may pass as white because few samples tell
+  // little of the noise; what an effect takes away from it does not depend on that.
   [[nodiscard]] bool another_is_decisive(const FittedHypothesis& before, const Level& level) {
     if (level.empty()) return false;
     const FittedHypothesis& best = level.front();
@@ -202,6 +202,7 @@ class HypothesisSearch {
     const Screened more = counted(screen(best));
     return std::ranges::any_of(more, [&](const ScreenedEffect& each) {
       const auto numbers = static_cast<double>(std::max<std::size_t>(1, each.guess.values.size()));
+      if (each.predicted_chi_square_fall < decision_thresholds.least_of_noise * best.fit.chi_square) return false;
       return each.predicted_chi_square_fall / overdispersion_ - numbers * per_number >=
              decision_thresholds.decisive_gain;
     });

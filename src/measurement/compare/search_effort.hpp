@@ -80,6 +80,9 @@ struct DecisionThresholds {
   /// model that is known to be incomplete takes the shape of what is missing.
   double least_explained = 0.2;
   double least_explained_later = 0.5;
+  /// If what remains passes as noise: the fraction of the whole chi-square that one more effect must promise to remove.
+  /// Less changes the rms residual by under 3 %, which is what a model's own errors do (another law of friction, say).
+  double least_of_noise = 0.05;
   /// Declared numbers that so few of the rigs built to their tolerances would have are off.
   double least_probability = 0.01;
 };

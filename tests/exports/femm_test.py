@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import unittest
 
-from exported import FINGER, PAPER_FINGER, export, skip_without
+from exported import FINGER, PAPER_FINGER, changed_finger, export, skip_without
 from planar_faces import area, faces, region_of
 from program import ProgramTest, run
 
@@ -143,6 +143,12 @@ class Femm(ProgramTest):
         code = re.sub(r'"[^"]*"|--.*', "", (folder / "pair.lua").read_text())
         for token in ("#", "//", "%", "[[", "string.", "math.", "table.", "io.", ":", "local", "goto", "pairs", "{"):
             self.assertNotIn(token, code)
+
+    def test_a_name_of_two_lines_is_no_command(self):
+        design = changed_finger(self.folder, name="finger\nremove()")
+        drawing, _ = self.drawing(design)
+        self.assertEqual(drawing.calls[0][0], "newdocument")
+        self.assertIn("-- Coil and magnet of finger\\nremove()", (self.folder / "femm" / "pair.lua").read_text())
 
     def test_finite_elements_on_what_it_draws_give_the_program_s_force(self):
         if shutil.which("gmsh") is None or shutil.which("getdp") is None:

@@ -3,6 +3,7 @@
 Skipped where gmsh or getdp is not installed.
 """
 
+import json
 import re
 import shutil
 import subprocess
@@ -10,7 +11,6 @@ import unittest
 
 from exported import FINGER, PAPER_FINGER, changed_finger, export, skip_without
 from program import ProgramTest, run
-import json
 
 # J x B on elements of second order leaves 0.01 %; a first order in the recoil of 1.05 with one figure for push and pull
 # is 0.1 % off (studies/force_by_finite_elements). Maxwell's stress leaves 0.1 % on this mesh.
@@ -62,7 +62,7 @@ class GetDP(ProgramTest):
         self.assertLess(self.assert_same_force(PAPER_FINGER, RIGID, "--current-A", "-0.7"), -1)
 
     def test_a_pair_of_another_shape_and_size(self):
-        design = changed_finger(self.folder, measured={}, coil={"inner_radius_mm": 1.5, "turns_radial": 6, "turns_axial": 40,
+        design = changed_finger(self.folder, name="a\nb", measured={}, coil={"inner_radius_mm": 1.5, "turns_radial": 6, "turns_axial": 40,
                                                                "wire_gauge_AWG": 32},
                                 magnet={"radius_mm": 2.5, "length_mm": 9, "grade": None, "remanence_T": 1.2},
                                 body={"gap_mm": 2.2})

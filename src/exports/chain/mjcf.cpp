@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "coilwright/text/one_line.hpp"
 #include "exports/chain/plain_model.hpp"
 #include "exports/chain/rigid_links.hpp"
 #include "exports/chain/torque_table.hpp"
@@ -135,7 +136,7 @@ std::string header(const Origin& origin, const std::vector<TorqueTable>& tables,
       "  The motor of a joint takes the torque in N m: for each pair, the current of its coil (A, positive opens) "
       "times\n"
       "  pairN_torque_Nm_A over pairN_angle_rad at the angle of the joint; torque.csv has the same numbers.\n",
-      origin.name.empty() ? "Actuator" : origin.name,
+      origin.name.empty() ? "Actuator" : text::one_line(origin.name),
       origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".");
   double miss = 0.0;
   for (const TorqueTable& table : tables) miss = std::max(miss, table.linear_error / largest_torque(table));
@@ -163,7 +164,7 @@ std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings
 
   pugi::xml_document document;
   xml_node root = document.append_child("mujoco");
-  set(root, "model", subject.origin.name.empty() ? "actuator" : subject.origin.name);
+  set(root, "model", subject.origin.name.empty() ? "actuator" : text::one_line(subject.origin.name));
   root.append_child(pugi::node_comment).set_value(comment_text(header(subject.origin, tables, plain.left_out)).c_str());
   xml_node compiler = root.append_child("compiler");
   set(compiler, "angle", "radian");

@@ -47,7 +47,7 @@ std::vector<std::string> distant_forces(const actuator::Model& model) {
                     "straight actuator at 1 A in every coil, where neighbours make {:.3g} Nmm",
                     of_coils, of_neighbours));
   if (std::max(std::abs(of_magnets), std::abs(of_coils)) > notable_share * std::abs(of_neighbours))
-    lines.emplace_back("so much that its motion is not the actuator's");
+    lines.back() += "; so much that its motion is not the actuator's";
   return lines;
 }
 

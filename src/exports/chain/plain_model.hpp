@@ -19,8 +19,8 @@ struct PlainModel {
 [[nodiscard]] PlainModel plain_model(const actuator::Model& model);
 
 /// What the forces between parts that are not neighbours do, a line for magnets and one for coils with their largest
-/// torque on the straight chain, and a third where that is so much that the motion without them is another; empty where
-/// there are none.
+/// torque on the straight chain; the last one says where that is so much that the motion without them is another. Empty
+/// where there are none.
 [[nodiscard]] std::vector<std::string> distant_forces(const actuator::Model& model);
 
 /// That everything is at 20 degC, where the model is of a design, which knows its heat; empty for any other.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/text/one_line.hpp"
 #include "exports/chain/plain_model.hpp"
 #include "exports/chain/rigid_links.hpp"
 #include "exports/chain/torque_table.hpp"
@@ -108,7 +109,7 @@ std::string header(const Origin& origin, double gravity, const std::vector<std::
       "  The lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and "
       "no\n"
       "  stop of the actuator. Effort and velocity of {} are no bounds of the actuator: URDF wants some.\n",
-      origin.name.empty() ? "Actuator" : origin.name,
+      origin.name.empty() ? "Actuator" : text::one_line(origin.name),
       origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".", gravity, no_bound);
   for (const std::string& line : left_out) text += fmt::format("  Left out: {}.\n", line);
   return text;
@@ -144,7 +145,7 @@ std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings
 
   pugi::xml_document document;
   xml_node robot = document.append_child("robot");
-  set(robot, "name", subject.origin.name.empty() ? "actuator" : subject.origin.name);
+  set(robot, "name", subject.origin.name.empty() ? "actuator" : text::one_line(subject.origin.name));
   robot.append_child(pugi::node_comment)
       .set_value(comment_text(header(subject.origin, model.chain().gravity(), plain.left_out)).c_str());
   add_base(robot, model.chain().base_tilt());

@@ -9,6 +9,7 @@
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/formats/actuator/pair_json.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
+#include "coilwright/text/one_line.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -79,9 +80,12 @@ std::vector<std::string> beyond_the_pair(const actuator::Model& model) {
 }
 
 std::vector<std::string> about(const FieldPair& pair, const Origin& origin) {
+  // What a person wrote may have line ends, and what follows one would be a command.
+  constexpr std::size_t longest = 400;
+  const std::string made_by = text::one_line(origin.made_by, longest);
   return {
-      fmt::format("Coil and magnet of {}{}", origin.name.empty() ? "an actuator" : origin.name,
-                  origin.made_by.empty() ? "." : ". Made by " + origin.made_by + "."),
+      fmt::format("Coil and magnet of {}{}", origin.name.empty() ? "an actuator" : text::one_line(origin.name),
+                  made_by.empty() ? "." : ". Made by " + made_by + "."),
       fmt::format("Coilwright: {:.5g} N on the magnet, away from the coil, at {:.6g} A (coilwright force pair.json).",
                   force_on_magnet(pair), pair.current)};
 }

@@ -31,9 +31,21 @@ constexpr std::size_t most_candidates = 5;
 constexpr std::size_t most_dependences = 4;
 constexpr double decisive_lead = 6.0;  // of the gain: odds of 20 to 1
 
+// An effect, and what it may be as well.
+std::string name_with_rivals(const Diagnosis& diagnosis, const actuator::EffectKind* kind) {
+  const auto set = std::ranges::find_if(diagnosis.indistinguishable,
+                                        [&](const auto& kinds) { return kinds.front() == kind && kinds.size() > 1; });
+  if (set == diagnosis.indistinguishable.end()) return std::string(kind->id());
+  std::vector<std::string> names;
+  for (const actuator::EffectKind* each : *set) names.emplace_back(each->id());
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("either {} or {} (these data cannot tell which)", fmt::join(names, ", "), last);
+}
+
 std::string verdict_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
-  for (const AddedEffect& each : diagnosis.effects) names.emplace_back(each.kind->id());
+  for (const AddedEffect& each : diagnosis.effects) names.push_back(name_with_rivals(diagnosis, each.kind));
   const std::string effects = fmt::format("{}", fmt::join(names, " and "));
   switch (diagnosis.verdict) {
     case Verdict::no_missing_effect:

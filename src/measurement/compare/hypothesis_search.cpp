@@ -167,8 +167,9 @@ class HypothesisSearch {
         break;
       }
       all.insert(all.end(), level.begin(), level.end());
-      if (size == search_effort.largest_hypothesis) break;
-      if ((adequate || before.whiteness.is_white()) && !another_is_decisive(before, level)) break;
+      // Where declared numbers alone leave noise, more effects than one would only share what these do.
+      if (before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
+      if (adequate && !another_is_decisive(before, level)) break;
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
       auto combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);

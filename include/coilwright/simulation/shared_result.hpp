@@ -22,7 +22,8 @@ class SharedResults {
     return found == kept_.end() ? nullptr : found->second;
   }
   /// Keeps a result, and returns what is kept: of two that were made at the same time the first.
-  std::shared_ptr<const void> keep(const std::shared_ptr<const void>& maker, const std::shared_ptr<const void>& result) {
+  std::shared_ptr<const void> keep(const std::shared_ptr<const void>& maker,
+                                   const std::shared_ptr<const void>& result) {
     const std::scoped_lock lock{guard_};
     return kept_.try_emplace(maker, result).first->second;
   }

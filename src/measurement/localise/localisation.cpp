@@ -12,7 +12,6 @@
 namespace coilwright::measurement::localise {
 namespace {
 
-using simulation::State;
 
 struct MeasuredAngles {
   std::vector<std::vector<double>> series{};

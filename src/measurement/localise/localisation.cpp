@@ -12,7 +12,6 @@
 namespace coilwright::measurement::localise {
 namespace {
 
-
 struct MeasuredAngles {
   std::vector<std::vector<double>> series{};
   std::vector<double> sigma{};

@@ -43,6 +43,7 @@ struct Options {
   std::string kind;
   std::string out;
   std::deque<std::optional<double>> settings;  // one per row of export_settings(), in the unit of its name
+  bool incomplete{false};
 };
 
 // "lead_mm" on the command line.
@@ -110,6 +111,10 @@ std::vector<ExportedFile> files_of(const Options& options, const ExportKind& kin
 void run_export(const Options& options) {
   const ExportKind& kind = *exports::find_export_kind(options.kind);
   const std::vector<ExportedFile> files = files_of(options, kind);
+  for (const ExportedFile& file : files)
+    if (!file.too_much.empty() && !options.incomplete)
+      throw InputError({.file = options.actuator.file,
+                        .rule = file.too_much + "; --incomplete writes what would move otherwise all the same"});
   const std::filesystem::path out(options.out);
   std::vector<std::filesystem::path> outputs;
   for (const ExportedFile& file : files) outputs.push_back(out / file.name);
@@ -136,6 +141,10 @@ void add_export_command(CLI::App& app, Outcome&) {
   command->add_option("--out", options->out, "Folder for the files; it is created if it does not exist")
       ->required()
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
+  command
+      ->add_flag("--incomplete", options->incomplete,
+                 "Write a model also where what it cannot have makes it move otherwise than the actuator does")
+      ->disable_flag_override();
   for (const ExportSetting& setting : exports::export_settings())
     command->add_option(option_name(setting), options->settings.emplace_back(), std::string(setting.text))
         ->check(number_rule(text::Rule::between(setting.lowest, setting.highest)));

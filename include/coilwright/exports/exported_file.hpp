@@ -11,6 +11,8 @@ struct ExportedFile {
   std::string text;  ///< UTF-8, lines end with a newline
   /// What of the actuator the file cannot say, one line each without a full stop: the text names it too.
   std::vector<std::string> left_out{};
+  /// Why that is so much that the file is of another actuator, without a full stop; empty where it is not.
+  std::string too_much{};
 };
 
 }  // namespace coilwright::exports

@@ -127,7 +127,8 @@ std::vector<ExportedFile> lumped(const ModelSubject& subject, const ExportSettin
   const std::string& name = subject.origin.name;
   return {{.name = "lumped_model.json",
            .text = formats::to_json(numbers.model, name, description(subject.origin, numbers.left_out)).text(),
-           .left_out = numbers.left_out}};
+           .left_out = numbers.left_out,
+           .too_much = too_much_of_distant_forces(subject.model)}};
 }
 
 }  // namespace coilwright::exports

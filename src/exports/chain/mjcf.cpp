@@ -188,8 +188,10 @@ std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings
     set(sensor, "name", joint_name(j) + "_angle");
     set(sensor, "joint", joint_name(j));
   }
-  std::vector<ExportedFile> files{
-      {.name = "actuator.xml", .text = text_of(document), .left_out = std::move(plain.left_out)}};
+  std::vector<ExportedFile> files{{.name = "actuator.xml",
+                                   .text = text_of(document),
+                                   .left_out = std::move(plain.left_out),
+                                   .too_much = too_much_of_distant_forces(model)}};
   if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
   return files;
 }

@@ -23,6 +23,10 @@ struct PlainModel {
 /// where there are none.
 [[nodiscard]] std::vector<std::string> distant_forces(const actuator::Model& model);
 
+/// Why a chain without these forces is of another actuator: they make more than a twentieth of what neighbours make at
+/// 1 A. Empty where they do not.
+[[nodiscard]] std::string too_much_of_distant_forces(const actuator::Model& model);
+
 /// That everything is at 20 degC, where the model is of a design, which knows its heat; empty for any other.
 [[nodiscard]] std::vector<std::string> heat_of_a_design(const actuator::Model& model);
 

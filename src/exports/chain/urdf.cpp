@@ -154,9 +154,11 @@ std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings
     add_joint(robot, j, body, model.hinges()[j], upper_limit(j, tables));
     add_link(robot, j, body);
   }
-  std::vector<ExportedFile> files{
-      {.name = "actuator.urdf", .text = text_of(document), .left_out = std::move(plain.left_out)},
-      {.name = "joints.csv", .text = joints_csv(model)}};
+  std::vector<ExportedFile> files{{.name = "actuator.urdf",
+                                   .text = text_of(document),
+                                   .left_out = std::move(plain.left_out),
+                                   .too_much = too_much_of_distant_forces(model)},
+                                  {.name = "joints.csv", .text = joints_csv(model)}};
   if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
   return files;
 }

@@ -55,12 +55,14 @@ std::string unknown_option(const CLI::App& command, std::string_view argument) {
   return "unknown option " + text::in_quotes(name) + text::did_you_mean(name, options);
 }
 
-std::string unexpected_argument(const CLI::App& app) {
+// What CLI11 could make nothing of: an option, if there is one, for what stands behind it may have been meant for it.
+// Nothing where all was taken.
+std::optional<std::string> unexpected_argument(const CLI::App& app) {
   const auto left = app.remaining(true);
-  if (left.empty()) return "an argument was not expected";
-  const std::string& argument = left.front();
-  if (argument.starts_with('-')) return unknown_option(chosen(app), argument);
-  return "unexpected argument " + text::in_quotes(argument);
+  if (left.empty()) return std::nullopt;
+  const auto option = std::ranges::find_if(left, [](const std::string& each) { return each.starts_with('-'); });
+  if (option != left.end()) return unknown_option(chosen(app), *option);
+  return "unexpected argument " + text::in_quotes(left.front());
 }
 
 // About one command, or about the program itself.
@@ -91,10 +93,9 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version, std::cout, std::cerr);
-  } catch (const CLI::ExtrasError&) {
-    return usage_error(chosen(app), unexpected_argument(app));
   } catch (const CLI::ParseError& error) {
-    return usage_error(chosen(app), error.what());
+    // What is missing may be missing because its option was misspelt.
+    return usage_error(chosen(app), unexpected_argument(app).value_or(error.what()));
   } catch (const text::InputError& error) {
     return fail(ExitCode::bad_input, error.what());
   } catch (const text::OutputError& error) {

@@ -138,9 +138,9 @@ void add_numbers(CLI::App& command, Options& options) {
   command.add_option("--step-ms", options.step, "Longest time step, ms (default 0.1)")
       ->check(number_rule(text::Rule::between(1e-3, 1.0)));
   command.add_option("--settling-periods", options.settling_periods, "Periods before it is measured (default 10)")
-      ->check(number_rule(text::Rule::between(0, 10000)));
+      ->transform(whole_number_rule(text::Rule::between(0, 10000)));
   command.add_option("--periods", options.periods, "Periods over which it is measured (default 20)")
-      ->check(number_rule(text::Rule::between(1, 10000)));
+      ->transform(whole_number_rule(text::Rule::between(1, 10000)));
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   command->add_option("--out", options->out, "Folder for the results; it is created if it does not exist")->required();
   add_threads_option(*command, options->threads, "Number of fits that run at the same time");
   command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
-      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
+      ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
   command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();
   command->footer(
       "Prints a summary and writes four files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"

@@ -19,6 +19,7 @@
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -140,9 +141,9 @@ void add_asked(CLI::App& command, Options& options) {
       ->check(number_rule(Rule::between(0.1, 1e6)));
   command
       .add_option("--wiring", options.wiring, "series or parallel: how all coils hang on the driver (default parallel)")
-      ->check(CLI::IsMember({"series", "parallel"}));
+      ->check(word_rule({"series", "parallel"}));
   command.add_option("--actuators", options.actuators, "Like actuators on the same driver (default 1)")
-      ->check(number_rule(Rule::between(1, 16)));
+      ->transform(whole_number_rule(Rule::between(1, 16)));
   auto* stated = command
                      .add_option("--coil-temperature-degC", options.coil_temperature,
                                  "Mean temperature of the coils, degC (default 20)")
@@ -161,7 +162,7 @@ void add_driver(CLI::App& command, Options& options) {
       command
           .add_option("--decay", options.decay,
                       "slow (coils shorted while off) or fast (current returned to the supply) (default slow)")
-          ->check(CLI::IsMember({"slow", "fast"}));
+          ->check(word_rule({"slow", "fast"}));
   auto* limit = command.add_option("--current-limit-A", options.limit, "At which the H-bridge chops, A (default none)")
                     ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(100.0))));
   const auto from_zero = [&](double most, const char* name, double& value, const char* text) {

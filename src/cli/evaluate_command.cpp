@@ -25,6 +25,7 @@
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
+#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -147,7 +148,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   command
       ->add_option("--wiring", options->wiring,
                    "How the coils hang on the supply: parallel or series. Default: likewise, or parallel")
-      ->check(CLI::IsMember({"parallel", "series"}));
+      ->check(word_rule({"parallel", "series"}));
   command
       ->add_option("--supply-resistance", options->supply_resistance,
                    "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0")

@@ -14,7 +14,7 @@ void add_noise_and_seed(CLI::App& command, ExperimentOptions& options) {
           "experiment's; may be repeated")
       ->allow_extra_args(false);
   command.add_option("--seed", options.seed, "Random seed for the noise (default 1)")
-      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
+      ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
 }
 
 measurement::experiment::Experiment read_experiment(const ExperimentOptions& options) {

@@ -17,6 +17,7 @@
 #include "coilwright/text/json/json.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
+#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -202,7 +203,7 @@ void add_object_options(CLI::App& command, Options& options) {
   command
       .add_option("--shape", options.shape,
                   "sphere, cylinder (its axis across the fingers' plane) or box (default sphere)")
-      ->check(CLI::IsMember({"sphere", "cylinder", "box"}));
+      ->check(word_rule({"sphere", "cylinder", "box"}));
   up_to(1e3, "--width-mm", options.width, "Diameter, or width of a box between the fingers, mm")->required();
   up_to(1e3, "--height-mm", options.height, "Height of a box, mm");
   up_to(1e5, "--mass-g", options.mass, "Mass of the object, g")->required();
@@ -225,7 +226,7 @@ void add_gripper_options(CLI::App& command, Options& options) {
   command
       .add_option("--polarity", options.polarity,
                   "same (identical fingers, whose magnets repel) or opposite (default same)")
-      ->check(CLI::IsMember({"same", "opposite"}));
+      ->check(word_rule({"same", "opposite"}));
   command.add_option("--current-A", options.current, "In every coil of both fingers, A (default 1.4)")
       ->check(number_rule(text::Rule::between(-100.0, 100.0)));
   command

@@ -133,7 +133,8 @@ void run_reach(const Options& options) {
   const control::Reach reach = answer(options, asked, task);
   const control::ProfileQuality& best = control::best_profile(reach);
   write(options, asked, reach, best);
-  std::cout << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
+  std::cout
+      << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
   std::cerr << remarks(reach, task, asked);
 }
 
@@ -155,8 +156,8 @@ void add_reach_command(CLI::App& app, Outcome&) {
   number("--stiffness-error-percent", options->stiffness_error, "How far k of the hinges may be off (default 10)",
          Rule::between(0, 50));
   number("--damping-error-percent", options->damping_error, "How far b may be off (default 10)", Rule::between(0, 50));
-  number("--pieces", options->pieces, "Levels of the searched profile before the last one (default 3)",
-         Rule::between(1, 6));
+  command->add_option("--pieces", options->pieces, "Levels of the searched profile before the last one (default 3)")
+      ->transform(whole_number_rule(Rule::between(1, 6)));
   command->add_option("--out", options->out, "CSV file to write the best profile to, for simulate --input");
   command->add_option("--c-header", options->header,
                       "C99 file to write: that profile and the model, for a microcontroller");

@@ -8,6 +8,7 @@
 #include "number_rule.hpp"
 #include "rig_commands.hpp"
 #include "rig_options.hpp"
+#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -54,7 +55,7 @@ void add_camera(CLI::App& command) {
            "F1,F2,..: frequencies of the sines, at most a tenth of the frame rate. Default: 0.5,1,2,10",
            up_to_a_million);
   rig->add_option("--only", options->only, "Film the steps or the sines alone: steps or sines")
-      ->check(CLI::IsMember({"steps", "sines"}));
+      ->check(word_rule({"steps", "sines"}));
   rig->add_option("--amplitude", options->amplitude, "Amplitude of the sines, A (default 0.7, as the paper's (23))")
       ->check(number_rule(current));
   rig->add_option("--offset", options->offset, "Mean current of the sines, A (default 0.7)")

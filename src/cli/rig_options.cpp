@@ -17,6 +17,7 @@
 #include "coilwright/units/unit.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -70,7 +71,7 @@ void add_rig_options(CLI::App& rig, RigOptions& options) {
   rig.add_option("--fidelity", options.fidelity,
                  "By which force the readings in the data set are: exact or line_of_centres. Default: as the actuator "
                  "says")
-      ->check(CLI::IsMember({"exact", "line_of_centres"}));
+      ->check(word_rule({"exact", "line_of_centres"}));
   rig.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
 

@@ -18,14 +18,14 @@ using namespace systems::rig;
 struct Options {
   RigOptions rig;
   std::vector<double> angles{};          // degrees
-  std::optional<double> joint{};         // from 1
+  std::optional<int> joint{};            // from 1
   std::optional<double> gauge_height{};  // mm
 };
 
 StiffnessGauge gauge_of(const Options& options) {
   StiffnessGauge gauge = paper_stiffness_gauge();
   if (!options.angles.empty()) gauge.angles = to_memory(options.angles, "angles_deg");
-  if (options.joint) gauge.joint = static_cast<int>(*options.joint) - 1;
+  if (options.joint) gauge.joint = *options.joint - 1;
   if (options.gauge_height) gauge.height = units::to_memory(*options.gauge_height, "gauge_height_mm");
   return gauge;
 }
@@ -42,10 +42,7 @@ void add_stiffness_gauge(CLI::App& command) {
            text::Rule::above(0.0).and_also(text::Rule::at_most(120.0)));
   rig->add_option("--joint", options->joint,
                   "Joint that is held open, from 1 at the base; all others are straight. Default: the last")
-      ->check(number_rule(text::Rule::between(1.0, 16.0)))
-      ->check([](const std::string& text) {
-        return text.find_first_not_of("0123456789") == std::string::npos ? "" : "must be whole; got " + text;
-      });
+      ->transform(whole_number_rule(text::Rule::between(1, 16)));
   rig->add_option("--gauge-height-mm", options->gauge_height,
                   "Where on the last segment the gauge presses, from that segment's joint. Default: its tip")
       ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1000.0))));

@@ -45,11 +45,11 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
 
 void add_search_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--seed", options.seed, "Random seed; overrides the study's")
-      ->check(number_rule(text::Rule::between(0, 9007199254740992.0)));
+      ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
   command
       .add_option("--max-evaluations", options.max_evaluations,
                   "Largest number of designs that the search evaluates; overrides the study's")
-      ->check(number_rule(text::Rule::between(1, 1e9)));
+      ->transform(whole_number_rule(text::Rule::between(1, 1e9)));
   command
       .add_option("--algorithm", options.algorithm,
                   fmt::format("Search algorithm; overrides the study's (default automatic). One of {}",

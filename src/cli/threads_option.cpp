@@ -27,7 +27,7 @@ void add_threads_option(CLI::App& command, int& threads, const std::string& what
       .add_option_function<int>(
           "--threads", [&threads](int asked) { threads = std::min(asked, cores()); },
           what + ", at most the number of cores (default 0: one for each core)")
-      ->check(number_rule(text::Rule::between(0, most_threads)));
+      ->transform(whole_number_rule(text::Rule::between(0, most_threads)));
 }
 
 }  // namespace coilwright::cli

@@ -1,6 +1,10 @@
 #include "coilwright/text/spelling.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "coilwright/text/one_line.hpp"
@@ -33,16 +37,35 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest_word || candidate == word) continue;
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance >= best_distance) continue;
+    if (distance >= best_distance || distance >= word.size()) continue;  // a single letter is no slip for another one
     best_distance = distance;
     best = candidate;
   }
   return best;
 }
 
+std::vector<std::string> words_beginning_with(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::ptrdiff_t fewest_letters = 2;  // of one letter, nothing can be told
+  constexpr std::size_t most_words = 4;         // more are a list, which the reader of a message has elsewhere
+  const auto is_letter = [](unsigned char letter) { return letter != '-' && letter != '_'; };
+  if (std::ranges::count_if(word, is_letter) < fewest_letters) return {};
+  std::vector<std::string> words;
+  for (const std::string& candidate : candidates)
+    if (candidate != word && candidate.starts_with(word)) words.push_back(candidate);
+  if (words.size() > most_words) words.clear();
+  return words;
+}
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-  const auto best = nearest_word(word, candidates);
-  return best ? "; did you mean " + in_quotes(*best) + "?" : std::string();
+  std::vector<std::string> words = words_beginning_with(word, candidates);
+  if (words.empty())
+    if (const auto nearest = nearest_word(word, candidates)) words.push_back(*nearest);
+  if (words.empty()) return {};
+  for (std::string& meant : words) meant = in_quotes(meant);
+  const std::string last = words.back();
+  words.pop_back();
+  if (words.empty()) return "; did you mean " + last + "?";
+  return fmt::format("; did you mean {} or {}?", fmt::join(words, ", "), last);
 }
 
 }  // namespace coilwright::text

@@ -87,7 +87,7 @@ class Drive(ProgramTest):
             (("--mean-A", "1", "--duty", "0.5", "--supply-voltage-V", "12"),
              "--supply-voltage-V: with --duty and --mean-A the voltage is what is looked for"),
             (("--duty", "0.5", "--frequency-Hz", "0"), "--frequency-Hz"),
-            (("--duty", "0.5", "--decay", "mixed"), "--decay: mixed not in {slow,fast}"),
+            (("--duty", "0.5", "--decay", "mixed"), '--decay: must be one of "slow", "fast"; got "mixed"'),
             (("--duty", "0.5", "--cell-voltage-V", "4.2"), "--cell-voltage-V requires --cell-capacity-mAh"),
             (("--duty", "0.5", "--decay", "fast", *CELL), "--decay excludes --cell-voltage-V"),
             (("--duty", "0.5", "--warm", "--coil-temperature-degC", "60"), "excludes"),

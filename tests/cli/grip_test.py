@@ -40,7 +40,7 @@ class Grip(ProgramTest):
             (("--width-mm", "60", "--mass-g", "40", "--friction", "0"), "--friction"),
             (("--shape", "box", "--width-mm", "60", "--mass-g", "40", "--friction", "1"), "--height-mm: is needed for a box"),
             ((*BALL, "--mounting-angle-deg", "90"), "--mounting-angle-deg"),
-            ((*BALL, "--polarity", "up"), "--polarity: up not in {same,opposite}"),
+            ((*BALL, "--polarity", "up"), '--polarity: must be one of "same", "opposite"; got "up"'),
         ):
             result = run("grip", FINGER, *arguments)
             self.assertEqual(result.returncode, 2)

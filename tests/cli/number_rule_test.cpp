@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 namespace coilwright::cli {
@@ -33,6 +34,44 @@ TEST(NumberRule, RefusesWhatIsNoFiniteNumber) {
 TEST(NumberRule, RefusesWhatTheRuleForbids) {
   EXPECT_EQ(complaint("0", text::positive), "--current: must be > 0; got \"0\"");
   EXPECT_EQ(complaint("7", text::Rule::between(2, 5)), "--current: must be from 2 to 5; got \"7\"");
+}
+
+// The number that an integer option has after the argument, or the complaint.
+std::string whole(const std::string& argument, const text::Rule& rule) {
+  CLI::App app;
+  std::int64_t value{};
+  app.add_option("--pieces", value)->transform(whole_number_rule(rule));
+  try {
+    app.parse(std::vector<std::string>{argument, "--pieces"});
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+  return std::to_string(value);
+}
+
+constexpr double exact = 9007199254740992.0;  // 2^53
+
+TEST(WholeNumberRule, TakesWholeNumbersHoweverTheyAreWritten) {
+  const text::Rule rule = text::Rule::between(-5, exact);
+  EXPECT_EQ(whole("3", rule), "3");
+  EXPECT_EQ(whole("-2", rule), "-2");
+  EXPECT_EQ(whole("2e3", rule), "2000");
+  EXPECT_EQ(whole("4.0", rule), "4");
+  EXPECT_EQ(whole("010", rule), "10");  // and not eight
+  EXPECT_EQ(whole("9007199254740991", rule), "9007199254740991");
+  EXPECT_EQ(whole("9007199254740992", rule), "9007199254740992");
+}
+
+TEST(WholeNumberRule, RefusesWithOptionRuleAndValue) {
+  const text::Rule rule = text::Rule::between(1, 6);
+  for (const std::string argument : {"2.5", "abc", "", "nan", "1e999", "3A", "0x3"})
+    EXPECT_EQ(whole(argument, rule), "--pieces: must be a whole number; got \"" + argument + "\"");
+  EXPECT_EQ(whole("7", rule), "--pieces: must be from 1 to 6; got \"7\"");
+}
+
+TEST(WholeNumberRule, DoesNotRoundWhatIsTooLarge) {
+  EXPECT_EQ(whole("9007199254740993", text::Rule::between(0, exact)),
+            "--pieces: must be from 0 to 9007199254740992; got \"9007199254740993\"");
 }
 
 }  // namespace

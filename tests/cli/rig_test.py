@@ -120,7 +120,7 @@ class StiffnessGauge(Rig):
         see = " (see coilwright rig stiffness-gauge --help)"
         for message, *arguments in (
                 ('rig stiffness-gauge: --angles-deg: must be > 0 and <= 120; got "0"' + see, "--angles-deg", "0"),
-                ('rig stiffness-gauge: --joint: must be whole; got 1.5' + see, "--joint", "1.5"),
+                ('rig stiffness-gauge: --joint: must be a whole number; got "1.5"' + see, "--joint", "1.5"),
                 (f"{PAPER_FINGER}: joint must be from 1 to 2; got 3", "--joint", "3"),
                 (f"{PAPER_FINGER}: gauge height must not lie beyond the tip, 21.2 mm from its joint; got 30 mm",
                  "--gauge-height-mm", "30")):

@@ -39,9 +39,14 @@ class StudyInput(ProgramTest):
             ({"objectives": [FRONT[0], {"minimise": "peak_bending_speed_deg_s"}]},
              "/objectives/1: asks for a quantity twice"),
             ({"objectives": [{"maximise": "peak_speed"}]}, "/objectives/0/maximise: " + QUANTITY_RULE +
-             '; got text "peak_speed"'),
+             '; did you mean "peak_speed_time_s"?; got text "peak_speed"'),
             ({"objectives": [{"maximise": "mass_kg"}]}, "/objectives/0/maximise: " + QUANTITY_RULE +
              '; did you mean "mass_g"?; got text "mass_kg"'),
+            ({"objectives": [{"maximise": "mass"}]}, "/objectives/0/maximise: " + QUANTITY_RULE +
+             '; did you mean "mass_g"?; got text "mass"'),
+            (variable("turns", lower=10, upper=12), '/variables/turns: is not a variable of a design; did you mean '
+             '"turns_radial" or "turns_axial"?'),
+            ({"search": {"max": 3}}, '/search/max: unknown key; did you mean "max_evaluations"?'),
             ({"objectives": [{"maximum": "mass_g"}]},
              '/objectives/0: needs one of "maximise", "minimise", "maximize", "minimize"'),
             ({"objectives": [{"maximise": "mass_g", "minimize": "mass_g"}]},

@@ -64,6 +64,29 @@ TEST(Spelling, SuggestsTheNearestWordAndNothingFarOff) {
   EXPECT_EQ(did_you_mean("evalute", words), "; did you mean \"evaluate\"?");
   EXPECT_EQ(did_you_mean("vaildate", words), "; did you mean \"validate\"?");
   EXPECT_EQ(did_you_mean("banana", words), "");
+  EXPECT_EQ(did_you_mean("E", std::vector<std::string>{"A", "B"}), "");
+}
+
+TEST(Spelling, SuggestsWhatBeginsWithTheWord) {
+  const std::vector<std::string> words = {"mass_g", "maximise", "--max-evaluations", "--json", "gap_mm", "gas_mm"};
+  EXPECT_EQ(did_you_mean("mass", words), "; did you mean \"mass_g\"?");
+  EXPECT_EQ(did_you_mean("--max", words), "; did you mean \"--max-evaluations\"?");
+  EXPECT_EQ(did_you_mean("ga", words), "; did you mean \"gap_mm\" or \"gas_mm\"?");
+  EXPECT_EQ(did_you_mean("mass_g", words), "");
+}
+
+TEST(Spelling, SuggestsNothingThatBeginsWithOneLetterOrWithDashes) {
+  const std::vector<std::string> words = {"--json", "maximise"};
+  EXPECT_EQ(did_you_mean("--j", words), "");
+  EXPECT_EQ(did_you_mean("m", words), "");
+  EXPECT_EQ(did_you_mean("--", words), "");
+}
+
+TEST(Spelling, ListsNoMoreThanFourWords) {
+  std::vector<std::string> words = {"angle_1", "angle_2", "angle_3", "angle_4"};
+  EXPECT_EQ(did_you_mean("angle", words), "; did you mean \"angle_1\", \"angle_2\", \"angle_3\" or \"angle_4\"?");
+  words.emplace_back("angle_of_the_base");
+  EXPECT_EQ(did_you_mean("ang", words), "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace coilwright::text {
 
@@ -15,7 +16,13 @@ namespace coilwright::text {
 /// The candidate that `word` was most likely meant to be: at most a third of its letters (at least one) away.
 [[nodiscard]] std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
 
-/// `; did you mean "evaluate"?`, or nothing when no candidate is near.
+/// The candidates that begin with `word`, in their order: at least two letters or digits of it are needed, and nothing
+/// is returned where more than four begin so.
+[[nodiscard]] std::vector<std::string> words_beginning_with(std::string_view word,
+                                                            std::span<const std::string> candidates);
+
+/// `; did you mean "evaluate"?`: the candidates that begin with `word` ("mass" for "mass_g", "eval" for "evaluate"), or
+/// else the nearest one. Nothing when no candidate is near.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace coilwright::text

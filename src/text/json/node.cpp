@@ -162,7 +162,9 @@ InputError Node::wrong_word(const std::vector<std::string>& legal) const {
   if (kind() != Kind::text) return error("must be a text");
   std::vector<std::string> shown_words;
   for (const std::string& word : legal) shown_words.push_back(in_quotes(word));
-  return error(fmt::format("must be {}{}", legal.size() == 1 ? "" : "one of ", fmt::join(shown_words, ", ")));
+  // A format with another number is of another version, and not misspelt.
+  const std::string meant = key_ == "format" ? "" : did_you_mean(text(), legal);
+  return error(fmt::format("must be {}{}{}", legal.size() == 1 ? "" : "one of ", fmt::join(shown_words, ", "), meant));
 }
 
 std::string Node::shown() const {

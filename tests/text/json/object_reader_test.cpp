@@ -103,7 +103,7 @@ TEST(ObjectReader, RefusesANumberOutsideItsRule) {
 
 TEST(ObjectReader, RefusesAWordThatIsNoChoice) {
   EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": 3, "shape": "sqare"})"),
-            "x.json: /coil/shape: must be one of \"round\", \"square\"; got text \"sqare\"");
+            "x.json: /coil/shape: must be one of \"round\", \"square\"; did you mean \"square\"?; got text \"sqare\"");
 }
 
 TEST(ObjectReader, TurnsACheckingConstructorsRefusalIntoAnInputError) {

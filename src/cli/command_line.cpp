@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "build_info.hpp"
+#include "command_names.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
@@ -26,24 +28,10 @@ ExitCode fail(ExitCode code, std::string_view message) {
   return code;
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  // A group of options is a command without a name.
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App* each) { return !each->get_name().empty(); }))
-    names.push_back(command->get_name());
-  return names;
-}
-
 // The command that the arguments chose (`rig torque-bench` is one below another), or the program itself.
 const CLI::App& chosen(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? app : chosen(*commands.front());
-}
-
-// "coilwright rig torque-bench".
-std::string name_of(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  return parent == nullptr ? command.get_name() : name_of(*parent) + " " + command.get_name();
 }
 
 std::string unknown_option(const CLI::App& command, std::string_view argument) {
@@ -84,7 +72,7 @@ std::optional<ExitCode> mistaken_command(const CLI::App& app, std::span<const ch
     return usage_error(app, unknown_option(app, first));
   }
   if (std::find(names.begin(), names.end(), first) == names.end())
-    return usage_error(app, "unknown command " + text::in_quotes(first) + text::did_you_mean(first, names));
+    return usage_error(app, unknown_command(first, names));
   return mistaken_command(*app.get_subcommand(std::string(first)), arguments.subspan(1));
 }
 
@@ -116,14 +104,16 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
 ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand> commands) {
   CLI::App app("Sizes soft electromagnetic bending actuators and identifies which physical effect a model lacks.",
                "coilwright");
-  app.set_version_flag("--version", "coilwright " COILWRIGHT_VERSION, "Print the version and exit");
+  app.set_version_flag("-V,--version", &version_text, "Print the version, the commit and the libraries, and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(
-      "coilwright COMMAND --help explains a command and shows an example.\n\n"
+      "coilwright help COMMAND explains a command and shows an example.\n\n"
       "Exit codes: 0 done; 1 another failure; 2 bad input or usage; 3 no feasible design; 130 interrupted.");
   Outcome outcome;
   for (const AddCommand add : commands) add(app, outcome);
+  add_help_command(app, outcome);
+  add_version_command(app, outcome);
 
   if (const auto mistake = mistaken_command(app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
     return *mistake;

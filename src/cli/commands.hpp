@@ -22,6 +22,7 @@ void add_linearise_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_plan_command(CLI::App& app, Outcome& outcome);
 void add_reach_command(CLI::App& app, Outcome& outcome);
+void add_help_command(CLI::App& app, Outcome& outcome);
 void add_grip_command(CLI::App& app, Outcome& outcome);
 void add_rig_command(CLI::App& app, Outcome& outcome);
 void add_simulate_command(CLI::App& app, Outcome& outcome);
@@ -29,5 +30,6 @@ void add_size_command(CLI::App& app, Outcome& outcome);
 void add_sweep_command(CLI::App& app, Outcome& outcome);
 void add_twin_command(CLI::App& app, Outcome& outcome);
 void add_validate_command(CLI::App& app, Outcome& outcome);
+void add_version_command(CLI::App& app, Outcome& outcome);
 
 }  // namespace coilwright::cli

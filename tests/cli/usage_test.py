@@ -1,5 +1,6 @@
 """The frame of the program: commands, options, help and exit codes."""
 
+import json
 import unittest
 
 from program import ProgramTest, run
@@ -19,6 +20,39 @@ class Usage(ProgramTest):
         self.assert_refused(["--verison"],
                             'unknown option "--verison"; did you mean "--version"? (see coilwright --help)')
 
+    def test_a_command_an_option_or_a_word_is_found_by_its_beginning(self):
+        self.assert_refused(["eval"], 'unknown command "eval"; did you mean "evaluate"? (see coilwright --help)')
+        self.assert_refused(["size", "--max=3"], 'size: unknown option "--max"; did you mean "--max-evaluations"? '
+                            '(see coilwright size --help)')
+        self.assert_refused(["drive", "x.json", "--wiring", "par"], 'drive: --wiring: must be one of "series", '
+                            '"parallel"; did you mean "parallel"?; got "par" (see coilwright drive --help)')
+
+    def test_an_unknown_option_is_named_before_a_missing_one(self):
+        self.assert_refused(["size", "x.json", "--otu", "y"],
+                            'size: unknown option "--otu"; did you mean "--out"? (see coilwright size --help)')
+        self.assert_refused(["rig", "camera", "--fidelty", "exact"], 'rig camera: unknown option "--fidelty"; did you '
+                            'mean "--fidelity"? (see coilwright rig camera --help)')
+
+    def test_an_option_that_wants_a_whole_number_says_so(self):
+        for command, option, text, rule in (
+            ("reach x.json --angle-deg 3", "--pieces", "2.5", "a whole number"),
+            ("reach x.json --angle-deg 3", "--pieces", "7", "from 1 to 6"),
+            ("size x.json --out y", "--threads", "1.5", "a whole number"),
+            ("size x.json --out y", "--threads", "1025", "from 0 to 1024"),
+            ("size x.json --out y", "--seed", "0.5", "a whole number"),
+            ("size x.json --out y", "--max-evaluations", "many", "a whole number"),
+            ("pareto x.json --out y", "--max-evaluations", "0", "from 1 to 1000000000"),
+            ("diagnose x --out y", "--seed", "-1", "from 0 to 9007199254740992"),
+            ("twin x.json --experiment y --out z", "--seed", "1e-3", "a whole number"),
+            ("drive x.json", "--actuators", "1.5", "a whole number"),
+            ("crawl x.json", "--periods", "010.5", "a whole number"),
+            ("crawl x.json", "--settling-periods", "1e5", "from 0 to 10000"),
+            ("rig stiffness-gauge x.json --out y", "--joint", "1.5", "a whole number"),
+        ):
+            name = " ".join(word for word in command.split()[:2] if not word.startswith("x"))
+            self.assert_refused([*command.split(), option + "=" + text],
+                                f'{name}: {option}: must be {rule}; got "{text}" (see coilwright {name} --help)')
+
     def test_missing_and_superfluous_arguments_are_refused(self):
         self.assert_refused(["force"], "force: PAIR.json is required (see coilwright force --help)")
         self.assert_refused(["force", "a.json", "b.json"],
@@ -31,10 +65,31 @@ class Usage(ProgramTest):
         self.assertEqual(result.stderr.count("\n"), 1)
 
     def test_help_and_version_are_no_errors(self):
-        for arguments in (["--help"], ["-h"], ["force", "--help"], ["--version"]):
+        for arguments in (["--help"], ["-h"], ["force", "--help"], ["--version"], ["-V"], ["version"], ["help"]):
             result = run(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
-        self.assertRegex(run("--version").stdout, r"^coilwright \d+\.\d+\.\d+\n$")
+
+    def test_the_version_names_commit_compiler_and_libraries(self):
+        text = run("--version").stdout
+        self.assertRegex(text, r"^coilwright \d+\.\d+\.\d+\n"
+                         r"(Commit [0-9a-f]{40}(, changed since)?|Commit unknown: built outside of its git repository)\.\n"
+                         r"Built by \w+ [\d.]+ with NLopt [\d.]+, .*Boost [\d.]+.*Ceres [\d.]+.*\.\n$")
+        self.assertNotIn("unknown,", text)
+        self.assertEqual([run("-V").stdout, run("version").stdout], [text, text])
+        told = json.loads(run("version", "--json").stdout)
+        self.assertEqual(text.split("\n")[0], f"{told['program']} {told['version']}")
+        self.assertIn(f"Commit {told['commit'] or 'unknown'}", text)
+        for library, version in told["libraries"].items():
+            self.assertIn(f"{library} {version}", text)
+
+    def test_help_explains_a_command(self):
+        self.assertEqual(run("help").stdout, run("--help").stdout)
+        self.assertEqual(run("help", "size").stdout, run("size", "--help").stdout)
+        self.assertEqual(run("help", "rig", "camera").stdout, run("rig", "camera", "--help").stdout)
+        self.assert_refused(["help", "siez"], 'help: unknown command "siez"; did you mean "size"? (see coilwright help '
+                            '--help)')
+        self.assert_refused(["help", "rig", "cam"], 'help: unknown command "cam"; did you mean "camera"? (see '
+                            'coilwright help --help)')
 
     def test_the_help_of_every_command_shows_an_example(self):
         text = run("--help").stdout

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/report/text_table.hpp"
 #include "report/design_text.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "coilwright/report/text_table.hpp"
 #include "report/diagnosis_numbers.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/text_table.hpp"
+#include "coilwright/report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -11,11 +11,11 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
+#include "coilwright/report/text_table.hpp"
 #include "report/diagnosis_advice.hpp"
 #include "report/diagnosis_assumptions.hpp"
 #include "report/diagnosis_correction.hpp"
 #include "report/diagnosis_numbers.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <variant>
 
+#include "coilwright/report/text_table.hpp"
 #include "coilwright/units/unit.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

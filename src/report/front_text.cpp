@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "coilwright/formats/study/front_json.hpp"
+#include "coilwright/report/text_table.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/text_table.hpp"
+#include "coilwright/report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/report/text_table.hpp"
 #include "coilwright/units/unit.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "coilwright/report/text_table.hpp"
 #include "coilwright/units/unit.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

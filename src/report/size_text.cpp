@@ -9,10 +9,10 @@
 
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/report/text_table.hpp"
 #include "report/assumptions_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
-#include "report/text_table.hpp"
 
 namespace coilwright::report {
 namespace {

@@ -114,7 +114,23 @@ def outside(rule):
 
 def defaults(section):
     """What a section of an actuator has where a file says nothing; a reference of its calibration is not made up."""
-    return {key: rule["default"] for key, rule in section["properties"].items() if key != "hinge_reference"}
+    return {key: rule["default"] for key, rule in section["properties"].items()
+            if key not in ("hinge_reference", "comment")}
+
+
+def with_comments(document):
+    """A copy each with a comment in one of its objects."""
+    def objects(value, pointer=""):
+        if isinstance(value, dict):
+            yield pointer
+            for key, below in value.items():
+                yield from objects(below, f"{pointer}/{key}")
+        elif isinstance(value, list):
+            for index, below in enumerate(value):
+                yield from objects(below, f"{pointer}/{index}")
+
+    for pointer in objects(document):
+        yield pointer, changed(document, pointer + "/comment", "what this is for")
 
 
 def inside(rule):
@@ -293,6 +309,25 @@ class SchemasAndProgram(ProgramTest):
                 self.assertNotEqual(faults(document, schema), [])
                 self.assertNotEqual(self.refusal(schema, document), "")
 
+    def test_take_a_comment_in_the_same_objects(self):
+        study = {**data_file("study.json"), **BLOCKS}
+        friction = {"id": "dry_friction", "parameters": {"torque_Nmm": 0.3}}
+        bases = [{**data_file("actuator.json"), "effects": [friction]}, data_file("lumped_model.json"),
+                 data_file("pair.json"), data_file("two_coils.json"), data_file("two_magnets.json"), study,
+                 {**data_file("experiment.json")}]
+        bases[-1]["runs"][2]["start_angles_deg"] = [9, 3]
+        taken = 0
+        for base in bases:
+            for pointer, document in with_comments(base):
+                with self.subTest(f"{schema_of(base)} {pointer}"):
+                    refused = self.refusal(schema_of(base), document)
+                    self.assertEqual(bool(faults(document)), bool(refused), refused)
+                    taken += not refused
+                    # A comment is a text.
+                    self.assertNotEqual(faults(changed(document, pointer + "/comment", 3)), [])
+                    self.assertNotEqual(self.refusal(schema_of(base), changed(document, pointer + "/comment", 3)), "")
+        self.assertGreater(taken, 50)
+
     def assert_same_bounds(self, schema, document, within=""):
         """Every number of a document at and beyond the bounds that its schema gives."""
         self.assertEqual(faults(document, schema), [])
@@ -312,7 +347,8 @@ class SchemasAndProgram(ProgramTest):
 
     def test_bound_the_numbers_of_an_actuator_alike(self):
         measured = data_file("actuator.json")
-        measured["measured"] = {key: 1 for key in SCHEMAS["actuator.schema.json"]["properties"]["measured"]["properties"]}
+        measured["measured"] = {key: 1 for key in SCHEMAS["actuator.schema.json"]["properties"]["measured"]["properties"]
+                                if key != "comment"}
         self.assert_same_bounds("actuator", measured, "/measured")
         sections = ("coil", "magnet", "body", "surroundings", "calibration")
         properties = SCHEMAS["actuator.schema.json"]["properties"]
@@ -324,7 +360,8 @@ class SchemasAndProgram(ProgramTest):
         # Of a model that can have every effect, for it knows of none.
         base = json.loads(PAPER_FINGER.read_text())
         for effect in SCHEMAS["effects.schema.json"]["items"]["oneOf"]:
-            rules = effect["properties"]["parameters"].get("properties", {})
+            rules = {key: rule for key, rule in effect["properties"]["parameters"].get("properties", {}).items()
+                     if key != "comment"}
             values = {key: 1 if "enum" in rule else max(1, resolved(rule, "effects.schema.json")[0]["minimum"])
                       for key, rule in rules.items()}
             base["effects"] = [{"id": effect["title"], "parameters": values}]

@@ -10,6 +10,7 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/actuator/operating_point.hpp"
+#include "coilwright/formats/actuator/parameter_rule.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
@@ -50,8 +51,5 @@ struct DesignContent {
 
 /// What a text must be that is to name a value of it: `must be one of "none", "N35", ...`, with the nearest.
 [[nodiscard]] std::string name_rule(const actuator::Parameter& parameter, std::string_view text);
-
-/// The rule of a parameter of a Design in the terms of an input file.
-[[nodiscard]] text::Rule rule_of(const actuator::Parameter& parameter);
 
 }  // namespace coilwright::formats

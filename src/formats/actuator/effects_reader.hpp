@@ -3,12 +3,10 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/formats/actuator/parameter_rule.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
-
-/// The rule of an effect's parameter in the unit of its key.
-[[nodiscard]] text::Rule rule_of(const actuator::EffectParameter& parameter);
 
 /// The key "effects" of an actuator file, `[{"id": "dry_friction", "parameters": {"torque_Nmm": 0.61}}]`: effects that
 /// the model has beside its stages. Empty where the key is absent. An

@@ -121,7 +121,8 @@ void ObjectReader::literal(std::string_view key, std::string_view expected) {
 void ObjectReader::finish() const {
   for (const std::string& key : node_.keys()) {
     if (asked_for_.contains(key)) continue;
-    if (key != schema_key || !node_.pointer().empty()) throw unknown(key);
+    const bool for_others = key == comment_key || (key == schema_key && node_.pointer().empty());
+    if (!for_others) throw unknown(key);
     (void)node_.find(key)->text();
   }
 }

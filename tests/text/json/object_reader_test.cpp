@@ -56,6 +56,15 @@ TEST(ObjectReader, RefusesAnUnknownKeyAndSuggestsTheOneThatWasMeant) {
             "x.json: /coil/colour: unknown key; the keys here are \"pitch_mm\", \"radius_mm\", \"shape\", \"turns\"");
 }
 
+TEST(ObjectReader, AcceptsACommentInEveryObjectIfItIsAText) {
+  EXPECT_EQ(refusal(R"({"comment": "of the paper", "radius_mm": -9.9, "turns": 14})"),
+            "x.json: /coil/radius_mm: must be > 0; got -9.9");
+  EXPECT_EQ(refusal(R"({"comment": 3, "radius_mm": 9.9, "turns": 14})"),
+            "x.json: /coil/comment: must be a text; got 3");
+  const Document document = parse_json(R"({"comment": "of the paper", "radius_mm": 9.9, "turns": 14})", "x.json");
+  EXPECT_EQ(read_coil(document.root()).turns, 14);
+}
+
 TEST(ObjectReader, AcceptsTheSchemaOfAnEditorAtTheRootOnly) {
   const auto refusal_of_document = [](std::string_view text) {
     const Document document = parse_json(text, "x.json");

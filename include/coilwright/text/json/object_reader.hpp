@@ -17,6 +17,10 @@ namespace coilwright::text {
 /// The key that tells an editor which JSON Schema a document follows. No reader uses it, and no writer writes it.
 inline constexpr std::string_view schema_key = "$schema";
 
+/// A key for people in any object: a text beside the numbers that it is about, JSON having no comments. No reader uses
+/// it, and no writer writes it.
+inline constexpr std::string_view comment_key = "comment";
+
 /// Reads the keys of one JSON object, each asked for once, and at the end refuses the ones nobody asked for.
 ///
 ///     const auto coil = read_object(node, [](ObjectReader& in) {
@@ -111,7 +115,7 @@ class ObjectReader {
   [[nodiscard]] const Node& node() const noexcept { return node_; }
 
   /// Throws InputError at the first key that was never asked for, suggesting the one that was probably meant. A text
-  /// under `schema_key` is accepted at the root of a document.
+  /// under `comment_key` is accepted, and one under `schema_key` at the root of a document.
   void finish() const;
 
  private:

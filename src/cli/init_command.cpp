@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "coilwright/text/json/json.hpp"
+#include "coilwright/text/output/output_folder.hpp"
+#include "commands.hpp"
+#include "outcome.hpp"
+#include "packed_files.hpp"
+#include "word_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using text::Json;
+
+constexpr std::string_view actuator_file = "actuator.json";
+
+struct Start {
+  std::string_view word;
+  std::vector<std::string_view> files;
+  std::string_view next;  // the command to run in that folder
+};
+
+std::vector<Start> kinds_of_start() {
+  return {{.word = "study", .files = {"study.json", actuator_file}, .next = "coilwright size study.json --out results"},
+          {.word = "actuator", .files = {actuator_file}, .next = "coilwright evaluate actuator.json --current 1"},
+          {.word = "dataset",
+           .files = {"dataset.json", "step_0.7A.csv", "step_1.4A.csv", "sine_2Hz.csv", actuator_file},
+           .next = "coilwright diagnose . --out results"}};
+}
+
+std::string_view text_of(std::string_view name) {
+  const auto files = starts();
+  return std::ranges::find(files, name, &PackedFile::name)->text;
+}
+
+struct Options {
+  std::string what;
+  std::string out = ".";
+  bool json = false;
+};
+
+void run_init(const Options& options) {
+  const std::vector<Start> kinds = kinds_of_start();
+  const Start& start = *std::ranges::find(kinds, options.what, &Start::word);
+  const fs::path out = options.out;
+  // An actuator that is there is the one that a study or a data set is to be about.
+  const bool keeps_actuator = options.what != "actuator" && fs::exists(out / actuator_file);
+  const auto is_written = [&](std::string_view name) { return !(keeps_actuator && name == actuator_file); };
+  for (const std::string_view name : start.files)
+    if (is_written(name) && fs::exists(fs::symlink_status(out / name)))
+      throw text::OutputError((out / name).lexically_normal(), "it exists, and init replaces no file",
+                              text::OutputError::Stage::preparing);
+  text::OutputFolder folder(out);
+  for (const std::string_view name : start.files)
+    if (is_written(name)) folder.write(name, text_of(name));
+  folder.commit();
+  if (options.json) {
+    Json written = Json::array();
+    for (const std::string_view name : start.files)
+      if (is_written(name)) written.add((out / name).lexically_normal().string());
+    std::cout << Json::object({{"written", std::move(written)}, {"next", start.next}}).text();
+    return;
+  }
+  for (const std::string_view name : start.files)
+    std::cout << (out / name).lexically_normal().string()
+              << (is_written(name) ? "\n" : " was there already, and stays as it is\n");
+  const std::string there = out.lexically_normal() == "." ? "" : " in " + out.lexically_normal().string();
+  std::cout << fmt::format("Next{}: {}\n", there, start.next);
+}
+
+}  // namespace
+
+void add_init_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  std::vector<std::string> words;
+  for (const Start& start : kinds_of_start()) words.emplace_back(start.word);
+  CLI::App* command =
+      app.add_subcommand("init", "Write a study, an actuator or a data set to start from, with comments");
+  command->add_option("WHAT", options->what, "One of study, actuator, dataset")->required()->check(word_rule(words));
+  command->add_option("--out", options->out, "Folder for the files; it is created if it does not exist (default .)");
+  command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  command->footer(
+      "The files run as they are: change them. No file that is there is replaced; an actuator.json that is there is\n"
+      "the one that the study or the data set is about. The records of the data set are synthetic: they are the\n"
+      "actuator's, with friction in its hinges.\n\n"
+      "Example:\n"
+      "  coilwright init study --out my_study");
+  command->callback([options] { run_init(*options); });
+}
+
+}  // namespace coilwright::cli

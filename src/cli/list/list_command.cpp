@@ -1,0 +1,73 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/word_rule.hpp"
+#include "listings.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+struct Choice {
+  std::string_view word;
+  Listing (*listing)();
+  std::string_view note;  // what a person should know of the table; not in the JSON
+};
+
+constexpr std::array choices = {
+    Choice{"quantities", quantity_listing,
+           "evaluate prints those of evaluate; a study may ask for all, for those of gripper and crawler with that "
+           "block."},
+    Choice{"parameters", parameter_listing,
+           "Names for --set and for the variables of a study; in_file is the place in an actuator's file."},
+    Choice{"effects", effect_listing, "Names for \"effects\" of an actuator's file and for twin --effect."},
+    Choice{"gauges", gauge_listing,
+           "Current of one wire in free air (chassis wiring) and by a law through it; a coil runs hotter: evaluate."},
+    Choice{"magnets", magnet_listing, "Sintered NdFeB at 20 degC, as makers' tables give it."},
+    Choice{"silicones", silicone_listing,
+           "Modulus by Gent's relation, 10 to 20 % from measured ones; the paper's Elastosil M 4601 has 28. Measure\n"
+           "joint_stiffness_Nmm_rad where it matters."},
+};
+
+std::vector<std::string> words() {
+  std::vector<std::string> all;
+  for (const Choice& choice : choices) all.emplace_back(choice.word);
+  return all;
+}
+
+struct Options {
+  std::string what;
+  bool json = false;
+};
+
+void run_list(const Options& options) {
+  for (const Choice& choice : choices) {
+    if (choice.word != options.what) continue;
+    const Listing listing = choice.listing();
+    if (options.json) {
+      std::cout << to_json(listing).text();
+    } else {
+      std::cout << to_text(listing) << choice.note << '\n';
+    }
+  }
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("list", "List quantities, parameters, effects, gauges, magnets or silicones");
+  command->add_option("WHAT", options->what, "One of quantities, parameters, effects, gauges, magnets, silicones")
+      ->required()
+      ->check(word_rule(words()));
+  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  command->footer("Example:\n  coilwright list quantities");
+  command->callback([options] { run_list(*options); });
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace coilwright::cli {
+
+/// A file of the repository that the program carries with it.
+struct PackedFile {
+  std::string_view name;  ///< "study.schema.json", "dataset/step.csv"
+  std::string_view text;
+};
+
+/// The JSON Schemas of configs/schemas, by name.
+[[nodiscard]] std::span<const PackedFile> schemas();
+
+/// The files of configs/starts: what `init` writes.
+[[nodiscard]] std::span<const PackedFile> starts();
+
+}  // namespace coilwright::cli

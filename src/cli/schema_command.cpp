@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/text/output/output_folder.hpp"
+#include "commands.hpp"
+#include "outcome.hpp"
+#include "packed_files.hpp"
+#include "word_rule.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr std::string_view ending = ".schema.json";
+
+std::vector<std::string> schema_names() {
+  std::vector<std::string> names;
+  for (const PackedFile& file : schemas()) names.emplace_back(file.name.substr(0, file.name.size() - ending.size()));
+  return names;
+}
+
+struct Options {
+  std::string name;
+  std::string out;
+};
+
+void run_schema(const Options& options) {
+  if (options.out.empty()) {
+    for (const PackedFile& file : schemas())
+      if (file.name == options.name + std::string(ending)) std::cout << file.text;
+    return;
+  }
+  text::OutputFolder folder(options.out);
+  for (const PackedFile& file : schemas()) folder.write(file.name, file.text);
+  folder.commit();
+  std::cout << fmt::format("{}/{}{}, and the schemas that it refers to\n", folder.path().string(), options.name,
+                           ending);
+}
+
+}  // namespace
+
+void add_schema_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  const std::vector<std::string> names = schema_names();
+  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of a kind of input file");
+  command->add_option("NAME", options->name, fmt::format("One of {}", fmt::join(names, ", ")))
+      ->required()
+      ->check(word_rule(names));
+  command->add_option("--out", options->out, "Folder to write all schemas to instead: some refer to others");
+  command->footer(
+      "An editor completes and checks a file whose first key is \"$schema\" with the path of its schema.\n\n"
+      "Example:\n"
+      "  coilwright schema study --out schemas");
+  command->callback([options] { run_schema(*options); });
+}
+
+}  // namespace coilwright::cli

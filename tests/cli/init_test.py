@@ -1,0 +1,96 @@
+"""`coilwright init` and `coilwright schema`: what they write runs as it is, and follows the schemas."""
+
+import json
+import unittest
+
+from program import CONFIGS, ProgramTest, run
+
+
+class Init(ProgramTest):
+    def init(self, *arguments):
+        result = run("init", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def run_well(self, *arguments):
+        result = run(*arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def test_a_study_finds_a_feasible_design(self):
+        self.assertEqual(self.init("study"),
+                         "study.json\nactuator.json\nNext: coilwright size study.json --out results\n")
+        self.run_well("size", "study.json", "--out", "results")
+        answer = self.result("results/result.json")
+        self.assertTrue(answer["feasible"])
+        study = json.loads((self.folder / "study.json").read_text())
+        self.assertLess(len(answer["at_range_end"]), len(study["variables"]))
+
+    def test_an_actuator_is_evaluated(self):
+        self.assertEqual(self.init("actuator", "--out", "mine"),
+                         "mine/actuator.json\nNext in mine: coilwright evaluate actuator.json --current 1\n")
+        figures = json.loads(self.run_well("evaluate", "mine/actuator.json", "--current", "1", "--json"))
+        self.assertTrue(40 < figures["steady_angle_deg"] < 70)
+        self.assertTrue(60 < figures["mass_g"] < 75)
+
+    def test_a_data_set_is_diagnosed_and_shows_its_friction(self):
+        text = self.init("dataset")
+        self.assertIn("Next: coilwright diagnose . --out results\n", text)
+        self.run_well("diagnose", ".", "--out", "results", "--quiet")
+        answer = self.result("results/diagnosis.json")
+        self.assertEqual((answer["verdict"], [effect["id"] for effect in answer["effects"]]),
+                         ("explained", ["dry_friction"]))
+        # As configs/starts/README.md says that it was made.
+        low, high = answer["effects"][0]["parameters"]["torque_Nmm"]["ci95"]
+        self.assertTrue(low < 0.6 < high, (low, high))
+
+    def test_every_object_says_what_it_is_for(self):
+        self.init("study")
+        self.init("dataset")
+        for name in ("study.json", "actuator.json", "dataset.json"):
+            document = json.loads((self.folder / name).read_text())
+            self.assertIn("comment", document, name)
+            self.assertGreater(json.dumps(document).count('"comment"'), 2, name)
+
+    def test_no_file_is_replaced(self):
+        self.write("study.json", "precious")
+        self.assert_refused(["init", "study"],
+                            "study.json: cannot be written: it exists, and init replaces no file")
+        self.init("actuator", "--out", "mine")
+        self.assert_refused(["init", "actuator", "--out", "mine"],
+                            "mine/actuator.json: cannot be written: it exists, and init replaces no file")
+
+    def test_a_study_is_about_the_actuator_that_is_there(self):
+        self.init("actuator")
+        own = (self.folder / "actuator.json").read_text().replace('"my_finger"', '"another"')
+        self.write("actuator.json", own)
+        self.assertIn("actuator.json was there already, and stays as it is\n", self.init("study"))
+        self.assertEqual((self.folder / "actuator.json").read_text(), own)
+
+    def test_json_lists_what_was_written(self):
+        told = json.loads(self.init("study", "--json"))
+        self.assertEqual(told, {"written": ["study.json", "actuator.json"],
+                                "next": "coilwright size study.json --out results"})
+
+
+class Schema(ProgramTest):
+    def test_prints_the_schemas_as_they_ship(self):
+        for path in sorted((CONFIGS / "schemas").glob("*.schema.json")):
+            name = path.name.removesuffix(".schema.json")
+            result = run("schema", name)
+            self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", path.read_text()), name)
+
+    def test_writes_all_of_them_into_a_folder(self):
+        result = run("schema", "study", "--out", "schemas", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        written = {path.name: path.read_text() for path in (self.folder / "schemas").iterdir()}
+        self.assertEqual(written, {path.name: path.read_text() for path in (CONFIGS / "schemas").iterdir()})
+
+    def test_another_name_is_refused(self):
+        message = run("schema", "stud").stderr
+        self.assertTrue(message.startswith('coilwright: schema: NAME: must be one of "actuator", "as-built", '), message)
+        self.assertIn('; did you mean "study"?; got "stud"', message)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -19,6 +19,7 @@
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "report_stream.hpp"
 #include "word_rule.hpp"
 
 namespace coilwright::cli {
@@ -121,9 +122,9 @@ void run_drive(const Options& options) {
     if (options.json) {
       text::Json out = formats::to_json(driven);
       if (motion) out.set("motion", formats::to_json(*motion));
-      std::cout << out.text();
+      report_stream(options.out) << out.text();
     } else {
-      std::cout << report::to_text(driven, question) << (motion ? report::to_text(*motion) : "");
+      report_stream(options.out) << report::to_text(driven, question) << (motion ? report::to_text(*motion) : "");
     }
   } catch (const std::invalid_argument& rule) {
     throw text::InputError({.file = options.actuator.file, .rule = rule.what()});

@@ -17,6 +17,7 @@
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "report_stream.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -77,7 +78,7 @@ void run_linearise(const Options& options) {
     file.stream() << json;
     file.commit();
   }
-  std::cout << (options.json ? json : as_table(model));
+  report_stream(options.out) << (options.json ? json : as_table(model));
   std::cerr << remarks(model);
 }
 

@@ -24,6 +24,7 @@
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "report_stream.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -133,7 +134,7 @@ void run_reach(const Options& options) {
   const control::Reach reach = answer(options, asked, task);
   const control::ProfileQuality& best = control::best_profile(reach);
   write(options, asked, reach, best);
-  std::cout
+  report_stream(options.out, options.header)
       << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
   std::cerr << remarks(reach, task, asked);
 }

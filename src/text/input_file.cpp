@@ -24,6 +24,11 @@ InputError too_large(const std::string& name, std::size_t limit) {
 }  // namespace
 
 InputFile::InputFile(const fs::path& path, std::size_t size_limit) : name_(path.string()), size_limit_(size_limit) {
+  if (path == standard_stream) {
+    name_ = "standard input";
+    file_.reset(stdin);
+    return;
+  }
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw cannot("opened", name_, error ? error.value() : ENOENT);

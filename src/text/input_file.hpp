@@ -6,10 +6,14 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace coilwright::text {
 
-/// An input file opened for reading once, from the front.
+/// The name that stands for standard input.
+inline constexpr std::string_view standard_stream = "-";
+
+/// An input file opened for reading once, from the front: "-" is standard input, which errors call by that name.
 class InputFile {
  public:
   /// Throws InputError when `path` is not a regular file, is larger than `size_limit` bytes or cannot be opened.
@@ -23,7 +27,9 @@ class InputFile {
 
  private:
   struct Close {
-    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+    void operator()(std::FILE* file) const noexcept {
+      if (file != stdin) std::fclose(file);  // a second reader finds it at its end
+    }
   };
 
   std::string name_;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
-#include "text/input_file.hpp"
 #include "text/json/json_parser.hpp"
 #include "text/json/json_value.hpp"
 
@@ -74,15 +74,8 @@ Document parse_json(std::string_view text, std::string file) {
 }
 
 Document read_json(const std::filesystem::path& path) {
-  InputFile file(path, json_size_limit);
-  std::string text;
-  constexpr std::size_t block = 1 << 16;
-  for (std::size_t filled = 0;; filled = text.size()) {
-    text.resize(filled + block);
-    text.resize(filled + file.read({text.data() + filled, block}).size());
-    if (text.size() < filled + block) break;
-  }
-  return parse_json(text, file.name());
+  InputText read = read_text(path, json_size_limit);
+  return parse_json(read.text, std::move(read.file));
 }
 
 }  // namespace coilwright::text

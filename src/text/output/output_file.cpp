@@ -5,6 +5,8 @@
 
 #include <cerrno>
 #include <fstream>
+#include <iostream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +16,8 @@ namespace coilwright::text {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view standard_stream = "-";
 
 std::string reason_of(int error) {
   return std::generic_category().message(error == 0 ? EIO : error);
@@ -76,7 +80,22 @@ class OutputFile::Sink : private std::filebuf {
   std::ostream stream_;
 };
 
+namespace {
+
+// Complete before the first byte is out, as a file is before it has its name.
+void copy_to_standard_output(const fs::path& file) {
+  std::cout << std::ifstream(file, std::ios::binary).rdbuf() << std::flush;
+  if (!std::cout) throw OutputError(standard_stream, "standard output does not take it", OutputError::Stage::writing);
+}
+
+}  // namespace
+
 OutputFile::OutputFile(fs::path path) : path_(resolved(path)) {
+  if (path_ == standard_stream) {
+    sibling_ = fs::temp_directory_path() / fmt::format("coilwright-{}.part", getpid());
+    sink_ = std::make_unique<Sink>(sibling_, sibling_);
+    return;
+  }
   const auto refuse = [&](const std::string& reason) {
     throw OutputError(path, reason, OutputError::Stage::preparing);
   };
@@ -107,6 +126,10 @@ void OutputFile::close() {
 
 void OutputFile::commit() {
   close();
+  if (path_ == standard_stream) {
+    copy_to_standard_output(sibling_);
+    return;  // the sibling goes with this object
+  }
   std::error_code error;
   fs::rename(sibling_, path_, error);
   if (error) throw OutputError(path_, error.message(), OutputError::Stage::writing);

@@ -25,6 +25,7 @@ fs::path plain_name(std::string_view name) {
 
 OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
   if (path_.empty()) throw OutputError(path_, "the name of the folder must not be empty", preparing);
+  if (path_ == "-") throw OutputError(path_, "it must be a folder, and - is standard output", preparing);
   if (!path_.has_filename()) path_ = path_.parent_path();  // "out/" is "out"
   std::error_code error;
   std::vector<fs::path> absent;

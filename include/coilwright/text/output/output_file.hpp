@@ -24,7 +24,7 @@ class OutputError : public std::runtime_error {
 
 /// A file that appears under its name only when it is complete. Until commit() it grows as a hidden sibling, and what
 /// stood under the name stays as it was; without commit() the sibling is removed. Memory is bounded by the stream's
-/// buffer, however long the file.
+/// buffer, however long the file. The name "-" is standard output, which gets all of it at commit().
 class OutputFile {
  public:
   /// Opens the sibling, so that a place that cannot be written is known before the work. Throws OutputError

@@ -55,6 +55,7 @@ HIDDEN = {
     "csv.h": "text",
     "CLI/": "cli",
     "glog/": "cli",
+    "openssl/": "cli",
     "hwy/": "magnetics",
     "boost/": "magnetics winding thermal actuator simulation control sizing measurement",
 }

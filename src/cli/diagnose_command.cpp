@@ -28,8 +28,10 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "end_on_signal.hpp"
+#include "file_rule.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "provenance.hpp"
 #include "threads_option.hpp"
 
 namespace coilwright::cli {
@@ -45,6 +47,13 @@ constexpr const char* residuals_name = "residuals.csv";
 constexpr const char* summary_name = "summary.txt";
 constexpr const char* next_name = "next_experiment.json";
 
+// The data set, the declared actuator, and every record.
+Provenance provenance_of(const formats::DatasetFile& set, const std::filesystem::path& declared, std::uint64_t seed) {
+  Provenance provenance{.command = "diagnose", .inputs = {record_of(set.file), record_of(declared)}, .seed = seed};
+  for (const std::filesystem::path& run : set.run_files) provenance.inputs.push_back(record_of(run));
+  return provenance;
+}
+
 struct Options {
   std::string dataset;
   std::optional<std::string> actuator;
@@ -52,6 +61,7 @@ struct Options {
   int threads = 0;
   std::uint64_t seed = 1;
   bool quiet{false};
+  bool json{false};
 };
 
 std::filesystem::path declared_path(const Options& options, const formats::DatasetFile& set) {
@@ -69,7 +79,8 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
   std::vector<std::filesystem::path> outputs;
-  for (const char* name : {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name, next_name})
+  for (const char* name :
+       {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name, next_name, provenance_name})
     outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
   // Known before the work, whether it can be written.
@@ -130,6 +141,7 @@ struct Found {
   std::string actuator;
   std::string corrected;        // empty: none
   std::string next_experiment;  // empty: there is none
+  Provenance provenance;
 };
 
 // What is to be recorded next, checked where it will be used: its text is read back.
@@ -150,6 +162,7 @@ Found find(const Options& options) {
   const formats::DeclaredActuator declared = formats::read_declared_actuator(
       declared_file, {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances});
   check_output(options, set, declared_file);
+  Provenance provenance = provenance_of(set, declared_file, options.seed);
   Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
   std::string actuator = actuator_text(diagnosis, declared);
@@ -160,7 +173,8 @@ Found find(const Options& options) {
           .held_out = set.data.held_out,
           .actuator = std::move(actuator),
           .corrected = std::move(corrected),
-          .next_experiment = std::move(next_experiment)};
+          .next_experiment = std::move(next_experiment),
+          .provenance = std::move(provenance)};
 }
 
 void write(const Options& options, const Found& found) {
@@ -173,7 +187,9 @@ void write(const Options& options, const Found& found) {
                                         .next_experiment_file = found.next_experiment.empty() ? "" : next_name};
   text::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
-  folder.write(diagnosis_name, formats::to_json(answer).text());
+  const std::string diagnosis = formats::to_json(answer).text();
+  folder.write(diagnosis_name, diagnosis);
+  folder.write(provenance_name, to_json(found.provenance).text());
   folder.write(actuator_name, found.actuator);
   // One of an earlier diagnosis must not stand beside this one.
   if (found.corrected.empty())
@@ -187,7 +203,7 @@ void write(const Options& options, const Found& found) {
   else
     folder.write(next_name, found.next_experiment);
   folder.commit();
-  std::cout << summary;
+  std::cout << (options.json ? diagnosis : summary);
 }
 
 }  // namespace
@@ -197,18 +213,22 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   CLI::App* command =
       app.add_subcommand("diagnose", "Identify which physical effect a model lacks, from measured data");
   command->add_option("DATASET_DIR", options->dataset, "Folder of a data set (measured-data/1)")->required();
-  command->add_option("--actuator", options->actuator,
-                      "File of the declared model; overrides the one that the data set names");
+  command
+      ->add_option("--actuator", options->actuator,
+                   "File of the declared model; overrides the one that the data set names")
+      ->check(file_rule());
   command->add_option("--out", options->out, "Folder for the results; it is created if it does not exist")->required();
   add_threads_option(*command, options->threads, "Number of fits that run at the same time");
   command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
       ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
   command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();
+  command->add_flag("--json", options->json, "Print diagnosis.json instead of the summary")->disable_flag_override();
   command->footer(
-      "Prints a summary and writes four files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
+      "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which every\n"
       "other command reads); residuals.csv (every sample as measured and as predicted by the declared, the\n"
-      "recalibrated and the corrected model). Where a run would separate what these data cannot, it also writes\n"
+      "recalibrated and the corrected model); provenance.json (program, files, seed). Where a run would separate what "
+      "these data cannot, it also writes\n"
       "next_experiment.json (experiment/1, for plan and twin); where no known effect explains all and a torque "
       "without\n"
       "a name explains more on runs left out, corrected_actuator.json with that torque. The exit code is 0 for every\n"

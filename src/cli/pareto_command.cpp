@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
@@ -26,8 +27,11 @@ void check_front(const sizing::DesignProblem& problem, std::span<const sizing::R
 }
 
 ExitCode run_pareto(const StudyOptions& options) {
-  const sizing::DesignProblem problem(
-      read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"}));
+  StudyInput input =
+      read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"});
+  const sizing::DesignProblem problem(std::move(input.study));
+  input.provenance.command = "pareto";
+  input.provenance.seed = problem.study().search.seed;
   const sizing::Study& study = problem.study();
   const Interruption interruption;
   text::OutputFolder folder(options.out);
@@ -43,6 +47,7 @@ ExitCode run_pareto(const StudyOptions& options) {
   formats::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
   formats::write_convergence(folder.open("convergence.csv"), result.archive);
   folder.write("result.json", formats::to_json(study, result).text());
+  folder.write(provenance_name, to_json(input.provenance).text());
   folder.commit();
   std::cout << (options.json ? formats::to_json(study, result).text() : report::to_text(study, result));
   if (interruption.requested()) return ExitCode::interrupted;
@@ -58,8 +63,10 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
   add_search_options(*command, *options);
   command->footer(
       "Writes front.csv (one row for each design that no other design beats: variables, objectives, the margin of\n"
-      "every limit), evaluations.csv (every design that was evaluated, with every quantity), convergence.csv (the\n"
-      "hypervolume after so many evaluations) and result.json. If no design keeps all limits, the least infeasible\n"
+      "every limit, every quantity), evaluations.csv (every design that was evaluated, with every quantity), "
+      "convergence.csv (the\n"
+      "hypervolume after so many evaluations), result.json and provenance.json (program, files and seed). If no design "
+      "keeps all limits, the least infeasible\n"
       "design is in result.json and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then\n"
       "130.\n\n"
       "Example:\n"

@@ -15,8 +15,10 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/units/unit.hpp"
+#include "file_rule.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "provenance.hpp"
 #include "word_rule.hpp"
 
 namespace coilwright::cli {
@@ -52,6 +54,10 @@ void write(const RigOptions& options, const RigActuator& actuator, const RigResu
   const std::string name = fmt::format("{}, {}", actuator.name, result.rig);
   folder.write("dataset.json", formats::dataset_json(name, actuator_name, in_roles).text());
   folder.write(actuator_name, declared_text(options, actuator, result));
+  folder.write(provenance_name, to_json(Provenance{.command = "rig " + result.rig,
+                                                   .inputs = {record_of(options.actuator.file)},
+                                                   .changes = options.actuator.assignments})
+                                    .text());
   folder.commit();
 }
 
@@ -64,7 +70,7 @@ magnetics::Fidelity fidelity_of(const RigOptions& options, const actuator::Desig
 
 void add_rig_options(CLI::App& rig, RigOptions& options) {
   add_actuator_options(rig, options.actuator);
-  rig.get_option("ACTUATOR.json")->description("File of a design (actuator/1)");
+  rig.get_option("ACTUATOR.json")->description("File of a design (actuator/1)")->check(file_rule());
   rig.add_option("--out", options.out,
                  "Folder for a data set (measured-data/1) of the readings; it is created if it does not exist")
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
@@ -82,8 +83,11 @@ std::vector<simulation::CorrectionReach> reach_of(const std::optional<DesignResu
 }
 
 ExitCode run_size(const StudyOptions& options) {
-  const DesignProblem problem(
-      read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"}));
+  StudyInput input =
+      read_study(options, {.least = 1, .most = 1, .rule = "must be one for size (pareto takes two or three)"});
+  const DesignProblem problem(std::move(input.study));
+  input.provenance.command = "size";
+  input.provenance.seed = problem.study().search.seed;
   const Interruption interruption;
   text::OutputFolder folder(options.out);
   sizing::SearchResult result = [&] {
@@ -107,6 +111,7 @@ ExitCode run_size(const StudyOptions& options) {
                                    .base = base,
                                    .base_seen = base_seen,
                                    .assumptions = assumptions};
+  folder.write(provenance_name, to_json(input.provenance).text());
   write_results(folder, problem, answer);
   const std::vector<simulation::CorrectionReach> reach = reach_of(best);
   if (options.json) {
@@ -131,7 +136,8 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
   command->footer(
       "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
       "evaluate and simulate), evaluations.csv (every design that was evaluated, with every quantity) and\n"
-      "convergence.csv (the best value after so many evaluations). If no design keeps all limits, the least\n"
+      "convergence.csv (the best value after so many evaluations) and provenance.json (program, files and seed). If no "
+      "design keeps all limits, the least\n"
       "infeasible design is written and the exit code is 3. Ctrl-C writes what was found so far; the exit code\n"
       "is then 130.\n\n"
       "Example:\n"

@@ -8,10 +8,13 @@
 #include <iostream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "names_once.hpp"
 #include "number_rule.hpp"
 #include "threads_option.hpp"
 
@@ -38,6 +41,11 @@ std::string algorithm_complaint(const std::string& name) {
 void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("STUDY.json", options.study, "File of a study (study/1)")->required();
   command.add_option("--out", options.out, "Folder for the results; it is created if it does not exist")->required();
+  command
+      .add_option("--set", options.changes,
+                  "NAME=VALUE: change one number of the study's actuator, for example gap_mm=1.2, or, by its JSON "
+                  "pointer, of the study: /constraints/0/at_most=60; may be repeated")
+      ->allow_extra_args(false);
   add_threads_option(command, options.threads, "Number of designs evaluated at the same time");
   command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
   command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
@@ -57,11 +65,14 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
       ->check(CLI::Validator(algorithm_complaint, ""));
 }
 
-sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
-  sizing::Study study = formats::read_study(options.study);
+StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
+  require_names_once(options.changes);
+  const text::InputText file = text::read_text(options.study, text::json_size_limit);
+  sizing::Study study = formats::parse_study(file.text, file.file, simulation::standard_quantities(),
+                                             actuator::standard_effects(), options.changes);
   const std::size_t count = study.objectives.size();
   if (count < objectives.least || count > objectives.most)
-    throw text::InputError({.file = options.study,
+    throw text::InputError({.file = file.file,
                             .place = "/objectives",
                             .rule = std::string(objectives.rule),
                             .value = fmt::format("{}", count)});
@@ -69,7 +80,9 @@ sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& obje
   if (options.seed) study.search.seed = *options.seed;
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
-  return study;
+  const std::filesystem::path base = text::parse_json(file.text, file.file).root().find("actuator")->path();
+  return {.study = std::move(study),
+          .provenance = {.inputs = {record_of(file), record_of(base)}, .changes = options.changes}};
 }
 
 // A signal handler may not ask a stop_source; this thread looks at the handler's flag for it.

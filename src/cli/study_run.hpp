@@ -10,9 +10,11 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/sizing/study/study.hpp"
+#include "provenance.hpp"
 #include "stop_signal.hpp"
 
 namespace coilwright::cli {
@@ -21,6 +23,7 @@ namespace coilwright::cli {
 struct StudyOptions {
   std::string study;
   std::string out;
+  std::vector<std::string> changes;  ///< "gap_mm=1.2", "/operating_point/duty=0.5"
   int threads = 0;
   bool quiet{false};
   bool json{false};
@@ -29,7 +32,7 @@ struct StudyOptions {
   std::optional<std::string> algorithm{};
 };
 
-/// STUDY.json, --out, --threads, --quiet and --json.
+/// STUDY.json, --out, --set, --threads, --quiet and --json.
 void add_study_options(CLI::App& command, StudyOptions& options);
 
 /// --seed, --max-evaluations and --algorithm, which override what the study says.
@@ -42,9 +45,16 @@ struct ObjectiveCount {
   std::string_view rule;  ///< end of a sentence: "must be one for size; pareto takes two or three"
 };
 
-/// The study with the options of the command line in its `search`. Throws InputError, also when it has another number
-/// of objectives.
-[[nodiscard]] sizing::Study read_study(const StudyOptions& options, const ObjectiveCount& objectives);
+/// A study and the files that it is made of.
+struct StudyInput {
+  sizing::Study study;
+  Provenance provenance;
+};
+
+/// The study with what the command line changes, and its options in its `search`. Throws InputError, also when it has
+/// another number of objectives. `command` and the seed of the provenance are the caller's, as one draws and another
+/// does not.
+[[nodiscard]] StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives);
 
 /// While it lives, Ctrl-C asks for a stop instead of ending the program.
 class Interruption {

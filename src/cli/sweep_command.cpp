@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "coilwright/report/sweep_text.hpp"
@@ -35,8 +36,9 @@ void require_grid(const sizing::DesignProblem& problem, const StudyOptions& opti
 }
 
 ExitCode run_sweep(const StudyOptions& options) {
-  const sizing::DesignProblem problem(
-      read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"}));
+  StudyInput input = read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"});
+  const sizing::DesignProblem problem(std::move(input.study));
+  input.provenance.command = "sweep";
   require_grid(problem, options);
   const sizing::Study& study = problem.study();
   const Interruption interruption;
@@ -58,6 +60,7 @@ ExitCode run_sweep(const StudyOptions& options) {
   }();
   const std::vector<sizing::Leader> best = leaders.all();
   formats::write_leaders(folder.open("best.csv"), study, best);
+  folder.write(provenance_name, to_json(input.provenance).text());
   folder.commit();
   const formats::SweepReport answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
   std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
@@ -74,7 +77,8 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
   add_study_options(*command, *options);
   command->footer(
       "Writes designs.csv (one row for each design: variables, every quantity, the margin of every limit) and\n"
-      "best.csv (the best design of each configuration in each objective). Every variable needs a list of values,\n"
+      "best.csv (the best design of each configuration in each objective) and provenance.json (program and files). "
+      "Every variable needs a list of values,\n"
       "a step or whole numbers; what is not a variable keeps the value of the study's actuator. If no design\n"
       "keeps all limits, the exit code is 3. Ctrl-C writes what was evaluated so far; the exit code is then 130.\n\n"
       "Example:\n"

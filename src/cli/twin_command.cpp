@@ -17,11 +17,14 @@
 #include "coilwright/formats/data/twin_answer.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/json.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "experiment_options.hpp"
+#include "file_rule.hpp"
 #include "keep_inputs.hpp"
+#include "provenance.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -37,6 +40,7 @@ struct Options {
   ExperimentOptions experiment;
   std::vector<std::string> effects;  // "dry_friction:torque_Nmm=0.6"
   std::string out;
+  bool json{false};
 };
 
 // The folder's name without a slash at its end, which would put its neighbour inside.
@@ -113,13 +117,25 @@ void write(const Options& options, const Experiment& experiment, const std::vect
   }
   folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
   folder.write(actuator_name, content_of(options.actuator));
+  // Neither effects nor seed, by which they could be found.
+  const Provenance provenance{.command = "twin",
+                              .inputs = {record_of(options.actuator), record_of(options.experiment.file)}};
+  folder.write(provenance_name, to_json(provenance).text());
   answer.close();
   folder.commit();
   answer.commit();
   std::size_t samples = 0;
   for (const Run& run : runs) samples += run.samples();
-  std::cout << fmt::format("{} runs, {} samples in {}; the answer is in {}\n", runs.size(), samples, out.string(),
-                           beside.string());
+  if (options.json) {
+    std::cout << text::Json::object({{"runs", runs.size()},
+                                     {"samples", samples},
+                                     {"folder", out.string()},
+                                     {"answer", beside.string()}})
+                     .text();
+  } else {
+    std::cout << fmt::format("{} runs, {} samples in {}; the answer is in {}\n", runs.size(), samples, out.string(),
+                             beside.string());
+  }
 }
 
 void run_twin(const Options& options) {
@@ -139,20 +155,24 @@ void add_twin_command(CLI::App& app, Outcome&) {
   command
       ->add_option("ACTUATOR.json", options->actuator,
                    "File of a design (actuator/1) or of a lumped model (lumped-model/1)")
-      ->required();
+      ->required()
+      ->check(file_rule());
   command
       ->add_option("--experiment", options->experiment.file,
                    "Runs to simulate and the instruments that record them (experiment/1)")
-      ->required();
+      ->required()
+      ->check(file_rule());
   command
       ->add_option("--effect", options->effects,
                    "ID:KEY=VALUE,..: effect to simulate that is not declared in ACTUATOR.json; may be repeated")
       ->allow_extra_args(false);
   add_noise_and_seed(*command, options->experiment);
   command->add_option("--out", options->out, "Folder for the data set; it is created if it does not exist")->required();
+  command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
   command->footer(
       "Writes a data set (measured-data/1) into the folder: dataset.json, actuator.json as it was given, and one\n"
-      "CSV file for each run. The undeclared effects are written beside the folder, to DIR.answer.json. The same\n"
+      "CSV file for each run, and provenance.json (program and files). The undeclared effects are written beside the "
+      "folder, to DIR.answer.json. The same\n"
       "arguments give the same bytes.\n\n"
       "Example:\n"
       "  coilwright twin configs/actuators/paper_finger.json --experiment configs/experiments/paper.json \\\n"

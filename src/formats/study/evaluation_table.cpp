@@ -1,5 +1,8 @@
 #include "coilwright/formats/study/evaluation_table.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +22,22 @@ std::vector<std::size_t> objectives_beside_the_table(const sizing::Study& study)
     if (!is_variable(study, name) && study.quantities.find(name) == nullptr) beside.push_back(i);
   }
   return beside;
+}
+
+// What a row of a front has not said yet.
+std::vector<std::size_t> quantities_beside_the_objectives(const sizing::Study& study) {
+  std::vector<std::size_t> beside;
+  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
+    const std::string& name = study.quantities[i].name;
+    const bool said = std::ranges::any_of(
+        study.objectives, [&](const sizing::StudyObjective& each) { return each.quantity.name == name; });
+    if (!said && !is_variable(study, name)) beside.push_back(i);
+  }
+  return beside;
+}
+
+CsvCell cell_of(const std::vector<std::optional<double>>& quantities, std::size_t index) {
+  return index < quantities.size() && quantities[index] ? CsvCell(*quantities[index]) : CsvCell();
 }
 
 }  // namespace
@@ -54,6 +73,8 @@ void write_front(std::ostream& out, const sizing::Study& study, std::span<const 
   add_variable_names(study, names);
   add_objective_names(study, names);
   add_margin_names(study, names);
+  const std::vector<std::size_t> further = quantities_beside_the_objectives(study);
+  for (const std::size_t i : further) names.push_back(study.quantities[i].name);
   CsvWriter csv(out, std::move(names));
   Cells cells;
   for (const sizing::Record& record : front) {
@@ -61,6 +82,7 @@ void write_front(std::ostream& out, const sizing::Study& study, std::span<const 
     add_variables(study, record.point, cells);
     add_objectives(study, record.evaluation, cells);
     add_margins(study, record.evaluation, cells);
+    for (const std::size_t i : further) cells.push_back(cell_of(record.evaluation.quantities, i));
     csv.row(cells);
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "formats/actuator/operating_point_reader.hpp"
 #include "formats/study/crawler_block.hpp"
 #include "formats/study/gripper_block.hpp"
+#include "formats/study/study_changes.hpp"
 #include "formats/study/wanted_quantities.hpp"
 
 namespace coilwright::formats {
@@ -239,7 +241,7 @@ void require_suitable(const Blocks& blocks, const actuator::Design& base, const 
 }
 
 Study read_study_file(const Document& document, const QuantityTable& quantities,
-                      const actuator::EffectCatalogue& effects) {
+                      const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
@@ -257,7 +259,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = read_base(in.at("actuator"), effects);
+    study.base = changed(read_base(in.at("actuator"), effects), study, changes);
     require_corrected_geometry(study, in.at("actuator"));
     require_suitable(blocks, study.base, in.node());
     return study;
@@ -267,13 +269,13 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
 }  // namespace
 
 sizing::Study read_study(const std::filesystem::path& path, const QuantityTable& quantities,
-                         const actuator::EffectCatalogue& effects) {
-  return read_study_file(read_json(path), quantities, effects);
+                         const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
+  return read_study_file(changed(read_json(path), changes), quantities, effects, changes);
 }
 
 sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities,
-                          const actuator::EffectCatalogue& effects) {
-  return read_study_file(parse_json(text, std::move(file)), quantities, effects);
+                          const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
+  return read_study_file(changed(parse_json(text, std::move(file)), changes), quantities, effects, changes);
 }
 
 }  // namespace coilwright::formats

@@ -12,6 +12,7 @@
 #include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/units/unit.hpp"
 #include "sizing/problem/design_space.hpp"
+#include "sizing/study/base_current.hpp"
 
 namespace coilwright::sizing {
 namespace {
@@ -130,8 +131,8 @@ bool same_row(const actuator::Layout& a, const actuator::Layout& b) {
   });
 }
 
-// The coordinate of the study's own actuator in one variable. Where the current varies the actuator is driven with the
-// chassis ampacity of its wire, as by evaluate_base().
+// The coordinate of the study's own actuator in one variable. Where the current varies, the search begins with the
+// chassis ampacity of the actuator's wire.
 struct CoordinateOfBase {
   const actuator::Design& base;
 
@@ -197,8 +198,14 @@ DesignResult DesignProblem::evaluate(std::span<const double> point) const {
 }
 
 DesignResult DesignProblem::evaluate_base() const {
-  return evaluate_design(study(), study().base, {},
-                         [](const actuator::Design& design) { return actuator::current_limit(design); });
+  const auto at = [this](double current) {
+    return evaluate_design(study(), study().base, {}, [current](const actuator::Design&) { return current; });
+  };
+  const auto varied = std::ranges::find_if(
+      study().variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });
+  if (varied == study().variables.end()) return at(0.0);  // the study sets it
+  return at(best_current(std::get<CurrentVariable>(*varied), study().objectives.front(),
+                         [&](double current) { return assess(at(current)); }));
 }
 
 Evaluation DesignProblem::assess(const DesignResult& result) const {

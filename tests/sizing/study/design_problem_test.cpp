@@ -167,8 +167,39 @@ TEST(DesignProblem, EvaluatesTheActuatorItStartsFrom) {
   EXPECT_EQ(std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base()).point.current, -0.7);
   study.variables.emplace_back(CurrentVariable{.range = Interval{.lower = 0.2, .upper = 0.8}});
   study.current = VariedCurrent{};
-  // At the ampacity of its own AWG 28.
-  EXPECT_EQ(std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base()).point.current, 1.4);
+  study.limits.clear();
+  // Faster with every ampere, so at the end of the range, and not at the 1.4 A that its wire of AWG 28 bears.
+  EXPECT_EQ(std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base()).point.current, 0.8);
+}
+
+// Of a quantity of our own that peaks at a current: every legal current is compared by hand.
+TEST(DesignProblem, DrivesTheActuatorItStartsFromAsItsLimitsLetIt) {
+  const auto of_current = [](std::string name, auto value) {
+    return simulation::ResultQuantity{
+        .name = std::move(name),
+        .meaning = "of the current alone",
+        .scale = 1.0,
+        .value = [value](const simulation::DesignView& d) -> std::optional<double> { return value(d.point.current); }};
+  };
+  Study study = small_study();
+  study.variables = {CurrentVariable{.range = Interval{.lower = 0.2, .upper = 1.3, .step = 0.01}}};
+  study.current = VariedCurrent{};
+  study.objectives = {
+      {.quantity = of_current("hill", [](double i) { return -(i - 0.777) * (i - 0.777); }), .sense = Sense::maximise}};
+  study.limits.clear();
+  const auto current = [&] { return std::get<EvaluatedDesign>(DesignProblem(study).evaluate_base()).point.current; };
+  EXPECT_DOUBLE_EQ(current(), 0.78);
+  study.limits = {
+      {.quantity = of_current("heat", [](double i) { return i * i; }), .side = Limit::Side::at_most, .value = 0.3}};
+  EXPECT_DOUBLE_EQ(current(), 0.54);  // 0.54^2 = 0.2916, 0.55^2 = 0.3025
+  study.limits.front().value = 0.01;  // below 0.1 A: none is allowed, and the lowest is the nearest
+  EXPECT_DOUBLE_EQ(current(), 0.2);
+  study.variables = {CurrentVariable{.range = Choice{.values = {0.3, 0.5, 1.1}}}};
+  study.limits.front().value = 0.3;
+  EXPECT_DOUBLE_EQ(current(), 0.5);
+  study.variables = {CurrentVariable{.range = Interval{.lower = 0.2, .upper = 1.3}}};
+  EXPECT_NEAR(current(), std::sqrt(0.3), 1.1e-3);  // a thousandth of the range
+  EXPECT_LE(current(), std::sqrt(0.3));
 }
 
 TEST(DesignProblem, RefusesAStudyWithTwoCurrentsOrNone) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/quantity.hpp"
@@ -10,19 +11,28 @@
 
 namespace coilwright::formats {
 
+/// What a command line changes of a study before it is read, each `NAME=VALUE`: a number of the study's own actuator
+/// ("gap_mm=1.2", see with_assignment()), or of the study's file by its JSON pointer ("/search/seed=3").
+using StudyChanges = std::vector<std::string>;
+
 /// Reads a study (`"format": "study/1"`) and the actuator it names, whose path counts from the study's folder. Keys are
 /// in docs/formats.md. Throws InputError, also for what contradicts itself: a bound that crosses another, a limit that
 /// no value can meet together with another one, a current that is both fixed and varied.
+///
+/// `changes` are made first. What the study varies, they cannot set: that is an InputError too, as is a name or a value
+/// that does not exist.
 ///
 /// Objectives and constraints name rows of `quantities`, which the study keeps as the table of its results. The
 /// actuator's effects are of `effects`.
 [[nodiscard]] sizing::Study read_study(const std::filesystem::path& path,
                                        const simulation::QuantityTable& quantities = simulation::standard_quantities(),
-                                       const actuator::EffectCatalogue& effects = actuator::standard_effects());
+                                       const actuator::EffectCatalogue& effects = actuator::standard_effects(),
+                                       const StudyChanges& changes = {});
 
 /// The same for a text in memory; `file` is the name its errors carry, and the actuator's path counts from its folder.
 [[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file,
                                         const simulation::QuantityTable& quantities = simulation::standard_quantities(),
-                                        const actuator::EffectCatalogue& effects = actuator::standard_effects());
+                                        const actuator::EffectCatalogue& effects = actuator::standard_effects(),
+                                        const StudyChanges& changes = {});
 
 }  // namespace coilwright::formats

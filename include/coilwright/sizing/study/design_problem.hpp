@@ -51,8 +51,9 @@ class DesignProblem {
   /// The design at a point and its performance. Pure.
   [[nodiscard]] DesignResult evaluate(std::span<const double> point) const;
 
-  /// The actuator that the study starts from, at the study's operating point; where a variable sets the current, at the
-  /// chassis ampacity of the actuator's own wire.
+  /// The actuator that the study starts from, at the study's operating point. Where a variable sets the current, it is
+  /// driven as well as that variable's range and the study's limits let it: with the current of the best first
+  /// objective that keeps all limits or, where none does, the one that is nearest to keeping them.
   [[nodiscard]] DesignResult evaluate_base() const;
 
   /// All quantities of the study's table, the objectives of a design and its constraints, each -margin /

@@ -1,0 +1,48 @@
+#include "provenance.hpp"
+
+#include "build_info.hpp"
+#include "sha256.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr std::size_t largest_input = 512'000'000;  // bytes, as of a record
+
+}  // namespace
+
+InputRecord record_of(const text::InputText& input) {
+  return {.file = input.file, .sha256 = sha256(input.text)};
+}
+
+InputRecord record_of(const std::filesystem::path& file) {
+  return record_of(text::read_text(file, largest_input));
+}
+
+std::string hash_of(const Provenance& provenance) {
+  std::string text;
+  for (const InputRecord& input : provenance.inputs) text += input.sha256 + '\n';
+  for (const std::string& change : provenance.changes) text += change + '\n';
+  return sha256(text);
+}
+
+text::Json to_json(const Provenance& provenance) {
+  using text::Json;
+  const Commit built = commit();
+  Json inputs = Json::array();
+  for (const InputRecord& input : provenance.inputs)
+    inputs.add(Json::object({{"file", input.file}, {"sha256", input.sha256}}));
+  Json changes = Json::array();
+  for (const std::string& change : provenance.changes) changes.add(change);
+  return Json::object({{"format", "provenance/1"},
+                       {"program", "coilwright"},
+                       {"version", version()},
+                       {"commit", built.hash.empty() ? Json(nullptr) : Json(built.hash)},
+                       {"changed_since_commit", built.hash.empty() ? Json(nullptr) : Json(built.changed)},
+                       {"command", provenance.command},
+                       {"inputs", std::move(inputs)},
+                       {"set", std::move(changes)},
+                       {"question_sha256", hash_of(provenance)},
+                       {"seed", provenance.seed ? Json(*provenance.seed) : Json(nullptr)}});
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coilwright/text/input_text.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::cli {
+
+/// The name of the file in a folder of results that says where they come from.
+inline constexpr const char* provenance_name = "provenance.json";
+
+/// A file that went into a result.
+struct InputRecord {
+  std::string file{};    ///< the path as it was given; "standard input"
+  std::string sha256{};  ///< of its bytes
+};
+
+/// Of a file that has been read.
+[[nodiscard]] InputRecord record_of(const text::InputText& input);
+
+/// Of a file on disk. Throws InputError where it cannot be read.
+[[nodiscard]] InputRecord record_of(const std::filesystem::path& file);
+
+/// What a result rests on beside the program: enough to make it again.
+struct Provenance {
+  std::string command{};                ///< "size"
+  std::vector<InputRecord> inputs{};    ///< in the order in which the command names them
+  std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
+  std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
+};
+
+/// A number for "the same question": the SHA-256 of a text with a line for the digest of each input and for each
+/// change, in their order. A path, the seed, the threads and the version of the program do not enter.
+[[nodiscard]] std::string hash_of(const Provenance& provenance);
+
+/// provenance/1: that, and the version and the commit of the program.
+[[nodiscard]] text::Json to_json(const Provenance& provenance);
+
+}  // namespace coilwright::cli

@@ -12,19 +12,44 @@
 #include <vector>
 
 #include "build_info.hpp"
-#include "command_names.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/json.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/spelling.hpp"
+#include "command_names.hpp"
 
 namespace coilwright::cli {
 namespace {
 
 constexpr std::size_t longest_message = 2000;
 
-ExitCode fail(ExitCode code, std::string_view message) {
-  std::cerr << "coilwright: " << text::one_line(message, longest_message) << '\n';
+// How an error is told: a line for a person or, where the arguments ask for JSON, an object for a program.
+enum class Telling { line, json };
+
+Telling telling_of(std::span<const char* const> arguments) {
+  const bool json = std::ranges::any_of(arguments, [](std::string_view each) { return each == "--json"; });
+  return json ? Telling::json : Telling::line;
+}
+
+text::Json text_or_null(const std::string& part) {
+  return part.empty() ? text::Json(nullptr) : text::Json(text::one_line(part, longest_message));
+}
+
+ExitCode fail(Telling telling, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
+  const std::string line = text::one_line(message, longest_message);
+  if (telling == Telling::line) {
+    std::cerr << "coilwright: " << line << '\n';
+    return code;
+  }
+  using text::Json;
+  std::cerr << Json::object({{"error", Json::object({{"exit_code", static_cast<int>(code)},
+                                                     {"message", line},
+                                                     {"file", text_or_null(fault.file)},
+                                                     {"place", text_or_null(fault.place)},
+                                                     {"rule", text_or_null(fault.rule)},
+                                                     {"value", text_or_null(fault.value)}})}})
+                   .text();
   return code;
 }
 
@@ -54,48 +79,50 @@ std::optional<std::string> unexpected_argument(const CLI::App& app) {
 }
 
 // About one command, or about the program itself.
-ExitCode usage_error(const CLI::App& command, std::string_view message) {
+ExitCode usage_error(Telling telling, const CLI::App& command, std::string_view message) {
   const std::string name = name_of(command);
   const std::string program = "coilwright";
   const std::string prefix = name == program ? "" : name.substr(program.size() + 1) + ": ";
-  return fail(ExitCode::bad_input, fmt::format("{}{} (see {} --help)", prefix, message, name));
+  return fail(telling, ExitCode::bad_input, fmt::format("{}{} (see {} --help)", prefix, message, name));
 }
 
 // CLI11 says of a mistyped command only that it was not expected. Nothing where the arguments name one.
-std::optional<ExitCode> mistaken_command(const CLI::App& app, std::span<const char* const> arguments) {
+std::optional<ExitCode> mistaken_command(Telling telling, const CLI::App& app, std::span<const char* const> arguments) {
   const auto names = command_names(app);
   if (names.empty()) return std::nullopt;
-  if (arguments.empty()) return usage_error(app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
+  if (arguments.empty())
+    return usage_error(telling, app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
   const std::string_view first = arguments.front();
   if (first.starts_with('-')) {
     if (app.get_option_no_throw(std::string(first)) != nullptr) return std::nullopt;
-    return usage_error(app, unknown_option(app, first));
+    return usage_error(telling, app, unknown_option(app, first));
   }
   if (std::find(names.begin(), names.end(), first) == names.end())
-    return usage_error(app, unknown_command(first, names));
-  return mistaken_command(*app.get_subcommand(std::string(first)), arguments.subspan(1));
+    return usage_error(telling, app, unknown_command(first, names));
+  return mistaken_command(telling, *app.get_subcommand(std::string(first)), arguments.subspan(1));
 }
 
 ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, const Outcome& outcome) {
+  const Telling telling = telling_of(arguments);
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {
     // What is missing may be missing because its option was misspelt.
-    return usage_error(chosen(app), unexpected_argument(app).value_or(error.what()));
+    return usage_error(telling, chosen(app), unexpected_argument(app).value_or(error.what()));
   } catch (const text::InputError& error) {
-    return fail(ExitCode::bad_input, error.what());
+    return fail(telling, ExitCode::bad_input, error.what(), error.fault());
   } catch (const text::OutputError& error) {
     const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
-    return fail(before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
+    return fail(telling, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::failure, "out of memory");
+    return fail(telling, ExitCode::failure, "out of memory");
   } catch (const std::exception& error) {
-    return fail(ExitCode::failure, error.what());
+    return fail(telling, ExitCode::failure, error.what());
   }
   std::cout.flush();
-  if (!std::cout) return fail(ExitCode::failure, "standard output cannot be written");
+  if (!std::cout) return fail(telling, ExitCode::failure, "standard output cannot be written");
   return outcome.code;
 }
 
@@ -114,8 +141,12 @@ ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand>
   for (const AddCommand add : commands) add(app, outcome);
   add_help_command(app, outcome);
   add_version_command(app, outcome);
+  add_completion_command(app, outcome);
+  add_man_command(app, outcome);
 
-  if (const auto mistake = mistaken_command(app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
+  const Telling telling = telling_of(arguments);
+  if (const auto mistake =
+          mistaken_command(telling, app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
     return *mistake;
   return parse_and_run(app, arguments, outcome);
 }

@@ -12,6 +12,7 @@ struct Outcome;
 /// it ends otherwise than well. `outcome` outlives the parsing.
 using AddCommand = void (*)(CLI::App& app, Outcome& outcome);
 
+void add_completion_command(CLI::App& app, Outcome& outcome);
 void add_crawl_command(CLI::App& app, Outcome& outcome);
 void add_diagnose_command(CLI::App& app, Outcome& outcome);
 void add_drive_command(CLI::App& app, Outcome& outcome);
@@ -21,6 +22,7 @@ void add_force_command(CLI::App& app, Outcome& outcome);
 void add_init_command(CLI::App& app, Outcome& outcome);
 void add_linearise_command(CLI::App& app, Outcome& outcome);
 void add_list_command(CLI::App& app, Outcome& outcome);
+void add_man_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_plan_command(CLI::App& app, Outcome& outcome);
 void add_reach_command(CLI::App& app, Outcome& outcome);

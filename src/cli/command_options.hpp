@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace coilwright::cli {
+
+/// The options of a command, those of its groups too, in the order of its help; without what is given by place.
+[[nodiscard]] std::vector<const CLI::Option*> options_of(const CLI::App& command);
+
+/// What is given by place, in its order.
+[[nodiscard]] std::vector<const CLI::Option*> places_of(const CLI::App& command);
+
+/// Every name of an option with its dashes, the short one first: {"-h", "--help"}.
+[[nodiscard]] std::vector<std::string> names_of(const CLI::Option& option);
+
+/// The words that an option takes where its description ends with "One of a, b, c"; else empty.
+[[nodiscard]] std::vector<std::string> words_of(const CLI::Option& option);
+
+}  // namespace coilwright::cli

@@ -124,7 +124,8 @@ double fault_of(const Contacts& contacts, std::span<const Contact> list, const V
 VectorXd refined(const Contacts& contacts, const Unknowns& unknowns, const VectorXd& found) {
   const int count = static_cast<int>(found.size()) / 4;
   const VectorXd impulses = unknowns.to_impulses * found.head(3 * count);
-  MatrixXd freedom = MatrixXd::Zero(2 * count, 2 * count);
+  const Eigen::Index free_speeds = Eigen::Index{2} * count;
+  MatrixXd freedom = MatrixXd::Zero(free_speeds, free_speeds);
   std::vector<int> rows;
   for (int i = 0; i < count; ++i) {
     if (!(found[i] > 0.0)) continue;

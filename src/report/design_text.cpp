@@ -13,7 +13,6 @@
 namespace coilwright::report {
 
 using sizing::Evaluation;
-using sizing::Limit;
 using sizing::Study;
 
 namespace {

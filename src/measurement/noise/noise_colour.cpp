@@ -94,8 +94,7 @@ std::optional<double> strongest_line(const Series& values) {
   const std::size_t per_ordinate = std::max<std::size_t>(1, spectrum.size / values.size());
   const std::size_t first = 3 * per_ordinate;
   const std::size_t last = spectrum.size / 2;
-  const double ordinates =
-      static_cast<double>(spectrum.size / 2);  // of the padded transform, all of which are searched
+  const auto ordinates = static_cast<double>(last);  // of the padded transform, all of which are searched
   const double limit = std::log(ordinates / chance_of_a_line);
   double best = 1.0;
   std::optional<std::size_t> found;

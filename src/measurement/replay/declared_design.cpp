@@ -41,7 +41,7 @@ class DeclaredDesign::State {
  public:
   State(Design design, actuator::Measured measured, ModelSpec assembled,
         std::vector<CalibratableNumber<DesignTarget>> numbers)
-      : design_(std::move(design)), measured_(std::move(measured)), numbers_(std::move(numbers)) {
+      : design_(std::move(design)), measured_(measured), numbers_(std::move(numbers)) {
     std::vector<double> declared;
     for (const auto& number : numbers_)
       if (needs_reassembly(number.target)) declared.push_back(number.parameter.declared);
@@ -140,8 +140,7 @@ class DeclaredDesign::State {
 
 DeclaredDesign::DeclaredDesign(Design design, actuator::Measured measured, ModelSpec assembled,
                                std::vector<CalibratableNumber<DesignTarget>> numbers)
-    : state_(
-          std::make_shared<State>(std::move(design), std::move(measured), std::move(assembled), std::move(numbers))) {}
+    : state_(std::make_shared<State>(std::move(design), measured, std::move(assembled), std::move(numbers))) {}
 
 std::vector<CalibrationParameter> DeclaredDesign::parameters() const {
   return state_->parameters();

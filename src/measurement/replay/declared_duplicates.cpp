@@ -26,7 +26,8 @@ constexpr double alike_within = 3e-6;
 // Evenly spread over 0 to 1, another sequence for each `which` (the fractions of multiples of square roots of primes).
 double spread(int i, int which) {
   constexpr double roots[] = {1.4142135623730951, 1.7320508075688772, 2.23606797749979, 2.6457513110645907};
-  const double value = (i + 1) * roots[which % 4] * (1.0 + 0.1 * (which / 4));
+  const int round = which / 4;
+  const double value = (i + 1) * roots[which % 4] * (1.0 + 0.1 * round);
   return value - std::floor(value);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -77,7 +78,7 @@ void test_pooled_lines(std::span<const LineSpectrum> spectra, WorstTest& worst) 
     std::vector<bool> members;
     for (const LineSpectrum& lines : spectra) {
       const double place = frequency * lines.run->interval * static_cast<double>(lines.spectrum.size);
-      const auto nearest = static_cast<std::size_t>(place + 0.5);
+      const auto nearest = static_cast<std::size_t>(std::lround(place));
       const bool tested = lines.run->has_times() && nearest >= lines.first && nearest <= lines.last;
       members.push_back(tested);
       if (tested) pooled.add(2.0 * lines.spectrum.power[nearest], line_of(*lines.run, frequency * lines.run->interval));

@@ -19,8 +19,8 @@ bool NormalisedRun::is_long() const {
 
 double NormalisedRun::freedom_of_lowest(std::size_t count) const {
   // The upper half of the frequencies told the level.
-  if (residual->own_estimate && is_long())
-    return std::min(residual->freedom, static_cast<double>(samples() - samples() / 2));
+  const std::size_t half = samples() / 2;
+  if (residual->own_estimate && is_long()) return std::min(residual->freedom, static_cast<double>(samples() - half));
   return residual->freedom_below(static_cast<double>(count) / (2.0 * static_cast<double>(samples())));
 }
 
@@ -30,7 +30,8 @@ NormalisedRun normalised(const ScaledResidual& residual) {
   const std::size_t n = residual.values.size();
   run.energies = noise::cosine_energies(residual.values);
   double high = 0.0;
-  for (std::size_t k = n - n / 2; k < n; ++k) high += run.energies[k] / static_cast<double>(n / 2);
+  const std::size_t half = n / 2;
+  for (std::size_t k = n - half; k < n; ++k) high += run.energies[k] / static_cast<double>(half);
   const double largest = residual.own_estimate ? largest_level_estimated : largest_level_known;
   if (run.is_long() && residual.bands.empty()) {
     run.noise_variance = std::min(high, largest * largest);

@@ -45,7 +45,7 @@ class Diagnose(ProgramTest):
         self.twin("--effect", "dry_friction:torque_Nmm=25")
         result = self.diagnose("out")
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
-                         {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt"})
+                         {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt", "provenance.json"})
         self.assertEqual(result.stdout, (self.folder / "out" / "summary.txt").read_text())
         self.assertIn("best with 1 effect: dry_friction", result.stderr)  # progress
         found = self.result("out/diagnosis.json")

@@ -1,5 +1,6 @@
 """`coilwright pareto`: a front that no evaluated design beats, its files, Ctrl-C."""
 
+import json
 import signal
 import subprocess
 import time
@@ -26,8 +27,14 @@ class Pareto(ProgramTest):
         write_study(self, objectives=FRONT)
         self.pareto()
         front, rows = self.table("out/front.csv"), self.table("out/evaluations.csv")
-        self.assertEqual(list(front[0]), ["turns_radial", "wire_gauge_AWG", "gap_mm", *NAMES, "mass_max_margin_g",
-                                          "thermal_load_max_margin"])
+        asked_for = ["turns_radial", "wire_gauge_AWG", "gap_mm", *NAMES, "mass_max_margin_g", "thermal_load_max_margin"]
+        self.assertEqual(list(front[0])[:len(asked_for)], asked_for)
+        # And every other quantity, each once.
+        others = list(front[0])[len(asked_for):]
+        listed = json.loads(run("list", "quantities", "--json").stdout)
+        quantities = {row["key"] for row in listed if row["of"] == "evaluate"}
+        self.assertEqual(set(others), quantities - set(NAMES))
+        self.assertEqual(len(others), len(set(others)))
         feasible = {losses(row) for row in rows if row["status"] == "ok"}
 
         def beaten(a):

@@ -103,7 +103,9 @@ class Size(ProgramTest):
         # More current is faster without end: the best is at the limit, to the binding margin of 1e-3.
         self.assertAlmostEqual(answer["best"]["variables"]["current_A"], 1.4, delta=1.4e-3)
         self.assertEqual(answer["operating_point"]["current_A"], answer["best"]["variables"]["current_A"])
-        self.assertEqual(answer["base"]["current_A"], 1.4)  # what its own wire carries
+        # The study's own actuator is as fast at what its own wire carries, found to a thousandth of the range.
+        self.assertLessEqual(answer["base"]["current_A"], 1.4)
+        self.assertAlmostEqual(answer["base"]["current_A"], 1.4, delta=1.3e-3)
 
     def test_configurations_are_written_by_letter_and_whole_numbers_without_a_point(self):
         write_study(self, variables={"configuration": {"values": ["B", "D"]}, "turns_axial": {"lower": 28, "upper": 30}},
@@ -161,7 +163,7 @@ class Size(ProgramTest):
             (["--algorithm", "magic"], "--algorithm: "),
             (["--threads", "-1"], '--threads: must be from 0 to 1024; got "-1"'),
             (["--max-evaluations", "0"], '--max-evaluations: must be from 1 to 1000000000; got "0"'),
-            (["--seed", "x"], '--seed: must be a finite number; got "x"'),
+            (["--seed", "x"], '--seed: must be a whole number; got "x"'),
         ):
             result = run("size", "study.json", "--out", "out", *arguments, cwd=self.folder)
             self.assertEqual(result.returncode, 2)

@@ -31,7 +31,7 @@ class Twin(ProgramTest):
         printed = self.twin("set", "--effect", "dry_friction:torque_Nmm=0.6", "--effect",
                             "viscoelastic_creep:stiffness_ratio=0.2,time_constant_s=0.5", "--seed", "7")
         self.assertEqual(printed, "2 runs, 202 samples in set; the answer is in set.answer.json\n")
-        self.assertEqual(set(self.folder_of("set")), {"dataset.json", "actuator.json", "step.csv", "sine.csv"})
+        self.assertEqual(set(self.folder_of("set")), {"dataset.json", "actuator.json", "step.csv", "sine.csv", "provenance.json"})
         answer = self.result("set.answer.json")
         self.assertEqual(answer["effects"], [
             {"id": "dry_friction", "parameters": {"torque_Nmm": 0.6}},

@@ -88,10 +88,12 @@ What to do next
 TEST(DiagnosisText, NamesWhatTheEffectMayBeAsWellInItsFirstSentence) {
   Diagnosis diagnosis = example();
   const actuator::EffectCatalogue& effects = actuator::standard_effects();
-  diagnosis.indistinguishable = {{diagnosis.effects.front().kind, effects.find("creep")}};
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks either dry_friction or creep (these data cannot tell which); with"));
+  diagnosis.indistinguishable = {{diagnosis.effects.front().kind, effects.find("viscoelastic_creep")}};
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("lacks either dry_friction or viscoelastic_creep (these data cannot tell which); with"));
   diagnosis.indistinguishable.front().push_back(effects.find("backlash"));
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks either dry_friction, creep or backlash (these data cannot tell"));
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("lacks either dry_friction, viscoelastic_creep or backlash (these data cannot tell"));
 }
 
 TEST(DiagnosisText, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {

@@ -10,10 +10,12 @@ namespace coilwright::report {
 /// A table for a terminal: columns as wide as their widest cell, two spaces between them.
 class TextTable {
  public:
+  /// On which side of its column a cell stands.
   enum class Align { left, right };
 
   /// Every row has a cell a column.
   void row(std::vector<std::string> cells);
+  /// How many rows it has.
   [[nodiscard]] std::size_t rows() const { return rows_.size(); }
   /// Of the last row.
   [[nodiscard]] std::size_t columns() const { return rows_.empty() ? 0 : rows_.back().size(); }

@@ -107,9 +107,10 @@ TEST(PairFile, RefusesNumbersThatNoHardwareHasAndNoFormulaSurvives) {
 }
 
 TEST(PairFile, RefusesAWindingThatDoesNotExist) {
-  EXPECT_EQ(
-      refusal("\"winding\": \"papershells\", " + coil_and_magnet(coil, magnet)),
-      "x.json: /winding: must be one of \"paper_shells\", \"layer_centres\", \"uniform\"; got text \"papershells\"");
+  EXPECT_EQ(refusal("\"winding\": \"papershells\", " + coil_and_magnet(coil, magnet)),
+            "x.json: /winding: must be one of \"paper_shells\", \"layer_centres\", \"uniform\"; did you mean "
+            "\"paper_shells\"?; "
+            "got text \"papershells\"");
 }
 
 TEST(PairFile, RefusesPosesThatAreNone) {

@@ -102,13 +102,21 @@ TEST(ConvergenceTable, HasTheHypervolumeOfTheFrontSoFar) {
   EXPECT_TRUE(rows[5].starts_with("5,2,0.21")) << rows[5];
 }
 
-TEST(FrontTable, HasVariablesObjectivesAndMargins) {
+TEST(FrontTable, HasVariablesObjectivesMarginsAndThenEveryOtherQuantityOnce) {
   std::ostringstream out;
   write_front(out, study(), std::span(records).first(1));
-  EXPECT_EQ(out.str(),
-            "configuration,current_A,wire_gauge_AWG,grasp_force_N,mass_max_margin_g,coil_temperature_max_margin_K,"
-            "damping_ratio_min_margin\n"
-            "D,0.4,30,1.25,4,64,0\n");
+  const std::string header =
+      "configuration,current_A,wire_gauge_AWG,grasp_force_N,mass_max_margin_g,coil_temperature_max_margin_K,"
+      "damping_ratio_min_margin";
+  std::size_t others = 0;
+  std::string expected = header;
+  for (const simulation::ResultQuantity& quantity : study().quantities) {
+    if (quantity.name == "grasp_force_N" || quantity.name == "current_A") continue;  // columns already
+    expected += "," + quantity.name;
+    ++others;
+  }
+  EXPECT_GT(others, 50u);
+  EXPECT_EQ(out.str(), expected + "\nD,0.4,30,1.25,4,64,0" + std::string(others, ',') + "\n");
 }
 
 TEST(SweepTable, HasEveryQuantityOnceAndEmptyCellsForWhatIsNot) {

@@ -21,7 +21,7 @@ if [[ $what != threads ]]; then
   cmake --build --preset asan-ubsan ${targets:+--target "${targets[@]}" fuzzers}
   # Left out: minutes under the sanitizer of what other tests reach too. A program that is not built has no label.
   ctest --preset asan-ubsan -j "$(nproc)" -L unit -E 'OfAnyDesign|ThickOil|LaboratorySet|NamesTheConfounders'
-  scripts/fuzz.sh 10
+  scripts/fuzz.sh 5
 fi
 if [[ $what != readers ]]; then
   cmake --preset tsan >/dev/null

@@ -2,13 +2,14 @@
 # Unit tests under the sanitizers, and the readers under the fuzzers. Any error ends the script.
 #   scripts/sanitize.sh          everything, threads included: an hour on two cores; before a release
 #   scripts/sanitize.sh readers  whatever takes data from outside, and the physics: a quarter of an hour; .ci/run calls it
+#   scripts/sanitize.sh physics  text and the physics without files, no fuzzers: some minutes
 #   scripts/sanitize.sh threads  search and fit under the thread sanitizer
 set -euo pipefail
 cd "$(dirname "$0")/.."
 what=${1:-all}
 case $what in
-  all | readers | threads) ;;
-  *) echo "sanitize.sh: must be readers, threads or nothing; got \"$what\"" >&2; exit 2 ;;
+  all | readers | physics | threads) ;;
+  *) echo "sanitize.sh: must be readers, physics, threads or nothing; got \"$what\"" >&2; exit 2 ;;
 esac
 
 if [[ $what != threads ]]; then
@@ -17,13 +18,18 @@ if [[ $what != threads ]]; then
     targets=(units_tests text_tests magnetics_tests winding_tests mechanics_tests thermal_tests
              formats_tests formats_actuator_tests formats_simulation_tests formats_data_tests formats_study_tests)
   fi
+  if [[ $what == physics ]]; then
+    targets=(units_tests text_tests magnetics_tests winding_tests mechanics_tests thermal_tests)
+  fi
   cmake --preset asan-ubsan >/dev/null
-  cmake --build --preset asan-ubsan ${targets:+--target "${targets[@]}" fuzzers}
+  fuzzers=()
+  if [[ $what == readers ]]; then fuzzers=(fuzzers); fi
+  cmake --build --preset asan-ubsan ${targets:+--target "${targets[@]}" "${fuzzers[@]}"}
   # Left out: minutes under the sanitizer of what other tests reach too. A program that is not built has no label.
   ctest --preset asan-ubsan -j "$(nproc)" -L unit -E 'OfAnyDesign|ThickOil|LaboratorySet|NamesTheConfounders'
-  scripts/fuzz.sh 5
+  if [[ $what != physics ]]; then scripts/fuzz.sh 5; fi
 fi
-if [[ $what != readers ]]; then
+if [[ $what == all || $what == threads ]]; then
   cmake --preset tsan >/dev/null
   cmake --build --preset tsan --target sizing_tests measurement_tests
   ctest --preset tsan -j 1 -R 'Thread|Interrupt|^Fit\.'

@@ -13,18 +13,15 @@ case $what in
 esac
 
 if [[ $what != threads ]]; then
+  physics=(units_tests text_tests magnetics_tests winding_tests mechanics_tests thermal_tests)
   targets=()
-  if [[ $what == readers ]]; then
-    targets=(units_tests text_tests magnetics_tests winding_tests mechanics_tests thermal_tests
-             formats_tests formats_actuator_tests formats_simulation_tests formats_data_tests formats_study_tests)
-  fi
-  if [[ $what == physics ]]; then
-    targets=(units_tests text_tests magnetics_tests winding_tests mechanics_tests thermal_tests)
-  fi
+  case $what in
+    physics) targets=("${physics[@]}") ;;
+    readers) targets=("${physics[@]}" formats_tests formats_actuator_tests formats_simulation_tests formats_data_tests
+                      formats_study_tests fuzzers) ;;
+  esac
   cmake --preset asan-ubsan >/dev/null
-  fuzzers=()
-  if [[ $what == readers ]]; then fuzzers=(fuzzers); fi
-  cmake --build --preset asan-ubsan ${targets:+--target "${targets[@]}" "${fuzzers[@]}"}
+  cmake --build --preset asan-ubsan ${targets:+--target "${targets[@]}"}
   # Left out: minutes under the sanitizer of what other tests reach too. A program that is not built has no label.
   ctest --preset asan-ubsan -j "$(nproc)" -L unit -E 'OfAnyDesign|ThickOil|LaboratorySet|NamesTheConfounders'
   if [[ $what != physics ]]; then scripts/fuzz.sh 5; fi

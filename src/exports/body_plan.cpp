@@ -1,4 +1,4 @@
-#include "exports/body_plan.hpp"
+#include "coilwright/exports/body_plan.hpp"
 
 #include <cstddef>
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "coilwright/exports/body_plan.hpp"
 #include "coilwright/exports/subject.hpp"
-#include "exports/body_plan.hpp"
 
 namespace coilwright::exports {
 

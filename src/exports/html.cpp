@@ -4,8 +4,12 @@
 
 #include <cstddef>
 
+#include "coilwright/text/markup.hpp"
+
 namespace coilwright::exports {
 namespace {
+
+using text::escaped;
 
 constexpr std::string_view style = R"(
 @page { size: A4; margin: 15mm; }
@@ -45,34 +49,6 @@ std::string_view alignment(const std::vector<std::vector<std::string>>& rows, st
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default: {
-        const auto code = static_cast<unsigned char>(letter);
-        out += code < 0x20 || code == 0x7f ? '?' : letter;
-      }
-    }
-  }
-  return out;
-}
 
 std::string html_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
   std::string out = rows.size() > 20 ? "<table class=\"long\">\n<thead><tr>" : "<table>\n<thead><tr>";

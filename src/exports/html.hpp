@@ -6,10 +6,6 @@
 
 namespace coilwright::exports {
 
-/// Text for an element or an attribute of HTML, or of any other XML: & < > " ' as entities, control characters (which
-/// XML does not have) as a question mark.
-[[nodiscard]] std::string escaped(std::string_view text);
-
 /// A table; all cells are texts and are escaped; each row has one for each name of the header.
 /// Columns of numbers are set to the right.
 [[nodiscard]] std::string html_table(const std::vector<std::string>& header,

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "exports/html.hpp"
+#include "coilwright/text/markup.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -81,7 +81,7 @@ struct Frame {
     return fmt::format(
         "<text class=\"{}\" x=\"{:.4f}\" y=\"{:.4f}\" font-size=\"{:.4f}\" text-anchor=\"{}\"{}>{}</text>\n",
         class_of(each.layer), x(each.at.x), y(each.at.y), 1e3 * each.height / cap_height, anchor, turned,
-        escaped(each.text));
+        text::escaped(each.text));
   }
 };
 
@@ -97,7 +97,7 @@ std::string svg_of(const Sketch& sketch, double scale, const SvgText& text) {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4f} {:.4f}\" width=\"{:.4f}mm\" height=\"{:.4f}mm\" "
       "role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n",
-      width, height, scale * width, scale * height, escaped(text.title), escaped(text.description),
+      width, height, scale * width, scale * height, text::escaped(text.title), text::escaped(text.description),
       style_of(1e3 * sketch.text_height()));
   out +=
       fmt::format("<rect x=\"0\" y=\"0\" width=\"{:.4f}\" height=\"{:.4f}\" style=\"fill: #ffffff; stroke: none\"/>\n",

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exports/body_plan.hpp"
+#include "coilwright/exports/body_plan.hpp"
 #include "exports/drawing/sketch.hpp"
 
 namespace coilwright::exports {

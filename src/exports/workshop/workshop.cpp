@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "coilwright/text/markup.hpp"
 #include "exports/cast.hpp"
 #include "exports/drawing/drawing.hpp"
 #include "exports/drawing/svg.hpp"
@@ -39,8 +40,8 @@ std::vector<ExportedFile> workshop(const DesignSubject& subject, const ExportSet
   const AssemblyOrder order = assembly_order(subject, cast, silicone, winding);
   const std::string title =
       subject.origin.name.empty() ? "Workshop sheets" : fmt::format("Workshop sheets: {}", subject.origin.name);
-  const std::string head =
-      fmt::format("<h1>{}</h1>\n<p class=\"from\">{}</p>\n", escaped(title), escaped(subject.origin.made_by));
+  const std::string head = fmt::format("<h1>{}</h1>\n<p class=\"from\">{}</p>\n", text::escaped(title),
+                                       text::escaped(subject.origin.made_by));
   return {{.name = "workshop.html",
            .text = html_page(title, head + winding_section(winding) + bill_section(bill) + recipe_section(silicone) +
                                         assembly_section(order, figure(cast.plan)))},

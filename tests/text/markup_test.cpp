@@ -1,0 +1,23 @@
+#include "coilwright/text/markup.hpp"
+
+#include <gtest/gtest.h>
+
+namespace coilwright::text {
+namespace {
+
+TEST(Markup, HasNoSignOfItsOwnInAText) {
+  EXPECT_EQ(escaped("<a href=\"x\">'&'</a>\x01"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;?");
+}
+
+TEST(Markup, KeepsLinesWhereTheyAreAskedFor) {
+  EXPECT_EQ(escaped_lines("a\n\tb<\n"), "a\n\tb&lt;\n");
+  EXPECT_EQ(escaped_lines(""), "");
+}
+
+TEST(ScriptJson, CannotEndTheElementThatItStandsIn) {
+  EXPECT_EQ(script_json("{\n  \"a\": \"</script>  <!--\",\n  \"b\": [1, 2]\n}\n"),
+            "{\"a\": \"\\u003c/script>  \\u003c!--\",\"b\": [1, 2]}");
+}
+
+}  // namespace
+}  // namespace coilwright::text

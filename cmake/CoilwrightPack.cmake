@@ -10,6 +10,7 @@ function(coilwright_pack target function folder)
       -P ${PROJECT_SOURCE_DIR}/cmake/PackFiles.cmake
     DEPENDS ${paths} ${PROJECT_SOURCE_DIR}/cmake/PackFiles.cmake
     VERBATIM)
-  set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+    COMPILE_OPTIONS $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>)
   target_sources(${target} PRIVATE ${source})
 endfunction()

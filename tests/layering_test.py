@@ -31,7 +31,8 @@ ROOMS = {
     "exports": "formats/actuator",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
-    "cli": "validation systems exports report",
+    "page": "exports formats/study",
+    "cli": "validation systems report page",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

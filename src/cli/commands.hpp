@@ -26,6 +26,7 @@ void add_man_command(CLI::App& app, Outcome& outcome);
 void add_pareto_command(CLI::App& app, Outcome& outcome);
 void add_plan_command(CLI::App& app, Outcome& outcome);
 void add_reach_command(CLI::App& app, Outcome& outcome);
+void add_report_command(CLI::App& app, Outcome& outcome);
 void add_help_command(CLI::App& app, Outcome& outcome);
 void add_grip_command(CLI::App& app, Outcome& outcome);
 void add_rig_command(CLI::App& app, Outcome& outcome);

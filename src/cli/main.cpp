@@ -17,7 +17,8 @@ constexpr std::array commands = {
     &coilwright::cli::add_diagnose_command,  // the measurement
     &coilwright::cli::add_plan_command,     &coilwright::cli::add_twin_command,
     &coilwright::cli::add_rig_command,
-    &coilwright::cli::add_export_command,    // the workshop
+    &coilwright::cli::add_report_command,  // what people take away
+    &coilwright::cli::add_export_command,
     &coilwright::cli::add_validate_command,  // the proof
     &coilwright::cli::add_list_command,      // the files
     &coilwright::cli::add_init_command,     &coilwright::cli::add_schema_command,

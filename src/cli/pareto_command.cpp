@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <span>
@@ -14,6 +15,7 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
+#include "report_option.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
@@ -71,7 +73,12 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
       "130.\n\n"
       "Example:\n"
       "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
-  command->callback([options, &outcome] { outcome.code = run_pareto(*options); });
+  auto report = std::make_shared<bool>(false);
+  add_report_option(*command, *report);
+  command->callback([options, report, &outcome] {
+    outcome.code = run_pareto(*options);
+    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+  });
 }
 
 }  // namespace coilwright::cli

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
+#include "report_option.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
@@ -142,7 +144,12 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       "is then 130.\n\n"
       "Example:\n"
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
-  command->callback([options, &outcome] { outcome.code = run_size(*options); });
+  auto report = std::make_shared<bool>(false);
+  add_report_option(*command, *report);
+  command->callback([options, report, &outcome] {
+    outcome.code = run_size(*options);
+    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+  });
 }
 
 }  // namespace coilwright::cli

@@ -12,7 +12,7 @@ namespace coilwright::text {
 /// The same for a text of several lines: line ends and tabulators stay.
 [[nodiscard]] std::string escaped_lines(std::string_view text);
 
-/// JSON as it may stand inside a <script> element of HTML: the same value, with every < written as \u003c (JSON has
+/// JSON as it may stand inside a script element of HTML: the same value, with every < written as \u003c (JSON has
 /// one inside of texts alone), and without line ends and the indents behind them (which a text of JSON cannot have).
 [[nodiscard]] std::string script_json(std::string_view json);
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coilwright/page/page.hpp"
+
+namespace coilwright::page {
+
+/// How a series of a chart is drawn.
+enum class Mark {
+  line,    ///< straight lines between its points, in their order
+  steps,   ///< each value holds until the next point
+  points,  ///< a symbol a point, of a shape of its own
+  faint,   ///< small, pale symbols, for what is there in great number
+  level    ///< a line across at the one value of y; x is empty
+};
+
+/// Some numbers under one name.
+struct Series {
+  std::string name;  ///< with its unit, as the legend has it; unique in its chart
+  std::vector<double> x;
+  std::vector<double> y;  ///< one for each x; finite
+  Mark mark = Mark::line;
+};
+
+/// Scale of an axis.
+enum class AxisScale { linear, logarithmic };
+
+/// Curves and points over one axis.
+struct Chart {
+  std::string id;
+  std::string title;
+  std::string description;
+  std::string x_title;  ///< with its unit
+  std::string y_title;  ///< with its unit
+  std::vector<Series> series;
+  AxisScale x_scale = AxisScale::linear;  ///< logarithmic: every x > 0
+  AxisScale y_scale = AxisScale::linear;  ///< logarithmic: every y > 0
+};
+
+/// The chart as Vega-Lite, and its numbers as a table. Every number of the specification is one of the series, as it
+/// is; a table of more than 400 rows has an even choice of them, and says so.
+[[nodiscard]] Figure figure_of(const Chart& chart);
+
+/// One value with a name.
+struct Bar {
+  std::string label;
+  double value{};
+  std::string group;  ///< what the legend tells apart, by colour and by the words in it
+};
+
+/// Values side by side: bars from 0.
+struct BarChart {
+  std::string id;
+  std::string title;
+  std::string description;
+  std::string value_title;  ///< with its unit
+  std::string label_title;
+  std::vector<Bar> bars;  ///< in the order in which they are to be seen
+  /// A symbol at its value on an axis that need not begin at 0, of a shape for each group, instead of a bar.
+  bool symbols{};
+};
+
+/// The bars as Vega-Lite, and as a table.
+[[nodiscard]] Figure figure_of(const BarChart& chart);
+
+/// "12.35": a number to read, of four digits.
+[[nodiscard]] std::string short_number(double value);
+
+}  // namespace coilwright::page

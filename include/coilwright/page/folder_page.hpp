@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "coilwright/page/page.hpp"
+#include "coilwright/sizing/study/study.hpp"
+
+namespace coilwright::page {
+
+/// What a page rests on beside the files of its folder.
+struct PageInputs {
+  std::string made_by{};                 ///< program and version, for the first lines
+  std::optional<sizing::Study> study{};  ///< that the results are of: a front shows its designs only with it
+  std::string why_no_study{};            ///< why there is none, as a sentence
+  std::size_t most_pictures = 200;       ///< designs of a front that are drawn and simulated
+};
+
+/// The page of a folder of results, from its files: of `size` (result.json, actuator.json, evaluations.csv,
+/// convergence.csv) of `pareto` (result.json, front.csv, evaluations.csv, convergence.csv) or of `diagnose`
+/// (diagnosis.json, residuals.csv, summary.txt). Throws InputError where
+/// the folder has no results of a kind that has a page, or a file of them cannot be read.
+[[nodiscard]] Page page_of(const std::filesystem::path& folder, const PageInputs& inputs);
+
+}  // namespace coilwright::page

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::page {
+
+/// Texts in rows and columns, as they are to be read.
+struct Table {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;  ///< each as long as the header
+  std::string note{};                          ///< what is not in it; empty: nothing
+};
+
+/// A picture that the program has drawn itself: a complete svg element, which takes its colours from the page's
+/// style.
+struct Drawing {
+  std::string svg;
+};
+
+/// A picture in a file of its own: shown as an image, with the style that it brings.
+struct Image {
+  std::string svg;
+};
+
+/// A picture with what a reader needs who does not see it.
+struct Figure {
+  std::string id;     ///< "response": of its element, and of its file with --figures; unique in a page
+  std::string title;  ///< a phrase
+  /// What is to be seen, in a sentence or two: the text that stands for the picture.
+  std::string description;
+  std::variant<text::Json, Drawing, Image> content;  ///< a Vega-Lite specification, or a drawing
+  Table table{};                                     ///< its numbers; none where a table beside it has them
+};
+
+/// Plain text between figures.
+struct Paragraph {
+  std::string text;
+};
+
+/// A table that stands for itself.
+struct TableBlock {
+  std::string caption;
+  Table table;
+};
+
+/// A place that the page's script fills: its element has this id and begins with `html`, which is written as it is.
+struct Widget {
+  std::string html;
+};
+
+using Block = std::variant<Paragraph, TableBlock, Figure, Widget>;
+
+/// What stands under one heading.
+struct Section {
+  std::string id;
+  std::string title;
+  std::vector<Block> blocks;
+};
+
+/// JSON that the page's script reads, by the id of its element.
+struct DataBlock {
+  std::string id;
+  std::string json;
+};
+
+/// A report, before it is a file.
+struct Page {
+  std::string title;
+  std::string verdict;  ///< one sentence, or a few: what comes first
+  std::string origin;   ///< program, version, command, inputs: one line
+  std::vector<Section> sections;
+  std::vector<DataBlock> data{};
+};
+
+}  // namespace coilwright::page

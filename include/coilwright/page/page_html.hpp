@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "coilwright/page/page.hpp"
+
+namespace coilwright::page {
+
+/// A script that the page carries, with the notice of its licence.
+struct Script {
+  std::string_view name;     ///< "vega 6.2.0"
+  std::string_view text;     ///< JavaScript
+  std::string_view licence;  ///< text of its licence; empty for our own
+};
+
+/// What a page is packed with.
+struct PageAssets {
+  std::span<const Script> scripts;  ///< in the order in which they run
+  std::string_view style;           ///< CSS
+};
+
+/// A digest of a text, as letters and digits: SHA-256 in hexadecimal.
+using Digest = std::function<std::string(std::string_view)>;
+
+/// A page as one HTML file that asks for nothing outside of itself. Its content security policy lets nothing run or
+/// load but its own scripts and style, which carry the digest of the file's content as nonce. Texts are escaped; the
+/// JSON inside of it has no <.
+[[nodiscard]] std::string to_html(const Page& page, const PageAssets& assets, const Digest& digest);
+
+}  // namespace coilwright::page

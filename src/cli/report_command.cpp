@@ -1,0 +1,53 @@
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "number_rule.hpp"
+#include "outcome.hpp"
+#include "report_option.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::optional<std::string> out;
+  std::optional<std::size_t> pictures;
+};
+
+void run_report(const Options& options) {
+  const std::filesystem::path folder(options.folder);
+  const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
+  write_report(folder, file, options.pictures);
+  std::cout << file.string() << '\n';
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, Outcome&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("report", "Make one page of a folder of results, to look at and to pass on");
+  command->add_option("DIR", options->folder, "Folder that size or pareto has written")->required();
+  command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
+      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
+  command
+      ->add_option("--pictures", options->pictures,
+                   "Number of designs of a front that are drawn and simulated, evenly along it (default 200)")
+      ->transform(whole_number_rule(text::Rule::between(1, 1e6)));
+  command->footer(
+      "Writes one HTML file that works without a network, and prints its name. Of size: verdict, design in section\n"
+      "and in motion, limits, sensitivities, assumptions. Of pareto: the designs of the front in linked views, each "
+      "to\n"
+      "be saved as an actuator file; sections and motions need the study where provenance.json names it. Vega draws\n"
+      "it, which the program carries if it was built where npm is.\n\n"
+      "Example:\n"
+      "  coilwright report results/fastest_finger");
+  command->callback([options] { run_report(*options); });
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,99 @@
+#include "report_option.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "build_info.hpp"
+#include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/page/folder_page.hpp"
+#include "coilwright/page/page_html.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "packed_files.hpp"
+#include "provenance.hpp"
+#include "sha256.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+constexpr const char* built_without =
+    "this program was built without Vega, which pages are drawn with: install npm and build it again "
+    "(cmake -DCOILWRIGHT_REPORT_ASSETS=ON says what is missing)";
+
+std::string_view packed(std::span<const PackedFile> files, std::string_view name) {
+  return std::ranges::find(files, name, &PackedFile::name)->text;
+}
+
+std::vector<page::Script> scripts() {
+  const std::span<const PackedFile> libraries = report_libraries();
+  std::vector<page::Script> out;
+  for (const char* name : {"vega.js", "vega-lite.js", "vega-embed.js"})
+    out.push_back({.name = name, .text = packed(libraries, name), .licence = {}});
+  out.front().name = "Vega, Vega-Lite, vega-embed and what they contain";
+  out.front().licence = packed(libraries, "licences.txt");
+  for (const char* name : {"page.js", "front.js"})
+    out.push_back({.name = name, .text = packed(page_files(), name), .licence = {}});
+  return out;
+}
+
+// Whether the file still is what went into a result.
+bool is_unchanged(const text::Node& input, std::string& file) {
+  file = input.find("file").value().text();
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return false;
+  return record_of(std::filesystem::path(file)).sha256 == input.find("sha256").value().text();
+}
+
+// The study that the results of a folder are of, by its provenance.json; or why it is not at hand.
+void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
+  const std::filesystem::path provenance = folder / provenance_name;
+  if (!std::filesystem::is_regular_file(provenance)) {
+    inputs.why_no_study = fmt::format("the folder has no {}, which names the study.", provenance_name);
+    return;
+  }
+  const text::Document document = text::read_json(provenance);
+  std::vector<std::string> files;
+  for (const text::Node& input : document.root().find("inputs").value().elements()) {
+    if (is_unchanged(input, files.emplace_back())) continue;
+    inputs.why_no_study =
+        fmt::format("{}, which these results are of, is not there as it was; make the page where the search was run.",
+                    files.back());
+    return;
+  }
+  std::vector<std::string> changes;
+  for (const text::Node& change : document.root().find("set").value().elements()) changes.push_back(change.text());
+  inputs.study =
+      formats::read_study(files.at(0), simulation::standard_quantities(), actuator::standard_effects(), changes);
+}
+
+}  // namespace
+
+void add_report_option(CLI::App& command, bool& wanted) {
+  command.add_flag("--report", wanted, fmt::format("Write a page to look at as well: {} in that folder", report_name))
+      ->disable_flag_override()
+      ->check(
+          [](const std::string&) { return report_libraries().empty() ? std::string(built_without) : std::string(); });
+}
+
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
+                  std::optional<std::size_t> pictures) {
+  if (report_libraries().empty()) throw text::InputError({.file = folder.string(), .rule = built_without});
+  page::PageInputs inputs{.made_by = "coilwright " + version()};
+  if (std::filesystem::is_regular_file(folder / "front.csv")) find_study(folder, inputs);
+  if (pictures) inputs.most_pictures = *pictures;
+  const page::Page content = page::page_of(folder, inputs);
+  const std::vector<page::Script> all = scripts();
+  text::OutputFile out(file);
+  out.stream() << page::to_html(content, {.scripts = all, .style = packed(page_files(), "page.css")},
+                                [](std::string_view bytes) { return sha256(bytes); });
+  out.commit();
+}
+
+}  // namespace coilwright::cli

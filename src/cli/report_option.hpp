@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+namespace coilwright::cli {
+
+/// The name of the page in a folder of results.
+inline constexpr const char* report_name = "report.html";
+
+/// --report of a command that writes a folder. Where the program was built without what pages are drawn with, giving it
+/// is an error of usage, before any work.
+void add_report_option(CLI::App& command, bool& wanted);
+
+/// The page of a folder of results, written to `file` as a whole or not at all. `pictures`: how many designs of a front
+/// are drawn and simulated at most (default 200). Throws InputError where the folder has no results or the program was
+/// built without what pages are drawn with, OutputError where `file` cannot be written.
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
+                  std::optional<std::size_t> pictures = std::nullopt);
+
+}  // namespace coilwright::cli

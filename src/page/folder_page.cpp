@@ -1,0 +1,48 @@
+#include "coilwright/page/folder_page.hpp"
+
+#include <optional>
+
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "page/diagnosis_page.hpp"
+#include "page/front_page.hpp"
+#include "page/sizing_page.hpp"
+
+namespace coilwright::page {
+namespace {
+
+Page page_of(const std::filesystem::path& folder, const std::filesystem::path& file, const text::Node& result,
+             const PageInputs& inputs) {
+  result.expect_object();
+  const auto command = result.find("command");
+  const std::string word = command && command->kind() == text::Node::Kind::text ? command->text() : "";
+  try {
+    if (result.find("verdict")) return diagnosis_page(folder, result, inputs.made_by);
+    if (word == "size") return sizing_page(folder, result, inputs.made_by);
+    if (word == "pareto") return front_page(folder, result, inputs);
+  } catch (const std::bad_optional_access&) {
+    throw text::InputError({.file = file.string(), .rule = "lacks a key that these results have (docs/formats.md)"});
+  }
+  throw text::InputError({.file = file.string(),
+                          .place = "/command",
+                          .rule = "must be \"size\" or \"pareto\": there is no page of other results",
+                          .value = command ? command->shown() : ""});
+}
+
+}  // namespace
+
+Page page_of(const std::filesystem::path& folder, const PageInputs& inputs) {
+  if (!std::filesystem::is_directory(folder))
+    throw text::InputError({.file = folder.string(), .rule = "must be a folder of results"});
+  for (const char* name : {"result.json", "diagnosis.json"}) {
+    const std::filesystem::path file = folder / name;
+    if (!std::filesystem::is_regular_file(file)) continue;
+    const text::Document document = text::read_json(file);
+    return page_of(folder, file, document.root(), inputs);
+  }
+  throw text::InputError(
+      {.file = folder.string(),
+       .rule = "has neither result.json nor diagnosis.json: it is no folder of size, pareto or diagnose"});
+}
+
+}  // namespace coilwright::page

@@ -1,0 +1,303 @@
+#include "page/front_figures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "coilwright/page/chart.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using text::Json;
+
+constexpr std::size_t most_others = 3000;
+constexpr std::size_t most_lines = 400;
+constexpr const char* schema = "https://vega.github.io/schema/vega-lite/v6.json";
+constexpr const char* axes[] = {"x", "y", "z"};
+
+std::string sense_of(const FrontTable& front, std::size_t objective) {
+  return fmt::format("{} ({} is better)", front.objectives[objective], front.largest[objective] ? "more" : "less");
+}
+
+Json position(const FrontTable& front, std::size_t objective) {
+  return Json::object({{"field", axes[objective]},
+                       {"type", "quantitative"},
+                       {"title", sense_of(front, objective)},
+                       {"scale", Json::object({{"zero", false}})}});
+}
+
+Json rows_of(const FrontTable& front) {
+  Json rows = Json::array();
+  const bool shapes = front.texts.has("configuration");
+  for (std::size_t row = 0; row < front.rows(); ++row) {
+    Json each = Json::object({{"row", row}});
+    for (std::size_t i = 0; i < front.objectives.size(); ++i)
+      each.set(axes[i], front.texts.number(front.objectives[i], row).value());
+    each.set("kind",
+             shapes ? "configuration " + front.texts.column("configuration")[row] : std::string("on the front"));
+    rows.add(std::move(each));
+  }
+  return rows;
+}
+
+Json rows_of(const OtherDesigns& others) {
+  Json rows = Json::array();
+  for (const OtherDesigns::Group& group : others.groups)
+    for (const std::vector<double>& values : group.values) {
+      Json each = Json::object({{"kind", group.name}});
+      for (std::size_t i = 0; i < values.size(); ++i) each.set(axes[i], values[i]);
+      rows.add(std::move(each));
+    }
+  return rows;
+}
+
+std::vector<std::string> kinds_of(const FrontTable& front) {
+  std::vector<std::string> kinds;
+  if (!front.texts.has("configuration")) return {"on the front"};
+  for (const std::string& letter : front.texts.column("configuration"))
+    if (std::ranges::find(kinds, "configuration " + letter) == kinds.end()) kinds.push_back("configuration " + letter);
+  std::ranges::sort(kinds);
+  return kinds;
+}
+
+// Shapes that are told apart without colour: filled ones on the front, crosses for what breaks a limit.
+Json shape_scale(const FrontTable& front) {
+  static constexpr const char* shapes[] = {"circle", "square", "triangle-up", "diamond"};
+  Json domain = Json::array();
+  Json range = Json::array();
+  std::size_t i = 0;
+  for (const std::string& kind : kinds_of(front)) {
+    domain.add(kind);
+    range.add(shapes[i++ % std::size(shapes)]);
+  }
+  domain.add("beaten by the front").add("breaks a limit");
+  range.add("stroke").add("cross");
+  return Json::object({{"domain", std::move(domain)}, {"range", std::move(range)}});
+}
+
+Json named(const char* name) {
+  return Json::object({{"name", name}});
+}
+
+Json shape_of(const FrontTable& front) {
+  return Json::object({{"field", "kind"}, {"type", "nominal"}, {"title", nullptr}, {"scale", shape_scale(front)}});
+}
+
+Figure scatter(const FrontTable& front, const OtherDesigns& others) {
+  const Json x = position(front, 0);
+  const Json y = position(front, 1);
+  Json on_front = Json::object({{"x", x}, {"y", y}, {"shape", shape_of(front)}});
+  const bool coloured = front.objectives.size() > 2;
+  if (coloured)
+    on_front.set("color", Json::object({{"field", "z"},
+                                        {"type", "quantitative"},
+                                        {"title", sense_of(front, 2)},
+                                        {"scale", Json::object({{"scheme", "viridis"}})}}));
+  Json mark =
+      Json::object({{"type", "point"}, {"filled", true}, {"size", front.rows() > 2000 ? 22 : 70}, {"opacity", 1}});
+  if (!coloured) mark.set("style", "front");
+  const Json layers = Json::array(
+      {Json::object({{"data", named("others")},
+                     {"mark", Json::object({{"type", "point"}, {"style", "other"}, {"size", 36}, {"tooltip", false}})},
+                     {"encoding", Json::object({{"x", x}, {"y", y}, {"shape", shape_of(front)}})}}),
+       Json::object({{"name", "designs"}, {"data", named("front")}, {"mark", mark}, {"encoding", on_front}}),
+       Json::object(
+           {{"data", named("selected")},
+            {"mark", Json::object({{"type", "point"}, {"style", "selected"}, {"size", 320}, {"tooltip", false}})},
+            {"encoding", Json::object({{"x", x}, {"y", y}})}})});
+  std::vector<std::string> groups;
+  for (const OtherDesigns::Group& group : others.groups)
+    groups.push_back(
+        fmt::format("{} that {}{}", group.count, group.said,
+                    group.values.size() < group.count ? fmt::format(" ({} shown)", group.values.size()) : ""));
+  const std::string behind = groups.empty() ? "" : fmt::format(" Behind them, in grey: {}.", fmt::join(groups, ", "));
+  // The first one, until the script selects another.
+  Json selected = Json::array();
+  if (front.rows() > 0) {
+    Json first = Json::object();
+    for (std::size_t i = 0; i < front.objectives.size(); ++i)
+      first.set(axes[i], front.texts.number(front.objectives[i], 0).value());
+    selected.add(std::move(first));
+  }
+  const std::string description =
+      fmt::format("{} designs of the front by {} and {}{}.{} A click selects the nearest design; so does the slider.",
+                  front.rows(), front.objectives[0], front.objectives[1],
+                  coloured ? fmt::format(", coloured by {}", front.objectives[2]) : "", behind);
+  return {
+      .id = "front",
+      .title = "Designs of the front",
+      .description = description,
+      .content = Json::object(
+          {{"$schema", schema},
+           {"description", description},
+           {"width", "container"},
+           {"height", 420},
+           {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
+           {"datasets", Json::object({{"front", rows_of(front)}, {"others", rows_of(others)}, {"selected", selected}})},
+           {"layer", layers}}),
+      .table = {}};
+}
+
+// A column between its least and its greatest value; a text by its place among the texts.
+struct Coordinate {
+  std::string name;
+  std::vector<double> shares;  // a row; 0 to 1
+  std::string least;
+  std::string greatest;
+};
+
+std::optional<Coordinate> coordinate_of(const FrontTable& front, const std::string& name) {
+  const std::vector<std::string>& fields = front.texts.column(name);
+  std::vector<std::string> texts;
+  std::vector<double> values;
+  for (const std::string& field : fields)
+    if (const std::optional<double> number = text::number_in(field)) values.push_back(*number);
+  if (values.size() != fields.size()) {
+    texts = fields;
+    std::ranges::sort(texts);
+    texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
+    values.clear();
+    for (const std::string& field : fields)
+      values.push_back(static_cast<double>(std::ranges::find(texts, field) - texts.begin()));
+  }
+  const auto [least, greatest] = std::ranges::minmax(values);
+  if (least == greatest) return std::nullopt;
+  Coordinate out{.name = name,
+                 .shares = {},
+                 .least = texts.empty() ? short_number(least) : texts.front(),
+                 .greatest = texts.empty() ? short_number(greatest) : texts.back()};
+  for (const double value : values) out.shares.push_back((value - least) / (greatest - least));
+  return out;
+}
+
+Json parallel_layer(const char* data, Json mark) {
+  return Json::object(
+      {{"data", named(data)},
+       {"transform", Json::array({Json::object({{"flatten", Json::array({"axis", "share"})}})})},
+       {"mark", std::move(mark)},
+       {"encoding",
+        Json::object(
+            {{"x", Json::object(
+                       {{"field", "axis"},
+                        {"type", "ordinal"},
+                        {"sort", nullptr},
+                        {"title", nullptr},
+                        {"axis",
+                         Json::object(
+                             {{"labelAngle", -35}, {"grid", true}, {"labelLimit", 200}, {"labelOverlap", false}})}})},
+             {"y", Json::object({{"field", "share"},
+                                 {"type", "quantitative"},
+                                 {"axis", nullptr},
+                                 {"scale", Json::object({{"domain", Json::array({-0.08, 1.08})}, {"nice", false}})}})},
+             {"detail", Json::object({{"field", "row"}, {"type", "nominal"}})}})}});
+}
+
+Json end_layer(const char* field, double place, const char* baseline) {
+  return Json::object(
+      {{"data", named("ends")},
+       {"mark", Json::object({{"type", "text"}, {"style", "end"}, {"baseline", baseline}})},
+       {"encoding", Json::object({{"x", Json::object({{"field", "axis"}, {"type", "ordinal"}, {"sort", nullptr}})},
+                                  {"y", Json::object({{"datum", place}, {"type", "quantitative"}})},
+                                  {"text", Json::object({{"field", field}, {"type", "nominal"}})}})}});
+}
+
+std::optional<Figure> parallel(const FrontTable& front) {
+  std::vector<Coordinate> coordinates;
+  std::vector<std::string> names = front.objectives;
+  for (const std::string& name : front.variables)
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  for (const std::string& name : names)
+    if (std::optional<Coordinate> each = coordinate_of(front, name)) coordinates.push_back(*std::move(each));
+  if (coordinates.size() < 2) return std::nullopt;
+  Json axis = Json::array();
+  Json ends = Json::array();
+  for (const Coordinate& each : coordinates) {
+    axis.add(each.name);
+    ends.add(Json::object({{"axis", each.name}, {"least", each.least}, {"greatest", each.greatest}}));
+  }
+  Json lines = Json::array();
+  const std::vector<std::size_t> rows = even_choice(front.rows(), most_lines);
+  for (const std::size_t row : rows) {
+    Json shares = Json::array();
+    for (const Coordinate& each : coordinates) shares.add(each.shares[row]);
+    lines.add(Json::object({{"row", row}, {"axis", axis}, {"share", std::move(shares)}}));
+  }
+  Json first = Json::array();
+  for (const Coordinate& each : coordinates) first.add(each.shares.front());
+  const Json selected = Json::array({Json::object({{"row", 0}, {"axis", axis}, {"share", std::move(first)}})});
+  const std::string description = fmt::format(
+      "A line for each of {} designs through its objectives and variables, each axis from the least value of the front "
+      "at the bottom to the greatest on top. The selected design is the thick line.",
+      rows.size() == front.rows() ? fmt::format("the {}", rows.size())
+                                  : fmt::format("{} of the {}", rows.size(), front.rows()));
+  return Figure{
+      .id = "parallel",
+      .title = "Objectives and variables side by side",
+      .description = description,
+      .content = Json::object(
+          {{"$schema", schema},
+           {"description", description},
+           {"width", "container"},
+           {"height", 320},
+           {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
+           {"datasets", Json::object({{"lines", std::move(lines)}, {"ends", std::move(ends)}, {"selected", selected}})},
+           {"layer",
+            Json::array({parallel_layer("lines", Json::object({{"type", "line"}, {"style", "design"}})),
+                         parallel_layer("selected",
+                                        Json::object({{"type", "line"}, {"style", "selected-line"}, {"point", true}})),
+                         end_layer("least", -0.02, "top"), end_layer("greatest", 1.02, "bottom")})}}),
+      .table = {}};
+}
+
+}  // namespace
+
+OtherDesigns read_other_designs(const std::filesystem::path& folder, const FrontTable& front) {
+  const text::CsvTexts all = text::read_csv_texts(folder / "evaluations.csv", [&](std::string_view name) {
+    return name == "status" || std::ranges::find(front.objectives, name) != front.objectives.end();
+  });
+  OtherDesigns others;
+  for (const auto& [status, name, said] : {std::tuple{"infeasible", "breaks a limit", "break a limit"},
+                                           std::tuple{"ok", "beaten by the front", "the front beats"}}) {
+    std::vector<std::vector<double>> values;
+    for (std::size_t row = 0; row < all.rows(); ++row) {
+      if (all.column("status")[row] != status) continue;
+      std::vector<double> each;
+      for (const std::string& objective : front.objectives)
+        if (const auto value = all.number(objective, row)) each.push_back(*value);
+      if (each.size() == front.objectives.size()) values.push_back(std::move(each));
+    }
+    // Those on the front are among the feasible ones, and would lie under its own marks.
+    if (std::string_view(status) == "ok") {
+      std::vector<std::vector<double>> kept;
+      for (std::size_t row = 0; row < front.rows(); ++row) {
+        std::vector<double> each;
+        for (const std::string& objective : front.objectives)
+          each.push_back(front.texts.number(objective, row).value());
+        kept.push_back(std::move(each));
+      }
+      std::ranges::sort(kept);
+      std::erase_if(values, [&](const auto& each) { return std::ranges::binary_search(kept, each); });
+    }
+    OtherDesigns::Group group{.name = name, .said = said, .count = values.size(), .values = {}};
+    for (const std::size_t i : even_choice(values.size(), most_others)) group.values.push_back(values[i]);
+    if (group.count > 0) others.groups.push_back(std::move(group));
+  }
+  return others;
+}
+
+std::vector<Figure> front_figures(const FrontTable& front, const OtherDesigns& others) {
+  std::vector<Figure> figures;
+  if (front.rows() == 0 && others.groups.empty()) return figures;
+  figures.push_back(scatter(front, others));
+  if (std::optional<Figure> each = front.rows() > 0 ? parallel(front) : std::nullopt)
+    figures.push_back(*std::move(each));
+  return figures;
+}
+
+}  // namespace coilwright::page

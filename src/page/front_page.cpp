@@ -1,0 +1,220 @@
+#include "page/front_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coilwright/page/chart.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
+#include "coilwright/text/markup.hpp"
+#include "page/front_designs.hpp"
+#include "page/front_figures.hpp"
+#include "page/front_table.hpp"
+#include "page/result_words.hpp"
+#include "page/table_html.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using text::Json;
+using text::Node;
+
+std::string names_text(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string verdict_of(const Node& result, const FrontTable& front) {
+  const Node counts = result.find("evaluations").value();
+  const std::string search = fmt::format("{} designs were evaluated, {} of them keep every limit",
+                                         cell_of(counts.find("total").value()), cell_of(counts.find("ok").value()));
+  if (front.rows() == 0) return fmt::format("No design that was found keeps every limit ({}).", search);
+  std::vector<std::string> ranges;
+  for (const std::string& objective : front.objectives) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < front.rows(); ++row) values.push_back(front.texts.number(objective, row).value());
+    const auto [least, most] = std::ranges::minmax(values);
+    ranges.push_back(fmt::format("{} from {} to {}", objective, short_number(least), short_number(most)));
+  }
+  return fmt::format(
+      "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one "
+      "that was found; {}.",
+      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search);
+}
+
+Json names_json(const std::vector<std::string>& names) {
+  Json out = Json::array();
+  for (const std::string& name : names) out.add(name);
+  return out;
+}
+
+// All of front.csv, column by column, for the tables of the selection.
+Json columns_json(const FrontTable& front) {
+  Json columns = Json::object();
+  for (const std::string& name : front.texts.names()) {
+    Json column = Json::array();
+    for (const std::string& field : front.texts.column(name)) column.add(json_of(field));
+    columns.set(name, std::move(column));
+  }
+  return Json::object({{"variables", names_json(front.variables)},
+                       {"objectives", names_json(front.objectives)},
+                       {"margins", names_json(front.margins)},
+                       {"quantities", names_json(front.quantities)},
+                       {"columns", std::move(columns)}});
+}
+
+// What selects a design; the script fills in the rest. A slider is reached and moved by the keyboard of itself.
+std::string controls_html(const FrontTable& front) {
+  return fmt::format(
+      "<div class=\"controls\" role=\"group\" aria-label=\"Selection of a design\">\n"
+      "<label for=\"pick\">Design <output id=\"pick-text\" for=\"pick\">1</output> of {0}, in the order of "
+      "{1}</label>\n"
+      "<input type=\"range\" id=\"pick\" min=\"1\" max=\"{0}\" value=\"1\" step=\"1\">\n"
+      "<div id=\"landmarks\"></div>\n"
+      "<button type=\"button\" id=\"save\">Save this design as an actuator file</button>\n</div>\n",
+      front.rows(), text::escaped(front.objectives.front()));
+}
+
+constexpr const char* selection_html =
+    "<p id=\"selection-text\" role=\"status\" aria-live=\"polite\"></p>\n"
+    "<div id=\"selection-poses\" class=\"poses\"></div>\n"
+    "<figure id=\"selection-response\"><h3>Bending angle after a step of the current</h3>\n"
+    "<div class=\"plot\" id=\"selection-response-plot\" role=\"img\"></div>\n"
+    "<figcaption id=\"selection-response-text\"></figcaption></figure>\n"
+    "<div class=\"columns\"><div class=\"wide\" id=\"selection-variables\"></div><div class=\"wide\" "
+    "id=\"selection-margins\"></div></div>\n"
+    "<details><summary>All quantities of this design</summary><div class=\"wide\" "
+    "id=\"selection-quantities\"></div></details>\n";
+
+constexpr std::size_t most_table_rows = 500;
+
+TableBlock front_rows(const FrontTable& front) {
+  Table table{.header = {"design"}, .rows = {}};
+  std::vector<std::string> shown = front.objectives;
+  for (const std::string& name : front.variables)
+    if (std::ranges::find(shown, name) == shown.end()) shown.push_back(name);
+  table.header.insert(table.header.end(), shown.begin(), shown.end());
+  const std::vector<std::size_t> rows = even_choice(front.rows(), most_table_rows);
+  for (const std::size_t row : rows) {
+    std::vector<std::string> cells{std::to_string(row + 1)};
+    for (const std::string& name : shown) {
+      const std::string& field = front.texts.column(name)[row];
+      const std::optional<double> number = text::number_in(field);
+      cells.push_back(number ? fmt::format("{:.5g}", *number) : field);
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  const std::string some =
+      rows.size() == front.rows()
+          ? "Designs of the front"
+          : fmt::format("Designs of the front: {} of {}, evenly; front.csv has all", rows.size(), front.rows());
+  return {.caption = some, .table = std::move(table)};
+}
+
+std::string table_details(const FrontTable& front) {
+  // Behind a summary, as every table of a plot.
+  return fmt::format(
+      "<details id=\"front-table\"><summary>The designs of the front as a table</summary>\n{}</details>\n",
+      table_html(front_rows(front)));
+}
+
+Section convergence_section(const std::filesystem::path& folder) {
+  const text::CsvTexts table = text::read_csv_texts(folder / "convergence.csv", [](std::string_view) { return true; });
+  Series series{.name = "hypervolume", .x = {}, .y = {}, .mark = Mark::steps};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto x = table.number("evaluation", row);
+    const auto y = table.number("hypervolume", row);
+    if (!x || !y) continue;
+    series.x.push_back(*x);
+    series.y.push_back(*y);
+  }
+  Section section{.id = "convergence", .title = "Convergence", .blocks = {}};
+  if (series.x.empty()) return section;
+  section.blocks.emplace_back(figure_of(
+      Chart{.id = "search",
+            .title = "How full the front was after so many evaluations",
+            .description = "Hypervolume of the front so far in the frame of the final one: ideal 0, nadir 1, reference "
+                           "1.1. It says how full the front is, not how far it reaches.",
+            .x_title = "evaluation",
+            .y_title = "hypervolume",
+            .series = {std::move(series)}}));
+  return section;
+}
+
+// Why there are no pictures, or why not all.
+std::string pictures_text(const FrontTable& front, const PageInputs& inputs) {
+  if (!inputs.study) return fmt::format("Sections, motion and actuator files are missing: {}", inputs.why_no_study);
+  if (front.rows() <= inputs.most_pictures) return {};
+  return fmt::format(
+      "{} of the {} designs, evenly along the front, are drawn and simulated (report --pictures N draws "
+      "more); the tables and the actuator file are there for all.",
+      inputs.most_pictures, front.rows());
+}
+
+Json landmarks_of(const Node& result, const FrontTable& front) {
+  Json out = Json::array();
+  const auto row_of = [&](const Node& design) -> std::optional<std::size_t> {
+    for (std::size_t row = 0; row < front.rows(); ++row) {
+      bool same = true;
+      for (const Node& variable : design.find("variables").value().members()) {
+        const std::string& field = front.texts.column(variable.key())[row];
+        same = same && (variable.kind() == Node::Kind::number ? text::number_in(field) == variable.number()
+                                                              : field == cell_of(variable));
+      }
+      if (same) return row;
+    }
+    return std::nullopt;
+  };
+  const std::vector<Node> ends = result.find("ends").value().elements();
+  for (std::size_t i = 0; i < ends.size() && i < front.objectives.size(); ++i)
+    if (const auto row = row_of(ends[i]))
+      out.add(Json::object({{"name", "best " + front.objectives[i]}, {"row", *row}}));
+  const auto middle = result.find("middle");
+  if (middle && !middle->is_null())
+    if (const auto row = row_of(*middle)) out.add(Json::object({{"name", "middle of the front"}, {"row", *row}}));
+  return out;
+}
+
+}  // namespace
+
+Page front_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
+  const FrontTable front = read_front(folder, result);
+  Page page{.title = fmt::format("{}: front", result.find("study").value().text()),
+            .verdict = verdict_of(result, front),
+            .origin = origin_text(folder, inputs.made_by),
+            .sections = {}};
+  const OtherDesigns others = read_other_designs(folder, front);
+  Section trade{.id = "trade", .title = "The trade-off", .blocks = {}};
+  if (front.rows() > 0) trade.blocks.emplace_back(Widget{controls_html(front)});
+  for (Figure& figure : front_figures(front, others)) trade.blocks.emplace_back(std::move(figure));
+  if (front.rows() == 0) {
+    const auto nearest = result.find("least_infeasible");
+    if (nearest && !nearest->is_null())
+      trade.blocks.emplace_back(
+          Paragraph{"The nearest design: " + members_text(nearest->find("variables").value()) + "."});
+    page.sections.push_back(std::move(trade));
+    return page;
+  }
+  trade.blocks.emplace_back(Widget{table_details(front)});
+  page.sections.push_back(std::move(trade));
+  Section selection{.id = "selection", .title = "The selected design", .blocks = {}};
+  const std::string missing = pictures_text(front, inputs);
+  if (!missing.empty()) selection.blocks.emplace_back(Paragraph{missing});
+  selection.blocks.emplace_back(Widget{selection_html});
+  page.sections.push_back(std::move(selection));
+  page.sections.push_back(convergence_section(folder));
+  page.data.push_back({.id = "front-data", .json = columns_json(front).text()});
+  page.data.push_back({.id = "front-landmarks", .json = landmarks_of(result, front).text()});
+  if (inputs.study) {
+    page.data.push_back(
+        {.id = "front-pictures", .json = front_pictures(*inputs.study, front, inputs.most_pictures).text()});
+    page.data.push_back({.id = "front-actuators", .json = front_actuators(*inputs.study, front).text()});
+  }
+  return page;
+}
+
+}  // namespace coilwright::page

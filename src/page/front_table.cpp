@@ -1,0 +1,99 @@
+#include "page/front_table.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+namespace coilwright::page {
+namespace {
+
+using sizing::Choice;
+using sizing::StudyVariable;
+
+bool is_margin(std::string_view name) {
+  return name.find("_max_margin") != std::string_view::npos || name.find("_min_margin") != std::string_view::npos;
+}
+
+// Whether a coordinate of the search is the index of a value instead of the value itself.
+bool is_listed(const StudyVariable& variable) {
+  return std::visit(
+      [](const auto& each) {
+        if constexpr (requires { each.range; })
+          return std::holds_alternative<Choice>(each.range);
+        else
+          return true;
+      },
+      variable);
+}
+
+bool is_value(const sizing::VariableValue& value, const std::string& field) {
+  if (const auto* name = std::get_if<std::string_view>(&value)) return *name == field;
+  const std::optional<double> number = text::number_in(field);
+  return number && *number == std::get<double>(value);
+}
+
+std::optional<double> coordinate_of(const StudyVariable& variable, const std::string& field) {
+  if (!is_listed(variable)) return text::number_in(field);
+  const std::size_t count = sizing::value_count(variable).value_or(0);
+  for (std::size_t i = 0; i < count; ++i)
+    if (is_value(sizing::value_at(variable, static_cast<double>(i)), field)) return static_cast<double>(i);
+  return std::nullopt;
+}
+
+}  // namespace
+
+FrontTable read_front(const std::filesystem::path& folder, const text::Node& result) {
+  FrontTable front{.texts = text::read_csv_texts(folder / "front.csv", [](std::string_view) { return true; }),
+                   .variables = {},
+                   .objectives = {},
+                   .largest = {},
+                   .margins = {},
+                   .quantities = {}};
+  for (const text::Node& each : result.find("objectives").value().elements()) {
+    const text::Node member = each.members().at(0);
+    front.objectives.push_back(member.text());
+    front.largest.push_back(member.key() == "maximise");
+  }
+  for (const text::Node& end : result.find("ends").value().elements())
+    if (front.variables.empty()) front.variables = end.find("variables").value().keys();
+  const auto is_among = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  for (const std::string& name : front.texts.names()) {
+    if (is_margin(name))
+      front.margins.push_back(name);
+    else if (!is_among(front.variables, name) && !is_among(front.objectives, name))
+      front.quantities.push_back(name);
+  }
+  return front;
+}
+
+text::Json json_of(const std::string& field) {
+  if (field.empty()) return {};
+  if (const std::optional<double> number = text::number_in(field)) return *number;
+  return field;
+}
+
+std::optional<std::vector<double>> point_of(const sizing::Study& study, const FrontTable& front, std::size_t row) {
+  std::vector<double> point;
+  for (const StudyVariable& variable : study.variables) {
+    const std::string name = sizing::name_of(variable);
+    if (!front.texts.has(name)) return std::nullopt;
+    const std::optional<double> coordinate = coordinate_of(variable, front.texts.column(name)[row]);
+    if (!coordinate) return std::nullopt;
+    point.push_back(*coordinate);
+  }
+  return point;
+}
+
+std::vector<std::size_t> even_choice(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> rows;
+  if (count <= most) {
+    for (std::size_t i = 0; i < count; ++i) rows.push_back(i);
+    return rows;
+  }
+  for (std::size_t i = 0; i < most; ++i) rows.push_back(most == 1 ? 0 : i * (count - 1) / (most - 1));
+  return rows;
+}
+
+}  // namespace coilwright::page

@@ -1,0 +1,94 @@
+#include "coilwright/page/page_html.hpp"
+
+#include <fmt/format.h>
+
+#include "coilwright/text/markup.hpp"
+#include "page/base64.hpp"
+#include "page/table_html.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using text::escaped;
+
+// What a figure shows: an element that the script fills, or the drawing itself.
+std::string picture_html(const Figure& figure) {
+  if (const auto* drawing = std::get_if<Drawing>(&figure.content)) return drawing->svg;
+  if (const auto* image = std::get_if<Image>(&figure.content))
+    return fmt::format("<img class=\"paper\" src=\"data:image/svg+xml;base64,{}\" alt=\"{}\">\n", base64(image->svg),
+                       escaped(figure.description));
+  return fmt::format("<div class=\"plot\" id=\"{}-plot\" role=\"img\" aria-label=\"{}\"></div>\n", figure.id,
+                     escaped(figure.description));
+}
+
+struct Writer {
+  std::string operator()(const Paragraph& paragraph) const {
+    return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
+  }
+  std::string operator()(const TableBlock& block) const { return table_html(block); }
+  std::string operator()(const Widget& widget) const { return widget.html; }
+  std::string operator()(const Figure& figure) const {
+    std::string out = fmt::format("<figure id=\"{}\">\n<h3>{}</h3>\n{}<figcaption>{}</figcaption>\n", figure.id,
+                                  escaped(figure.title), picture_html(figure), escaped(figure.description));
+    if (!figure.table.rows.empty())
+      out += fmt::format("<details><summary>The numbers of this figure ({} rows{})</summary>\n{}</details>\n",
+                         figure.table.rows.size(), figure.table.note.empty() ? "" : ", " + escaped(figure.table.note),
+                         table_html({.caption = figure.title, .table = figure.table}));
+    if (const auto* spec = std::get_if<text::Json>(&figure.content))
+      out += fmt::format("<script type=\"application/json\" class=\"spec\" data-figure=\"{}\">{}</script>\n", figure.id,
+                         text::script_json(spec->text()));
+    return out + "</figure>\n";
+  }
+};
+
+std::string body_of(const Page& page) {
+  std::string out =
+      fmt::format("<header>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"origin\">{}</p>\n</header>\n",
+                  escaped(page.title), escaped(page.verdict), escaped(page.origin));
+  out += "<nav aria-label=\"Sections\"><ul>\n";
+  for (const Section& section : page.sections)
+    out += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));
+  out +=
+      "</ul></nav>\n<noscript><p>The plots need scripts; every table is readable without "
+      "them.</p></noscript>\n<main>\n";
+  for (const Section& section : page.sections) {
+    out += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n",
+                       section.id, escaped(section.title));
+    for (const Block& block : section.blocks) out += std::visit(Writer{}, block);
+    out += "</section>\n";
+  }
+  out += "</main>\n";
+  for (const DataBlock& data : page.data)
+    out +=
+        fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", data.id, text::script_json(data.json));
+  return out;
+}
+
+std::string licences_of(const PageAssets& assets) {
+  std::string out;
+  for (const Script& script : assets.scripts)
+    if (!script.licence.empty())
+      out += fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", escaped(script.name), text::escaped_lines(script.licence));
+  if (out.empty()) return {};
+  return "<footer><details><summary>Licences of the libraries in this page</summary>\n" + out + "</details></footer>\n";
+}
+
+}  // namespace
+
+std::string to_html(const Page& page, const PageAssets& assets, const Digest& digest) {
+  const std::string body = body_of(page) + licences_of(assets);
+  const std::string nonce = digest(body);
+  std::string out = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'nonce-{0}'; "
+      "style-src 'nonce-{0}'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{1}</title>\n<style nonce=\"{0}\">{2}</style>\n"
+      "</head>\n<body>\n{3}",
+      nonce, escaped(page.title), assets.style, body);
+  for (const Script& script : assets.scripts)
+    out += fmt::format("<script nonce=\"{}\">{}\n</script>\n", nonce, script.text);
+  return out + "</body>\n</html>\n";
+}
+
+}  // namespace coilwright::page

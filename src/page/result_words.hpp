@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "coilwright/page/page.hpp"
+#include "coilwright/text/json/node.hpp"
+
+namespace coilwright::page {
+
+/// A number of a result with four digits, a text as it is, "-" for null.
+[[nodiscard]] std::string cell_of(const text::Node& node);
+
+/// "mass_g <= 70" of a constraint with `quantity` and `at_most` or `at_least`.
+[[nodiscard]] std::string limit_text(const text::Node& constraint);
+
+/// Its margin in per cent of the limit's magnitude or, for a limit of 0, of an ordinary magnitude of its quantity;
+/// negative where it is broken.
+[[nodiscard]] double margin_percent(const text::Node& constraint);
+
+/// "gap_mm 0.6, turns_radial 13": the members of an object of plain values.
+[[nodiscard]] std::string members_text(const text::Node& object);
+
+/// The one member of an object of one, as "name value".
+[[nodiscard]] std::string first_member_text(const text::Node& object);
+
+/// What provenance.json and result.json tell of where a result is from, as one line.
+[[nodiscard]] std::string origin_text(const std::filesystem::path& folder, std::string_view made_by);
+
+}  // namespace coilwright::page

@@ -1,0 +1,185 @@
+#include "page/run_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <unsupported/Eigen/FFT>
+
+#include "coilwright/page/chart.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
+
+namespace coilwright::page {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> models = {
+    {{"declared", "as declared"},
+     {"before", "recalibrated"},
+     {"after", "with the effects"},
+     {"corrected", "with a nameless torque"}}};
+constexpr std::array<std::string_view, 3> axes = {"time_s", "angle_deg", "current_A"};
+
+// "angle, deg" of "bending_angle_deg" and the like: the column's own name says it.
+std::string axis_title(std::string_view axis) {
+  if (axis == "time_s") return "time, s";
+  if (axis == "angle_deg") return "angle, deg";
+  return "current, A";
+}
+
+RunRecord::Prediction& prediction_of(RunRecord& record, std::string_view name) {
+  const auto found = std::ranges::find(record.predictions, name, &RunRecord::Prediction::name);
+  if (found != record.predictions.end()) return *found;
+  return record.predictions.emplace_back(
+      RunRecord::Prediction{.name = std::string(name), .x = {}, .y = {}, .residual = {}});
+}
+
+// The axis on which a row lies: the one of the three that has a value.
+std::optional<std::pair<std::string_view, double>> place_of(const text::CsvTexts& table, std::size_t row) {
+  for (const std::string_view axis : axes)
+    if (table.has(axis))
+      if (const auto value = table.number(axis, row)) return std::pair(axis, *value);
+  return std::nullopt;
+}
+
+std::vector<double> every(const std::vector<double>& values, std::size_t stride) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < values.size(); i += stride) out.push_back(values[i]);
+  return out;
+}
+
+// The even step of the times; nothing where they are not even to a thousandth.
+std::optional<double> even_interval(const std::vector<double>& times) {
+  if (times.size() < 2) return std::nullopt;
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (std::abs(times[i] - times[i - 1] - step) > 1e-3 * step) return std::nullopt;
+  return step;
+}
+
+constexpr std::size_t most_points = 1200;
+
+std::size_t stride_of(std::size_t count) {
+  return (count + most_points - 1) / most_points;
+}
+
+std::string thinned_text(std::size_t stride) {
+  return stride > 1 ? fmt::format(" One sample in {} is drawn.", stride) : "";
+}
+
+Figure record_figure(const RunRecord& record, std::size_t number) {
+  const std::size_t stride = stride_of(record.x.size());
+  Chart chart{.id = fmt::format("run-{}", number),
+              .title = fmt::format("{} ({})", record.run, record.role == "fit" ? "fitted" : "held out of the fit"),
+              .description =
+                  fmt::format("{} as measured and as each model predicts it.{}", record.channel, thinned_text(stride)),
+              .x_title = axis_title(record.axis),
+              .y_title = record.channel,
+              .series = {{.name = "measured",
+                          .x = every(record.x, stride),
+                          .y = every(record.measured, stride),
+                          .mark = Mark::faint}}};
+  for (const RunRecord::Prediction& each : record.predictions)
+    chart.series.push_back({.name = each.name, .x = every(each.x, stride), .y = every(each.y, stride)});
+  return figure_of(chart);
+}
+
+Figure residual_figure(const RunRecord& record, std::size_t number) {
+  const std::size_t stride = stride_of(record.x.size());
+  Chart chart{.id = fmt::format("residual-{}", number),
+              .title = fmt::format("{}: what each model leaves over", record.run),
+              .description = "Measured less predicted." + thinned_text(stride),
+              .x_title = axis_title(record.axis),
+              .y_title = "residual of " + record.channel,
+              .series = {}};
+  for (const RunRecord::Prediction& each : record.predictions)
+    chart.series.push_back({.name = each.name, .x = every(each.x, stride), .y = every(each.residual, stride)});
+  return figure_of(chart);
+}
+
+std::optional<Figure> spectrum_figure(const RunRecord& record, std::size_t number) {
+  if (record.axis != "time_s") return std::nullopt;
+  Chart chart{.id = fmt::format("spectrum-{}", number),
+              .title = fmt::format("{}: spectrum of what is left over", record.run),
+              .description = "Amplitude of each line of the residual's spectrum; noise alone is level.",
+              .x_title = "frequency, Hz",
+              .y_title = "amplitude of " + record.channel,
+              .series = {}};
+  for (const RunRecord::Prediction& each : record.predictions) {
+    const std::optional<double> interval = even_interval(each.x);
+    if (!interval) continue;
+    const Spectrum spectrum = spectrum_of(each.residual, *interval);
+    if (!spectrum.frequencies.empty())
+      chart.series.push_back({.name = each.name, .x = spectrum.frequencies, .y = spectrum.amplitudes});
+  }
+  if (chart.series.empty()) return std::nullopt;
+  return figure_of(chart);
+}
+
+}  // namespace
+
+std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
+  const text::CsvTexts table = text::read_csv_texts(folder / "residuals.csv", [](std::string_view) { return true; });
+  std::vector<RunRecord> records;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto place = place_of(table, row);
+    const auto measured = table.number("measured", row);
+    if (!place || !measured) continue;
+    const std::string& run = table.column("run")[row];
+    const std::string& channel = table.column("channel")[row];
+    if (records.empty() || records.back().run != run || records.back().channel != channel)
+      records.push_back({.run = run,
+                         .role = table.column("role")[row],
+                         .channel = channel,
+                         .axis = std::string(place->first),
+                         .x = {},
+                         .measured = {},
+                         .predictions = {}});
+    RunRecord& record = records.back();
+    record.x.push_back(place->second);
+    record.measured.push_back(*measured);
+    for (const auto& [column, name] : models) {
+      if (!table.has(column)) continue;
+      const auto predicted = table.number(column, row);
+      if (!predicted) continue;
+      RunRecord::Prediction& prediction = prediction_of(record, name);
+      prediction.x.push_back(place->second);
+      prediction.y.push_back(*predicted);
+      prediction.residual.push_back(*measured - *predicted);
+    }
+  }
+  return records;
+}
+
+std::vector<Figure> run_figures(const RunRecord& record, std::size_t number) {
+  std::vector<Figure> figures{record_figure(record, number)};
+  if (!record.predictions.empty()) figures.push_back(residual_figure(record, number));
+  if (std::optional<Figure> spectrum = spectrum_figure(record, number)) figures.push_back(*std::move(spectrum));
+  return figures;
+}
+
+Spectrum spectrum_of(const std::vector<double>& values, double interval) {
+  if (values.size() < 8) return {};
+  double mean = 0.0;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  std::vector<double> centred;
+  for (const double value : values) centred.push_back(value - mean);
+  std::vector<std::complex<double>> lines;
+  Eigen::FFT<double> transform;
+  transform.fwd(lines, centred);
+  Spectrum out;
+  const auto count = static_cast<double>(values.size());
+  for (std::size_t i = 1; 2 * i <= values.size(); ++i) {
+    out.frequencies.push_back(static_cast<double>(i) / (count * interval));
+    // The line at half the sampling rate has no mirror image.
+    out.amplitudes.push_back((2 * i == values.size() ? 1.0 : 2.0) * std::abs(lines[i]) / count);
+  }
+  return out;
+}
+
+}  // namespace coilwright::page

@@ -1,0 +1,319 @@
+#include "page/sizing_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/page/chart.hpp"
+#include "coilwright/page/design_figures.hpp"
+#include "coilwright/simulation/evaluate.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
+#include "page/result_words.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using text::Node;
+
+bool is_feasible(const Node& result) {
+  return result.find("feasible").value().boolean();
+}
+
+// "largest peak_bending_speed_deg_s", and its name.
+struct Objective {
+  std::string name;
+  bool largest{};
+};
+Objective objective_of(const Node& result) {
+  const Node first = result.find("objectives").value().elements().front();
+  const Node member = first.members().front();
+  return {.name = member.text(), .largest = member.key() == "maximise"};
+}
+
+std::string verdict_of(const Node& result) {
+  const Objective objective = objective_of(result);
+  const auto best = result.find("best");
+  if (!best || best->is_null()) return "No design was evaluated.";
+  if (!is_feasible(result)) {
+    std::vector<std::string> broken;
+    for (const Node& each : result.find("violated").value().elements()) broken.push_back(cell_of(each));
+    return fmt::format(
+        "No design that was found keeps every limit; this page shows the least infeasible one, which breaks {}.",
+        fmt::join(broken, ", "));
+  }
+  const double value = best->find("objectives").value().members().front().number();
+  const std::vector<Node> limits = best->find("constraints").value().elements();
+  std::string out = fmt::format("The {} {} found is {}", objective.largest ? "largest" : "smallest", objective.name,
+                                short_number(value));
+  if (limits.empty()) {
+    out += ", without any limit";
+  } else {
+    const auto tightest = std::ranges::min_element(limits, {}, [](const Node& each) { return margin_percent(each); });
+    out += fmt::format(", with {} kept and {} the tightest ({:.2g} % left)",
+                       limits.size() == 1 ? "its limit" : fmt::format("all {} limits", limits.size()),
+                       limit_text(*tightest), margin_percent(*tightest));
+  }
+  std::size_t changes = 0;
+  const std::vector<Node> assumptions = result.find("assumptions").value().elements();
+  for (const Node& each : assumptions) changes += each.find("changes_design").value().boolean() ? 1 : 0;
+  if (changes > 0)
+    out += fmt::format("; {} of {} other modelling choices would lead to another design", changes, assumptions.size());
+  const auto first = result.find("measure_first");
+  if (first && !first->is_null()) out += fmt::format(". Measure first: {}", first->text());
+  return out + ".";
+}
+
+TableBlock variables_table(const Node& result) {
+  Table table{.header = {"variable", "value"}, .rows = {}};
+  for (const Node& each : result.find("best").value().find("variables").value().members())
+    table.rows.push_back({each.key(), cell_of(each)});
+  const auto ends = result.find("at_range_end");
+  if (ends && !ends->elements().empty()) {
+    table.header.emplace_back("at an end of its range");
+    for (std::vector<std::string>& row : table.rows) {
+      std::string end;
+      for (const Node& each : ends->elements())
+        if (each.find("variable").value().text() == row.front()) end = each.find("end").value().text();
+      row.push_back(end);
+    }
+  }
+  return {.caption = "Variables of the design", .table = std::move(table)};
+}
+
+Section limits_section(const Node& result) {
+  Section section{.id = "limits", .title = "Objective and limits", .blocks = {}};
+  const Node best = result.find("best").value();
+  std::string line = fmt::format("{}.", first_member_text(best.find("objectives").value()));
+  const auto base = result.find("base");
+  if (base && base->find("objectives"))
+    line += fmt::format(" The study's own actuator with {} A, for comparison: {}.",
+                        cell_of(base->find("current_A").value()), first_member_text(base->find("objectives").value()));
+  else if (base && base->find("reason"))
+    line +=
+        fmt::format(" The study's own actuator, for comparison, has none: {}.", cell_of(base->find("reason").value()));
+  section.blocks.emplace_back(Paragraph{line});
+  Table table{.header = {"limit", "value", "margin", "margin, % of the limit", "in the way"}, .rows = {}};
+  BarChart chart{.id = "margins",
+                 .title = "Margins",
+                 .description =
+                     "How far each limit is from being reached, in per cent of the limit (of an ordinary "
+                     "magnitude where the limit is 0). A bar to the left is a limit that is broken.",
+                 .value_title = "margin, %",
+                 .label_title = "limit",
+                 .bars = {}};
+  for (const Node& each : best.find("constraints").value().elements()) {
+    const double percent = margin_percent(each);
+    std::string way;
+    for (const Node& binding : result.find("binding").value().elements())
+      if (binding.find("constraint").value().text() == limit_text(each))
+        way = binding.find("at_limit").value().boolean() ? "at its limit" : "an improving step breaks it";
+    table.rows.push_back({limit_text(each), cell_of(each.find("value").value()), cell_of(each.find("margin").value()),
+                          fmt::format("{:.3g}", percent), way});
+    chart.bars.push_back({.label = limit_text(each),
+                          .value = percent,
+                          .group = percent < 0.0 ? "broken"
+                                   : way.empty() ? "kept, not in the way"
+                                                 : "kept, in the way"});
+  }
+  if (chart.bars.empty()) {
+    section.blocks.emplace_back(Paragraph{"The study has no limits."});
+    return section;
+  }
+  section.blocks.emplace_back(figure_of(chart));
+  section.blocks.emplace_back(TableBlock{.caption = "Limits", .table = std::move(table)});
+  return section;
+}
+
+Section convergence_section(const std::filesystem::path& folder, const Node& result) {
+  Section section{.id = "convergence", .title = "Convergence", .blocks = {}};
+  const std::string objective = objective_of(result).name;
+  const text::CsvTexts best = text::read_csv_texts(folder / "convergence.csv", [](std::string_view) { return true; });
+  const text::CsvTexts all = text::read_csv_texts(folder / "evaluations.csv", [&](std::string_view name) {
+    return name == "evaluation" || name == "status" || name == objective;
+  });
+  Chart chart{
+      .id = "search",
+      .title = "Every design of the search",
+      .description = fmt::format("The best {} so far, and the value of every design that was evaluated; {} ended "
+                                 "the search after {} designs.",
+                                 objective, cell_of(result.find("stop_reason").value()),
+                                 cell_of(result.find("evaluations").value().find("total").value())),
+      .x_title = "evaluation",
+      .y_title = objective,
+      .series = {}};
+  for (const auto& [status, name] : {std::pair{"infeasible", "breaks a limit"}, std::pair{"ok", "keeps every limit"}}) {
+    Series series{.name = name, .x = {}, .y = {}, .mark = Mark::faint};
+    for (std::size_t row = 0; all.has(objective) && row < all.rows(); ++row) {
+      const auto place = all.number("evaluation", row);
+      const auto value = all.number(objective, row);
+      if (all.column("status")[row] != status || !place || !value) continue;
+      series.x.push_back(*place);
+      series.y.push_back(*value);
+    }
+    if (!series.x.empty()) chart.series.push_back(std::move(series));
+  }
+  Series so_far{.name = "best so far", .x = {}, .y = {}, .mark = Mark::steps};
+  for (std::size_t row = 0; row < best.rows(); ++row) {
+    const auto value = best.number("best_" + objective, row);
+    if (!value) continue;
+    so_far.x.push_back(best.number("evaluation", row).value());
+    so_far.y.push_back(*value);
+  }
+  if (!so_far.x.empty()) chart.series.push_back(std::move(so_far));
+  if (chart.series.empty())
+    section.blocks.emplace_back(Paragraph{"No design of the search has a value of the objective."});
+  else
+    section.blocks.emplace_back(figure_of(chart));
+  return section;
+}
+
+std::string violations_text(const Node& step) {
+  std::vector<std::string> names;
+  for (const Node& each : step.find("violates").value().elements()) names.push_back(cell_of(each));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Section sensitivity_section(const Node& result) {
+  Section section{.id = "sensitivity", .title = "What a change would bring", .blocks = {}};
+  BarChart chart{.id = "steps",
+                 .title = "One step of one variable",
+                 .description = "Change of the objective when one variable moves by one step and all others stay.",
+                 .value_title = "change of " + objective_of(result).name,
+                 .label_title = "step",
+                 .bars = {}};
+  Table table{.header = {"variable", "from", "to", "change", "breaks"}, .rows = {}};
+  for (const Node& each : result.find("steps").value().elements()) {
+    const Node change = each.find("objective_change").value();
+    const std::string broken = violations_text(each);
+    table.rows.push_back({cell_of(each.find("variable").value()), cell_of(each.find("from").value()),
+                          cell_of(each.find("to").value()), cell_of(change), broken});
+    if (change.is_null()) continue;
+    const bool improves = each.find("improves").value().boolean();
+    chart.bars.push_back(
+        {.label = fmt::format("{} {} to {}", table.rows.back()[0], table.rows.back()[1], table.rows.back()[2]),
+         .value = change.number(),
+         .group = !improves        ? "worse"
+                  : broken.empty() ? "better"
+                                   : "better, but breaks a limit"});
+  }
+  if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
+  if (table.rows.empty())
+    section.blocks.emplace_back(Paragraph{"No steps were looked at: the search was interrupted, or nothing can vary."});
+  else
+    section.blocks.emplace_back(TableBlock{.caption = "Steps of the variables", .table = std::move(table)});
+  Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}, .rows = {}};
+  for (const Node& each : result.find("binding").value().elements()) {
+    const auto design = each.find("relaxed_best");
+    relaxed.rows.push_back({cell_of(each.find("constraint").value()), cell_of(each.find("relaxed_to").value()),
+                            cell_of(each.find("objective_change").value()),
+                            design && !design->is_null() ? members_text(*design) : "-"});
+  }
+  if (!relaxed.rows.empty())
+    section.blocks.emplace_back(TableBlock{.caption = "Limits in the way, each relaxed by 5 %", .table = relaxed});
+  return section;
+}
+
+Section assumptions_section(const Node& result) {
+  Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
+  const std::vector<Node> all = result.find("assumptions").value().elements();
+  if (all.empty()) {
+    section.blocks.emplace_back(Paragraph{"No other modelling choice was looked at: no design keeps every limit."});
+    return section;
+  }
+  BarChart chart{.id = "choices",
+                 .title = "This design under each other modelling choice",
+                 .description =
+                     "Value of the objective if one choice of the model is made otherwise, and whether the "
+                     "design then still keeps its limits.",
+                 .value_title = objective_of(result).name,
+                 .label_title = "if it is otherwise",
+                 .bars = {},
+                 .symbols = true};
+  const double value = result.find("best").value().find("objectives").value().members().front().number();
+  chart.bars.push_back({.label = "as taken", .value = value, .group = "as taken"});
+  Table table{.header = {"subject", "taken", "otherwise", "objective then", "worst margin, % of its limit",
+                         "another design", "settled by"},
+              .rows = {}};
+  for (const Node& each : all) {
+    const std::vector<Node> objectives =
+        each.find("objectives").value().is_null() ? std::vector<Node>{} : each.find("objectives").value().members();
+    const auto worst = each.find("worst_margin");
+    const bool known = !objectives.empty() && !objectives.front().is_null();
+    table.rows.push_back({cell_of(each.find("subject").value()), cell_of(each.find("taken").value()),
+                          cell_of(each.find("otherwise").value()), known ? cell_of(objectives.front()) : "-",
+                          worst && !worst->is_null()
+                              ? fmt::format("{} ({:.3g})", cell_of(worst->find("limit").value()),
+                                            100.0 * worst->find("relative_margin").value().number())
+                              : "-",
+                          cell_of(each.find("changes_design").value()), cell_of(each.find("settled_by").value())});
+    if (known)
+      chart.bars.push_back({.label = fmt::format("{}: {}", table.rows.back()[0], table.rows.back()[2]),
+                            .value = objectives.front().number(),
+                            .group = each.find("feasible").value().boolean() ? "keeps every limit" : "breaks a limit"});
+  }
+  section.blocks.emplace_back(figure_of(chart));
+  section.blocks.emplace_back(TableBlock{.caption = "Modelling choices", .table = std::move(table)});
+  return section;
+}
+
+// Design sections of actuator.json, evaluated anew at the operating point that it carries.
+std::vector<Section> sections_of_actuator(const std::filesystem::path& file, std::string_view made_by) {
+  const formats::ActuatorFile actuator = formats::read_actuator(file);
+  const auto* design = std::get_if<actuator::Design>(&actuator.content);
+  if (design == nullptr || !actuator.operating_point) return {};
+  try {
+    return design_sections(simulation::evaluate(*design, *actuator.operating_point),
+                           {.name = actuator.name, .made_by = std::string(made_by)});
+  } catch (const std::runtime_error& why) {
+    return {{.id = "design",
+             .title = "The design",
+             .blocks = {Paragraph{fmt::format("It cannot be evaluated: {}.", why.what())}}}};
+  }
+}
+
+Section quantities_section(const Node& result) {
+  Section section{.id = "quantities", .title = "All quantities", .blocks = {}};
+  const auto performance = result.find("performance");
+  if (!performance || performance->is_null()) return section;
+  Table table{.header = {"quantity", "value", "meaning"}, .rows = {}};
+  for (const Node& each : performance->members()) {
+    const auto* quantity = simulation::standard_quantities().find(each.key());
+    if (each.kind() != Node::Kind::number && !each.is_null()) continue;
+    table.rows.push_back({each.key(), cell_of(each), quantity == nullptr ? "" : quantity->meaning});
+  }
+  section.blocks.emplace_back(TableBlock{.caption = "Quantities of this design", .table = std::move(table)});
+  return section;
+}
+
+}  // namespace
+
+Page sizing_page(const std::filesystem::path& folder, const Node& result, std::string_view made_by) {
+  Page page{.title = fmt::format("{}: sizing", result.find("study").value().text()),
+            .verdict = verdict_of(result),
+            .origin = origin_text(folder, made_by),
+            .sections = {}};
+  const auto best = result.find("best");
+  if (!best || best->is_null()) return page;
+  std::vector<Section> design;
+  if (std::filesystem::is_regular_file(folder / "actuator.json"))
+    design = sections_of_actuator(folder / "actuator.json", made_by);
+  if (design.empty()) design.push_back({.id = "design", .title = "The design", .blocks = {}});
+  design.front().blocks.insert(design.front().blocks.begin(), variables_table(result));
+  page.sections.push_back(std::move(design.front()));
+  page.sections.push_back(limits_section(result));
+  for (std::size_t i = 1; i < design.size(); ++i) page.sections.push_back(std::move(design[i]));
+  page.sections.push_back(sensitivity_section(result));
+  page.sections.push_back(assumptions_section(result));
+  page.sections.push_back(convergence_section(folder, result));
+  page.sections.push_back(quantities_section(result));
+  return page;
+}
+
+}  // namespace coilwright::page

@@ -1,0 +1,82 @@
+"""Makes results by the built program, their pages, and opens them in Chromium. Ends with 77, which is shown as skipped,
+without Node, npm and Chromium, or where the program or the test lacks what npm installs."""
+
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent.parent
+PROGRAM = os.environ["COILWRIGHT"]
+FOLDER = pathlib.Path(os.environ["BROWSER_TEST_FOLDER"])
+
+
+def skip(why):
+    print(f"skipped: {why}")
+    sys.exit(77)
+
+
+def tools():
+    found = {name: shutil.which(name) for name in ("node", "npm")}
+    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    for name, path in {**found, "Chromium": chromium}.items():
+        if not path:
+            skip(f"{name} is not installed")
+    return found["node"], found["npm"], chromium
+
+
+def install(npm):
+    """playwright-core beside copies of the scripts, once for a lock file."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    for file in (*HERE.glob("*.mjs"), *HERE.glob("package*.json"), HERE / ".npmrc"):
+        shutil.copy(file, FOLDER)
+    digest = hashlib.sha256((HERE / "package-lock.json").read_bytes()).hexdigest()
+    stamp = FOLDER / "stamp.txt"
+    if stamp.exists() and stamp.read_text() == digest:
+        return
+    done = subprocess.run([npm, "ci", "--no-audit", "--no-fund", "--ignore-scripts"], cwd=FOLDER, check=False,
+                          capture_output=True, text=True, timeout=120)
+    if done.returncode != 0:
+        skip("npm cannot install playwright-core: " + done.stderr.strip().partition("\n")[0])
+    stamp.write_text(digest)
+
+
+def run(*arguments, codes=(0,)):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, timeout=300)
+    if done.returncode == 2 and "built without Vega" in done.stderr:
+        skip("the program was built without Vega")
+    if done.returncode not in codes:
+        sys.exit(f"{' '.join(map(str, arguments))}: {done.returncode}: {done.stderr}")
+
+
+def small_study(name, folder, **changes):
+    study = json.loads((ROOT / "configs/studies" / f"{name}.json").read_text())
+    study.update(changes)
+    study["actuator"] = str((ROOT / "configs/studies" / study["actuator"]).resolve())
+    file = folder / f"{name}.json"
+    file.write_text(json.dumps(study))
+    return file
+
+
+def main():
+    node, npm, chromium = tools()
+    install(npm)
+    environment = {**os.environ, "CHROMIUM": chromium}
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        sizing = small_study("fastest_finger", folder)
+        run("size", sizing, "--out", folder / "size", "--max-evaluations", 120, "--quiet", "--report", codes=(0, 3))
+        front = small_study("speed_against_grip", folder)
+        run("pareto", front, "--out", folder / "pareto", "--max-evaluations", 600, "--quiet", "--report", codes=(0, 3))
+        for script, page in (("sizing_test.mjs", "size"), ("front_test.mjs", "pareto")):
+            subprocess.run([node, FOLDER / script, folder / page / "report.html", PROGRAM], env=environment, check=True,
+                           timeout=300)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,85 @@
+// A real browser that opens one page, and everything that goes wrong in it.
+import {chromium} from 'playwright-core';
+import {strict as assert} from 'node:assert';
+import {pathToFileURL} from 'node:url';
+
+const flags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+
+export const launch = () => chromium.launch({executablePath: process.env.CHROMIUM, args: flags});
+
+// Opens a page without a network and waits until it is drawn. `complaints` has every error and every request.
+export const open = async (browser, file, options = {}) => {
+  const context = await browser.newContext({viewport: {width: 1440, height: 900}, offline: true, acceptDownloads: true, ...options});
+  const page = await context.newPage();
+  const complaints = [];
+  const address = pathToFileURL(file).href;
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => complaints.push(`thrown: ${error.message}`));
+  page.on('request', (request) => {
+    if (request.url() !== address && !/^(data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+  });
+  const start = Date.now();
+  await page.goto(address);
+  await page.waitForFunction(() => document.documentElement.dataset.ready === 'yes', undefined, {timeout: 60000});
+  return {page, complaints, milliseconds: Date.now() - start, close: () => context.close()};
+};
+
+// The pixels of an element as a person sees them: width, height and a function colour(x, y) of [r, g, b].
+export const pixels = async (page, selector) => {
+  const target = page.locator(selector).first();
+  await target.scrollIntoViewIfNeeded();
+  const png = (await target.screenshot()).toString('base64');
+  const blank = await page.context().newPage();
+  const {width, height, bytes} = await blank.evaluate(async (text) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${text}`;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const {data} = context.getImageData(0, 0, image.width, image.height);
+    let out = '';
+    for (const byte of data) out += String.fromCharCode(byte);
+    return {width: image.width, height: image.height, bytes: btoa(out)};
+  }, png);
+  await blank.close();
+  const data = Buffer.from(bytes, 'base64');
+  return {width, height, colour: (x, y) => [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3)]};
+};
+
+const near = (one, other) => Math.max(...one.map((value, i) => Math.abs(value - other[i]))) <= 40;
+
+// A colour of the page's style as [r, g, b].
+export const colourOf = (page, name) => page.evaluate((each) => {
+  const text = getComputedStyle(document.documentElement).getPropertyValue(each).trim();
+  return [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16));
+}, name);
+
+// Share of the columns in the middle of a picture in which a colour is seen: about 1 for a line from side to side.
+export const columnsWith = (picture, colour, from = 0.15, to = 0.9) => {
+  let found = 0;
+  const [first, last] = [Math.round(from * picture.width), Math.round(to * picture.width)];
+  for (let x = first; x < last; ++x) {
+    for (let y = 0; y < picture.height; ++y) {
+      if (!near(picture.colour(x, y), colour)) continue;
+      ++found;
+      break;
+    }
+  }
+  return found / (last - first);
+};
+
+// How many pixels have a colour.
+export const pixelsWith = (picture, colour) => {
+  let found = 0;
+  for (let x = 0; x < picture.width; ++x) {
+    for (let y = 0; y < picture.height; ++y) found += near(picture.colour(x, y), colour) ? 1 : 0;
+  }
+  return found;
+};
+
+export {assert};

@@ -32,6 +32,7 @@
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
 #include "provenance.hpp"
+#include "report_option.hpp"
 #include "threads_option.hpp"
 
 namespace coilwright::cli {
@@ -235,7 +236,12 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "verdict. Ctrl-C writes nothing; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
-  command->callback([options] { write(*options, find(*options)); });
+  auto report = std::make_shared<bool>(false);
+  add_report_option(*command, *report);
+  command->callback([options, report] {
+    write(*options, find(*options));
+    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+  });
 }
 
 }  // namespace coilwright::cli

@@ -18,12 +18,15 @@ struct Options {
   std::string folder;
   std::optional<std::string> out;
   std::optional<std::size_t> pictures;
+  std::optional<std::string> figures;
 };
 
 void run_report(const Options& options) {
   const std::filesystem::path folder(options.folder);
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
-  write_report(folder, file, options.pictures);
+  ReportOptions how{.pictures = options.pictures};
+  if (options.figures) how.figures = *options.figures;
+  write_report(folder, file, how);
   std::cout << file.string() << '\n';
 }
 
@@ -32,19 +35,26 @@ void run_report(const Options& options) {
 void add_report_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "Make one page of a folder of results, to look at and to pass on");
-  command->add_option("DIR", options->folder, "Folder that size or pareto has written")->required();
+  command->add_option("DIR", options->folder, "Folder that size, pareto or diagnose has written")->required();
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
   command
       ->add_option("--pictures", options->pictures,
                    "Number of designs of a front that are drawn and simulated, evenly along it (default 200)")
       ->transform(whole_number_rule(text::Rule::between(1, 1e6)));
+  command
+      ->add_option(
+          "--figures", options->figures,
+          "Folder for each figure as a file of its own: SVG, and charts as Vega-Lite as well; charts are drawn by\n"
+          "Node, where it is installed")
+      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
   command->footer(
       "Writes one HTML file that works without a network, and prints its name. Of size: verdict, design in section\n"
       "and in motion, limits, sensitivities, assumptions. Of pareto: the designs of the front in linked views, each "
       "to\n"
-      "be saved as an actuator file; sections and motions need the study where provenance.json names it. Vega draws\n"
-      "it, which the program carries if it was built where npm is.\n\n"
+      "be saved as an actuator file; sections and motions need the study where provenance.json names it. Of diagnose:\n"
+      "each run as measured and predicted, what is left over, and the hypotheses. Vega draws it, which the program\n"
+      "carries if it was built where npm is.\n\n"
       "Example:\n"
       "  coilwright report results/fastest_finger");
   command->callback([options] { run_report(*options); });

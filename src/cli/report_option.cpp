@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,11 +13,14 @@
 
 #include "build_info.hpp"
 #include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/page/figure_files.hpp"
 #include "coilwright/page/folder_page.hpp"
 #include "coilwright/page/page_html.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/output/output_file.hpp"
+#include "coilwright/text/output/output_folder.hpp"
+#include "draw_figures.hpp"
 #include "packed_files.hpp"
 #include "provenance.hpp"
 #include "sha256.hpp"
@@ -38,7 +43,7 @@ std::vector<page::Script> scripts() {
     out.push_back({.name = name, .text = packed(libraries, name), .licence = {}});
   out.front().name = "Vega, Vega-Lite, vega-embed and what they contain";
   out.front().licence = packed(libraries, "licences.txt");
-  for (const char* name : {"page.js", "front.js"})
+  for (const char* name : {"theme.js", "page.js", "front.js"})
     out.push_back({.name = name, .text = packed(page_files(), name), .licence = {}});
   return out;
 }
@@ -83,16 +88,26 @@ void add_report_option(CLI::App& command, bool& wanted) {
 }
 
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
-                  std::optional<std::size_t> pictures) {
+                  const ReportOptions& options) {
   if (report_libraries().empty()) throw text::InputError({.file = folder.string(), .rule = built_without});
   page::PageInputs inputs{.made_by = "coilwright " + version()};
   if (std::filesystem::is_regular_file(folder / "front.csv")) find_study(folder, inputs);
-  if (pictures) inputs.most_pictures = *pictures;
+  if (options.pictures) inputs.most_pictures = *options.pictures;
   const page::Page content = page::page_of(folder, inputs);
+  const std::string_view style = packed(page_files(), "page.css");
   const std::vector<page::Script> all = scripts();
   text::OutputFile out(file);
-  out.stream() << page::to_html(content, {.scripts = all, .style = packed(page_files(), "page.css")},
+  std::optional<text::OutputFolder> figures;
+  if (options.figures) {
+    DrawnFigures drawn = draw_figures(page::figure_files(content, style));
+    figures.emplace(*options.figures);
+    for (const page::FigureFile& each : drawn.files) figures->write(each.name, each.text);
+    if (!drawn.why.empty()) std::cerr << drawn.why << ".\n";
+  }
+  out.stream() << page::to_html(content, {.scripts = all, .style = style},
                                 [](std::string_view bytes) { return sha256(bytes); });
+  out.close();
+  if (figures) figures->commit();
   out.commit();
 }
 

@@ -14,10 +14,16 @@ inline constexpr const char* report_name = "report.html";
 /// is an error of usage, before any work.
 void add_report_option(CLI::App& command, bool& wanted);
 
-/// The page of a folder of results, written to `file` as a whole or not at all. `pictures`: how many designs of a front
-/// are drawn and simulated at most (default 200). Throws InputError where the folder has no results or the program was
-/// built without what pages are drawn with, OutputError where `file` cannot be written.
+/// What a page may be told.
+struct ReportOptions {
+  std::optional<std::size_t> pictures{};  ///< designs of a front that are drawn and simulated at most (default 200)
+  std::optional<std::filesystem::path> figures{};  ///< folder for every figure as a file of its own
+};
+
+/// The page of a folder of results, written to `file` as a whole or not at all. Figures that cannot be drawn without
+/// Node are named on standard error. Throws InputError where the folder has no results or the program was built without
+/// what pages are drawn with, OutputError where a file cannot be written.
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
-                  std::optional<std::size_t> pictures = std::nullopt);
+                  const ReportOptions& options = {});
 
 }  // namespace coilwright::cli

@@ -26,6 +26,8 @@ std::string_view kind_of(Mark mark) {
       return "steps";
     case Mark::points:
       return "points";
+    case Mark::dots:
+      return "dots";
     case Mark::faint:
       return "faint";
     case Mark::level:
@@ -40,6 +42,10 @@ bool has_name(const Series& series, std::optional<Mark> mark) {
 
 Json names_of(const Chart& chart, std::optional<Mark> mark) {
   Json names = Json::array();
+  if (!mark && !chart.colour_order.empty()) {
+    for (const std::string& name : chart.colour_order) names.add(name);
+    return names;
+  }
   for (const Series& each : chart.series)
     if (has_name(each, mark)) names.add(each.name);
   return names;
@@ -75,6 +81,8 @@ Json mark_of(Mark mark) {
       return Json::object({{"type", "line"}, {"strokeWidth", 2}});
     case Mark::steps:
       return Json::object({{"type", "line"}, {"strokeWidth", 2}, {"interpolate", "step-after"}});
+    case Mark::dots:
+      return Json::object({{"type", "point"}, {"size", 16}, {"opacity", 0.8}, {"strokeWidth", 1.2}});
     case Mark::points:
       return Json::object({{"type", "point"}, {"size", 50}, {"filled", false}, {"strokeWidth", 1.5}});
     default:
@@ -167,7 +175,7 @@ std::string short_number(double value) {
 
 Figure figure_of(const Chart& chart) {
   Json layers = Json::array();
-  for (const Mark mark : {Mark::faint, Mark::steps, Mark::line, Mark::points})
+  for (const Mark mark : {Mark::faint, Mark::steps, Mark::line, Mark::dots, Mark::points})
     if (has(chart, mark)) layers.add(layer_of(chart, mark));
   for (const Series& each : chart.series)
     if (each.mark == Mark::level) add_level(layers, chart, each);

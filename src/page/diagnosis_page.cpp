@@ -142,11 +142,12 @@ Section torque_section(const Node& diagnosis) {
     section.blocks.emplace_back(Paragraph{"No residual torque was worked out from these records."});
     return section;
   }
-  section.blocks.emplace_back(Paragraph{
-      fmt::format("What the model with the effects leaves over has, as a joint torque, {} N mm rms; noise alone would "
-                  "give {} N mm. Strongest line of its spectrum: {} Hz.",
-                  cell_of(residual->find("rms_Nmm").value()), cell_of(residual->find("smallest_visible_Nmm").value()),
-                  cell_of(residual->find("frequency_Hz").value()))});
+  const Node line = residual->find("frequency_Hz").value();
+  section.blocks.emplace_back(Paragraph{fmt::format(
+      "What the model with the effects leaves over has, as a joint torque, {} N mm rms; noise alone would give {} N "
+      "mm.{}",
+      cell_of(residual->find("rms_Nmm").value()), cell_of(residual->find("smallest_visible_Nmm").value()),
+      line.is_null() ? "" : fmt::format(" The strongest line of its spectrum lies at {} Hz.", cell_of(line)))});
   std::size_t number = 0;
   for (const Node& each : residual->find("dependences").value().elements()) {
     const std::string variable = each.find("variable").value().text();
@@ -159,9 +160,9 @@ Section torque_section(const Node& diagnosis) {
       title = variable_title(variable, member.key());
     }
     if (series.x.size() != series.y.size() || series.x.empty()) continue;
-    Series line = series;
-    line.name = "between its means";
-    line.mark = Mark::line;
+    Series joined = series;
+    joined.name = "between its means";
+    joined.mark = Mark::line;
     section.blocks.emplace_back(figure_of(
         Chart{.id = fmt::format("dependence-{}", ++number),
               .title = fmt::format("Residual torque over {}", variable),
@@ -169,7 +170,7 @@ Section torque_section(const Node& diagnosis) {
                                          variable, 100.0 * each.find("explained").value().number()),
               .x_title = title,
               .y_title = "residual torque, N mm",
-              .series = {std::move(line), std::move(series)}}));
+              .series = {std::move(joined), std::move(series)}}));
   }
   return section;
 }

@@ -106,42 +106,28 @@ Figure scatter(const FrontTable& front, const OtherDesigns& others) {
       {Json::object({{"data", named("others")},
                      {"mark", Json::object({{"type", "point"}, {"style", "other"}, {"size", 36}, {"tooltip", false}})},
                      {"encoding", Json::object({{"x", x}, {"y", y}, {"shape", shape_of(front)}})}}),
-       Json::object({{"name", "designs"}, {"data", named("front")}, {"mark", mark}, {"encoding", on_front}}),
-       Json::object(
-           {{"data", named("selected")},
-            {"mark", Json::object({{"type", "point"}, {"style", "selected"}, {"size", 320}, {"tooltip", false}})},
-            {"encoding", Json::object({{"x", x}, {"y", y}})}})});
+       Json::object({{"name", "designs"}, {"data", named("front")}, {"mark", mark}, {"encoding", on_front}})});
   std::vector<std::string> groups;
   for (const OtherDesigns::Group& group : others.groups)
     groups.push_back(
         fmt::format("{} that {}{}", group.count, group.said,
                     group.values.size() < group.count ? fmt::format(" ({} shown)", group.values.size()) : ""));
   const std::string behind = groups.empty() ? "" : fmt::format(" Behind them, in grey: {}.", fmt::join(groups, ", "));
-  // The first one, until the script selects another.
-  Json selected = Json::array();
-  if (front.rows() > 0) {
-    Json first = Json::object();
-    for (std::size_t i = 0; i < front.objectives.size(); ++i)
-      first.set(axes[i], front.texts.number(front.objectives[i], 0).value());
-    selected.add(std::move(first));
-  }
   const std::string description =
       fmt::format("{} designs of the front by {} and {}{}.{} A click selects the nearest design; so does the slider.",
                   front.rows(), front.objectives[0], front.objectives[1],
                   coloured ? fmt::format(", coloured by {}", front.objectives[2]) : "", behind);
-  return {
-      .id = "front",
-      .title = "Designs of the front",
-      .description = description,
-      .content = Json::object(
-          {{"$schema", schema},
-           {"description", description},
-           {"width", "container"},
-           {"height", 420},
-           {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
-           {"datasets", Json::object({{"front", rows_of(front)}, {"others", rows_of(others)}, {"selected", selected}})},
-           {"layer", layers}}),
-      .table = {}};
+  return {.id = "front",
+          .title = "Designs of the front",
+          .description = description,
+          .content = Json::object({{"$schema", schema},
+                                   {"description", description},
+                                   {"width", "container"},
+                                   {"height", 420},
+                                   {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
+                                   {"datasets", Json::object({{"front", rows_of(front)}, {"others", rows_of(others)}})},
+                                   {"layer", layers}}),
+          .table = {}};
 }
 
 // A column between its least and its greatest value; a text by its place among the texts.

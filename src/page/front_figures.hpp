@@ -25,7 +25,9 @@ struct OtherDesigns {
 [[nodiscard]] OtherDesigns read_other_designs(const std::filesystem::path& folder, const FrontTable& front);
 
 /// The scatter of two objectives (a third one as colour), configurations by shape, with the other designs behind; and
-/// parallel coordinates of variables and objectives. Both have a data set "selected", with the first design.
+/// parallel coordinates of variables and objectives. The second has a data set
+/// "selected", with the first design; in the first the script puts a mark over the selected one, so that many are not
+/// drawn anew.
 [[nodiscard]] std::vector<Figure> front_figures(const FrontTable& front, const OtherDesigns& others);
 
 }  // namespace coilwright::page

@@ -52,10 +52,17 @@ Json names_json(const std::vector<std::string>& names) {
   return out;
 }
 
-// All of front.csv, column by column, for the tables of the selection.
+constexpr std::size_t most_with_quantities = 5000;
+
+// front.csv, column by column, for the tables of the selection.
 Json columns_json(const FrontTable& front) {
+  // With very many designs the quantities beside objectives and margins are left to front.csv.
+  const std::vector<std::string> quantities =
+      front.rows() > most_with_quantities ? std::vector<std::string>{} : front.quantities;
   Json columns = Json::object();
   for (const std::string& name : front.texts.names()) {
+    const bool other = std::ranges::find(front.quantities, name) != front.quantities.end();
+    if (other && quantities.empty()) continue;
     Json column = Json::array();
     for (const std::string& field : front.texts.column(name)) column.add(json_of(field));
     columns.set(name, std::move(column));
@@ -63,7 +70,7 @@ Json columns_json(const FrontTable& front) {
   return Json::object({{"variables", names_json(front.variables)},
                        {"objectives", names_json(front.objectives)},
                        {"margins", names_json(front.margins)},
-                       {"quantities", names_json(front.quantities)},
+                       {"quantities", names_json(quantities)},
                        {"columns", std::move(columns)}});
 }
 
@@ -202,6 +209,11 @@ Page front_page(const std::filesystem::path& folder, const Node& result, const P
   trade.blocks.emplace_back(Widget{table_details(front)});
   page.sections.push_back(std::move(trade));
   Section selection{.id = "selection", .title = "The selected design", .blocks = {}};
+  if (front.rows() > most_with_quantities)
+    selection.blocks.emplace_back(Paragraph{
+        fmt::format("Of {} designs the page has objectives, variables and margins; every other quantity is in "
+                    "front.csv.",
+                    front.rows())});
   const std::string missing = pictures_text(front, inputs);
   if (!missing.empty()) selection.blocks.emplace_back(Paragraph{missing});
   selection.blocks.emplace_back(Widget{selection_html});

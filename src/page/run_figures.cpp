@@ -39,6 +39,14 @@ RunRecord::Prediction& prediction_of(RunRecord& record, std::string_view name) {
       RunRecord::Prediction{.name = std::string(name), .x = {}, .y = {}, .residual = {}});
 }
 
+// Where no effect was added, the model with the effects is the recalibrated one.
+void drop_repetition(RunRecord& record) {
+  const auto with = std::ranges::find(record.predictions, models[2].second, &RunRecord::Prediction::name);
+  const auto without = std::ranges::find(record.predictions, models[1].second, &RunRecord::Prediction::name);
+  if (with != record.predictions.end() && without != record.predictions.end() && with->y == without->y)
+    record.predictions.erase(with);
+}
+
 // The axis on which a row lies: the one of the three that has a value.
 std::optional<std::pair<std::string_view, double>> place_of(const text::CsvTexts& table, std::size_t row) {
   for (const std::string_view axis : axes)
@@ -64,6 +72,12 @@ std::optional<double> even_interval(const std::vector<double>& times) {
 
 constexpr std::size_t most_points = 1200;
 
+std::vector<std::string> colour_order() {
+  std::vector<std::string> names{"measured"};
+  for (const auto& [column, name] : models) names.emplace_back(name);
+  return names;
+}
+
 std::size_t stride_of(std::size_t count) {
   return (count + most_points - 1) / most_points;
 }
@@ -83,7 +97,8 @@ Figure record_figure(const RunRecord& record, std::size_t number) {
               .series = {{.name = "measured",
                           .x = every(record.x, stride),
                           .y = every(record.measured, stride),
-                          .mark = Mark::faint}}};
+                          .mark = Mark::dots}},
+              .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions)
     chart.series.push_back({.name = each.name, .x = every(each.x, stride), .y = every(each.y, stride)});
   return figure_of(chart);
@@ -96,7 +111,8 @@ Figure residual_figure(const RunRecord& record, std::size_t number) {
               .description = "Measured less predicted." + thinned_text(stride),
               .x_title = axis_title(record.axis),
               .y_title = "residual of " + record.channel,
-              .series = {}};
+              .series = {},
+              .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions)
     chart.series.push_back({.name = each.name, .x = every(each.x, stride), .y = every(each.residual, stride)});
   return figure_of(chart);
@@ -109,7 +125,8 @@ std::optional<Figure> spectrum_figure(const RunRecord& record, std::size_t numbe
               .description = "Amplitude of each line of the residual's spectrum; noise alone is level.",
               .x_title = "frequency, Hz",
               .y_title = "amplitude of " + record.channel,
-              .series = {}};
+              .series = {},
+              .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions) {
     const std::optional<double> interval = even_interval(each.x);
     if (!interval) continue;
@@ -153,6 +170,7 @@ std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
       prediction.residual.push_back(*measured - *predicted);
     }
   }
+  for (RunRecord& record : records) drop_repetition(record);
   return records;
 }
 

@@ -39,8 +39,8 @@ Objective objective_of(const Node& result) {
 
 std::string verdict_of(const Node& result) {
   const Objective objective = objective_of(result);
-  const auto best = result.find("best");
-  if (!best || best->is_null()) return "No design was evaluated.";
+  const Node best = result.find("best").value();
+  if (best.is_null()) return "No design was evaluated.";
   if (!is_feasible(result)) {
     std::vector<std::string> broken;
     for (const Node& each : result.find("violated").value().elements()) broken.push_back(cell_of(each));
@@ -48,8 +48,8 @@ std::string verdict_of(const Node& result) {
         "No design that was found keeps every limit; this page shows the least infeasible one, which breaks {}.",
         fmt::join(broken, ", "));
   }
-  const double value = best->find("objectives").value().members().front().number();
-  const std::vector<Node> limits = best->find("constraints").value().elements();
+  const double value = best.find("objectives").value().members().front().number();
+  const std::vector<Node> limits = best.find("constraints").value().elements();
   std::string out = fmt::format("The {} {} found is {}", objective.largest ? "largest" : "smallest", objective.name,
                                 short_number(value));
   if (limits.empty()) {
@@ -299,8 +299,8 @@ Page sizing_page(const std::filesystem::path& folder, const Node& result, std::s
             .verdict = verdict_of(result),
             .origin = origin_text(folder, made_by),
             .sections = {}};
-  const auto best = result.find("best");
-  if (!best || best->is_null()) return page;
+  const Node best = result.find("best").value();
+  if (best.is_null()) return page;
   std::vector<Section> design;
   if (std::filesystem::is_regular_file(folder / "actuator.json"))
     design = sections_of_actuator(folder / "actuator.json", made_by);

@@ -12,6 +12,7 @@ enum class Mark {
   line,    ///< straight lines between its points, in their order
   steps,   ///< each value holds until the next point
   points,  ///< a symbol a point, of a shape of its own
+  dots,    ///< a small symbol a point: what was measured
   faint,   ///< small, pale symbols, for what is there in great number
   level    ///< a line across at the one value of y; x is empty
 };
@@ -35,6 +36,9 @@ struct Chart {
   std::string x_title;  ///< with its unit
   std::string y_title;  ///< with its unit
   std::vector<Series> series;
+  /// Names by whose order colours are given, where figures share series: each has its colour also where others are
+  /// missing. Empty: that of the series.
+  std::vector<std::string> colour_order{};
   AxisScale x_scale = AxisScale::linear;  ///< logarithmic: every x > 0
   AxisScale y_scale = AxisScale::linear;  ///< logarithmic: every y > 0
 };

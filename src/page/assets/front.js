@@ -39,7 +39,6 @@
     const count = Number(pick.max);
     const pictured = new Map((pictures?.rows ?? []).map((row, i) => [row, i]));
     const value = (name, row) => front.columns[name][row];
-    const axes = ['x', 'y', 'z'];
     const lines = JSON.parse(document.querySelector('script.spec[data-figure="parallel"]')?.textContent ?? 'null');
     const coordinates = lines ? coordinatesOf(lines, front) : null;
     let response = null;
@@ -94,6 +93,25 @@
       byId('selection-response-plot').setAttribute('aria-label', said);
     };
 
+    // A ring over the picture: twenty thousand marks need not be drawn anew for it.
+    const marker = document.createElement('div');
+    marker.className = 'marker';
+    views.front.container().append(marker);
+    const placeOf = (at) => {
+      const [left, top] = views.front.origin();
+      const picture = views.front.container().querySelector('svg, canvas');
+      const box = picture.getBoundingClientRect();
+      const frame = views.front.container().getBoundingClientRect();
+      const [x, y] = front.objectives.map((name) => value(name, at));
+      return [box.left - frame.left + left + views.front.scale('x')(x), box.top - frame.top + top + views.front.scale('y')(y)];
+    };
+    const placeMarker = () => {
+      const [left, top] = placeOf(row);
+      marker.style.left = `${left}px`;
+      marker.style.top = `${top}px`;
+    };
+    window.addEventListener('resize', () => setTimeout(placeMarker, 300));
+
     const select = async (next) => {
       row = Math.min(Math.max(next, 0), count - 1);
       pick.value = row + 1;
@@ -108,8 +126,8 @@
       byId('selection-margins').replaceChildren(
         table('Margins to the limits', pairs(front.margins), (each) => shown(each)));
       byId('selection-quantities').replaceChildren(table('Quantities', pairs(front.quantities)));
-      const mark = Object.fromEntries(front.objectives.map((name, i) => [axes[i], value(name, row)]));
-      const changes = [replace(views.front, 'selected', [mark])];
+      placeMarker();
+      const changes = [];
       if (coordinates) {
         changes.push(replace(views.parallel, 'selected',
           [{row, axis: coordinates.map(({axis}) => axis), share: coordinates.map(({share}) => share(row))}]));

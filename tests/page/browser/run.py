@@ -1,10 +1,12 @@
 """Makes results by the built program, their pages, and opens them in Chromium. Ends with 77, which is shown as skipped,
 without Node, npm and Chromium, or where the program or the test lacks what npm installs."""
 
+import csv
 import hashlib
 import json
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -63,6 +65,26 @@ def small_study(name, folder, **changes):
     return file
 
 
+def many(folder, source, count):
+    """A front of `count` rows, each a mixture of two of the rows of a small one: a page takes its numbers from the file."""
+    target = folder / "many"
+    target.mkdir()
+    with open(source / "front.csv", newline="") as file:
+        names, *rows = list(csv.reader(file))
+    result = json.loads((source / "result.json").read_text())
+    draw = random.Random(1)
+    with open(target / "front.csv", "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(names)
+        for _ in range(count):
+            one, other, share = draw.choice(rows), draw.choice(rows), draw.random()
+            writer.writerow([repr(share * float(a) + (1 - share) * float(b)) if a and b else "" for a, b in zip(one, other)])
+    for name in ("evaluations.csv", "convergence.csv"):
+        shutil.copy(source / name, target)
+    (target / "result.json").write_text(json.dumps(result))
+    return target
+
+
 def main():
     node, npm, chromium = tools()
     install(npm)
@@ -73,7 +95,11 @@ def main():
         run("size", sizing, "--out", folder / "size", "--max-evaluations", 120, "--quiet", "--report", codes=(0, 3))
         front = small_study("speed_against_grip", folder)
         run("pareto", front, "--out", folder / "pareto", "--max-evaluations", 600, "--quiet", "--report", codes=(0, 3))
-        for script, page in (("sizing_test.mjs", "size"), ("front_test.mjs", "pareto")):
+        run("init", "dataset", "--out", folder / "records")
+        run("diagnose", folder / "records", "--out", folder / "diagnose", "--quiet", "--report")
+        run("report", many(folder, folder / "pareto", 20000))
+        for script, page in (("sizing_test.mjs", "size"), ("front_test.mjs", "pareto"),
+                             ("many_test.mjs", "many"), ("diagnosis_test.mjs", "diagnose")):
             subprocess.run([node, FOLDER / script, folder / page / "report.html", PROGRAM], env=environment, check=True,
                            timeout=300)
 

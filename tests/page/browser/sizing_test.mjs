@@ -4,7 +4,7 @@ import {assert, colourOf, columnsWith, launch, open, pixels, pixelsWith} from '.
 const file = process.argv[2];
 const browser = await launch();
 try {
-  for (const [width, scheme] of [[1440, 'light'], [768, 'dark'], [390, 'light'], [390, 'dark']]) {
+  for (const [width, scheme] of [[1440, 'light'], [768, 'dark'], [390, 'light']]) {
     const {page, complaints, close} = await open(browser, file, {viewport: {width, height: 900}, colorScheme: scheme});
     const said = `${width} px, ${scheme}`;
     // Not that elements are there, but that they are to be seen: a line from side to side, bars, symbols.

@@ -171,8 +171,9 @@ SearchOptions read_search(const Node& node) {
   });
 }
 
-actuator::Design read_base(const Node& node, const actuator::EffectCatalogue& effects) {
-  ActuatorFile file = read_actuator(node.path(), effects);
+actuator::Design read_base(const Node& node, const actuator::EffectCatalogue& effects, const InputText* text) {
+  ActuatorFile file =
+      text != nullptr ? parse_actuator(text->text, text->file, effects) : read_actuator(node.path(), effects);
   if (!std::holds_alternative<actuator::Design>(file.content))
     throw node.error("must be a design (actuator/1): a lumped model has no geometry to vary");
   return std::get<actuator::Design>(std::move(file.content));
@@ -241,7 +242,8 @@ void require_suitable(const Blocks& blocks, const actuator::Design& base, const 
 }
 
 Study read_study_file(const Document& document, const QuantityTable& quantities,
-                      const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
+                      const actuator::EffectCatalogue& effects, const StudyChanges& changes,
+                      const InputText* actuator = nullptr) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
@@ -259,7 +261,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = changed(read_base(in.at("actuator"), effects), study, changes);
+    study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
     require_corrected_geometry(study, in.at("actuator"));
     require_suitable(blocks, study.base, in.node());
     return study;
@@ -276,6 +278,12 @@ sizing::Study read_study(const std::filesystem::path& path, const QuantityTable&
 sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities,
                           const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
   return read_study_file(changed(parse_json(text, std::move(file)), changes), quantities, effects, changes);
+}
+
+sizing::Study parse_study(std::string_view text, std::string file, const InputText& actuator,
+                          const StudyChanges& changes) {
+  return read_study_file(changed(parse_json(text, std::move(file)), changes), simulation::standard_quantities(),
+                         actuator::standard_effects(), changes, &actuator);
 }
 
 }  // namespace coilwright::formats

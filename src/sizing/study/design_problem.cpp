@@ -117,6 +117,10 @@ std::vector<std::optional<double>> values_of(const simulation::QuantityTable& qu
   return values;
 }
 
+double constraint_of(const Limit& limit, double value) {
+  return -margin(limit, value) / scale_of(limit);
+}
+
 // The coordinate of a number in the range of a variable: the number itself or, in a list, the index of the nearest.
 double coordinate_of(double value, const std::variant<Interval, Choice>& range) {
   const Choice* choice = std::get_if<Choice>(&range);
@@ -221,8 +225,29 @@ Evaluation DesignProblem::assess(const DesignResult& result) const {
   for (const Limit& limit : study().limits) {
     const std::optional<double> value = limit.quantity.value(design);
     if (!value || !std::isfinite(*value)) return failed(without(limit.quantity, design), std::move(out.quantities));
-    out.constraints.push_back(-margin(limit, *value) / scale_of(limit));
+    out.constraints.push_back(constraint_of(limit, *value));
   }
+  return out;
+}
+
+std::optional<Evaluation> DesignProblem::assess(std::vector<std::optional<double>> quantities) const {
+  const auto value_of = [&](const simulation::ResultQuantity& asked) -> std::optional<double> {
+    for (std::size_t i = 0; i < quantities.size() && i < study().quantities.size(); ++i)
+      if (study().quantities[i].name == asked.name) return quantities[i];
+    return std::nullopt;
+  };
+  Evaluation out;
+  for (const StudyObjective& objective : study().objectives) {
+    const std::optional<double> value = value_of(objective.quantity);
+    if (!value) return std::nullopt;
+    out.objectives.push_back(*value);
+  }
+  for (const Limit& limit : study().limits) {
+    const std::optional<double> value = value_of(limit.quantity);
+    if (!value) return std::nullopt;
+    out.constraints.push_back(constraint_of(limit, *value));
+  }
+  out.quantities = std::move(quantities);
   return out;
 }
 

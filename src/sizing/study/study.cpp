@@ -129,6 +129,21 @@ VariableValue value_at(const StudyVariable& variable, double coordinate) {
   return std::visit(ValueAt{coordinate}, variable);
 }
 
+std::optional<double> coordinate_of(const StudyVariable& variable, const VariableValue& value) {
+  const Variable searched = search_variable(variable);
+  const auto has_value = [&](double coordinate) { return value_at(variable, coordinate) == value; };
+  // Lists and names have their indices as coordinates, which say nothing of the value; a range has the value itself.
+  const auto* number = std::get_if<double>(&value);
+  if (number != nullptr && std::isfinite(*number)) {
+    const double near = nearest_legal(searched, *number);
+    if (has_value(near)) return near;
+  }
+  if (searched.kind == VariableKind::continuous) return std::nullopt;
+  for (double index = 0.0; searched.lower == 0.0 && index <= searched.upper; ++index)
+    if (has_value(index)) return index;
+  return std::nullopt;
+}
+
 double number_at(const ParameterVariable& variable, double coordinate) {
   return number_at(variable.range, coordinate);
 }

@@ -13,9 +13,9 @@ namespace {
 // few, and some 300 kB.
 constexpr std::size_t chunk = 512;
 
-SweptDesign evaluate(const DesignProblem& problem, std::size_t index) {
+SweptDesign evaluate(const DesignProblem& problem, const SweepOptions& options, std::size_t index) {
   SweptDesign out{.index = index, .point = problem.point(index), .evaluation = {}};
-  out.evaluation = problem.assess(problem.evaluate(out.point));
+  out.evaluation = options.evaluate ? options.evaluate(index, out.point) : problem.assess(problem.evaluate(out.point));
   return out;
 }
 
@@ -29,7 +29,7 @@ std::size_t sweep(const DesignProblem& problem, const SweepOptions& options,
   for (std::size_t first = 0; first < count; first += chunk) {
     designs.assign(std::min(chunk, count - first), std::nullopt);
     workers.run(designs.size(), [&](std::size_t i) {
-      if (!options.stop.stop_requested()) designs[i] = evaluate(problem, first + i);
+      if (!options.stop.stop_requested()) designs[i] = evaluate(problem, options, first + i);
     });
     for (std::size_t i = 0; i < designs.size(); ++i) {
       if (!designs[i]) return first + i;

@@ -8,6 +8,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/study/study.hpp"
+#include "coilwright/text/input_text.hpp"
 
 namespace coilwright::formats {
 
@@ -33,6 +34,10 @@ using StudyChanges = std::vector<std::string>;
 [[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file,
                                         const simulation::QuantityTable& quantities = simulation::standard_quantities(),
                                         const actuator::EffectCatalogue& effects = actuator::standard_effects(),
+                                        const StudyChanges& changes = {});
+
+/// The same where the actuator is a text too, whatever file the study names: no file is read.
+[[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file, const text::InputText& actuator,
                                         const StudyChanges& changes = {});
 
 }  // namespace coilwright::formats

@@ -61,6 +61,10 @@ class DesignProblem {
   /// for has no value.
   [[nodiscard]] Evaluation assess(const DesignResult& result) const;
 
+  /// The same from the quantities alone, in the order of the study's table; nothing where one that the study asks for
+  /// has no value or is not in the table: then only the design can say why, or what it is.
+  [[nodiscard]] std::optional<Evaluation> assess(std::vector<std::optional<double>> quantities) const;
+
   /// Number of points of a study whose variables are all lists, grids or whole numbers. Throws std::invalid_argument
   /// naming a variable that is continuous, or if there are more than max_grid_points.
   [[nodiscard]] std::size_t point_count() const;

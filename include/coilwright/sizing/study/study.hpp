@@ -72,6 +72,9 @@ using VariableValue = std::variant<double, std::string_view>;
 /// The value at a coordinate of the search.
 [[nodiscard]] VariableValue value_at(const StudyVariable& variable, double coordinate);
 
+/// The coordinate of the search at which a variable has that value, bit by bit; nothing where it has it nowhere.
+[[nodiscard]] std::optional<double> coordinate_of(const StudyVariable& variable, const VariableValue& value);
+
 /// What Parameter::set takes at a coordinate of the search, but for the unit: a number in that of the variable's name,
 /// or the index of a name.
 [[nodiscard]] double number_at(const ParameterVariable& variable, double coordinate);

@@ -20,6 +20,9 @@ struct SweptDesign {
 struct SweepOptions {
   unsigned threads = 0;    ///< designs evaluated at the same time; 0: one per core
   std::stop_token stop{};  ///< ends the sweep early
+  /// Evaluates the point of that index, with the bits of the problem's own evaluation, say from what is recorded;
+  /// called from several threads at once. Empty: the problem's own.
+  std::function<Evaluation(std::size_t index, std::span<const double> point)> evaluate{};
 };
 
 /// Evaluates every point of a problem's grid, several at the same time, and passes each to `take` in the order of the

@@ -56,7 +56,7 @@ configure_package_config_file(cmake/coilwright-config.cmake.in coilwright-config
 write_basic_package_version_file(coilwright-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/coilwright-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/coilwright-config-version.cmake
-              cmake/FindLibCsv.cmake
+              cmake/FindLibCsv.cmake cmake/FindSQLiteCpp.cmake
         DESTINATION ${package_folder})
 
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build git python3
   libnlopt-dev libeigen3-dev libboost-dev nlohmann-json3-dev libtbb-dev
-  libceres-dev libfmt-dev libcli11-dev libcsv-dev libhwy-dev libmuparser-dev libpugixml-dev libssl-dev
+  libceres-dev libfmt-dev libcli11-dev libcsv-dev libhwy-dev libmuparser-dev libpugixml-dev libsqlitecpp-dev libssl-dev
   libgtest-dev libgmock-dev libbenchmark-dev python3-jsonschema
 )
 if [[ "${1:-}" == ci ]]; then

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coilwright/sizing/study/study.hpp"
+
+namespace coilwright::archive {
+
+/// A file that a study is made of, kept whole, so that an archive needs no other file to be read.
+struct Input {
+  std::string file{};    ///< the path as it was given
+  std::string sha256{};  ///< of its bytes, 64 hexadecimal digits
+  std::string text{};    ///< its bytes
+
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+/// The program whose numbers an archive holds. Another one may give others.
+struct Program {
+  std::string version{};  ///< "0.1.0"
+  std::string commit{};   ///< 40 hexadecimal digits; empty where it is not known
+  std::string build{};    ///< SHA-256 of the program's file where the commit does not tell its sources; else empty
+
+  friend bool operator==(const Program&, const Program&) = default;
+};
+
+/// "0.1.0 (commit 1234567)"; with the first digits of a build where the commit does not tell the sources.
+[[nodiscard]] std::string name_of(const Program& program);
+
+/// What decides the numbers of a design beside its variables: digests of texts, equal where these are.
+struct Physics {
+  std::string actuator{};   ///< of the study's actuator, with what --set changes
+  std::string operation{};  ///< of its operating point
+  std::string systems{};    ///< of the whole question where the study builds a system from the actuator; else empty
+
+  friend bool operator==(const Physics&, const Physics&) = default;
+};
+
+/// What a column of an archive holds.
+enum class Role { variable, objective, constraint, quantity };
+
+/// "variable", "objective", "constraint", "quantity".
+[[nodiscard]] std::string_view name_of(Role role);
+
+/// A column of the table of designs that the study brings.
+struct Column {
+  Role role{};            ///< what it holds
+  std::string name{};     ///< of the variable, the objective, the limit ("mass_g <= 70") or the quantity
+  std::string meaning{};  ///< of a quantity what it is; of an objective "maximise" or "minimise"; else empty
+  std::string column{};   ///< its name in the table, unique whatever the case of its letters
+
+  friend bool operator==(const Column&, const Column&) = default;
+};
+
+/// What an archive is an archive of: all that decides which designs are evaluated, and what comes out.
+struct Contents {
+  std::string command{};                ///< "pareto"
+  std::string study{};                  ///< its name
+  Program program{};                    ///< that evaluates
+  std::vector<Input> inputs{};          ///< the study, then its actuator
+  std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
+  std::string question{};               ///< digest of inputs and changes
+  Physics physics{};                    ///< of every design
+  std::string algorithm{};              ///< of the search; empty where nothing is searched
+  std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
+  std::vector<Column> columns{};        ///< by role, in the order of the study
+
+  friend bool operator==(const Contents&, const Contents&) = default;
+};
+
+/// The columns of a study: its variables, objectives, limits and quantities.
+[[nodiscard]] std::vector<Column> columns_of(const sizing::Study& study);
+
+/// What keeps a run that asks for `asked` from going on in an archive of `found`, each as the part of a sentence: "seed
+/// 5, not 6". Empty where it may: both have the same command, program, inputs, changes, algorithm, seed and columns.
+[[nodiscard]] std::vector<std::string> differences(const Contents& found, const Contents& asked);
+
+/// The same for answering designs of another study: what an archive of `found` must share with `asked` for that are the
+/// program, the physics and the names of the variables, and it must have every quantity of `asked`.
+[[nodiscard]] std::vector<std::string> differences_for_reuse(const Contents& found, const Contents& asked);
+
+}  // namespace coilwright::archive

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coilwright/archive/contents.hpp"
+#include "coilwright/archive/row.hpp"
+
+namespace coilwright::archive {
+
+/// Which designs of an archive, and in which order.
+struct Query {
+  /// A condition in SQL over the columns of the table of designs: "mass_g < 70 and status = 'ok'". A design without a
+  /// value that it asks for does not hold it. Empty: all designs.
+  std::string where{};
+  std::string order_by{};             ///< a column, of which a design needs a value; empty: the order of recording
+  bool descending{false};             ///< the largest first
+  std::optional<std::size_t> most{};  ///< so many designs at most
+};
+
+/// Reads an archive, also while a run writes to it. Safe to use from several threads.
+class Reader {
+ public:
+  /// Throws InputError for a file that is no archive or of a later version, and where it cannot be read.
+  explicit Reader(const std::filesystem::path& path);
+  ~Reader();
+  Reader(Reader&&) noexcept;
+  Reader& operator=(Reader&&) noexcept;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept;  ///< as it was given
+  [[nodiscard]] const Contents& contents() const noexcept;           ///< what it is an archive of
+
+  /// The runs that wrote to it, in their order.
+  [[nodiscard]] std::vector<Run> runs() const;
+
+  /// Number of designs recorded.
+  [[nodiscard]] std::size_t size() const;
+
+  /// Number of designs that hold a condition in SQL. Throws std::invalid_argument as each().
+  [[nodiscard]] std::size_t count(const std::string& where) const;
+
+  /// The design of that id, if there is one.
+  [[nodiscard]] std::optional<Row> row(std::int64_t id) const;
+
+  /// The design with these values of the archive's variables, in the order of its columns. The first call looks at all
+  /// designs; of those recorded after it, none is found.
+  [[nodiscard]] std::optional<Row> find(std::span<const Value> variables) const;
+
+  /// Calls `take` with each design of a query. Throws std::invalid_argument with what SQLite says of a condition that
+  /// is none, or of an order that is no column.
+  void each(const Query& query, const std::function<void(const Row&)>& take) const;
+
+ private:
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace coilwright::archive

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coilwright/archive/contents.hpp"
+#include "coilwright/archive/row.hpp"
+
+namespace coilwright::archive {
+
+/// Makes the archive of these contents, without a design, replacing what stands under its name. It appears complete or
+/// not at all. Throws text::OutputError (preparing).
+void create(const std::filesystem::path& path, const Contents& contents);
+
+/// Writes the designs of one run to an archive. A thread of its own does so, a tenth of a second's designs at a time,
+/// and no evaluation waits for the disk: what add() has taken is on the disk at most 0.2 s later, whatever then becomes
+/// of the program.
+///
+/// Where the disk refuses (it is full), the writer says so once, and drops that and all later designs; those before
+/// stay.
+class Writer {
+ public:
+  /// Told once why nothing more is written, on the writer's thread; one line. May be empty.
+  using OnFailure = std::function<void(const std::string&)>;
+
+  /// Opens an archive that is there and begins a run in it. `max_evaluations` is its budget, if it has one. Throws
+  /// InputError where the file is no archive, text::OutputError (preparing) where it cannot be written.
+  Writer(const std::filesystem::path& path, std::optional<std::size_t> max_evaluations, OnFailure on_failure);
+  /// Writes what it has taken. A run that was not ended stays so.
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// Takes a design to be written; its id and run are the writer's to give. From any thread; returns at once, unless
+  /// some thousand designs wait.
+  void add(Row row);
+
+  /// Returns when all that was taken is on the disk, or dropped. Then failure() is complete.
+  void flush();
+
+  /// Writes the order of the search: of each pair the second is the number of the design with the first as its id. All
+  /// other designs lose theirs. After flush() only, and from one thread.
+  void number(const std::vector<std::pair<std::int64_t, std::size_t>>& numbers);
+
+  /// Ends the run with its stop reason and counts; the id and the times are the writer's to give. After flush() only,
+  /// and from one thread.
+  void end(const Run& run);
+
+  /// Why designs were dropped; nothing where none was.
+  [[nodiscard]] std::optional<std::string> failure() const;
+
+ private:
+  class Thread;
+  std::unique_ptr<Thread> thread_;
+};
+
+}  // namespace coilwright::archive

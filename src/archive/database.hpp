@@ -1,0 +1,43 @@
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
+
+namespace coilwright::archive {
+
+/// Opens an archive that is there, to be read. Throws InputError for a file that is none, of another program or of a
+/// later version, and where it cannot be read.
+[[nodiscard]] SQLite::Database open_to_read(const std::filesystem::path& path);
+
+/// The same to be written to, with a write-ahead log whose commits are on the disk when they return: what is recorded
+/// outlives a failing power supply. Throws OutputError (preparing) where it cannot be written.
+[[nodiscard]] SQLite::Database open_to_write(const std::filesystem::path& path);
+
+/// What SQLite refuses, as an InputError about the archive.
+template <class Task>
+auto reading(const std::filesystem::path& path, Task&& task) {
+  try {
+    return std::forward<Task>(task)();
+  } catch (const SQLite::Exception& error) {
+    throw text::InputError(
+        {.file = path.string(), .place = {}, .rule = std::string("cannot be read: ") + error.what(), .value = {}});
+  }
+}
+
+/// What SQLite refuses, as an OutputError about the archive.
+template <class Task>
+auto writing(const std::filesystem::path& path, text::OutputError::Stage stage, Task&& task) {
+  try {
+    return std::forward<Task>(task)();
+  } catch (const SQLite::Exception& error) {
+    throw text::OutputError(path, error.what(), stage);
+  }
+}
+
+}  // namespace coilwright::archive

@@ -1,0 +1,201 @@
+#include "coilwright/archive/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "archive/bind.hpp"
+#include "archive/database.hpp"
+#include "archive/read_contents.hpp"
+#include "archive/schema.hpp"
+
+namespace coilwright::archive {
+namespace {
+
+ColumnCounts counts_of(const std::vector<Column>& columns) {
+  const auto count = [&](Role role) {
+    return static_cast<std::size_t>(std::ranges::count(columns, role, &Column::role));
+  };
+  return {.variables = count(Role::variable),
+          .objectives = count(Role::objective),
+          .constraints = count(Role::constraint),
+          .quantities = count(Role::quantity)};
+}
+
+std::size_t hash_of(std::span<const Value> values) {
+  std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
+  for (const Value& value : values) {
+    // + 0.0: one zero, not two; equal numbers must have equal hashes.
+    const auto* number = std::get_if<double>(&value);
+    hash ^= number != nullptr ? std::bit_cast<std::uint64_t>(*number + 0.0)
+                              : std::hash<std::string>{}(std::get<std::string>(value));
+    hash *= 0xD6E8FEB86659FD93ULL;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+bool is_column(const std::vector<Column>& columns, std::string_view name) {
+  return std::ranges::any_of(columns, [&](const Column& each) { return each.column == name; }) ||
+         std::ranges::find(fixed_columns, name) != fixed_columns.end();
+}
+
+// The condition ends its line, so that a comment in it takes nothing else along.
+std::string sql_of(const Query& query) {
+  std::string conditions;
+  if (!query.where.empty()) conditions = fmt::format(" WHERE ({}\n)", query.where);
+  std::string order = " ORDER BY id";
+  if (!query.order_by.empty()) {
+    const std::string column = sql_name(query.order_by);
+    conditions += fmt::format("{} {} IS NOT NULL", conditions.empty() ? " WHERE" : " AND", column);
+    order = fmt::format(" ORDER BY {}{}, id", column, query.descending ? " DESC" : "");
+  }
+  return conditions + order + (query.most ? fmt::format(" LIMIT {}", *query.most) : "");
+}
+
+}  // namespace
+
+struct Reader::Connection {
+  explicit Connection(const std::filesystem::path& file)
+      : path(file),
+        database(open_to_read(file)),
+        contents(reading(file, [this] { return read_contents(database); })),
+        counts(counts_of(contents.columns)),
+        selection(selection_of(contents.columns)),
+        by_id(reading(file, [this] { return SQLite::Statement(database, selection + " WHERE id = ?"); })) {}
+
+  std::optional<Row> row(std::int64_t id) {
+    by_id.reset();
+    Binder(by_id).integer(id);
+    std::optional<Row> found;
+    if (by_id.executeStep()) found = row_of(by_id, counts);
+    by_id.reset();  // a statement under way would hold back the log
+    return found;
+  }
+
+  // Sixteen bytes a design, and no index that each insertion would have to keep up.
+  void build_index() {
+    std::string names;
+    for (const Column& column : contents.columns)
+      if (column.role == Role::variable) names += ", " + sql_name(column.column);
+    SQLite::Statement rows(database, fmt::format("SELECT id{} FROM designs", names));
+    std::vector<Value> values;
+    index.emplace();
+    while (rows.executeStep()) {
+      values.clear();
+      for (int i = 1; i <= static_cast<int>(counts.variables); ++i) {
+        const SQLite::Column cell = rows.getColumn(i);
+        values.emplace_back(cell.isText() ? Value(cell.getString()) : Value(cell.getDouble()));
+      }
+      index->emplace_back(hash_of(values), rows.getColumn(0).getInt64());
+    }
+    std::ranges::sort(*index);
+  }
+
+  std::filesystem::path path;
+  std::mutex guard;
+  SQLite::Database database;
+  Contents contents;
+  ColumnCounts counts;
+  std::string selection;
+  SQLite::Statement by_id;
+  std::optional<std::vector<std::pair<std::size_t, std::int64_t>>> index;  // hash of the variables, id
+};
+
+Reader::Reader(const std::filesystem::path& path) : connection_(std::make_unique<Connection>(path)) {}
+Reader::~Reader() = default;
+Reader::Reader(Reader&&) noexcept = default;
+Reader& Reader::operator=(Reader&&) noexcept = default;
+
+const std::filesystem::path& Reader::path() const noexcept {
+  return connection_->path;
+}
+
+const Contents& Reader::contents() const noexcept {
+  return connection_->contents;
+}
+
+std::vector<Run> Reader::runs() const {
+  const std::scoped_lock lock(connection_->guard);
+  return reading(connection_->path, [this] {
+    std::vector<Run> runs;
+    SQLite::Statement rows(connection_->database,
+                           "SELECT run, started_utc, ended_utc, stop_reason, max_evaluations, evaluated, answered, "
+                           "reused FROM runs ORDER BY run");
+    const auto count = [&](int i) { return static_cast<std::size_t>(rows.getColumn(i).getInt64()); };
+    while (rows.executeStep()) {
+      runs.push_back({.id = rows.getColumn(0).getInt64(),
+                      .started = rows.getColumn(1).getString(),
+                      .ended = rows.getColumn(2).getString(),
+                      .stop_reason = rows.getColumn(3).getString(),
+                      .max_evaluations = rows.isColumnNull(4) ? std::nullopt : std::optional(count(4)),
+                      .evaluated = count(5),
+                      .answered = count(6),
+                      .reused = count(7)});
+    }
+    return runs;
+  });
+}
+
+std::size_t Reader::size() const {
+  const std::scoped_lock lock(connection_->guard);
+  return reading(connection_->path, [this] {
+    SQLite::Statement count(connection_->database, "SELECT count(*) FROM designs");
+    return count.executeStep() ? static_cast<std::size_t>(count.getColumn(0).getInt64()) : std::size_t{0};
+  });
+}
+
+std::size_t Reader::count(const std::string& where) const {
+  const std::scoped_lock lock(connection_->guard);
+  try {
+    SQLite::Statement count(connection_->database, fmt::format("SELECT count(*) FROM designs WHERE ({}\n)", where));
+    return count.executeStep() ? static_cast<std::size_t>(count.getColumn(0).getInt64()) : std::size_t{0};
+  } catch (const SQLite::Exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+std::optional<Row> Reader::row(std::int64_t id) const {
+  const std::scoped_lock lock(connection_->guard);
+  return reading(connection_->path, [&] { return connection_->row(id); });
+}
+
+std::optional<Row> Reader::find(std::span<const Value> variables) const {
+  const std::scoped_lock lock(connection_->guard);
+  return reading(connection_->path, [&]() -> std::optional<Row> {
+    if (!connection_->index) connection_->build_index();
+    const std::size_t hash = hash_of(variables);
+    const std::vector<std::pair<std::size_t, std::int64_t>>& index = *connection_->index;
+    const std::pair first{hash, std::numeric_limits<std::int64_t>::min()};
+    for (auto entry = std::ranges::lower_bound(index, first); entry != index.end() && entry->first == hash; ++entry) {
+      std::optional<Row> row = connection_->row(entry->second);
+      if (row && std::ranges::equal(row->variables, variables)) return row;
+    }
+    return std::nullopt;
+  });
+}
+
+void Reader::each(const Query& query, const std::function<void(const Row&)>& take) const {
+  const std::scoped_lock lock(connection_->guard);
+  if (!query.order_by.empty() && !is_column(connection_->contents.columns, query.order_by))
+    throw std::invalid_argument("no such column: " + query.order_by);
+  const SQLite::Database& database = connection_->database;
+  std::optional<SQLite::Statement> rows;
+  try {
+    rows.emplace(database, connection_->selection + sql_of(query));
+  } catch (const SQLite::Exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+  reading(connection_->path, [&] {
+    while (rows->executeStep()) take(row_of(*rows, connection_->counts));
+  });
+}
+
+}  // namespace coilwright::archive

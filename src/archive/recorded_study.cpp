@@ -1,0 +1,175 @@
+#include "coilwright/archive/recorded_study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace coilwright::archive {
+namespace {
+
+// SQLite keeps every bit of a number, and has none that is not a number.
+bool can_be_recorded(const sizing::Evaluation& evaluation) {
+  const auto is_nan = [](double value) { return std::isnan(value); };
+  return !is_nan(evaluation.infeasibility) && std::ranges::none_of(evaluation.objectives, is_nan) &&
+         std::ranges::none_of(evaluation.constraints, is_nan) &&
+         std::ranges::none_of(evaluation.quantities, [&](const auto& value) { return value && is_nan(*value); });
+}
+
+double unix_time() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+// The values of a study's variables in the order of another archive's columns.
+std::vector<Value> in_order_of(const Contents& contents, const sizing::Study& study, std::span<const Value> values) {
+  std::vector<Value> ordered;
+  for (const Column& column : contents.columns) {
+    if (column.role != Role::variable) continue;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (sizing::name_of(study.variables[i]) == column.name) ordered.push_back(values[i]);
+  }
+  return ordered;
+}
+
+// The values of another archive's variables in the order of a study, which has variables of the same names.
+std::vector<Value> in_order_of(const sizing::Study& study, const Contents& contents, std::span<const Value> values) {
+  std::vector<Value> ordered;
+  for (const sizing::StudyVariable& variable : study.variables) {
+    std::size_t k = 0;
+    for (const Column& column : contents.columns) {
+      if (column.role != Role::variable) continue;
+      if (column.name == sizing::name_of(variable)) ordered.push_back(values[k]);
+      ++k;
+    }
+  }
+  return ordered;
+}
+
+// The quantities of a study in its order, from a design of another archive that has all of them.
+std::vector<std::optional<double>> quantities_of(const Contents& contents, const sizing::Study& study,
+                                                 const std::vector<std::optional<double>>& values) {
+  std::vector<std::optional<double>> ordered(study.quantities.size());
+  std::size_t k = 0;
+  for (const Column& column : contents.columns) {
+    if (column.role != Role::quantity) continue;
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+      if (study.quantities[i].name == column.name) ordered[i] = values.at(k);
+    ++k;
+  }
+  return ordered;
+}
+
+// What a study makes of a design that another archive knows; nothing where only the design itself can say.
+std::optional<sizing::Evaluation> worked_out(const sizing::DesignProblem& problem, const Contents& contents,
+                                             sizing::Evaluation recorded) {
+  if (recorded.quantities.empty()) return recorded;
+  return problem.assess(quantities_of(contents, problem.study(), recorded.quantities));
+}
+
+}  // namespace
+
+RecordedStudy::RecordedStudy(const sizing::DesignProblem& problem, Sources sources)
+    : problem_(problem), sources_(std::move(sources)) {
+  if (!sources_.writer) throw std::invalid_argument("sources.writer: must not be empty");
+}
+
+sizing::Problem RecordedStudy::problem() {
+  sizing::Problem recorded = problem_.problem();
+  recorded.evaluate = [this](std::span<const double> point) { return evaluate(point); };
+  return recorded;
+}
+
+sizing::Evaluation RecordedStudy::evaluate(std::span<const double> point, std::optional<std::size_t> number) {
+  std::vector<Value> values = values_of(problem_.study(), point);
+  if (sources_.known) {
+    if (std::optional<Row> row = sources_.known->find(values))
+      return counted(std::move(row->evaluation), &Counts::answered);
+  }
+  if (std::optional<Answer> answer = reused(values)) {
+    record(std::move(values), answer->evaluation, std::nullopt, std::move(answer->origin), number);
+    return counted(std::move(answer->evaluation), &Counts::reused);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  sizing::Evaluation evaluation = problem_.assess(problem_.evaluate(point));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  record(std::move(values), evaluation, took.count(), {}, number);
+  return counted(std::move(evaluation), &Counts::evaluated);
+}
+
+// A design that cannot be built says the same in every study; one that lacks what this study asks for says why only
+// when it is evaluated.
+std::optional<RecordedStudy::Answer> RecordedStudy::reused(std::span<const Value> values) const {
+  for (const std::shared_ptr<const Reader>& other : sources_.others) {
+    const Contents& contents = other->contents();
+    std::optional<Row> row = other->find(in_order_of(contents, problem_.study(), values));
+    if (!row) continue;
+    std::optional<sizing::Evaluation> evaluation = worked_out(problem_, contents, std::move(row->evaluation));
+    if (evaluation) return Answer{.evaluation = *std::move(evaluation), .origin = other->path().parent_path().string()};
+  }
+  return std::nullopt;
+}
+
+sizing::Evaluation RecordedStudy::counted(sizing::Evaluation evaluation, std::size_t Counts::*source) {
+  const std::scoped_lock lock(guard_);
+  ++(counts_.*source);
+  if (sizing::is_feasible(evaluation)) {
+    ++counts_.feasible;
+    const double value = evaluation.objectives.front();
+    const bool maximised = problem_.study().objectives.front().sense == sizing::Sense::maximise;
+    if (!counts_.best || (maximised ? value > *counts_.best : value < *counts_.best)) counts_.best = value;
+  }
+  return evaluation;
+}
+
+void RecordedStudy::record(std::vector<Value> values, const sizing::Evaluation& evaluation,
+                           std::optional<double> seconds, std::string origin, std::optional<std::size_t> number) {
+  if (!can_be_recorded(evaluation)) return;
+  sources_.writer->add({.number = number,
+                        .variables = std::move(values),
+                        .evaluation = evaluation,
+                        .seconds = seconds,
+                        .ended = unix_time(),
+                        .origin = std::move(origin)});
+}
+
+Counts RecordedStudy::counts() const {
+  const std::scoped_lock lock(guard_);
+  return counts_;
+}
+
+void RecordedStudy::number(const std::filesystem::path& path, std::span<const sizing::Record> records) {
+  sources_.writer->flush();
+  if (sources_.writer->failure()) return;
+  std::vector<std::pair<std::int64_t, std::size_t>> numbers;
+  {
+    const Reader written(path);
+    for (const sizing::Record& record : records) {
+      if (record.number == 0) continue;
+      if (const std::optional<Row> row = written.find(values_of(problem_.study(), record.point)))
+        numbers.emplace_back(row->id, record.number);
+    }
+  }
+  std::ranges::sort(numbers);
+  sources_.writer->number(numbers);
+}
+
+std::vector<std::int64_t> designs_with_other_numbers(const sizing::DesignProblem& problem, const Reader& archive,
+                                                     std::size_t count) {
+  std::vector<std::int64_t> differing;
+  const std::size_t size = archive.size(), looked_at = std::min(count, size);
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const std::size_t before = looked_at > 1 ? k * (size - 1) / (looked_at - 1) : 0;
+    const auto id = static_cast<std::int64_t>(before + 1);
+    const std::optional<Row> row = archive.row(id);
+    if (!row) continue;
+    const std::optional<std::vector<double>> point =
+        point_of(problem.study(), in_order_of(problem.study(), archive.contents(), row->variables));
+    const std::optional<sizing::Evaluation> said = worked_out(problem, archive.contents(), row->evaluation);
+    if (point && said && problem.assess(problem.evaluate(*point)) != *said) differing.push_back(id);
+  }
+  return differing;
+}
+
+}  // namespace coilwright::archive

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/archive/contents.hpp"
+
+namespace coilwright::archive {
+
+/// "Coil" in ASCII: tells our SQLite files from those of other programs.
+inline constexpr std::int32_t application_id = 0x436f696c;
+/// The version of the tables; a reader refuses later ones.
+inline constexpr int schema_version = 1;
+
+/// The columns of `designs` that every study has, in their order.
+inline constexpr std::array<std::string_view, 10> fixed_columns{
+    "id", "run", "number", "status", "failure", "infeasibility", "has_quantities", "took_s", "ended_unix_s", "origin"};
+
+/// A name between double quotes, as SQL wants it.
+[[nodiscard]] std::string sql_name(std::string_view name);
+
+/// The statements that make the tables of an archive with these columns.
+///
+/// The columns of a study have no type, and so no affinity: SQLite keeps a double bound to them with all its bits, and
+/// would make 0.0 of -0.0 in a column of type REAL.
+[[nodiscard]] std::string schema_of(const std::vector<Column>& columns);
+
+/// "INSERT INTO designs (...) VALUES (...)" with a place for each column but `id`, in the order of the table.
+[[nodiscard]] std::string insertion_of(const std::vector<Column>& columns);
+
+/// "SELECT id, run, ... FROM designs" with every column, in the order of the table.
+[[nodiscard]] std::string selection_of(const std::vector<Column>& columns);
+
+}  // namespace coilwright::archive

@@ -1,0 +1,275 @@
+#include "coilwright/archive/writer.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <span>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "archive/bind.hpp"
+#include "archive/database.hpp"
+#include "archive/read_contents.hpp"
+#include "archive/schema.hpp"
+
+namespace coilwright::archive {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+// How long designs are gathered: a commit waits for the disk, some milliseconds.
+constexpr auto gathering = 100ms;
+// So many designs are written at once, and so many may wait. Some 600 bytes each.
+constexpr std::size_t batch = 2048, most_waiting = 16384;
+// So many are tried at once where more did not fit.
+constexpr std::size_t few = 16;
+
+constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
+
+constexpr const char* all_of_study = "INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+
+void write_contents(SQLite::Database& database, const Contents& contents) {
+  SQLite::Transaction transaction(database);
+  database.exec(schema_of(contents.columns));
+  SQLite::Statement study(database, all_of_study);
+  Binder(study)
+      .text(contents.command)
+      .text(contents.study)
+      .text(contents.question)
+      .text(contents.algorithm)
+      .integer(contents.seed)
+      .text(contents.program.version)
+      .text(contents.program.commit)
+      .text(contents.program.build)
+      .text(contents.physics.actuator)
+      .text(contents.physics.operation)
+      .text(contents.physics.systems);
+  study.exec();
+  SQLite::Statement input(database, "INSERT INTO inputs (file, sha256, content) VALUES (?, ?, ?)");
+  for (const Input& each : contents.inputs) {
+    input.reset();
+    Binder(input).text(each.file).text(each.sha256).bytes(each.text);
+    input.exec();
+  }
+  SQLite::Statement change(database, "INSERT INTO changes (change) VALUES (?)");
+  for (const std::string& each : contents.changes) {
+    change.reset();
+    Binder(change).text(each);
+    change.exec();
+  }
+  SQLite::Statement column(database, "INSERT INTO columns (role, name, meaning, column_name) VALUES (?, ?, ?, ?)");
+  for (const Column& each : contents.columns) {
+    column.reset();
+    Binder(column).text(name_of(each.role)).text(each.name).text(each.meaning).text(each.column);
+    column.exec();
+  }
+  transaction.commit();
+}
+
+void remove_quietly(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+}  // namespace
+
+void create(const fs::path& path, const Contents& contents) {
+  constexpr auto preparing = text::OutputError::Stage::preparing;
+  const fs::path part = path.parent_path() / fmt::format(".{}.part-{}", path.filename().string(), getpid());
+  remove_quietly(part);
+  try {
+    writing(path, preparing, [&] {
+      SQLite::Database database(part.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      write_contents(database, contents);
+    });
+    // A log that was left by a run that was killed belongs to the file that is replaced.
+    for (const char* log : {"-wal", "-shm"}) remove_quietly(path.string() + log);
+    std::error_code error;
+    fs::rename(part, path, error);
+    if (error) throw text::OutputError(path, error.message(), preparing);
+  } catch (...) {
+    remove_quietly(part);
+    remove_quietly(part.string() + "-journal");
+    throw;
+  }
+}
+
+// Everything of the database but the first and the last words is said on one thread.
+class Writer::Thread {
+ public:
+  Thread(fs::path path, std::optional<std::size_t> max_evaluations, OnFailure on_failure)
+      : path_(std::move(path)), database_(open_to_write(path_)), on_failure_(std::move(on_failure)) {
+    const std::vector<Column> columns = reading(path_, [&] { return read_columns(database_); });
+    writing(path_, text::OutputError::Stage::preparing, [&] {
+      SQLite::Statement run(database_,
+                            fmt::format("INSERT INTO runs (started_utc, max_evaluations) VALUES ({}, ?)", now));
+      Binder(run).integer(max_evaluations);
+      run.exec();
+      run_ = database_.getLastInsertRowid();
+      insertion_.emplace(database_, insertion_of(columns));
+    });
+    thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  }
+
+  ~Thread() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+    insertion_.reset();
+    // A finished archive is one file, which is read where nothing can be written. Not while another program reads it.
+    database_.tryExec("PRAGMA journal_mode = DELETE");
+  }
+  Thread(const Thread&) = delete;
+  Thread& operator=(const Thread&) = delete;
+
+  void add(Row row) {
+    std::unique_lock lock(guard_);
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting || failure_; });
+    if (failure_) return;
+    waiting_.push_back(std::move(row));
+    if (waiting_.size() == 1 || waiting_.size() >= batch) changed_.notify_all();
+  }
+
+  void flush() {
+    std::unique_lock lock(guard_);
+    hurry_ = true;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return (waiting_.empty() && !busy_) || failure_; });
+    hurry_ = false;
+  }
+
+  [[nodiscard]] std::optional<std::string> failure() const {
+    const std::scoped_lock lock(guard_);
+    return failure_;
+  }
+
+  void number(const std::vector<std::pair<std::int64_t, std::size_t>>& numbers) {
+    attempt([&] {
+      SQLite::Transaction transaction(database_);
+      database_.exec("UPDATE designs SET number = NULL WHERE number IS NOT NULL");
+      SQLite::Statement update(database_, "UPDATE designs SET number = ? WHERE id = ?");
+      for (const auto& [id, number] : numbers) {
+        update.reset();
+        Binder(update).integer(number).integer(id);
+        update.exec();
+      }
+      transaction.commit();
+    });
+  }
+
+  void end(const Run& run) {
+    attempt([&] {
+      SQLite::Statement update(database_, fmt::format("UPDATE runs SET ended_utc = {}, stop_reason = ?, evaluated = ?, "
+                                                      "answered = ?, reused = ? WHERE run = ?",
+                                                      now));
+      Binder(update)
+          .text(run.stop_reason)
+          .integer(run.evaluated)
+          .integer(run.answered)
+          .integer(run.reused)
+          .integer(run_);
+      update.exec();
+    });
+  }
+
+ private:
+  void work(const std::stop_token& stop) {
+    while (true) {
+      std::vector<Row> rows;
+      {
+        std::unique_lock lock(guard_);
+        changed_.wait(lock, stop, [this] { return !waiting_.empty(); });
+        if (waiting_.empty()) return;  // asked to stop, and all is done
+        changed_.wait_for(lock, stop, gathering, [this] { return waiting_.size() >= batch || hurry_; });
+        rows.assign(std::make_move_iterator(waiting_.begin()), std::make_move_iterator(waiting_.end()));
+        waiting_.clear();
+        busy_ = true;
+        changed_.notify_all();
+      }
+      attempt([&] { insert_what_fits(rows); });
+      const std::scoped_lock lock(guard_);
+      busy_ = false;
+      if (failure_) waiting_.clear();
+      changed_.notify_all();
+    }
+  }
+
+  // A disk that has no room for all of them may have it for some.
+  void insert_what_fits(std::span<const Row> rows) {
+    try {
+      insert(rows);
+    } catch (const SQLite::Exception&) {
+      for (; !rows.empty(); rows = rows.subspan(std::min(few, rows.size())))
+        insert(rows.first(std::min(few, rows.size())));
+    }
+  }
+
+  void insert(std::span<const Row> rows) {
+    SQLite::Transaction transaction(database_);
+    for (const Row& row : rows) {
+      insertion_->reset();
+      bind_row(*insertion_, row, run_);
+      insertion_->exec();
+    }
+    transaction.commit();
+  }
+
+  // Does what writes, unless an earlier attempt failed.
+  template <class Task>
+  void attempt(const Task& task) {
+    if (failure()) return;
+    try {
+      task();
+    } catch (const SQLite::Exception& error) {
+      {
+        const std::scoped_lock lock(guard_);
+        failure_ = text::OutputError(path_, error.what(), text::OutputError::Stage::writing).what();
+        changed_.notify_all();
+      }
+      if (on_failure_) on_failure_(*failure_);
+    }
+  }
+
+  fs::path path_;
+  SQLite::Database database_;
+  OnFailure on_failure_;
+  std::int64_t run_{};
+  std::optional<SQLite::Statement> insertion_;
+
+  mutable std::mutex guard_;
+  std::condition_variable_any changed_;
+  std::deque<Row> waiting_;
+  std::optional<std::string> failure_;
+  bool busy_{false};
+  bool hurry_{false};
+  std::jthread thread_;  // last: it uses the others
+};
+
+Writer::Writer(const fs::path& path, std::optional<std::size_t> max_evaluations, OnFailure on_failure)
+    : thread_(std::make_unique<Thread>(path, max_evaluations, std::move(on_failure))) {}
+Writer::~Writer() = default;
+
+void Writer::add(Row row) {
+  thread_->add(std::move(row));
+}
+void Writer::flush() {
+  thread_->flush();
+}
+void Writer::number(const std::vector<std::pair<std::int64_t, std::size_t>>& numbers) {
+  thread_->number(numbers);
+}
+void Writer::end(const Run& run) {
+  thread_->end(run);
+}
+std::optional<std::string> Writer::failure() const {
+  return thread_->failure();
+}
+
+}  // namespace coilwright::archive

@@ -1,0 +1,224 @@
+// Archives that were written and are read back: every bit, contents, queries, refusals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "coilwright/archive/reader.hpp"
+#include "coilwright/archive/writer.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "error_text.hpp"
+#include "temporary_folder.hpp"
+
+namespace coilwright::archive {
+namespace {
+
+using coilwright::testing::TemporaryFolder;
+using ::testing::HasSubstr;
+
+Contents contents() {
+  return {.command = "pareto",
+          .study = "a \"study\"",
+          .program = {.version = "0.1.0", .commit = std::string(40, 'c'), .build = ""},
+          .inputs = {{.file = "study.json", .sha256 = std::string(64, '1'), .text = "{\"x\":\n1}"},
+                     {.file = "finger.json", .sha256 = std::string(64, '2'), .text = std::string("a\0b", 3)}},
+          .changes = {"front_length_mm=9"},
+          .question = std::string(64, '3'),
+          .physics = {.actuator = "4", .operation = "5", .systems = ""},
+          .algorithm = "automatic",
+          .seed = 7,
+          .columns = {{.role = Role::variable, .name = "gap_mm", .meaning = {}, .column = "gap_mm"},
+                      {.role = Role::variable, .name = "configuration", .meaning = {}, .column = "configuration"},
+                      {.role = Role::objective, .name = "mass_g", .meaning = "minimise", .column = "objective_1"},
+                      {.role = Role::constraint, .name = "mass_g <= 70", .meaning = {}, .column = "constraint_1"},
+                      {.role = Role::quantity, .name = "mass_g", .meaning = "mass", .column = "mass_g"},
+                      {.role = Role::quantity, .name = "grip N", .meaning = "a \"grip\"", .column = "grip N"}}};
+}
+
+Row design(double gap, double mass, std::optional<double> grip) {
+  return {.variables = {gap, std::string("B")},
+          .evaluation = {.objectives = {mass}, .constraints = {mass / 70 - 1}, .quantities = {mass, grip}},
+          .seconds = 0.5,
+          .ended = 1.75e9};
+}
+
+class Archive : public ::testing::Test {
+ protected:
+  void write(const std::vector<Row>& rows) {
+    create(path_, contents());
+    Writer writer(path_, 60, {});
+    for (const Row& row : rows) writer.add(row);
+    writer.flush();
+    EXPECT_EQ(writer.failure(), std::nullopt);
+    writer.end({.stop_reason = "converged", .evaluated = rows.size(), .answered = 0, .reused = 0});
+  }
+
+  void execute(const std::string& sql) const {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+  }
+
+  std::string refusal() const {
+    try {
+      const Reader reader(path_);
+    } catch (const text::InputError& error) {
+      return error.fault().rule;
+    }
+    return {};
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "archive.sqlite";
+};
+
+TEST_F(Archive, GivesBackItsContents) {
+  create(path_, contents());
+  EXPECT_EQ(Reader(path_).contents(), contents());
+  Contents without_a_seed = contents();
+  without_a_seed.seed = std::nullopt;
+  without_a_seed.changes.clear();
+  create(path_, without_a_seed);
+  EXPECT_EQ(Reader(path_).contents(), without_a_seed);
+}
+
+// Numbers that a column with a type would change (-0.0), or that text or float would.
+TEST_F(Archive, KeepsEveryBitOfANumber) {
+  std::vector<double> numbers{0.0,
+                              -0.0,
+                              0.1,
+                              1.0 / 3.0,
+                              5.0,
+                              -3.0,
+                              9007199254740993.0,
+                              std::nextafter(1.0, 2.0),
+                              std::numeric_limits<double>::denorm_min(),
+                              std::numeric_limits<double>::max(),
+                              -std::numeric_limits<double>::infinity()};
+  std::vector<Row> rows;
+  for (const double number : numbers) rows.push_back(design(number, number, number));
+  write(rows);
+  const Reader reader(path_);
+  ASSERT_EQ(reader.size(), numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const Row row = reader.row(static_cast<std::int64_t>(i) + 1).value();
+    const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(std::get<double>(row.variables[0])), bits);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(row.evaluation.objectives.at(0)), bits);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(row.evaluation.quantities.at(1).value()), bits);
+  }
+}
+
+TEST_F(Archive, TellsApartWhatHasNoValueAndWhatHasNoQuantities) {
+  Row failed{.variables = {1.0, std::string("A")},
+             .evaluation = {.failure = "too tight, \"very\"\n", .infeasibility = 1.25}};
+  Row absent = failed;
+  absent.variables = {2.0, std::string("A")};
+  absent.evaluation.quantities = {std::nullopt, std::nullopt};
+  Row heavy = design(3.0, 80.0, std::nullopt);
+  heavy.evaluation.infeasibility = std::numeric_limits<double>::infinity();
+  write({failed, absent, heavy});
+  const Reader reader(path_);
+  EXPECT_EQ(reader.row(1)->evaluation, failed.evaluation);
+  EXPECT_EQ(reader.row(2)->evaluation, absent.evaluation);
+  EXPECT_EQ(reader.row(3)->evaluation, heavy.evaluation);
+  EXPECT_EQ(reader.row(4), std::nullopt);
+  EXPECT_EQ(reader.count("status = 'failed'"), 2U);
+  EXPECT_EQ(reader.count("status = 'infeasible'"), 1U);
+}
+
+TEST_F(Archive, FindsADesignByItsVariables) {
+  write({design(0.7, 60, 1.5), design(0.9, 61, 1.25), design(-0.0, 62, 1.0)});
+  const Reader reader(path_);
+  EXPECT_EQ(reader.find(std::vector<Value>{0.9, std::string("B")})->id, 2);
+  EXPECT_EQ(reader.find(std::vector<Value>{0.0, std::string("B")})->id, 3);
+  EXPECT_EQ(reader.find(std::vector<Value>{0.9, std::string("A")}), std::nullopt);
+  EXPECT_EQ(reader.find(std::vector<Value>{std::nextafter(0.9, 1.0), std::string("B")}), std::nullopt);
+}
+
+TEST_F(Archive, SelectsAndOrders) {
+  write({design(0.7, 60, 1.5), design(0.9, 75, std::nullopt), design(1.1, 62, 3.5)});
+  const Reader reader(path_);
+  const auto gaps = [&](const Query& query) {
+    std::vector<double> values;
+    reader.each(query, [&](const Row& row) { values.push_back(std::get<double>(row.variables[0])); });
+    return values;
+  };
+  EXPECT_THAT(gaps({}), ::testing::ElementsAre(0.7, 0.9, 1.1));
+  EXPECT_THAT(gaps({.where = "mass_g > 61 -- a comment"}), ::testing::ElementsAre(0.9, 1.1));
+  EXPECT_THAT(gaps({.where = "status = 'ok' or gap_mm = 0.9", .order_by = "mass_g", .descending = true}),
+              ::testing::ElementsAre(0.9, 1.1, 0.7));
+  EXPECT_THAT(gaps({.order_by = "grip N", .descending = true}), ::testing::ElementsAre(1.1, 0.7));
+  EXPECT_THAT(gaps({.order_by = "mass_g", .most = 1}), ::testing::ElementsAre(0.7));
+  EXPECT_EQ(error_text([&] { gaps({.where = "mas_g > 61"}); }), "no such column: mas_g");
+  EXPECT_EQ(error_text([&] { gaps({.order_by = "mas_g"}); }), "no such column: mas_g");
+  EXPECT_THAT(error_text([&] { gaps({.where = "mass_g >"}); }), HasSubstr("syntax error"));
+}
+
+TEST_F(Archive, NumbersDesignsAndEndsRuns) {
+  create(path_, contents());
+  {
+    Writer writer(path_, 60, {});
+    writer.add(design(0.7, 60, 1));
+    writer.add(design(0.8, 61, 1));
+    writer.flush();
+    writer.number({{1, 2}});
+    EXPECT_EQ(Reader(path_).runs().at(0).ended, "");
+  }
+  {
+    Writer writer(path_, std::nullopt, {});
+    writer.add(design(0.9, 62, 1));
+    writer.flush();
+    writer.number({{2, 1}, {3, 2}});
+    writer.end({.stop_reason = "complete", .evaluated = 1, .answered = 2, .reused = 3});
+  }
+  const Reader reader(path_);
+  EXPECT_EQ(reader.row(1)->number, std::nullopt);
+  EXPECT_EQ(reader.row(3)->number, 2U);
+  EXPECT_EQ(reader.row(3)->run, 2);
+  const std::vector<archive::Run> runs = reader.runs();
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].max_evaluations, 60U);
+  EXPECT_EQ(runs[0].ended, "");
+  EXPECT_EQ(runs[1].max_evaluations, std::nullopt);
+  EXPECT_EQ(runs[1].stop_reason, "complete");
+  EXPECT_EQ(runs[1].ended.size(), std::string("2026-01-31T12:00:00Z").size());
+  EXPECT_EQ((std::vector{runs[1].evaluated, runs[1].answered, runs[1].reused}), (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST_F(Archive, IsOneFileWhenItsWriterIsGone) {
+  write({design(0.7, 60, 1)});
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+    names.insert(entry.path().filename().string());
+  EXPECT_THAT(names, ::testing::ElementsAre("archive.sqlite"));
+}
+
+TEST_F(Archive, RefusesWhatIsNoneOrTooNew) {
+  EXPECT_EQ(refusal(), "cannot be read: there is no such file");
+  folder_.file("archive.sqlite", "precious notes, and no archive at all");
+  EXPECT_EQ(refusal(), "is no archive of a study: file is not a database");
+  std::filesystem::remove(path_);
+  execute("CREATE TABLE notes (text)");
+  EXPECT_EQ(refusal(), "is no archive of a study: another program wrote it");
+  write({});
+  execute("PRAGMA user_version = 2");
+  EXPECT_EQ(refusal(),
+            "was written by a later coilwright: it is an archive of version 2, and this program reads up to version 1");
+  EXPECT_THROW(Writer(path_, 60, {}), text::InputError);
+}
+
+TEST_F(Archive, IsNotCreatedWhereNothingCanBeWritten) {
+  EXPECT_THROW(create(folder_.path() / "none" / "archive.sqlite", contents()), text::OutputError);
+}
+
+}  // namespace
+}  // namespace coilwright::archive

@@ -15,6 +15,12 @@ extern "C" void on_stop_signal(int) {
   sigaction(SIGTERM, &end_at_once, nullptr);
 }
 
+// A terminal that closes sends SIGHUP, and the shell in it may send another: the second must not end what the first
+// one is ending.
+extern "C" void on_hang_up(int) {
+  stop_requested = true;
+}
+
 }  // namespace
 
 StopSignal::StopSignal() {
@@ -24,11 +30,16 @@ StopSignal::StopSignal() {
   raise_flag.sa_flags = SA_RESTART;  // an interrupted write goes on
   sigaction(SIGINT, &raise_flag, &interrupt_before_);
   sigaction(SIGTERM, &raise_flag, &terminate_before_);
+  sigaction(SIGHUP, nullptr, &hang_up_before_);
+  if (hang_up_before_.sa_handler == SIG_IGN) return;
+  raise_flag.sa_handler = on_hang_up;
+  sigaction(SIGHUP, &raise_flag, nullptr);
 }
 
 StopSignal::~StopSignal() {
   sigaction(SIGINT, &interrupt_before_, nullptr);
   sigaction(SIGTERM, &terminate_before_, nullptr);
+  sigaction(SIGHUP, &hang_up_before_, nullptr);
 }
 
 const std::atomic<bool>& StopSignal::requested() const noexcept {

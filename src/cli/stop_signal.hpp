@@ -5,8 +5,9 @@
 
 namespace coilwright::cli {
 
-/// While it lives, the first SIGINT or SIGTERM only raises a flag, for a long command to look at, write what it has
-/// found and end with ExitCode::interrupted; the second ends the program at once. One at a time.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP (its terminal is gone) only raises a flag, for a long command to
+/// look at, write what it has found and end with ExitCode::interrupted; a second SIGINT or SIGTERM ends the program
+/// at once. A SIGHUP that is ignored, as nohup asks, stays so. One at a time.
 class StopSignal {
  public:
   StopSignal();
@@ -20,6 +21,7 @@ class StopSignal {
  private:
   struct sigaction interrupt_before_ {};
   struct sigaction terminate_before_ {};
+  struct sigaction hang_up_before_ {};
 };
 
 }  // namespace coilwright::cli

@@ -6,7 +6,7 @@ namespace coilwright::cli {
 namespace {
 
 TEST(StopSignal, RaisesAFlagAtTheFirstSignal) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const StopSignal stop;
     EXPECT_FALSE(stop.requested());
     std::raise(signal);
@@ -22,6 +22,24 @@ TEST(StopSignalDeathTest, EndsTheProgramAtTheSecondWhicheverItIs) {
   };
   EXPECT_EXIT(signalled(SIGINT, SIGINT), ::testing::KilledBySignal(SIGINT), "");
   EXPECT_EXIT(signalled(SIGINT, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+}
+
+// A closing terminal may send two, one of them by its shell.
+TEST(StopSignal, TakesAnyNumberOfHangUps) {
+  const StopSignal stop;
+  std::raise(SIGHUP);
+  std::raise(SIGHUP);
+  EXPECT_TRUE(stop.requested());
+}
+
+TEST(StopSignal, LeavesAHangUpIgnoredAsNohupAsks) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  {
+    const StopSignal stop;
+    std::raise(SIGHUP);
+    EXPECT_FALSE(stop.requested());
+  }
+  EXPECT_EQ(std::signal(SIGHUP, before), SIG_IGN);
 }
 
 TEST(StopSignalDeathTest, LeavesSignalsAsTheyWereBefore) {

@@ -9,7 +9,7 @@ scripts/coilwright.sh --version
 run() {
   local study=$1 command=$2 config=configs/studies/$1.json
   echo "== $command $study"
-  "$program" "$command" "$config" --out "results/$study" --quiet >"results/$study.txt"
+  "$program" "$command" "$config" --out "results/$study" --force --quiet >"results/$study.txt"
   local reference=results/reference/$study
   rm -rf "$reference"
   mkdir -p "$reference"

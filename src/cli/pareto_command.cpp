@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
@@ -15,7 +16,9 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
+#include "progress_line.hpp"
 #include "report_option.hpp"
+#include "run_archive.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
@@ -37,21 +40,26 @@ ExitCode run_pareto(const StudyOptions& options) {
   const sizing::Study& study = problem.study();
   const Interruption interruption;
   text::OutputFolder folder(options.out);
+  RunArchive archive(options, input.provenance, problem, study.search.max_evaluations, folder);
   const sizing::ParetoResult result = [&] {
-    ProgressLine line(options);
+    const ProgressLine line = progress_line(options, archive.study(), study, study.search.max_evaluations);
     sizing::ParetoOptions search = study.search;
     search.stop = interruption.token();
-    search.progress = search_progress(line);
-    return sizing::pareto(problem.problem(), search);
+    return sizing::pareto(archive.study().problem(), search);
   }();
   check_front(problem, result.front);
-  formats::write_front(folder.open("front.csv"), study, result.front);
-  formats::write_evaluations(folder.open("evaluations.csv"), study, result.archive.records());
-  formats::write_convergence(folder.open("convergence.csv"), result.archive);
-  folder.write("result.json", formats::to_json(study, result).text());
-  folder.write(provenance_name, to_json(input.provenance).text());
-  folder.commit();
+  const std::vector<sizing::Record> records = result.archive.records();
+  archive.write_results([&] {
+    formats::write_front(folder.open("front.csv"), study, result.front);
+    formats::write_evaluations(folder.open("evaluations.csv"), study, records);
+    formats::write_convergence(folder.open("convergence.csv"), result.archive);
+    folder.write("result.json", formats::to_json(study, result).text());
+    folder.write(provenance_name, to_json(input.provenance).text());
+    folder.commit();
+  });
+  archive.end(sizing::name_of(result.stop_reason), interruption, records);
   std::cout << (options.json ? formats::to_json(study, result).text() : report::to_text(study, result));
+  archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;
 }
@@ -70,7 +78,9 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
       "hypervolume after so many evaluations), result.json and provenance.json (program, files and seed). If no design "
       "keeps all limits, the least infeasible\n"
       "design is in result.json and the exit code is 3. Ctrl-C writes what was found so far; the exit code is then\n"
-      "130.\n\n"
+      "130. Every evaluation is recorded in archive.sqlite as it is made: --resume goes on from there, after Ctrl-C "
+      "and\n"
+      "after a crash.\n\n"
       "Example:\n"
       "  coilwright pareto configs/studies/speed_against_grip.json --out results/speed_against_grip");
   auto report = std::make_shared<bool>(false);

@@ -11,7 +11,7 @@ constexpr std::size_t largest_input = 512'000'000;  // bytes, as of a record
 }  // namespace
 
 InputRecord record_of(const text::InputText& input) {
-  return {.file = input.file, .sha256 = sha256(input.text)};
+  return {.file = input.file, .sha256 = sha256(input.text), .text = input.text};
 }
 
 InputRecord record_of(const std::filesystem::path& file) {

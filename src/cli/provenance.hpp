@@ -18,6 +18,7 @@ inline constexpr const char* provenance_name = "provenance.json";
 struct InputRecord {
   std::string file{};    ///< the path as it was given; "standard input"
   std::string sha256{};  ///< of its bytes
+  std::string text{};    ///< its bytes
 };
 
 /// Of a file that has been read.

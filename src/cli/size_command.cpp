@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
-#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
@@ -20,8 +19,11 @@
 #include "coilwright/sizing/search/search.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "design_text.hpp"
 #include "outcome.hpp"
+#include "progress_line.hpp"
 #include "report_option.hpp"
+#include "run_archive.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
@@ -45,14 +47,6 @@ void check_written_design(const std::string& text, const sizing::Study& study, c
   }
 }
 
-std::string actuator_text(const DesignProblem& problem, const formats::SizeReport& answer) {
-  const std::string& study = problem.study().name;
-  const std::string name = answer.result.feasible ? study : study + " (least infeasible)";
-  std::optional<simulation::OperatingPoint> point;
-  if (const auto* evaluated = std::get_if<EvaluatedDesign>(answer.best)) point = evaluated->point;
-  return formats::to_json(problem.design_at(answer.result.best->point), name, point).text();
-}
-
 void write_results(text::OutputFolder& folder, const DesignProblem& problem, const formats::SizeReport& answer) {
   folder.write("result.json", formats::to_json(answer).text());
   formats::write_evaluations(folder.open("evaluations.csv"), problem.study(), answer.result.archive.records());
@@ -60,7 +54,9 @@ void write_results(text::OutputFolder& folder, const DesignProblem& problem, con
   if (!answer.result.best) {
     folder.remove("actuator.json");
   } else {
-    const std::string text = actuator_text(problem, answer);
+    const std::string& study = problem.study().name;
+    const std::string text =
+        design_text(problem, answer.result.best->point, answer.result.feasible ? study : study + " (least infeasible)");
     if (answer.result.feasible) check_written_design(text, problem.study(), std::get<EvaluatedDesign>(*answer.best));
     folder.write("actuator.json", text);
   }
@@ -92,12 +88,13 @@ ExitCode run_size(const StudyOptions& options) {
   input.provenance.seed = problem.study().search.seed;
   const Interruption interruption;
   text::OutputFolder folder(options.out);
+  RunArchive archive(options, input.provenance, problem, problem.study().search.max_evaluations, folder);
   sizing::SearchResult result = [&] {
-    ProgressLine line(options);
+    const ProgressLine line =
+        progress_line(options, archive.study(), problem.study(), problem.study().search.max_evaluations);
     sizing::SearchOptions search = problem.study().search;
     search.stop = interruption.token();
-    search.progress = search_progress(line);
-    return sizing::search(problem.problem(), search);
+    return sizing::search(archive.study().problem(), search);
   }();
   const std::optional<DesignResult> best =
       result.best ? std::optional(problem.evaluate(result.best->point)) : std::nullopt;
@@ -113,8 +110,11 @@ ExitCode run_size(const StudyOptions& options) {
                                    .base = base,
                                    .base_seen = base_seen,
                                    .assumptions = assumptions};
-  folder.write(provenance_name, to_json(input.provenance).text());
-  write_results(folder, problem, answer);
+  archive.write_results([&] {
+    folder.write(provenance_name, to_json(input.provenance).text());
+    write_results(folder, problem, answer);
+  });
+  archive.end(sizing::name_of(result.stop_reason), interruption, result.archive.records());
   const std::vector<simulation::CorrectionReach> reach = reach_of(best);
   if (options.json) {
     text::Json out = formats::to_json(answer);
@@ -123,6 +123,7 @@ ExitCode run_size(const StudyOptions& options) {
   } else {
     std::cout << report::to_text(answer) << report::to_text(reach);
   }
+  archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
   return result.feasible ? ExitCode::done : ExitCode::infeasible;
 }
@@ -141,7 +142,8 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       "convergence.csv (the best value after so many evaluations) and provenance.json (program, files and seed). If no "
       "design keeps all limits, the least\n"
       "infeasible design is written and the exit code is 3. Ctrl-C writes what was found so far; the exit code\n"
-      "is then 130.\n\n"
+      "is then 130. Every evaluation is recorded in archive.sqlite as it is made: --resume goes on from there, after\n"
+      "Ctrl-C and after a crash.\n\n"
       "Example:\n"
       "  coilwright size configs/studies/fastest_finger.json --out results/fastest_finger");
   auto report = std::make_shared<bool>(false);

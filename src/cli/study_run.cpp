@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <iostream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -47,6 +45,19 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
                   "pointer, of the study: /constraints/0/at_most=60; may be repeated")
       ->allow_extra_args(false);
   add_threads_option(command, options.threads, "Number of designs evaluated at the same time");
+  CLI::Option* resume = command.add_flag("--resume", options.resume,
+                                         "Go on with the run in the folder: what it recorded is not evaluated again, "
+                                         "and the results are those of a run that "
+                                         "was never interrupted. Where nothing is recorded, begin");
+  resume->disable_flag_override();
+  command.add_flag("--force", options.force, "Replace the results and the archive that the folder holds")
+      ->disable_flag_override()
+      ->excludes(resume);
+  command
+      .add_option("--reuse", options.reuse,
+                  "Folder of another run of size, sweep or pareto with the same actuator, operating point and names of "
+                  "variables: designs that its archive has are not evaluated again; may be repeated")
+      ->allow_extra_args(false);
   command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
   command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
@@ -97,29 +108,5 @@ Interruption::Interruption()
           std::this_thread::sleep_for(20ms);
         }
       }) {}
-
-ProgressLine::ProgressLine(const StudyOptions& options) : shown_(!options.quiet && isatty(STDERR_FILENO) == 1) {}
-
-ProgressLine::~ProgressLine() {
-  if (length_ > 0) std::cerr << '\r' << std::string(length_, ' ') << '\r' << std::flush;
-}
-
-void ProgressLine::show(const std::string& text) {
-  using namespace std::chrono_literals;
-  const auto now = std::chrono::steady_clock::now();
-  if (!shown_ || now < next_) return;
-  next_ = now + 100ms;
-  const std::size_t rest = length_ > text.size() ? length_ - text.size() : 0;
-  std::cerr << '\r' << text << std::string(rest, ' ') << std::flush;
-  length_ = text.size();
-}
-
-std::function<void(const sizing::Progress&)> search_progress(ProgressLine& line) {
-  if (!line.is_shown()) return {};
-  return [&line](const sizing::Progress& progress) {
-    line.show(fmt::format("{} of {} evaluations, {} feasible, {} on the front", progress.evaluations,
-                          progress.max_evaluations, progress.feasible, progress.front_size));
-  };
-}
 
 }  // namespace coilwright::cli

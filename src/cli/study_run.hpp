@@ -1,10 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -12,7 +10,6 @@
 #include <thread>
 #include <vector>
 
-#include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "provenance.hpp"
 #include "stop_signal.hpp"
@@ -27,6 +24,9 @@ struct StudyOptions {
   int threads = 0;
   bool quiet{false};
   bool json{false};
+  bool resume{false};
+  bool force{false};
+  std::vector<std::string> reuse;  ///< folders whose archives may answer designs
   std::optional<std::uint64_t> seed{};
   std::optional<std::size_t> max_evaluations{};
   std::optional<std::string> algorithm{};
@@ -56,7 +56,7 @@ struct StudyInput {
 /// does not.
 [[nodiscard]] StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives);
 
-/// While it lives, Ctrl-C asks for a stop instead of ending the program.
+/// While it lives, Ctrl-C, SIGTERM and the end of the terminal ask for a stop instead of ending the program.
 class Interruption {
  public:
   Interruption();
@@ -68,27 +68,5 @@ class Interruption {
   std::stop_source source_;
   std::jthread watch_;  // last: it uses the others
 };
-
-/// A line on standard error that is written over and over while a command works, and gone when it ends. Only on a
-/// terminal, and not with --quiet.
-class ProgressLine {
- public:
-  explicit ProgressLine(const StudyOptions& options);
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  [[nodiscard]] bool is_shown() const noexcept { return shown_; }
-  /// Ten times a second at most; what comes in between is left out.
-  void show(const std::string& text);
-
- private:
-  bool shown_;
-  std::size_t length_{};
-  std::chrono::steady_clock::time_point next_{};
-};
-
-/// "1200 of 2000 evaluations, 800 feasible, 31 on the front", to be given to a search; empty when nothing is shown.
-[[nodiscard]] std::function<void(const sizing::Progress&)> search_progress(ProgressLine& line);
 
 }  // namespace coilwright::cli

@@ -1,8 +1,8 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -14,12 +14,12 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
+#include "progress_line.hpp"
+#include "run_archive.hpp"
 #include "study_run.hpp"
 
 namespace coilwright::cli {
 namespace {
-
-constexpr std::size_t progress_interval = 64;  // designs between two looks at the terminal
 
 // What point_count() throws, in terms of the file.
 void require_grid(const sizing::DesignProblem& problem, const StudyOptions& options) {
@@ -44,26 +44,34 @@ ExitCode run_sweep(const StudyOptions& options) {
   const Interruption interruption;
   text::OutputFolder folder(options.out);
   const std::size_t count = problem.point_count();
-  formats::SweepTable designs(folder.open("designs.csv"), study);
+  RunArchive archive(options, input.provenance, problem, std::nullopt, folder);
+  std::optional<formats::SweepTable> designs;
+  archive.write_results([&] { designs.emplace(folder.open("designs.csv"), study); });
   sizing::Leaders leaders(problem);
   std::size_t ok = 0;
   const std::size_t made = [&] {
-    ProgressLine line(options);
-    return sizing::sweep(problem, {.threads = study.search.threads, .stop = interruption.token()},
+    const ProgressLine line = progress_line(options, archive.study(), study, count);
+    const auto recorded = [&](std::size_t index, std::span<const double> point) {
+      return archive.study().evaluate(point, index + 1);
+    };
+    return sizing::sweep(problem, {.threads = study.search.threads, .stop = interruption.token(), .evaluate = recorded},
                          [&](const sizing::SweptDesign& design) {
-                           designs.row(design);
+                           if (archive.is_writing()) archive.write_results([&] { designs->row(design); });
                            leaders.consider(design);
                            ok += sizing::is_feasible(design.evaluation) ? 1 : 0;
-                           if ((design.index + 1) % progress_interval == 0)
-                             line.show(fmt::format("{} of {} designs, {} feasible", design.index + 1, count, ok));
                          });
   }();
   const std::vector<sizing::Leader> best = leaders.all();
-  formats::write_leaders(folder.open("best.csv"), study, best);
-  folder.write(provenance_name, to_json(input.provenance).text());
-  folder.commit();
+  if (archive.is_writing())
+    archive.write_results([&] {
+      formats::write_leaders(folder.open("best.csv"), study, best);
+      folder.write(provenance_name, to_json(input.provenance).text());
+      folder.commit();
+    });
+  archive.end(made < count ? sizing::name_of(sizing::StopReason::interrupted) : "complete", interruption, {});
   const formats::SweepReport answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
   std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
+  archive.require_written();
   if (made < count) return ExitCode::interrupted;
   return leaders.any_feasible() ? ExitCode::done : ExitCode::infeasible;
 }
@@ -80,7 +88,10 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
       "best.csv (the best design of each configuration in each objective) and provenance.json (program and files). "
       "Every variable needs a list of values,\n"
       "a step or whole numbers; what is not a variable keeps the value of the study's actuator. If no design\n"
-      "keeps all limits, the exit code is 3. Ctrl-C writes what was evaluated so far; the exit code is then 130.\n\n"
+      "keeps all limits, the exit code is 3. Ctrl-C writes what was evaluated so far; the exit code is then 130. "
+      "Every\n"
+      "evaluation is recorded in archive.sqlite as it is made: --resume goes on from there, after Ctrl-C and after a\n"
+      "crash.\n\n"
       "Example:\n"
       "  coilwright sweep configs/studies/configurations.json --out results/configurations");
   command->callback([options, &outcome] { outcome.code = run_sweep(*options); });

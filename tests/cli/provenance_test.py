@@ -14,7 +14,7 @@ def digest(content):
 
 class StudyProvenance(ProgramTest):
     def run_study(self, command, *arguments, code=0):
-        result = run(command, "study.json", "--out", "out", *arguments, cwd=self.folder)
+        result = run(command, "study.json", "--out", "out", "--force", *arguments, cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (code, ""))
         return self.result("out/provenance.json")
 
@@ -49,7 +49,7 @@ class StudyProvenance(ProgramTest):
         write_study(self, objectives=FRONT)
         told = self.run_study("pareto")
         for name, content in self.files().items():
-            if name.startswith("out/") and name != "out/provenance.json":
+            if name.startswith("out/") and name not in ("out/provenance.json", "out/archive.sqlite"):
                 self.assertNotIn((told["commit"] or "no commit").encode(), content, name)
 
     def test_answers_and_sweeps_have_one_too(self):
@@ -95,10 +95,10 @@ class StudyProvenance(ProgramTest):
 
 class SetOfAStudy(ProgramTest):
     def search(self, *arguments, command="pareto"):
-        result = run(command, "study.json", "--out", "out", *arguments, cwd=self.folder)
+        result = run(command, "study.json", "--out", "out", "--force", *arguments, cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         files = self.files()
-        return {name: files[name] for name in files if name.startswith("out/") and name != "out/provenance.json"}
+        return {name: files[name] for name in files if name.startswith("out/") and name not in ("out/provenance.json", "out/archive.sqlite")}
 
     def test_by_a_pointer_it_is_the_study_with_that_number_in_its_file(self):
         study = write_study(self, objectives=FRONT)

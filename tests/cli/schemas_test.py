@@ -199,7 +199,7 @@ class SchemasAndProgram(ProgramTest):
         command = {"actuator": ["evaluate", "input.json", *READ_ONLY],
                    "lumped-model": ["evaluate", "input.json", *READ_ONLY],
                    "pair": ["force", "input.json"],
-                   "study": ["pareto", "input.json", "--out", "out", "--max-evaluations", "3"],
+                   "study": ["pareto", "input.json", "--out", "out", "--force", "--max-evaluations", "3"],
                    "measured-data": ["diagnose", "input.json", "--actuator", "finger.json", "--out", "out"],
                    "experiment": ["twin", "lumped_model.json", "--experiment", "input.json", "--out", "out"]}[schema]
         self.write("input.json", json.dumps(document))

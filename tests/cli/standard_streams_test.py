@@ -37,7 +37,7 @@ class StandardInput(ProgramTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         piped = self.result("out/result.json")
         self.assertEqual(self.result("out/provenance.json")["inputs"][0]["file"], "standard input")
-        run("size", "study.json", "--out", "out", cwd=self.folder)
+        run("size", "study.json", "--out", "out", "--force", cwd=self.folder)
         self.assertEqual(self.result("out/result.json"), piped)
 
     def test_an_input_of_samples_may_come_from_it(self):

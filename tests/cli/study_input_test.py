@@ -130,7 +130,7 @@ class StudyInput(ProgramTest):
                 if message:
                     self.refused(message)
                 else:
-                    result = run("size", "study.json", "--out", "out", cwd=self.folder)
+                    result = run("size", "study.json", "--out", "out", "--force", cwd=self.folder)
                     self.assertEqual(result.returncode, 2)
                     self.assertRegex(result.stderr, r"^coilwright: study\.json: /search/algorithm: .*cobyla.*\n$")
 

@@ -24,7 +24,7 @@ def options(block, names):
 class SystemStudy(ProgramTest):
     def study(self, **changes):
         write_study(self, **{"constraints": None, **changes})
-        result = run("size", "study.json", "--out", "out", cwd=self.folder)
+        result = run("size", "study.json", "--out", "out", "--force", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return self.result("out/result.json")
 
@@ -65,7 +65,7 @@ class SystemStudy(ProgramTest):
         write_study(self, gripper=block, operating_point={"current_A": 1}, variables={"turns_axial": {"values": [30]}},
                     objectives=[{"minimise": "grip_least_current_A"}], constraints=None)
         said = json.loads(run("grip", "finger.json", *options(block, block), "--json", cwd=self.folder).stdout)
-        answer = json.loads(run("sweep", "study.json", "--out", "out", "--json", cwd=self.folder).stdout)
+        answer = json.loads(run("sweep", "study.json", "--out", "out", "--force", "--json", cwd=self.folder).stdout)
         found = answer["best"][0]["objectives"]["grip_least_current_A"]
         self.assertAlmostEqual(found, said["least_current_A"], delta=SAME)
         self.assertTrue(0.1 < found < 1.3)
@@ -113,7 +113,7 @@ class SystemStudy(ProgramTest):
                     search={"max_evaluations": 40, "seed": 2})
         tables = []
         for threads in ("1", "2"):
-            result = run("pareto", "study.json", "--out", threads, "--threads", threads, cwd=self.folder)
+            result = run("pareto", "study.json", "--out", threads, "--force", "--threads", threads, cwd=self.folder)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             tables.append((self.folder / threads / "evaluations.csv").read_text())
         self.assertEqual(*tables)
@@ -123,7 +123,7 @@ class SystemStudy(ProgramTest):
                     variables={"gripper_width_mm": {"values": [5, 62, 120]}, "gripper_friction": {"values": [0.1, 0.9]}},
                     objectives=[{"maximise": "grip_margin"}],
                     constraints=[{"quantity": "grip_margin", "at_least": 0}])
-        result = run("sweep", "study.json", "--out", "out", cwd=self.folder)
+        result = run("sweep", "study.json", "--out", "out", "--force", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         rows = [line.split(",") for line in (self.folder / "out/designs.csv").read_text().splitlines()]
         status, margin = rows[0].index("status"), rows[0].index("grip_margin")
@@ -137,7 +137,7 @@ class SystemStudy(ProgramTest):
         write_study(self, crawler={**CRAWLER, "cell_limit_A": 1.2}, operating_point={"current_of": "crawler"},
                     variables={"turns_axial": {"values": [29, 30]}}, objectives=[{"maximise": "crawl_speed_mm_s"}],
                     constraints=None)
-        result = run("size", "study.json", "--out", "out", cwd=self.folder)
+        result = run("size", "study.json", "--out", "out", "--force", cwd=self.folder)
         self.assertEqual(result.returncode, 3)
         self.assertIn("crawl_speed_mm_s has no value: cell: the current of a pulse,", result.stdout)
 

@@ -64,7 +64,7 @@ class TorqueCorrection(ProgramTest):
 
     def test_size_takes_it_where_the_geometry_stays(self):
         self.study({"current_A": {"lower": 0.2, "upper": 0.6}})
-        result = run("size", "study.json", "--out", "out", cwd=self.folder)
+        result = run("size", "study.json", "--out", "out", "--force", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertIn("With a nameless correction of the torque", result.stdout)
         written = self.result("out/actuator.json")["torque_correction"]

@@ -1,0 +1,65 @@
+#include "archive_contents.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "build_info.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
+#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "sha256.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+// How the current is set, and all else of the operating point.
+std::string operation_text(const sizing::Study& study) {
+  actuator::OperatingPoint point = study.operating;
+  point.current = 0.0;
+  std::string current = "varied";
+  if (const auto* fixed = std::get_if<sizing::FixedCurrent>(&study.current))
+    current = fmt::format("fixed {}", fixed->current);
+  if (const auto* share = std::get_if<sizing::ShareOfLimit>(&study.current))
+    current = fmt::format("share {}", share->share);
+  if (std::holds_alternative<sizing::DrivenCurrent>(study.current)) current = "driven";
+  return current + '\n' + formats::to_json(point).text();
+}
+
+// A gripper or a crawler is described by the study's text alone.
+bool builds_a_system(const InputRecord& study) {
+  const text::Document document = text::parse_json(study.text, study.file);
+  return document.root().find("gripper") || document.root().find("crawler");
+}
+
+}  // namespace
+
+archive::Program this_program() {
+  const Commit built = commit();
+  const bool told = !built.hash.empty() && !built.changed;
+  return {.version = version(), .commit = built.hash, .build = told ? "" : record_of("/proc/self/exe").sha256};
+}
+
+archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance) {
+  archive::Contents contents;
+  contents.command = provenance.command;
+  contents.study = study.name;
+  contents.program = this_program();
+  for (const InputRecord& input : provenance.inputs)
+    contents.inputs.push_back({.file = input.file, .sha256 = input.sha256, .text = input.text});
+  contents.changes = provenance.changes;
+  contents.question = hash_of(provenance);
+  contents.physics = {.actuator = sha256(formats::to_json(study.base, "").text()),
+                      .operation = sha256(operation_text(study)),
+                      .systems = builds_a_system(provenance.inputs.front()) ? contents.question : ""};
+  if (provenance.seed) {
+    contents.algorithm = std::string(sizing::name_of(study.search.algorithm));
+    contents.seed = provenance.seed;
+  }
+  contents.columns = archive::columns_of(study);
+  return contents;
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "coilwright/archive/contents.hpp"
+#include "coilwright/sizing/study/study.hpp"
+#include "provenance.hpp"
+
+namespace coilwright::cli {
+
+/// The name of the archive in a folder of results.
+inline constexpr const char* archive_name = "archive.sqlite";
+
+/// This program, as archives name it.
+[[nodiscard]] archive::Program this_program();
+
+/// What the archive of a run of `study` is an archive of. Seed and algorithm are the study's where the provenance has a
+/// seed.
+[[nodiscard]] archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance);
+
+}  // namespace coilwright::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+namespace coilwright::cli {
+
+/// While it lives, no other process has this lock on the folder. It ends with the process, however that ends, and
+/// leaves no file.
+class FolderLock {
+ public:
+  /// Throws text::OutputError (preparing) where another process has it. A file system that has no such locks is taken
+  /// as it is.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace coilwright::cli

@@ -1,0 +1,202 @@
+#include "run_archive.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "archive_contents.hpp"
+#include "coilwright/archive/reader.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "report_option.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a run of a study leaves, beside its archive.
+constexpr std::array<std::string_view, 9> results{"result.json",     "actuator.json",   "evaluations.csv",
+                                                  "convergence.csv", "front.csv",       "designs.csv",
+                                                  "best.csv",        "provenance.json", report_name};
+
+// Designs of an archive that are evaluated again before it is trusted.
+constexpr std::size_t samples = 3;
+
+text::InputError refusal(const fs::path& path, std::string rule) {
+  return text::InputError({.file = path.string(), .place = {}, .rule = std::move(rule), .value = {}});
+}
+
+bool holds_results(const fs::path& folder) {
+  std::error_code error;
+  return std::ranges::any_of(results, [&](std::string_view name) { return fs::exists(folder / name, error); });
+}
+
+// A run that was killed leaves what it had not finished: ".front.csv.part-4711".
+void remove_parts(const fs::path& folder) {
+  std::vector<fs::path> parts;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const auto is_part_of = [&](std::string_view result) { return name.starts_with(fmt::format(".{}.part-", result)); };
+    if (is_part_of(archive_name) || std::ranges::any_of(results, is_part_of)) parts.push_back(entry.path());
+  }
+  for (const fs::path& part : parts) fs::remove(part, error);
+}
+
+void require_same_numbers(const archive::Reader& found, const sizing::DesignProblem& problem, std::string_view advice) {
+  const std::vector<std::int64_t> differing = archive::designs_with_other_numbers(problem, found, samples);
+  if (differing.empty()) return;
+  throw refusal(found.path(),
+                fmt::format("the design of row {} gives other numbers on this machine than were recorded: {}",
+                            differing.front(), advice));
+}
+
+void say_failure(const std::string& failure) {
+  std::cerr << "coilwright: " + failure + "; the run goes on, and what follows is not recorded\n" << std::flush;
+}
+
+std::string progress_text(const archive::Counts& counts, const Pace& pace, const std::string& objective,
+                          std::size_t all) {
+  const std::size_t known = counts.answered + counts.reused, done = counts.evaluated + known;
+  std::string text = fmt::format("{} of {} evaluations, {} feasible", done, all, counts.feasible);
+  if (known > 0) text += fmt::format(", {} known", known);
+  if (!objective.empty() && counts.best) text += fmt::format(", best {} {:.5g}", objective, *counts.best);
+  if (done >= all) return text + ", at the surroundings of the answer";
+  if (const std::optional<double> rate = pace.rate()) text += fmt::format(", {:.3g}/s", *rate);
+  if (const std::optional<double> left = pace.left(all)) text += fmt::format(", {} left", duration_text(*left));
+  return text;
+}
+
+}  // namespace
+
+RunArchive::RunArchive(const StudyOptions& options, const Provenance& provenance, const sizing::DesignProblem& problem,
+                       std::optional<std::size_t> max_evaluations, text::OutputFolder& folder)
+    : folder_(folder),
+      path_(folder.path() / archive_name),
+      max_evaluations_(max_evaluations),
+      json_(options.json),
+      lock_(folder.path()) {
+  const archive::Contents asked = contents_of(problem.study(), provenance);
+  take_others(options, asked, problem);
+  open(options, asked, problem);
+  writer_ = std::make_shared<archive::Writer>(path_, max_evaluations_, say_failure);
+  sources_.writer = writer_;
+  recorded_ = std::make_unique<archive::RecordedStudy>(problem, sources_);
+}
+
+void RunArchive::open(const StudyOptions& options, const archive::Contents& asked,
+                      const sizing::DesignProblem& problem) {
+  std::error_code error;
+  if (!options.force && fs::exists(fs::symlink_status(path_, error))) {
+    auto found = std::make_shared<const archive::Reader>(path_);
+    require_same_run(*found, asked);
+    const std::size_t designs = found->size();
+    if (designs > 0 && !options.resume && !is_finished(*found)) throw unfinished(*found, designs);
+    require_same_numbers(*found, problem, "--force starts anew");
+    if (designs > 0) sources_.known = std::move(found);
+  } else {
+    if (!options.force && holds_results(folder_.path()))
+      throw refusal(folder_.path(),
+                    "holds results without an archive: --force replaces them, another --out keeps them");
+    archive::create(path_, asked);
+    if (options.force)
+      for (const std::string_view name : results) fs::remove(folder_.path() / name, error);
+  }
+  remove_parts(folder_.path());
+}
+
+bool RunArchive::is_finished(const archive::Reader& found) const {
+  const std::vector<archive::Run> runs = found.runs();
+  if (runs.empty()) return false;
+  const archive::Run& last = runs.back();
+  return !last.ended.empty() && last.stop_reason != sizing::name_of(sizing::StopReason::interrupted) &&
+         last.max_evaluations == max_evaluations_;
+}
+
+text::InputError RunArchive::unfinished(const archive::Reader& found, std::size_t designs) const {
+  const std::vector<archive::Run> runs = found.runs();
+  const std::optional<std::size_t> budget = runs.empty() ? max_evaluations_ : runs.back().max_evaluations;
+  if (budget != max_evaluations_)
+    return refusal(folder_.path(),
+                   fmt::format("holds a run of this study with max_evaluations {}, not {}: --resume goes "
+                               "on from its {} designs, --force starts anew",
+                               budget.value_or(0), max_evaluations_.value_or(0), designs));
+  return refusal(folder_.path(), fmt::format("holds a run of this study that has not ended ({} designs recorded): "
+                                             "--resume goes on with it, --force starts anew",
+                                             designs));
+}
+
+void RunArchive::require_same_run(const archive::Reader& found, const archive::Contents& asked) const {
+  const std::vector<std::string> differing = archive::differences(found.contents(), asked);
+  if (differing.empty()) return;
+  throw refusal(folder_.path(), fmt::format("holds the archive of another run ({}): --force replaces it, another --out "
+                                            "keeps it",
+                                            fmt::join(differing, "; ")));
+}
+
+void RunArchive::take_others(const StudyOptions& options, const archive::Contents& asked,
+                             const sizing::DesignProblem& problem) {
+  for (const std::string& folder : options.reuse) {
+    std::error_code error;
+    if (fs::equivalent(folder, folder_.path(), error))
+      throw refusal(folder, "is the folder of this run, which --resume goes on with");
+    auto other = std::make_shared<const archive::Reader>(fs::path(folder) / archive_name);
+    const std::vector<std::string> differing = archive::differences_for_reuse(other->contents(), asked);
+    if (!differing.empty())
+      throw refusal(folder, fmt::format("cannot answer designs of this study ({})", fmt::join(differing, "; ")));
+    require_same_numbers(*other, problem, "leave out --reuse");
+    sources_.others.push_back(std::move(other));
+  }
+}
+
+void RunArchive::write_results(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const text::OutputError&) {
+    unwritten_ = std::current_exception();
+  }
+}
+
+void RunArchive::end(std::string_view stop_reason, const Interruption& interruption,
+                     std::span<const sizing::Record> records) {
+  if (!records.empty()) recorded_->number(path_, records);
+  writer_->flush();
+  const archive::Counts counts = recorded_->counts();
+  // A run whose results are not written has not ended: --resume writes them.
+  if (!unwritten_)
+    writer_->end({.stop_reason = std::string(stop_reason),
+                  .evaluated = counts.evaluated,
+                  .answered = counts.answered,
+                  .reused = counts.reused});
+  if (interruption.requested() && !json_ && !writer_->failure())
+    std::cerr << fmt::format("coilwright: interrupted: what was evaluated is in {}; --resume goes on from there\n",
+                             path_.string());
+}
+
+void RunArchive::require_written() const {
+  if (unwritten_) std::rethrow_exception(unwritten_);
+  if (const std::optional<std::string> failure = writer_->failure()) throw std::runtime_error(*failure);
+}
+
+ProgressLine progress_line(const StudyOptions& options, const archive::RecordedStudy& recorded,
+                           const sizing::Study& study, std::size_t all) {
+  const ProgressLine::Place place = progress_place(options.quiet);
+  const std::string objective = study.objectives.size() == 1 ? study.objectives.front().quantity.name : "";
+  return {std::cerr, place, progress_interval(place), [&recorded, objective, all, pace = Pace{}]() mutable {
+            const archive::Counts counts = recorded.counts();
+            pace.learn(std::chrono::steady_clock::now(), counts.evaluated + counts.answered + counts.reused);
+            return progress_text(counts, pace, objective, all);
+          }};
+}
+
+}  // namespace coilwright::cli

@@ -1,0 +1,96 @@
+"""kill -9 at random moments, and --resume till the end: nothing recorded is lost, and no byte of any result differs.
+
+COILWRIGHT_KILLS is the number of kills (default 12).
+"""
+
+import os
+import random
+import time
+import unittest
+
+from archived_runs import designs_of, results_of, start
+from program import ProgramTest, run
+from study import FRONT, GRID, write_study
+
+KILLS = int(os.environ.get("COILWRIGHT_KILLS", "12"))
+KILLS_OF_A_RUN = 4  # one run may be killed several times before it ends
+
+# Most of the kills go to pareto.
+STUDIES = {
+    "pareto": {"objectives": FRONT, "search": {"max_evaluations": 700, "seed": 5}},
+    "pareto of an NLopt algorithm": {"objectives": FRONT, "search": {"max_evaluations": 600, "algorithm": "cobyla"}},
+    "size": {"search": {"max_evaluations": 400, "seed": 4}},
+    "pareto with another seed": {"objectives": FRONT, "search": {"max_evaluations": 700, "seed": 9}},
+    "sweep": {"variables": {**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.01}}},
+}
+
+
+class KilledRuns(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.random = random.Random(11)
+        self.kills = 0
+        self.kills_with_designs = 0
+        self.known = {}
+
+    def undisturbed(self, name):
+        """How long the study takes, what it prints and leaves, and how many designs it records."""
+        if name not in self.known:
+            self.known[name] = self.run_whole(name.split()[0])
+        return self.known[name]
+
+    def run_whole(self, command):
+        begin = time.monotonic()
+        result = run(command, "study.json", "--out", "whole", "--force", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        whole = self.folder / "whole"
+        return time.monotonic() - begin, result.stdout, results_of(whole), len(designs_of(whole))
+
+    def kill_and_resume(self, name):
+        command = name.split()[0]
+        duration, answer, whole, designs = self.undisturbed(name)
+        folder = self.folder / "killed"
+        recorded = []
+        for _ in range(KILLS_OF_A_RUN):
+            if self.kills == KILLS:
+                break
+            process = start(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
+            time.sleep(self.random.uniform(0, duration))
+            process.kill()
+            output, errors = process.communicate(timeout=60)
+            if process.returncode == 0:
+                break  # it was faster than its kill
+            self.assertEqual((process.returncode, output, errors), (-9, "", ""))
+            self.kills += 1
+            now = designs_of(folder)
+            self.assertEqual(now[:len(recorded)], recorded)
+            recorded = now
+            self.kills_with_designs += len(recorded) > 0
+        result = run(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(result.stdout, answer)
+        resumed = results_of(folder)
+        self.assertEqual(sorted(resumed), sorted(whole))
+        for name, content in whole.items():
+            self.assertTrue(resumed[name] == content, name)
+        now = designs_of(folder)
+        self.assertEqual(now[:len(recorded)], recorded)
+        # As many as without a kill: each design was recorded once, and none again.
+        self.assertEqual(len(now), designs)
+        for path in folder.iterdir():
+            path.unlink()
+
+    def test_nothing_recorded_is_lost_and_no_byte_differs(self):
+        while self.kills < KILLS:
+            for name, changes in STUDIES.items():
+                if self.kills == KILLS:
+                    break
+                with self.subTest(name):
+                    write_study(self, **changes)
+                    self.kill_and_resume(name)
+        print(f"{self.kills} kills, {self.kills_with_designs} of them with designs recorded")
+        self.assertGreater(self.kills_with_designs, KILLS // 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

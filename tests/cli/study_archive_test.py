@@ -1,0 +1,294 @@
+"""The archive of a run of size, sweep or pareto: when a folder is taken, gone on with or refused; signals, full disks, reuse."""
+
+import contextlib
+import os
+import resource
+import shutil
+import signal
+import sqlite3
+import subprocess
+import unittest
+
+from archived_runs import ARCHIVE, designs_of, end, results_of, start, wait_for_designs
+from program import ProgramTest, run
+from study import FRONT, GRID, write_study
+
+ENDLESS = {"max_evaluations": 1000000, "algorithm": "isres"}
+
+
+class ArchivedStudy(ProgramTest):
+    def run_well(self, command, *arguments, out="out", study="study.json"):
+        result = run(command, study, "--out", out, *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def runs(self, out="out"):
+        """evaluated, answered, reused of each run."""
+        with contextlib.closing(sqlite3.connect(self.folder / out / ARCHIVE)) as database:
+            return database.execute("SELECT evaluated, answered, reused FROM runs").fetchall()
+
+    def change(self, sql, out="out"):
+        with contextlib.closing(sqlite3.connect(self.folder / out / ARCHIVE)) as database, database:
+            database.execute(sql)
+
+    def begun(self, command="pareto", out="out", designs=5, **changes):
+        """A run with designs recorded, which goes on until it is ended."""
+        write_study(self, **{"objectives": FRONT, "search": ENDLESS, **changes})
+        process = start(command, "study.json", "--out", out, cwd=self.folder)
+        self.addCleanup(end, process)
+        wait_for_designs(self, process, self.folder / out, designs)
+        return process
+
+    def killed(self, **options):
+        process = self.begun(**options)
+        process.kill()
+        process.communicate(timeout=60)
+
+
+class Folders(ArchivedStudy):
+    def test_the_same_command_again_is_answered_from_the_archive(self):
+        for command, changes in (("size", {}), ("pareto", {"objectives": FRONT}), ("sweep", {"variables": GRID})):
+            with self.subTest(command):
+                write_study(self, **changes)
+                first = self.run_well(command, out=command)
+                results = results_of(self.folder / command)
+                self.assertEqual(self.run_well(command, "--threads", "1", out=command), first)
+                self.assertEqual(results_of(self.folder / command), results)
+                (made, _, _), (again, known, _) = self.runs(command)
+                self.assertEqual((again, known), (0, made))
+                self.assertEqual(len(designs_of(self.folder / command)), made)
+
+    def test_resume_in_a_new_folder_begins(self):
+        write_study(self, search={"max_evaluations": 20})
+        self.run_well("size", "--resume")
+        self.assertTrue((self.folder / "out/actuator.json").exists())
+
+    def test_a_run_that_has_not_ended_wants_resume_or_force(self):
+        self.killed()
+        count = len(designs_of(self.folder / "out"))
+        before = designs_of(self.folder / "out")
+        result = run("pareto", "study.json", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(result.stderr, f"coilwright: out: holds a run of this study that has not ended ({count} designs "
+                                        "recorded): --resume goes on with it, --force starts anew\n")
+        self.assertEqual(designs_of(self.folder / "out"), before)
+
+    def test_another_run_s_archive_is_refused_and_says_what_differs(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 20, "seed": 5})
+        self.run_well("pareto")
+        tail = "): --force replaces it, another --out keeps it"
+        head = "out: holds the archive of another run ("
+        for option in ([], ["--resume"]):
+            self.assert_refused(["pareto", "study.json", "--out", "out", "--seed", "6", *option],
+                                head + "seed 5, not seed 6" + tail)
+        self.assert_refused(["pareto", "study.json", "--out", "out", "--algorithm", "cobyla"],
+                            head + "algorithm automatic, not cobyla" + tail)
+        self.assert_refused(["pareto", "study.json", "--out", "out", "--set", "front_length_mm=9"],
+                            head + "no --set, not --set front_length_mm=9" + tail)
+        self.write("finger.json", (self.folder / "finger.json").read_text() + "\n")
+        result = run("pareto", "study.json", "--out", "out", cwd=self.folder)
+        self.assertRegex(result.stderr, r"^coilwright: out: holds the archive of another run \(finger\.json with another "
+                                        r"content \(SHA-256 [0-9a-f]{8}, not [0-9a-f]{8}\)\): --force replaces it, ")
+        write_study(self, search={"max_evaluations": 20, "seed": 5})
+        result = run("size", "study.json", "--out", "out", cwd=self.folder)
+        self.assertIn("(command pareto, not size; study.json with another content", result.stderr)
+
+    def test_another_program_s_numbers_are_refused(self):
+        write_study(self, search={"max_evaluations": 20})
+        self.run_well("size")
+        self.change("UPDATE study SET version = '0.0.9', commit_hash = 'abcdef0123', build_sha256 = ''")
+        result = run("size", "study.json", "--out", "out", "--resume", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"\(coilwright 0\.0\.9 \(commit abcdef0\), not 0\.1\.0 \(commit .*\), whose numbers "
+                                        r"may differ\): --force replaces it")
+
+    def test_numbers_that_this_machine_does_not_give_are_refused(self):
+        write_study(self, search={"max_evaluations": 20})
+        self.run_well("size")
+        self.change("UPDATE designs SET mass_g = mass_g + 1e-9 WHERE id = 1")
+        self.assert_refused(["size", "study.json", "--out", "out"],
+                            "out/archive.sqlite: the design of row 1 gives other numbers on this machine than were "
+                            "recorded: --force starts anew")
+
+    def test_a_larger_budget_goes_on_and_ends_as_if_it_had_been_so_from_the_start(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})
+        self.run_well("pareto")
+        recorded = len(designs_of(self.folder / "out"))
+        self.assert_refused(["pareto", "study.json", "--out", "out", "--max-evaluations", "90"],
+                            f"out: holds a run of this study with max_evaluations 40, not 90: --resume goes on from its "
+                            f"{recorded} designs, --force starts anew")
+        resumed = self.run_well("pareto", "--max-evaluations", "90", "--resume")
+        self.assertEqual(resumed, self.run_well("pareto", "--max-evaluations", "90", out="whole"))
+        self.assertEqual(results_of(self.folder / "out"), results_of(self.folder / "whole"))
+        evaluated, known, _ = self.runs()[1]
+        self.assertGreater(known, 0)
+        self.assertEqual(evaluated + known, 90)
+
+    def test_results_without_an_archive_are_refused_and_replaced_by_force(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 20})
+        self.run_well("pareto")
+        (self.folder / "out" / ARCHIVE).unlink()
+        write_study(self, search={"max_evaluations": 20})
+        for option in ([], ["--resume"]):
+            self.assert_refused(["size", "study.json", "--out", "out", *option],
+                                "out: holds results without an archive: --force replaces them, another --out keeps them")
+        self.write("out/notes.txt", "mine")
+        self.run_well("size", "--force")
+        names = sorted(path.name for path in (self.folder / "out").iterdir())
+        self.assertEqual(names, ["actuator.json", ARCHIVE, "convergence.csv", "evaluations.csv", "notes.txt",
+                                 "provenance.json", "result.json"])
+
+    def test_what_a_killed_run_had_not_finished_is_cleared_away(self):
+        self.killed(command="sweep", variables={"gap_mm": {"lower": 0.7, "upper": 1.6, "step": 1e-6}}, search={})
+        self.assertEqual(len(list((self.folder / "out").glob(".designs.csv.part-*"))), 1)
+        write_study(self, variables=GRID)
+        self.run_well("sweep", "--force")
+        self.assertEqual(list((self.folder / "out").glob(".*")), [])
+
+    def test_a_folder_in_use_is_refused(self):
+        process = self.begun()
+        for option in ("--resume", "--force"):
+            result = run("pareto", "study.json", "--out", "out", option, cwd=self.folder)
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertEqual(result.stderr, "coilwright: out: cannot be written: another run of coilwright is writing to it; "
+                                            "wait for its end, or give another --out\n")
+        self.assertIsNone(process.poll())
+
+    def test_files_that_are_no_archive_or_of_a_later_version_are_left_alone(self):
+        write_study(self, search={"max_evaluations": 20})
+        self.run_well("size")
+        self.change("PRAGMA user_version = 2")
+        self.assert_refused(["size", "study.json", "--out", "out", "--resume"],
+                            "out/archive.sqlite: was written by a later coilwright: it is an archive of version 2, and "
+                            "this program reads up to version 1")
+        self.write("out/" + ARCHIVE, "notes")
+        self.assert_refused(["size", "study.json", "--out", "out"],
+                            "out/archive.sqlite: is no archive of a study: file is not a database")
+
+    def test_resume_and_force_exclude_each_other(self):
+        write_study(self)
+        result = run("size", "study.json", "--out", "out", "--resume", "--force", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertFalse((self.folder / "out").exists())
+
+
+class Signals(ArchivedStudy):
+    def test_a_signal_ends_the_run_well_and_resume_goes_on(self):
+        # No shell between: a terminal that closes sends SIGHUP to the program itself.
+        study = {"objectives": FRONT, "search": {"max_evaluations": 400, "seed": 5}}
+        write_study(self, **study)
+        whole = self.run_well("pareto", out="whole")
+        for sent in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(sent.name):
+                out = sent.name
+                process = self.begun(out=out, **study)
+                process.send_signal(sent)
+                output, errors = process.communicate(timeout=60)
+                self.assertEqual((process.returncode, errors),
+                                 (130, f"coilwright: interrupted: what was evaluated is in {out}/archive.sqlite; --resume "
+                                       "goes on from there\n"))
+                self.assertIn("it was interrupted", output)
+                recorded = len(designs_of(self.folder / out))
+                self.assertEqual(recorded, len(self.table(f"{out}/evaluations.csv")))
+                self.assertEqual(self.run_well("pareto", "--resume", out=out), whole)
+                self.assertEqual(results_of(self.folder / out), results_of(self.folder / "whole"))
+                self.assertEqual(self.runs(out)[1][1], recorded)
+
+
+class Disks(ArchivedStudy):
+    def mounted(self, options):
+        folder = self.folder / "disk"
+        folder.mkdir(exist_ok=True)
+        done = subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], capture_output=True, check=False)
+        if done.returncode != 0:
+            self.skipTest("only root can mount a small disk")
+        self.addCleanup(lambda: subprocess.run(["umount", "-l", folder], check=False))
+        return folder
+
+    def test_a_full_disk_loses_no_answer_and_resume_ends_the_run(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 400, "seed": 5})
+        whole = self.run_well("pareto", out="whole")
+        folder = self.mounted("size=300k")
+        result = run("pareto", "study.json", "--out", "disk/out", cwd=self.folder)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stdout, whole)
+        first, last = result.stderr.splitlines()
+        self.assertRegex(first, r"^coilwright: disk/out/archive\.sqlite: cannot be written: .*; the run goes on, and what "
+                                r"follows is not recorded$")
+        self.assertRegex(last, r"^coilwright: disk/out/[a-z]+\.csv: cannot be written: No space left on device$")
+        self.assertEqual([path.name for path in (folder / "out").iterdir() if not path.name.startswith(ARCHIVE)], [])
+        recorded = len(designs_of(folder / "out"))
+        self.assertGreater(recorded, 20)
+        subprocess.run(["mount", "-o", "remount,size=20m", folder], check=True)
+        self.assertEqual(self.run_well("pareto", "--resume", out="disk/out"), whole)
+        self.assertEqual(results_of(folder / "out"), results_of(self.folder / "whole"))
+        self.assertEqual(self.runs("disk/out")[1][1], recorded)
+
+    def test_a_sweep_on_a_full_disk_prints_its_best_designs(self):
+        write_study(self, variables={**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.01}})
+        whole = self.run_well("sweep", out="whole")
+
+        def limit_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (250_000, 250_000))
+
+        process = start("sweep", "study.json", "--out", "out", cwd=self.folder, preexec_fn=limit_files)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, output), (1, whole))
+        self.assertRegex(errors, r"coilwright: out/designs\.csv: cannot be written: File too large\n$")
+        self.run_well("sweep", "--resume")
+        self.assertEqual(results_of(self.folder / "out"), results_of(self.folder / "whole"))
+        self.assertGreater(self.runs()[1][1], 0)
+
+    def test_a_folder_that_only_reads_is_refused(self):
+        write_study(self, search={"max_evaluations": 20})
+        folder = self.mounted("size=20m")
+        self.run_well("size", out="disk/out")
+        subprocess.run(["mount", "-o", "remount,ro", folder], check=True)
+        self.assert_refused(["size", "study.json", "--out", "disk/out", "--resume"],
+                            "disk/out: cannot be written: Read-only file system")
+
+
+class Reuse(ArchivedStudy):
+    def test_a_front_is_found_from_a_sweep_and_the_reverse(self):
+        variables = {"turns_radial": {"lower": 12, "upper": 15}, "gap_mm": {"lower": 0.7, "upper": 1.5, "step": 0.1}}
+        write_study(self, variables=variables, objectives=FRONT)
+        shutil.copy(self.folder / "study.json", self.folder / "sweep.json")
+        # Other goals, another range and order of the same variables.
+        write_study(self, variables={"gap_mm": {"lower": 0.9, "upper": 1.7, "step": 0.1}, "turns_radial": {"values": [13, 15, 16]}},
+                    objectives=[{"minimise": "cost_USD"}, {"maximise": "peak_bending_speed_deg_s"}],
+                    constraints=[{"quantity": "mass_g", "at_most": 67}], search={"max_evaluations": 20, "seed": 3})
+        sweep = self.run_well("sweep", out="sweep", study="sweep.json")
+        front = self.run_well("pareto", out="front")
+        self.assertEqual(self.run_well("pareto", "--reuse", "sweep", out="front_from_sweep"), front)
+        self.assertEqual(results_of(self.folder / "front_from_sweep"), results_of(self.folder / "front"))
+        ((evaluated, answered, reused),) = self.runs("front_from_sweep")
+        self.assertGreater(reused, 3)
+        self.assertGreater(evaluated, 3)
+        self.assertEqual((evaluated + reused, answered), (20, 0))
+        self.assertEqual(self.run_well("sweep", "--reuse", "front", out="sweep_from_front", study="sweep.json"), sweep)
+        self.assertEqual(results_of(self.folder / "sweep_from_front"), results_of(self.folder / "sweep"))
+        self.assertGreater(self.runs("sweep_from_front")[0][2], 3)
+
+    def test_what_does_not_match_is_refused(self):
+        write_study(self, variables=GRID)
+        self.run_well("sweep", out="sweep")
+        grid = {**GRID, "gap_mm": {"lower": 0.7, "upper": 1.1, "step": 0.2}}
+        for changes, arguments, reason in (
+                ({"operating_point": {"share_of_current_limit": 0.8, "duty": 0.5}}, [], "another operating point"),
+                ({}, ["--set", "front_length_mm=9"], "another actuator"),
+                ({"variables": {key: grid[key] for key in ("gap_mm", "turns_radial")}}, [],
+                 "variables configuration, gap_mm, turns_radial, not gap_mm, turns_radial"),
+                ({"objectives": [{"maximise": "grasp_force_N / mass_g", "name": "grip", "unit": "N/g"}],
+                  "operating_point": {"share_of_current_limit": 0.9, "duty": 0.5, "cases": "free"}}, [],
+                 "no quantity grip_N_g as this study has it")):
+            with self.subTest(reason):
+                write_study(self, **{"variables": grid, **changes})
+                self.assert_refused(["sweep", "study.json", "--out", "out", "--reuse", "sweep", *arguments],
+                                    f"sweep: cannot answer designs of this study ({reason})")
+        self.assert_refused(["sweep", "study.json", "--out", "out", "--reuse", "none"],
+                            "none/archive.sqlite: cannot be read: there is no such file")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -153,6 +153,9 @@ class Folders(ArchivedStudy):
             self.assertEqual(result.stderr, "coilwright: out: cannot be written: another run of coilwright is writing to it; "
                                             "wait for its end, or give another --out\n")
         self.assertIsNone(process.poll())
+        # It may be looked at, though.
+        result = run("archive", "top", "out", "--least", "mass_g", "--count", "1", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_files_that_are_no_archive_or_of_a_later_version_are_left_alone(self):
         write_study(self, search={"max_evaluations": 20})
@@ -247,6 +250,9 @@ class Disks(ArchivedStudy):
         subprocess.run(["mount", "-o", "remount,ro", folder], check=True)
         self.assert_refused(["size", "study.json", "--out", "disk/out", "--resume"],
                             "disk/out: cannot be written: Read-only file system")
+        # And read it is.
+        result = run("archive", "list", "disk/out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
 class Reuse(ArchivedStudy):

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coilwright/archive/contents.hpp"
+#include "coilwright/archive/row.hpp"
+#include "coilwright/text/json/json.hpp"
+
+namespace coilwright::formats {
+
+/// What an archive is of, and what happened to it.
+struct ArchiveSummary {
+  archive::Contents contents;      ///< of the archive
+  std::vector<archive::Run> runs;  ///< in their order
+  std::size_t ok{};                ///< designs that keep every limit
+  std::size_t infeasible{};        ///< designs that break one
+  std::size_t failed{};            ///< designs that could not be evaluated
+};
+
+/// A design of an archive, evaluated again.
+struct Replay {
+  std::int64_t row{};           ///< its id
+  sizing::Evaluation recorded;  ///< what the archive says
+  sizing::Evaluation again;     ///< what this program says
+  archive::Contents contents;   ///< of the archive
+  archive::Program program;     ///< this one
+};
+
+/// A number that came out otherwise.
+struct Difference {
+  std::string name;      ///< "mass_g", "mass_g <= 70", "failure"
+  std::string recorded;  ///< with every digit; "none" where there is none
+  std::string again;     ///< the same
+};
+
+/// All that differs, in the order of the archive's columns; empty where every bit is the same.
+[[nodiscard]] std::vector<Difference> differences(const Replay& replay);
+
+/// An archive's study, program and runs.
+[[nodiscard]] text::Json to_json(const ArchiveSummary& summary);
+
+/// Designs with all that an archive has of them.
+[[nodiscard]] text::Json to_json(const archive::Contents& contents, std::span<const archive::Row> rows);
+
+/// Whether the numbers are the same, and where not, both.
+[[nodiscard]] text::Json to_json(const Replay& replay);
+
+}  // namespace coilwright::formats

@@ -1,0 +1,39 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "archive_commands.hpp"
+#include "cli/design_text.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "opened_archive.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::int64_t row{};
+  std::string out;
+};
+
+}  // namespace
+
+void add_archive_pick(CLI::App& command) {
+  auto options = std::make_shared<Options>();
+  CLI::App* pick = command.add_subcommand("pick", "The design of a row as an actuator file, as size writes its answer");
+  add_archive_folder(*pick, options->folder);
+  add_row_option(*pick, options->row);
+  pick->add_option("--out", options->out, "File for the actuator (actuator/1); - is standard output")->required();
+  pick->footer("Example:\n  coilwright archive pick results/fastest_finger --row 17 --out actuator.json");
+  pick->callback([options] {
+    const archive::Reader archive = opened_archive(options->folder);
+    const archive::Row row = row_of(archive, options->row);
+    const sizing::DesignProblem problem = problem_of(archive.contents());
+    const std::vector<double> point = point_of(problem, archive, row);
+    text::OutputFile file(options->out);
+    const std::string& study = archive.contents().study;
+    file.stream() << design_text(problem, point, sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
+    file.commit();
+  });
+}
+
+}  // namespace coilwright::cli

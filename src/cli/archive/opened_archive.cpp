@@ -1,0 +1,56 @@
+#include "opened_archive.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "cli/archive_contents.hpp"
+#include "cli/number_rule.hpp"
+#include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/text/input_error.hpp"
+
+namespace coilwright::cli {
+
+void add_archive_folder(CLI::App& command, std::string& folder) {
+  command.add_option("DIR", folder, "Folder with the archive of a run of size, sweep or pareto")->required();
+}
+
+void add_row_option(CLI::App& command, std::int64_t& row) {
+  command.add_option("--row", row, "Place of the design in the order of recording, from 1")
+      ->required()
+      ->transform(whole_number_rule(text::Rule::between(1, 1e15)));
+}
+
+archive::Reader opened_archive(const std::string& folder) {
+  return archive::Reader(std::filesystem::path(folder) / archive_name);
+}
+
+archive::Row row_of(const archive::Reader& archive, std::int64_t row) {
+  if (std::optional<archive::Row> found = archive.row(row)) return *std::move(found);
+  throw text::InputError({.file = archive.path().string(),
+                          .place = {},
+                          .rule = fmt::format("has {} designs, and none in row {}", archive.size(), row),
+                          .value = {}});
+}
+
+sizing::DesignProblem problem_of(const archive::Contents& contents) {
+  if (contents.inputs.size() != 2) throw std::runtime_error("the archive has not the texts of a study and an actuator");
+  const archive::Input& study = contents.inputs[0];
+  const archive::Input& actuator = contents.inputs[1];
+  return sizing::DesignProblem(
+      formats::parse_study(study.text, study.file, {.file = actuator.file, .text = actuator.text}, contents.changes));
+}
+
+std::vector<double> point_of(const sizing::DesignProblem& problem, const archive::Reader& archive,
+                             const archive::Row& row) {
+  if (std::optional<std::vector<double>> point = archive::point_of(problem.study(), row.variables))
+    return *std::move(point);
+  throw text::InputError({.file = archive.path().string(),
+                          .place = fmt::format("row {}", row.id),
+                          .rule = "must have values that the study's variables take",
+                          .value = {}});
+}
+
+}  // namespace coilwright::cli

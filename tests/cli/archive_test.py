@@ -1,0 +1,128 @@
+"""`coilwright archive`: designs that were recorded, listed, selected, taken out and evaluated again."""
+
+import csv
+import io
+import json
+import sqlite3
+import unittest
+
+from archived_runs import ARCHIVE
+from program import ProgramTest, run
+from study import write_study
+
+
+class Archive(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        write_study(self, search={"max_evaluations": 40, "seed": 5})
+        result = run("size", "study.json", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        # An archive is enough: the files that it was made of may change or go.
+        (self.folder / "finger.json").unlink()
+        (self.folder / "study.json").unlink()
+
+    def archive(self, command, *arguments, code=0):
+        result = run("archive", command, "out", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (code, ""))
+        return result.stdout
+
+    def designs(self, command, *arguments):
+        return json.loads(self.archive(command, *arguments, "--json"))["designs"]
+
+    def change(self, sql):
+        database = sqlite3.connect(self.folder / "out" / ARCHIVE)
+        with database:
+            database.execute(sql)
+        database.close()
+
+    def test_list_says_what_it_is_of_and_which_runs_wrote_it(self):
+        counts = self.result("out/result.json")["evaluations"]
+        text = self.archive("list")
+        self.assertIn(f'size of "small": {counts["total"]} designs recorded; {counts["ok"]} keep every limit, '
+                      f'{counts["infeasible"]} break one, {counts["failed"]} could not be evaluated.\n', text)
+        self.assertRegex(text, r"From study\.json \(SHA-256 [0-9a-f]{8}\) and finger\.json \(SHA-256 [0-9a-f]{8}\); algorithm "
+                               r"automatic, seed 5\.\n")
+        self.assertRegex(text, r"\n  1  \d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ  \d{4}\S+Z  evaluation_limit +40 ")
+        told = json.loads(self.archive("list", "--json"))
+        self.assertEqual((told["command"], told["seed"], told["designs"]["ok"]), ("size", 5, counts["ok"]))
+        self.assertEqual(told["runs"][0]["evaluated"], counts["total"])
+        self.assertEqual(told["question_sha256"], self.result("out/provenance.json")["question_sha256"])
+
+    def test_csv_has_the_numbers_of_the_result_files(self):
+        rows = list(csv.DictReader(io.StringIO(self.archive("csv"))))
+        evaluations = {row["evaluation"]: row for row in self.table("out/evaluations.csv")}
+        self.assertEqual(len(rows), len(evaluations))
+        for row in rows:
+            known = evaluations[row["number"]]
+            for name in ("turns_radial", "wire_gauge_AWG", "gap_mm", "status", "peak_bending_speed_deg_s", "mass_g", "reason"):
+                self.assertEqual(row[name], known[name], name)
+        self.archive("csv", "--out", "all.csv")
+        self.assertEqual([dict(row) for row in self.table("all.csv")], rows)
+        heavy = list(csv.DictReader(io.StringIO(self.archive("csv", "--where", "mass_g > 60"))))
+        self.assertEqual(heavy, [row for row in rows if row["mass_g"] and float(row["mass_g"]) > 60])
+
+    def test_filter_takes_a_condition_over_every_column(self):
+        every = self.designs("filter", "--where", "1")
+        some = self.designs("filter", "--where", "mass_g < 62 and wire_gauge_AWG = 28")
+        self.assertGreater(len(some), 0)
+        self.assertEqual(some, [row for row in every
+                                if row["quantities"]["mass_g"] < 62 and row["variables"]["wire_gauge_AWG"] == 28])
+        lines = self.archive("filter", "--where", "mass_g < 62 and wire_gauge_AWG = 28").splitlines()
+        self.assertEqual(lines[0].split(), ["row", "number", "status", "turns_radial", "wire_gauge_AWG", "gap_mm",
+                                            "peak_bending_speed_deg_s"])
+        self.assertEqual([int(line.split()[0]) for line in lines[1:]], [row["row"] for row in some])
+        self.assertEqual(self.archive("filter", "--where", "mass_g < 0"), "No design of the archive is so.\n")
+
+    def test_top_is_the_best_of_a_quantity_among_those_that_keep_the_limits(self):
+        best, second = self.designs("top", "--most", "peak_bending_speed_deg_s", "--count", "2")
+        answer = self.result("out/result.json")["best"]
+        self.assertEqual(best["variables"], answer["variables"])
+        self.assertEqual(best["objectives"], answer["objectives"])
+        self.assertLess(second["objectives"]["peak_bending_speed_deg_s"], best["objectives"]["peak_bending_speed_deg_s"])
+        every = self.designs("filter", "--where", "cost_USD is not null")
+        (cheapest,) = self.designs("top", "--least", "cost_USD", "--count", "1", "--where", "1")
+        self.assertEqual(cheapest["quantities"]["cost_USD"], min(row["quantities"]["cost_USD"] for row in every))
+        self.assertIn("cost_USD", self.archive("top", "--least", "cost_USD").splitlines()[0])
+
+    def test_the_answer_picked_is_the_actuator_that_size_wrote(self):
+        (best,) = self.designs("top", "--most", "peak_bending_speed_deg_s", "--count", "1")
+        self.archive("pick", "--row", best["row"], "--out", "picked.json")
+        self.assertEqual((self.folder / "picked.json").read_text(), (self.folder / "out/actuator.json").read_text())
+        (other,) = self.designs("top", "--least", "mass_g", "--count", "1")
+        self.archive("pick", "--row", other["row"], "--out", "light.json")
+        result = run("evaluate", "light.json", "--json", cwd=self.folder)
+        self.assertEqual(json.loads(result.stdout)["mass_g"], other["quantities"]["mass_g"])
+
+    def test_replay_gives_the_same_numbers_or_says_which_and_whose(self):
+        count = self.result("out/result.json")["evaluations"]["total"]
+        for row in (1, count // 2, count):
+            self.assertRegex(self.archive("replay", "--row", row),
+                             rf"^Row {row} gives the same \d+ numbers again, to the last bit\.\n$")
+        self.change("UPDATE designs SET mass_g = 12.5, failure = NULL WHERE id = 2")
+        self.change("UPDATE study SET version = '0.0.9', commit_hash = 'abcdef0123'")
+        text = self.archive("replay", "--row", "2", code=1)
+        self.assertRegex(text, r"^Row 2 gives other numbers now\. Recorded by coilwright 0\.0\.9 \(commit abcdef0.*\), "
+                               r"evaluated again by 0\.1\.0 \(.*\)\.\n")
+        self.assertRegex(text, r"\n  mass_g +12\.5  \d+\.\d+\n$")
+        told = json.loads(self.archive("replay", "--row", "2", "--json", code=1))
+        self.assertEqual((told["same"], [each["name"] for each in told["differences"]]), (False, ["mass_g"]))
+
+    def test_mistakes_are_one_line(self):
+        for arguments, message in (
+                (["filter", "out", "--where", "mas_g < 60"], '--where: no such column: mas_g; did you mean "mass_g"?'),
+                (["filter", "out", "--where", "mass_g <"], '--where: near ")": syntax error'),
+                (["top", "out", "--most", "mas_g"], '--most: no such column: mas_g; did you mean "mass_g"?'),
+                (["top", "out"], "top: needs --most or --least, one of the two"),
+                (["replay", "out", "--row", "99999"],
+                 f"out/archive.sqlite: has {self.result('out/result.json')['evaluations']['total']} designs, and none in "
+                 "row 99999"),
+                (["list", "none"], "none/archive.sqlite: cannot be read: there is no such file")):
+            with self.subTest(arguments[0]):
+                self.assert_refused(["archive", *arguments], message)
+        self.change("UPDATE designs SET wire_gauge_AWG = 29 WHERE id = 1")
+        self.assert_refused(["archive", "pick", "out", "--row", "1", "--out", "x.json"],
+                            "out/archive.sqlite: row 1: must have values that the study's variables take")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -24,7 +24,10 @@ if [[ $what != threads ]]; then
   cmake --build --preset asan-ubsan ${targets:+--target "${targets[@]}"}
   # Left out: minutes under the sanitizer of what other tests reach too. A program that is not built has no label.
   ctest --preset asan-ubsan -j "$(nproc)" -L unit -E 'OfAnyDesign|ThickOil|LaboratorySet|NamesTheConfounders'
-  if [[ $what != physics ]]; then scripts/fuzz.sh 5; fi
+  case $what in
+    all) scripts/fuzz.sh 10 ;;
+    readers) scripts/fuzz.sh 5 ;;
+  esac
 fi
 if [[ $what == all || $what == threads ]]; then
   cmake --preset tsan >/dev/null

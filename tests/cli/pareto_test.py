@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, ProgramTest, run
+from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, write_study
 
 NAMES = ("peak_bending_speed_deg_s", "mass_g")
@@ -117,7 +117,7 @@ class Pareto(ProgramTest):
                 time.sleep(0.02)
             time.sleep(2)  # enough for some hundred evaluations
             process.send_signal(signal.SIGINT)
-            output, errors = process.communicate(timeout=60)
+            output, errors = process.communicate(timeout=HANGS)
             with self.subTest(command):
                 self.assertEqual((process.returncode, errors), (130, f"coilwright: interrupted: what was evaluated is in "
                                                               f"{command}/archive.sqlite; --resume goes on from there\n"))

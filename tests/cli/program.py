@@ -13,11 +13,13 @@ PROGRAM = os.environ["COILWRIGHT"]
 DATA = pathlib.Path(os.environ["COILWRIGHT_TEST_DATA"])
 CONFIGS = DATA.parent.parent / "configs"
 PAPER_FINGER = CONFIGS / "actuators" / "paper_finger.json"
+# A command that takes longer does not end at all, not even on a busy machine.
+HANGS = 900  # s
 
 
 def run(*arguments, cwd=None, stdout=subprocess.PIPE):
     return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, stdout=stdout, stderr=subprocess.PIPE,
-                          encoding="utf-8", timeout=60, check=False)
+                          encoding="utf-8", timeout=HANGS, check=False)
 
 
 class ProgramTest(unittest.TestCase):

@@ -6,7 +6,7 @@ import pty
 import subprocess
 import unittest
 
-from program import PROGRAM, ProgramTest, run
+from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, write_study
 
 
@@ -182,7 +182,7 @@ class Size(ProgramTest):
             terminal, stderr = pty.openpty()
             process = subprocess.Popen([PROGRAM, "size", "study.json", "--out", "out", "--force", *arguments], cwd=self.folder,
                                        stdout=subprocess.PIPE, stderr=stderr)
-            output, _ = process.communicate(timeout=60)
+            output, _ = process.communicate(timeout=HANGS)
             os.close(stderr)
             text = b""
             try:

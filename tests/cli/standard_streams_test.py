@@ -4,13 +4,13 @@ import json
 import subprocess
 import unittest
 
-from program import CONFIGS, PAPER_FINGER, PROGRAM, ProgramTest, run
+from program import CONFIGS, HANGS, PAPER_FINGER, PROGRAM, ProgramTest, run
 from study import write_study
 
 
 def feed(text, *arguments, cwd=None):
     return subprocess.run([PROGRAM, *map(str, arguments)], input=text, cwd=cwd, capture_output=True, encoding="utf-8",
-                          timeout=60, check=False)
+                          timeout=HANGS, check=False)
 
 
 class StandardInput(ProgramTest):

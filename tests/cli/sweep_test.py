@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, ProgramTest, peak_memory_of_children, run
+from program import HANGS, PROGRAM, ProgramTest, peak_memory_of_children, run
 from study import FRONT, GRID, write_study
 
 
@@ -130,7 +130,7 @@ class Sweep(ProgramTest):
             self.assertIsNone(process.poll())
             time.sleep(0.02)
         process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
+        output, errors = process.communicate(timeout=HANGS)
         self.assertEqual((process.returncode, errors), (130, "coilwright: interrupted: what was evaluated is in "
                                                          "out/archive.sqlite; --resume goes on from there\n"))
         rows = self.table("out/designs.csv")

@@ -21,7 +21,7 @@ class Export(ProgramTest):
     def test_an_unknown_kind_is_refused_with_those_that_there_are(self):
         result = run("export", FINGER, "--as", "banana", "--out", "out", cwd=self.folder)
         self.assertEqual((result.returncode, result.stdout, self.files()), (2, "", {}))
-        self.assertRegex(result.stderr, r"^coilwright: export: --as: banana not in \{workshop.*\n$")
+        self.assertRegex(result.stderr, r'^coilwright: export: --as: must be one of "workshop", .*; got "banana" .*\n$')
 
     def test_a_lumped_model_has_nothing_to_build(self):
         lumped = DATA / "formats" / "lumped_model.json"

@@ -59,7 +59,7 @@ void set_tilt(std::vector<Effect>& effects, double angle) {
 
 // What of a model's stages its numbers do not say.
 std::vector<std::string> beyond_numbers(const Model& nominal) {
-  std::vector<std::string> lines = distant_forces(nominal);
+  std::vector<std::string> lines = distant_forces(nominal).lines;
   for (std::string& line : heat_of_a_design(nominal)) lines.push_back(std::move(line));
   if (nominal.coil_resistance())
     lines.push_back(fmt::format("the coils' resistance of {:.4g} Ohm, so that inputs are currents and no voltages",
@@ -128,7 +128,7 @@ std::vector<ExportedFile> lumped(const ModelSubject& subject, const ExportSettin
   return {{.name = "lumped_model.json",
            .text = formats::to_json(numbers.model, name, description(subject.origin, numbers.left_out)).text(),
            .left_out = numbers.left_out,
-           .too_much = too_much_of_distant_forces(subject.model)}};
+           .too_much = distant_forces(subject.model).too_much}};
 }
 
 }  // namespace coilwright::exports

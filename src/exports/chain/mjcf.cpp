@@ -191,7 +191,7 @@ std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings
   std::vector<ExportedFile> files{{.name = "actuator.xml",
                                    .text = text_of(document),
                                    .left_out = std::move(plain.left_out),
-                                   .too_much = too_much_of_distant_forces(model)}};
+                                   .too_much = std::move(plain.too_much)}};
   if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
   return files;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace coilwright::exports {
@@ -14,8 +15,6 @@ using mechanics::JointVector;
 
 // Of the torque that neighbours make at 1 A: what moves a finger's steady angle by about a degree.
 constexpr double notable_share = 0.05;
-
-constexpr double milli = 1e3;
 
 // The largest joint torque of some pairs on the straight chain, N m, with its sign.
 double largest(const MagneticStage& pairs, const actuator::Model& model, double current) {
@@ -28,50 +27,34 @@ double largest(const MagneticStage& pairs, const actuator::Model& model, double 
   return found;
 }
 
-// The largest joint torques of the parts that are no neighbours, and of those that are, N mm.
-struct LargestTorques {
-  bool magnets{}, with_coils{};  // whether there are any
-  double of_magnets{}, of_coils{}, of_neighbours{};
-};
+}  // namespace
 
-LargestTorques largest_torques(const actuator::Model& model) {
+DistantForces distant_forces(const actuator::Model& model) {
   std::vector<actuator::DistantPair> magnets;
   std::vector<actuator::DistantPair> with_coils;
   for (const actuator::DistantPair& pair : model.magnetics().distant_pairs())
     (pair.coil < 0 ? magnets : with_coils).push_back(pair);
-  return {.magnets = !magnets.empty(),
-          .with_coils = !with_coils.empty(),
-          .of_magnets = milli * largest(MagneticStage({}, magnets), model, 0.0),
-          .of_coils = milli * largest(MagneticStage({}, with_coils), model, 1.0),
-          .of_neighbours = milli * largest(MagneticStage(model.magnetics().hinge_pairs(), {}), model, 1.0)};
-}
-
-}  // namespace
-
-std::string too_much_of_distant_forces(const actuator::Model& model) {
-  const LargestTorques torques = largest_torques(model);
-  const double lost = std::max(std::abs(torques.of_magnets), std::abs(torques.of_coils));
-  if (lost <= notable_share * std::abs(torques.of_neighbours)) return {};
-  return fmt::format(
-      "links with a torque curve for each joint cannot have forces between parts that are not neighbours, which make "
-      "up "
-      "to {:.3g} Nmm on a joint of this actuator (neighbours {:.3g} Nmm at 1 A)",
-      lost, std::abs(torques.of_neighbours));
-}
-
-std::vector<std::string> distant_forces(const actuator::Model& model) {
-  const auto [magnets, with_coils, of_magnets, of_coils, of_neighbours] = largest_torques(model);
-  std::vector<std::string> lines;
-  if (magnets)
-    lines.push_back(
+  constexpr double milli = 1e3;
+  const double of_magnets = milli * largest(MagneticStage({}, magnets), model, 0.0);
+  const double of_coils = milli * largest(MagneticStage({}, with_coils), model, 1.0);
+  const double of_neighbours = milli * largest(MagneticStage(model.magnetics().hinge_pairs(), {}), model, 1.0);
+  DistantForces out;
+  if (!magnets.empty())
+    out.lines.push_back(
         fmt::format("the pull between magnets: up to {:.3g} Nmm on a joint of the straight actuator", of_magnets));
-  if (with_coils)
-    lines.push_back(
+  if (!with_coils.empty())
+    out.lines.push_back(
         fmt::format("forces of coils on parts that are not their neighbours: up to {:.3g} Nmm on a joint of the "
                     "straight actuator at 1 A in every coil, where neighbours make {:.3g} Nmm",
                     of_coils, of_neighbours));
-  if (!too_much_of_distant_forces(model).empty()) lines.back() += "; so much that its motion is not the actuator's";
-  return lines;
+  const double lost = std::max(std::abs(of_magnets), std::abs(of_coils));
+  if (lost <= notable_share * std::abs(of_neighbours)) return out;
+  out.lines.back() += "; so much that its motion is not the actuator's";
+  out.too_much = fmt::format(
+      "links with a torque curve for each joint cannot have forces between parts that are not neighbours, which make "
+      "up to {:.3g} Nmm on a joint of this actuator (neighbours {:.3g} Nmm at 1 A)",
+      lost, std::abs(of_neighbours));
+  return out;
 }
 
 std::vector<std::string> heat_of_a_design(const actuator::Model& model) {
@@ -96,8 +79,10 @@ PlainModel plain_model(const actuator::Model& model) {
     spec.torque_correction.reset();
   }
   PlainModel plain{.model = actuator::Model(std::move(spec)), .left_out = std::move(left_out)};
-  for (auto* const say : {&distant_forces, &heat_of_a_design})
-    for (std::string& line : say(plain.model)) plain.left_out.push_back(std::move(line));
+  DistantForces distant = distant_forces(plain.model);
+  std::ranges::move(distant.lines, std::back_inserter(plain.left_out));
+  std::ranges::move(heat_of_a_design(plain.model), std::back_inserter(plain.left_out));
+  plain.too_much = std::move(distant.too_much);
   return plain;
 }
 

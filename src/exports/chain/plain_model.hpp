@@ -11,6 +11,7 @@ namespace coilwright::exports {
 struct PlainModel {
   actuator::Model model;                ///< has_terms() is false; may have distant pairs
   std::vector<std::string> left_out{};  ///< one line each: what it was, and where it can be told how large it is
+  std::string too_much{};               ///< as DistantForces has it
 };
 
 /// `model` without the effects that act while it runs and without a torque correction. Effects that change what is
@@ -18,14 +19,14 @@ struct PlainModel {
 /// result and are named among what is left out, because no format of links and joints has them.
 [[nodiscard]] PlainModel plain_model(const actuator::Model& model);
 
-/// What the forces between parts that are not neighbours do, a line for magnets and one for coils with their largest
-/// torque on the straight chain; the last one says where that is so much that the motion without them is another. Empty
-/// where there are none.
-[[nodiscard]] std::vector<std::string> distant_forces(const actuator::Model& model);
-
-/// Why a chain without these forces is of another actuator: they make more than a twentieth of what neighbours make at
-/// 1 A. Empty where they do not.
-[[nodiscard]] std::string too_much_of_distant_forces(const actuator::Model& model);
+/// What the forces between parts that are not neighbours do on the straight chain.
+struct DistantForces {
+  std::vector<std::string> lines{};  ///< one for magnets and one for coils with their largest torque; the last one says
+                                     ///< where that is too much
+  std::string too_much{};  ///< why a chain without them is of another actuator: they make more than a twentieth of what
+                           ///< neighbours make at 1 A; empty where they do not
+};
+[[nodiscard]] DistantForces distant_forces(const actuator::Model& model);
 
 /// That everything is at 20 degC, where the model is of a design, which knows its heat; empty for any other.
 [[nodiscard]] std::vector<std::string> heat_of_a_design(const actuator::Model& model);

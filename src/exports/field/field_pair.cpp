@@ -10,6 +10,7 @@
 #include "coilwright/formats/actuator/pair_json.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/text/one_line.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -56,6 +57,23 @@ double force_on_magnet(const FieldPair& pair) {
   // Like moments attract, and a positive current is the one that repels.
   return magnetics::axial_force(magnetics::ThickCoil(pair.coil), -pair.current, magnetics::CylinderMagnet(pair.magnet),
                                 centre_distance(pair));
+}
+
+std::vector<FieldNumber> shape_numbers(const FieldPair& pair) {
+  const auto mm = [](double length) { return units::from_memory(length, "length_mm"); };
+  return {{"coil_inner", mm(pair.coil.inner_radius), "radius of the bore"},
+          {"coil_outer", mm(pair.coil.outer_radius), "radius"},
+          {"coil_length", mm(pair.coil.length), "along the axis"},
+          {"turns", pair.coil.turns_radial * static_cast<double>(pair.coil.turns_axial), "all of them"},
+          {"magnet_radius", mm(pair.magnet.radius), "radius"},
+          {"magnet_length", mm(pair.magnet.length), "along the axis"}};
+}
+
+std::vector<FieldNumber> place_numbers(const FieldPair& pair) {
+  const auto mm = [](double length) { return units::from_memory(length, "length_mm"); };
+  return {{"gap", mm(pair.gap), "between the faces of coil and magnet"},
+          {"current", pair.current, "A; positive repels the magnet"},
+          {"size", mm(pair.size), "half of the largest extent, for mesh and boundary"}};
 }
 
 ExportedFile pair_file(const FieldPair& pair) {

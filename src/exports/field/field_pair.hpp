@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/actuator/model/model.hpp"
@@ -29,6 +30,17 @@ struct FieldPair {
 
 /// Force on the magnet by Coilwright, N, away from the coil, under the pair's current.
 [[nodiscard]] double force_on_magnet(const FieldPair& pair);
+
+/// A number of a pair as files of field programs write it: lengths in mm, the rest in SI.
+struct FieldNumber {
+  std::string_view name;
+  double value{};
+  std::string_view meaning;
+};
+/// The coil and the shape of the magnet.
+[[nodiscard]] std::vector<FieldNumber> shape_numbers(const FieldPair& pair);
+/// Where they are, and under which current.
+[[nodiscard]] std::vector<FieldNumber> place_numbers(const FieldPair& pair);
 
 /// The same pair as the file of the command `force`: pair.json.
 [[nodiscard]] ExportedFile pair_file(const FieldPair& pair);

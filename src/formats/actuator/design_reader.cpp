@@ -15,6 +15,7 @@
 #include "coilwright/winding/wire_gauge.hpp"
 #include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/effects_reader.hpp"
+#include "formats/actuator/magnetic_parts.hpp"
 #include "formats/actuator/operating_point_reader.hpp"
 
 namespace coilwright::formats {
@@ -112,10 +113,7 @@ actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoic
   using namespace actuator;
   return read_object(node, [&usual](ObjectReader& in) {
     return ModelChoices{
-        .winding = in.choice_or("winding", usual.winding,
-                                {{"paper_shells", magnetics::CurrentDistribution::paper_shells},
-                                 {"layer_centres", magnetics::CurrentDistribution::layer_centres},
-                                 {"uniform", magnetics::CurrentDistribution::uniform}}),
+        .winding = read_winding(in, usual.winding),
         .torque = in.choice_or(
             "torque", usual.torque,
             {{"line_of_centres", magnetics::Fidelity::line_of_centres}, {"exact", magnetics::Fidelity::exact}}),

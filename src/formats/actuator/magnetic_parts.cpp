@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "formats/actuator/magnetic_parts_json.hpp"
+
 namespace coilwright::formats {
 
 using namespace text;
@@ -37,11 +41,11 @@ ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
   });
 }
 
-CurrentDistribution read_winding(ObjectReader& in) {
-  return in.choice_or("winding", CurrentDistribution::uniform,
-                      {{"paper_shells", CurrentDistribution::paper_shells},
-                       {"layer_centres", CurrentDistribution::layer_centres},
-                       {"uniform", CurrentDistribution::uniform}});
+CurrentDistribution read_winding(ObjectReader& in, CurrentDistribution otherwise) {
+  const auto word = [](CurrentDistribution winding) { return std::pair(winding_word(winding), winding); };
+  return in.choice_or("winding", otherwise,
+                      {word(CurrentDistribution::paper_shells), word(CurrentDistribution::layer_centres),
+                       word(CurrentDistribution::uniform)});
 }
 
 }  // namespace coilwright::formats

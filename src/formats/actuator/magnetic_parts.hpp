@@ -36,7 +36,8 @@ inline constexpr std::array coil_keys = {
 /// made.
 [[nodiscard]] magnetics::ThickCoil::Spec read_coil(const text::Node& node, magnetics::CurrentDistribution winding);
 
-/// "winding", one of paper_shells, layer_centres, uniform; uniform when it is not there.
-[[nodiscard]] magnetics::CurrentDistribution read_winding(text::ObjectReader& in);
+/// "winding", one of paper_shells, layer_centres, uniform; `otherwise` when it is not there.
+[[nodiscard]] magnetics::CurrentDistribution read_winding(
+    text::ObjectReader& in, magnetics::CurrentDistribution otherwise = magnetics::CurrentDistribution::uniform);
 
 }  // namespace coilwright::formats

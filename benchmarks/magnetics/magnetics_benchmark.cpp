@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "coilwright/magnetics/axial_force.hpp"
-#include "coilwright/magnetics/curve.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
+#include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/wrench.hpp"
 #include "straightforward_force.hpp"
 

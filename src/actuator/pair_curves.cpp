@@ -7,6 +7,7 @@
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
+#include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 
 namespace coilwright::actuator {

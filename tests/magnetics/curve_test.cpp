@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "coilwright/magnetics/axial_force.hpp"
+#include "coilwright/magnetics/pair_curve.hpp"
 
 namespace coilwright::magnetics {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/constants.hpp"
-#include "coilwright/magnetics/curve.hpp"
 #include "coilwright/magnetics/inner_field.hpp"
+#include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/wrench.hpp"
 
 namespace coilwright::magnetics {

@@ -12,70 +12,14 @@
 #include <utility>
 
 #include "actuator/model/effect_row.hpp"
+#include "actuator/model/spec_checks.hpp"
 
 namespace coilwright::actuator {
-namespace {
 
-using mechanics::JointMatrix;
 using mechanics::JointVector;
 
-void check_magnetics(const Model::Spec& spec) {
-  const int n = spec.chain.joints();
-  const auto require = [](bool valid, const char* rule) {
-    if (!valid) throw std::invalid_argument(fmt::format("magnetics: {}", rule));
-  };
-  for (const HingePair& pair : spec.magnetics.hinge_pairs()) {
-    if (pair.joint < 0 || pair.joint >= n || pair.coil < 0 || pair.coil >= spec.coils)
-      throw std::invalid_argument(fmt::format("magnetics: joint {} and coil {} must exist", pair.joint, pair.coil));
-    require(pair.torque_per_ampere != nullptr, "a hinge pair must have its curve; got none");
-  }
-  for (const DistantPair& pair : spec.magnetics.distant_pairs()) {
-    if (pair.first.link < -1 || pair.second.link <= pair.first.link || pair.second.link >= n)
-      throw std::invalid_argument(
-          fmt::format("magnetics: links of a distant pair must rise from -1 to {}; got {} and {}", n - 1,
-                      pair.first.link, pair.second.link));
-    if (pair.coil < -1 || pair.coil >= spec.coils)
-      throw std::invalid_argument(
-          fmt::format("magnetics: coil of a distant pair must be -1 to {}; got {}", spec.coils - 1, pair.coil));
-    if (pair.second_coil < -1 || pair.second_coil >= spec.coils || (pair.coil < 0 && pair.second_coil >= 0))
-      throw std::invalid_argument(
-          fmt::format("magnetics: second coil of a distant pair must be -1, or beside a first one to {}; got {}",
-                      spec.coils - 1, pair.second_coil));
-    require(pair.axial_force != nullptr && pair.axial_energy != nullptr,
-            "a distant pair must have both its curves; got fewer");
-  }
-}
-
-void check_stages(const Model::Spec& spec) {
-  const int n = spec.chain.joints();
-  if (static_cast<int>(spec.hinges.size()) != n)
-    throw std::invalid_argument(fmt::format("hinges: one per joint, {} here; got {}", n, spec.hinges.size()));
-  if (spec.coils < 0) throw std::invalid_argument(fmt::format("coils must be >= 0; got {}", spec.coils));
-  if (const auto ohm = spec.coil_resistance; ohm && !(std::isfinite(*ohm) && *ohm > 0.0))
-    throw std::invalid_argument(fmt::format("coil_resistance must be finite and > 0; got {}", *ohm));
-  for (int j = 0; j < n; ++j) {
-    const auto require = [&](bool valid, const char* field, double value) {
-      if (!valid || !std::isfinite(value))
-        throw std::invalid_argument(fmt::format("joint {}: {} must be finite and >= 0; got {}", j, field, value));
-    };
-    const Hinge& hinge = spec.hinges[j];
-    require(hinge.stiffness >= 0.0, "stiffness", hinge.stiffness);
-    require(hinge.damping >= 0.0, "damping", hinge.damping);
-    require(hinge.contact.stiffness >= 0.0, "contact stiffness", hinge.contact.stiffness);
-    require(hinge.contact.damping >= 0.0, "contact damping", hinge.contact.damping);
-    if (!std::isfinite(hinge.torque_offset))
-      throw std::invalid_argument(
-          fmt::format("joint {}: torque_offset must be finite; got {}", j, hinge.torque_offset));
-  }
-  check_magnetics(spec);
-  if (spec.tip.link < -1 || spec.tip.link >= n)
-    throw std::invalid_argument(fmt::format("tip: link must be -1 to {}; got {}", n - 1, spec.tip.link));
-}
-
-}  // namespace
-
 Model::Model(Spec spec) : spec_(std::move(spec)) {
-  check_stages(spec_);
+  require_consistent(spec_);
   if (spec_.effects.empty() && !spec_.torque_correction) return;
   const std::vector<Effect> row = effect_row(spec_);
   if (!row.empty()) nominal_ = std::make_shared<const Spec>(spec_);
@@ -83,7 +27,7 @@ Model::Model(Spec spec) : spec_(std::move(spec)) {
     if (std::shared_ptr<const EffectTerm> term = effect.kind->build(effect.values, spec_))
       terms_.push_back({.effect = std::move(term), .stage = effect.kind->stage()});
   }
-  check_stages(spec_);
+  require_consistent(spec_);
   if (spec_.torque_correction) {
     const auto after_chain = std::ranges::upper_bound(terms_, Stage::chain, {}, &Term::stage);
     terms_.insert(after_chain, Term{.effect = correction_term(*spec_.torque_correction, spec_), .stage = Stage::chain});
@@ -341,70 +285,6 @@ mechanics::ChainSlopes Model::slopes_without_contact(const JointVector& angles, 
   }
   spec_.magnetics.add_stiffness(spec_.chain, angles, currents, slopes.by_angle);
   return slopes;
-}
-
-JointVector Model::static_residual(const JointVector& angles, const CoilCurrents& currents,
-                                   InitialHistory history) const {
-  return torques(angles, JointVector::Zero(joints()), currents, history) - spec_.chain.gravity_torques(angles);
-}
-
-// Strengths do not depend on the pose, so only what the terms themselves add is left to differences.
-void Model::add_term_stiffness(const JointVector& angles, const CoilCurrents& command, InitialHistory history,
-                               JointMatrix& stiffness) const {
-  constexpr double step = 1e-5;  // rad: truncation 1e-10 relative, as for distant pairs
-  const JointVector still = JointVector::Zero(joints());
-  JointVector shifted = angles;
-  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = shifted, .rates = still};
-  const auto term_torques = [&] {
-    const InternalStates states = settled(shifted, command, history);
-    JointVector torque = JointVector::Zero(joints());
-    add_term_torques(motion, strength(command, states.data(), nullptr), states.data(), nullptr, torque);
-    return torque;
-  };
-  for (int j = 0; j < joints(); ++j) {
-    shifted[j] = angles[j] + step;
-    const JointVector ahead = term_torques();
-    shifted[j] = angles[j] - step;
-    const JointVector behind = term_torques();
-    shifted[j] = angles[j];
-    stiffness.col(j) -= (ahead - behind) / (2.0 * step);
-  }
-}
-
-JointMatrix Model::tangent_stiffness(const JointVector& angles, const CoilCurrents& currents,
-                                     InitialHistory history) const {
-  JointMatrix stiffness = spec_.chain.gravity_stiffness(angles);
-  for (int j = 0; j < joints(); ++j)
-    stiffness(j, j) += spec_.hinges[j].stiffness + spec_.hinges[j].contact.tangent_stiffness(angles[j]);
-  if (terms_.empty()) {
-    spec_.magnetics.add_stiffness(spec_.chain, angles, currents, stiffness);
-    return stiffness;
-  }
-  const InternalStates states = settled(angles, currents, history);
-  spec_.magnetics.add_stiffness(spec_.chain, angles, strength(currents, states.data(), nullptr), stiffness);
-  add_term_stiffness(angles, currents, history, stiffness);
-  return stiffness;
-}
-
-JointVector Model::damping(const JointVector& angles) const {
-  JointVector damping(joints());
-  for (int j = 0; j < joints(); ++j) {
-    const Hinge& hinge = spec_.hinges[j];
-    damping[j] = hinge.damping + (angles[j] < hinge.contact.closing_angle ? hinge.contact.damping : 0.0);
-  }
-  return damping;
-}
-
-JointMatrix Model::damping(const JointVector& angles, const CoilCurrents& command) const {
-  JointMatrix out = JointMatrix::Zero(joints(), joints());
-  out.diagonal() = damping(angles);
-  if (terms_.empty()) return out;
-  const InternalStates states = settled(angles, command);
-  const CoilCurrents seen = strength(command, states.data(), nullptr);
-  const JointVector still = JointVector::Zero(joints());
-  for (const Term& term : terms(Stage::magnetics, Stage::chain))
-    term.effect->add_damping({.chain = spec_.chain, .angles = angles, .rates = still}, seen, out);
-  return out;
 }
 
 double Model::observed(double angle) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "actuator/parts/axial_curves.hpp"
+#include "coilwright/magnetics/pair_curve.hpp"
 
 namespace coilwright::actuator {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "coilwright/magnetics/pair_curve.hpp"
+
 namespace coilwright::actuator {
 
 using magnetics::Curve;

@@ -12,6 +12,7 @@
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
+#include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/wrench.hpp"
 
 namespace coilwright::actuator {

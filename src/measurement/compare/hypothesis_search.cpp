@@ -1,18 +1,17 @@
 #include "measurement/compare/hypothesis_search.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "measurement/compare/hypothesis_extension.hpp"
 #include "measurement/compare/joint_screening.hpp"
+#include "measurement/compare/level_fits.hpp"
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/rig_scale.hpp"
@@ -30,17 +29,6 @@ using fit::Counted;
 
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
 using Screened = std::vector<ScreenedEffect>;
-using Level = std::vector<FittedHypothesis>;  // hypotheses with the same number of effects
-
-// The fits that succeeded, in their order.
-Counted<Level> succeeded(std::vector<CountedFit> fits) {
-  Counted<Level> out;
-  for (CountedFit& fitted : fits) {
-    out.simulated_runs += fitted.simulated_runs;
-    if (fitted.value) out.value.push_back(std::move(*fitted.value));
-  }
-  return out;
-}
 
 const FittedHypothesis& least_chi_square(const Level& level, const FittedHypothesis& fallback) {
   const auto best =
@@ -150,7 +138,9 @@ class HypothesisSearch {
     const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
     for (std::size_t size = 1;; ++size) {
       std::ranges::stable_sort(level, {}, bic);
-      level = counted(with_better_optima(std::move(level)));
+      // Asked before runs are spent on the best of this level, and again of what these find.
+      if (shows_more_outliers(level)) break;
+      level = counted(with_better_optima(runs_, std::move(level), scale_, request_.seed));
       std::ranges::stable_sort(level, {}, bic);
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
@@ -159,17 +149,11 @@ class HypothesisSearch {
                            size, size == 1 ? "" : "s", names(best), best.whiteness.level,
                            best.whiteness.whiteness_ratio));
       }
-      const bool adequate =
-          std::ranges::any_of(level, [](const FittedHypothesis& each) { return each.whiteness.is_white(); });
-      if (!adequate && may_find_outliers_ && !level.empty() &&
-          fit::set_outliers_aside_if_much(request_.runs, level.front().fit)) {
-        found_outliers_ = true;
-        break;
-      }
+      if (shows_more_outliers(level)) break;
       all.insert(all.end(), level.begin(), level.end());
       // Where declared numbers alone leave noise, more effects than one would only share what these do.
       if (before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
-      if (adequate && !another_is_decisive(before, level)) break;
+      if (leaves_noise(level) && !another_is_decisive(before, level)) break;
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
       auto combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
@@ -185,6 +169,25 @@ class HypothesisSearch {
       level = std::move(next);
     }
     return all;
+  }
+
+  // Whether the best of a level (sorted) shows samples that no motion can show, and enough of them to begin anew; they
+  // are set aside then. Outliers hide others: what they pulled away is fitted again without them until it shows no
+  // more, as a whole comparison for each such step would take minutes and find the same samples.
+  [[nodiscard]] bool shows_more_outliers(const Level& level) {
+    constexpr int most_steps = 4;
+    if (!may_find_outliers_ || level.empty() || leaves_noise(level)) return false;
+    FittedHypothesis best = level.front();
+    for (int step = 0; step < most_steps; ++step) {
+      if (!fit::set_outliers_aside_if_much(request_.runs, best.fit)) break;
+      found_outliers_ = true;
+      CountedFit anew = fit_exactly(
+          runs_, {.hypothesis = best.hypothesis, .start = best.fit.values, .local_numbers_from = &best.fit});
+      simulated_runs_ += anew.simulated_runs;
+      if (!anew.value) break;
+      best = std::move(*anew.value);
+    }
+    return found_outliers_;
   }
 
   [[nodiscard]] Counted<Screened> screen(const FittedHypothesis& base) const {
@@ -233,76 +236,17 @@ class HypothesisSearch {
     return out;
   }
 
-  // A short fit of each; the best `refined` are continued to convergence.
+  // See fit_level.
   [[nodiscard]] Counted<Level> best_of(const std::vector<PlannedExtension>& planned, std::size_t refined) {
-    std::vector<Counted<std::optional<ShortFit>>> short_fits(planned.size());
-    std::mutex reporting;
-    std::size_t done = 0;
-    tbb::parallel_for(std::size_t{0}, planned.size(), [&](std::size_t i) {
-      short_fits[i] = short_fit(runs_, *planned[i].base, planned[i].starts);
-      const std::scoped_lock lock(reporting);
-      if (++done % 8 == 0) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
+    Counted<LevelFits> fits = fit_level(runs_, planned, refined, [&](std::size_t done) {
+      if (done % 8 == 0) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
     });
-    std::vector<ShortFit> found;
-    long simulated_runs = 0;
-    for (std::size_t i = 0; i < planned.size(); ++i) {
-      simulated_runs += short_fits[i].simulated_runs;
-      if (short_fits[i].value)
-        found.push_back(std::move(*short_fits[i].value));
-      else if (planned[i].kinds().size() == 1)
-        failed_.push_back(
-            {.effects = planned[i].kinds(), .remark = "leaves the model from every start that was tried"});
+    for (const EffectKind* kind : fits.value.failed) {
+      ComparedHypothesis& out = failed_.emplace_back();
+      out.effects = {kind};
+      out.remark = "leaves the model from every start that was tried";
     }
-    std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.objective(); });
-    std::vector<CountedFit> fits(found.size());
-    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-      if (i < refined)
-        fits[i] = refine(runs_, found[i]);
-      else
-        fits[i].value = score(runs_, std::move(found[i].plan.hypothesis), std::move(found[i].fitted));
-    });
-    Counted<Level> out = succeeded(std::move(fits));
-    out.simulated_runs += simulated_runs;
-    return out;
-  }
-
-  // A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
-  // is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise,
-  // the ones behind it are not worth their runs.
-  [[nodiscard]] Counted<Level> with_better_optima(Level level) const {
-    Counted<Level> out{.value = std::move(level)};
-    const std::size_t count = std::min(search_effort.reconsidered, out.value.size());
-    const auto take_better = [&](const std::vector<PlannedFit>& plans, FittedHypothesis& best) {
-      const CountedFit other = best_fit(plans);
-      out.simulated_runs += other.simulated_runs;
-      if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      if (std::ranges::any_of(out.value, [](const FittedHypothesis& each) { return each.whiteness.is_white(); })) break;
-      const FittedHypothesis as_found = out.value[i];
-      take_better(with_other_choices(as_found), out.value[i]);
-      if (i < search_effort.restarted) take_better(with_other_starts(as_found, request_.seed), out.value[i]);
-      if (out.value[i].whiteness.is_white()) break;
-      const FittedHypothesis smaller = out.value[i];
-      CountedFit larger = best_fit(with_further_numbers(smaller, scale_));
-      out.simulated_runs += larger.simulated_runs;
-      if (larger.value) out.value.push_back(std::move(*larger.value));
-    }
-    return out;
-  }
-
-  // The best of several fits, each continued to convergence; nothing if there is none.
-  [[nodiscard]] CountedFit best_fit(const std::vector<PlannedFit>& plans) const {
-    std::vector<CountedFit> fits(plans.size());
-    tbb::parallel_for(std::size_t{0}, plans.size(),
-                      [&](std::size_t i) { fits[i] = fit_to_convergence(runs_, plans[i]); });
-    CountedFit out;
-    for (CountedFit& each : fits) {
-      out.simulated_runs += each.simulated_runs;
-      if (each.value && (!out.value || each.value->fit.objective() < out.value->fit.objective()))
-        out.value = std::move(each.value);
-    }
-    return out;
+    return {.value = std::move(fits.value.level), .simulated_runs = fits.simulated_runs};
   }
 
   const AttributionRequest& request_;

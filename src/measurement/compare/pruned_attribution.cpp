@@ -84,20 +84,19 @@ PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun>
   estimate_last_step();
   for (std::size_t i = 1; i < found.steps.size(); ++i) out.evidence.push_back(evidence_of(i));
   while (found.steps.size() > 1) {
-    std::optional<std::string> reason =
-        unsupported(found.steps[found.steps.size() - 2], found.after(), out.evidence.back());
+    const FittedHypothesis& without = found.steps[found.steps.size() - 2];
+    std::optional<std::string> reason = unsupported(without, found.after(), out.evidence.back());
     if (!reason && !all_effects_present(found.after(), out.estimates))
       reason = "may be absent: a 95 % interval of its numbers reaches that far";
     // What is left without the last effect is noise already: numbers may do what this effect does.
-    const bool numbers_suffice = found.steps[found.steps.size() - 2].whiteness.is_white();
-    const bool names_a_number = bears_the_name_of_a_number(found.after());
+    const bool numbers_suffice = without.whiteness.is_white();
+    const bool names_a_number = adds_the_name_of_a_number(without, found.after());
     // An effect may be the name of the one number that is off; where others are too, a list of numbers says it all.
     if (!reason && numbers_suffice && names_a_number &&
         probability_of_declared_numbers(found.after()) < decision_thresholds.least_probability)
       reason = "is not the only declared number that is off";
     if (!reason && numbers_suffice && !names_a_number) {
-      const fit::Counted<double> gain =
-          gain_with_wide_tolerances(runs, found.steps[found.steps.size() - 2], found.after(), out.overdispersion);
+      const fit::Counted<double> gain = gain_with_wide_tolerances(runs, without, found.after(), out.overdispersion);
       out.simulated_runs += gain.simulated_runs;
       if (gain.value < decision_thresholds.decisive_gain)
         reason = "explains the data no better than declared numbers that are off";

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "measurement/compare/staged_fit.hpp"
 
@@ -25,9 +26,11 @@ fit::Counted<double> quasi_bic_under(const replay::DeclaredModel& declared, std:
 
 }  // namespace
 
-bool bears_the_name_of_a_number(const FittedHypothesis& fitted) {
-  const auto& numbers = fitted.hypothesis.declared().calibration;
-  return std::ranges::any_of(fitted.kinds(), [&](const actuator::EffectKind* kind) {
+bool adds_the_name_of_a_number(const FittedHypothesis& without, const FittedHypothesis& with) {
+  const std::vector<const actuator::EffectKind*> known = without.kinds();
+  const auto& numbers = with.hypothesis.declared().calibration;
+  return std::ranges::any_of(with.kinds(), [&](const actuator::EffectKind* kind) {
+    if (std::ranges::find(known, kind) != known.end()) return false;
     return std::ranges::any_of(numbers, [&](const replay::CalibrationParameter& number) {
       return number.tolerance && number.effect == kind->id();
     });

@@ -7,9 +7,9 @@
 
 namespace coilwright::measurement::compare {
 
-/// Whether one of the hypothesis' effects is what a change of a declared number is called
+/// Whether an effect that `with` has and `without` lacks is what a change of a declared number is called
 /// (CalibrationParameter::effect).
-[[nodiscard]] bool bears_the_name_of_a_number(const FittedHypothesis& fitted);
+[[nodiscard]] bool adds_the_name_of_a_number(const FittedHypothesis& without, const FittedHypothesis& with);
 
 /// The gain of the quasi-BIC of `with` over `without` where every tolerance is three times as wide, both fitted again.
 /// Where declared numbers explain the data but are further off than their tolerances allow, priors pull them back, and

@@ -29,6 +29,9 @@ struct SearchEffort {
   /// Steps with all derivatives before a fit that is continued to convergence keeps some of them. More steps bring them
   /// nearer to those of the optimum, and each costs one simulation per number.
   fit::FitEffort first_steps{.iterations = 2, .tolerance = 1e-3};
+  /// A fit that keeps some derivatives takes them anew where it ended, and goes on as long as they promise more than
+  /// its tolerance, at most so often.
+  int most_rounds = 3;
   /// Effects are tried from the declared numbers too where these are less likely than this after the recalibration.
   double numbers_pulled_away = 0.01;
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.

@@ -1,5 +1,6 @@
 #include "measurement/compare/staged_fit.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -22,6 +23,16 @@ bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const fit::
              return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
            });
   });
+}
+
+// By how much one more step would lower the objective, where it is as the derivatives say.
+double predicted_fall(const fit::Fit& fitted) {
+  Eigen::MatrixXd jacobian = fitted.jacobian;
+  for (std::size_t i = 0; i < fitted.at_bound.size(); ++i)
+    if (fitted.at_bound[i]) jacobian.col(static_cast<Eigen::Index>(i)).setZero();
+  const Eigen::VectorXd slope = jacobian.transpose() * fitted.stacked_residuals;
+  const Eigen::MatrixXd curvature = jacobian.transpose() * jacobian;
+  return slope.dot(curvature.completeOrthogonalDecomposition().solve(slope));
 }
 
 }  // namespace
@@ -47,15 +58,32 @@ fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const
   request.derivatives_from = nullptr;
   if (!has_slow_derivatives(runs, plan.hypothesis)) return fit_exactly(runs, plan);
   request.effort = search_effort.first_steps;
-  auto first = fit::fit(request);
-  if (!first.value) return {.value = std::nullopt, .simulated_runs = first.simulated_runs};
-  request.start = first.value->values;
-  request.local_numbers_from = request.derivatives_from = &*first.value;
+  auto reached = fit::fit(request);
+  long simulated_runs = reached.simulated_runs;
+  const auto none = [&] {
+    return fit::Counted<std::optional<FittedHypothesis>>{.value = std::nullopt, .simulated_runs = simulated_runs};
+  };
+  if (!reached.value) return none();
   request.effort = search_effort.converged;
-  auto fitted = fit::fit(request);
-  fitted.simulated_runs += first.simulated_runs;
-  if (!fitted.value) return {.value = std::nullopt, .simulated_runs = fitted.simulated_runs};
-  return {.value = score(runs, plan.hypothesis, std::move(*fitted.value)), .simulated_runs = fitted.simulated_runs};
+  for (int round = 0; round < search_effort.most_rounds; ++round) {
+    request.start = reached.value->values;
+    request.local_numbers_from = request.derivatives_from = &*reached.value;
+    const auto fitted = fit::fit(request);
+    simulated_runs += fitted.simulated_runs;
+    if (!fitted.value) return none();
+    // With derivatives of another place a fit ends where these see no way down, which is near its optimum only if they
+    // have hardly changed.
+    auto anew = fit::evaluate_with_jacobian({.hypothesis = &plan.hypothesis,
+                                             .runs = runs,
+                                             .start = fitted.value->values,
+                                             .local_numbers_from = &*fitted.value,
+                                             .effort = search_effort.converged});
+    simulated_runs += anew.simulated_runs;
+    if (!anew.value) return none();
+    reached.value = std::move(anew.value);
+    if (predicted_fall(*reached.value) <= search_effort.converged.tolerance * reached.value->objective()) break;
+  }
+  return {.value = score(runs, plan.hypothesis, std::move(*reached.value)), .simulated_runs = simulated_runs};
 }
 
 PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effect> added) {

@@ -3,7 +3,10 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -123,11 +126,11 @@ void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::Ve
 }
 
 // Moves parameters, if they are free, and local numbers to the least squares. False if the solver finds no step.
-bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool parameters_free, Coordinator& coordinator,
-              Eigen::VectorXd& values) {
+bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool parameters_free,
+              const std::vector<int>& held, Coordinator& coordinator, Eigen::VectorXd& values) {
   const bool has_local_numbers =
       std::ranges::any_of(blocks.blocks(), [](const ResidualBlock& block) { return !block.local.empty(); });
-  const bool free = parameters_free && values.size() > (request.held_parameter ? 1 : 0);
+  const bool free = parameters_free && static_cast<std::size_t>(values.size()) > held.size();
   if (!has_local_numbers && !free) return true;
   ceres::Problem::Options problem_options;
   problem_options.evaluation_callback = &coordinator;
@@ -153,9 +156,7 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
     problem.AddResidualBlock(new PriorCost(*request.hypothesis, width), nullptr, shared);
   if (values.size() > 0) set_bounds(problem, *request.hypothesis, values);
   if (!free) problem.SetParameterBlockConstant(shared);
-  if (free && request.held_parameter)
-    problem.SetManifold(
-        shared, new ceres::SubsetManifold(static_cast<int>(width), {static_cast<int>(*request.held_parameter)}));
+  if (free && !held.empty()) problem.SetManifold(shared, new ceres::SubsetManifold(static_cast<int>(width), held));
   ceres::Solver::Options options;
   options.linear_solver_type = has_local_numbers ? ceres::DENSE_SCHUR : ceres::DENSE_QR;
   if (has_local_numbers) options.linear_solver_ordering = ordering;
@@ -174,6 +175,51 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
   return summary.IsSolutionUsable();
 }
 
+// Numbers that change no residual where the values are, and that their priors pull elsewhere: the closing angle of
+// faces that do not touch. Nothing tells a solver that a wall lies on their way; each of its steps would run into the
+// wall and be refused, and the steps of all numbers would become as short as this one's.
+std::vector<int> idle_numbers(const FitRequest& request, const ResidualValues& here,
+                              const Eigen::VectorXd& parameters) {
+  constexpr double least_way = 0.1;  // tolerances: a nearer prior hardly pulls
+  std::vector<int> out;
+  for (Eigen::Index i = 0; i < parameters.size(); ++i) {
+    const FitParameter& parameter = request.hypothesis->parameters()[static_cast<std::size_t>(i)];
+    const bool pulled = std::abs(parameter.declared - parameters[i]) > least_way * parameter.tolerance;
+    if (!pulled || request.held_parameter == i) continue;
+    if (std::ranges::all_of(here.blocks, [i](const auto& block) { return block.jacobian.col(i).isZero(0.0); }))
+      out.push_back(static_cast<int>(i));
+  }
+  return out;
+}
+
+// Moves an idle number towards its declared value as far as the sum of squares falls. True if it moved notably.
+bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen::VectorXd& parameters,
+           long& simulated_runs) {
+  constexpr double notable = 0.1;  // of chi-square
+  constexpr int bits = 10;         // of the way
+  const FitParameter& parameter = request.hypothesis->parameters()[static_cast<std::size_t>(number)];
+  const double from = parameters[number];
+  const auto squares = [&](double share) {
+    parameters[number] = from + share * (parameter.declared - from);
+    const auto there = blocks.evaluate(parameters, Derivatives::none);
+    simulated_runs += there.simulated_runs;
+    if (!there.value) return std::numeric_limits<double>::max();
+    double sum = std::pow((parameters[number] - parameter.declared) / parameter.tolerance, 2);
+    for (const ResidualValues::Block& block : there.value->blocks) sum += block.residuals.squaredNorm();
+    return sum;
+  };
+  const double here = squares(0.0);
+  std::uintmax_t steps = 20;
+  auto [share, least] = boost::math::tools::brent_find_minima(squares, 0.0, 1.0, bits, steps);
+  if (const double whole = squares(1.0); whole <= least) {
+    share = 1.0;
+    least = whole;
+  }
+  const bool moved = here - least > notable;
+  parameters[number] = moved ? from + share * (parameter.declared - from) : from;
+  return moved;
+}
+
 }  // namespace
 
 Counted<std::optional<Optimum>> least_squares(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns) {
@@ -181,13 +227,30 @@ Counted<std::optional<Optimum>> least_squares(const FitRequest& request, Residua
   const Derivatives derivatives =
       unknowns == Unknowns::local_numbers ? Derivatives::by_local_numbers : Derivatives::all;
   Coordinator coordinator(blocks, parameters, derivatives);
-  // A solver cannot start where there is no model.
-  if (coordinator.here() == nullptr || !minimise(request, blocks, unknowns == Unknowns::all, coordinator, parameters))
-    return {.value = std::nullopt, .simulated_runs = coordinator.simulated_runs()};
+  long simulated_runs = 0;
+  const auto none = [&] {
+    return Counted<std::optional<Optimum>>{.value = std::nullopt,
+                                           .simulated_runs = simulated_runs + coordinator.simulated_runs()};
+  };
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds; ++round) {
+    // A solver cannot start where there is no model.
+    const ResidualValues* here = coordinator.here();
+    if (here == nullptr) return none();
+    std::vector<int> held;
+    if (unknowns == Unknowns::all) held = idle_numbers(request, *here, parameters);
+    bool moved = round == 0;
+    for (const int number : held) moved = slide(request, blocks, number, parameters, simulated_runs) || moved;
+    if (!moved) break;
+    const bool any_idle = !held.empty();
+    if (request.held_parameter) held.push_back(static_cast<int>(*request.held_parameter));
+    if (!minimise(request, blocks, unknowns == Unknowns::all, held, coordinator, parameters)) return none();
+    if (!any_idle) break;
+  }
   ResidualValues* found = coordinator.here();
-  if (found == nullptr) return {.value = std::nullopt, .simulated_runs = coordinator.simulated_runs()};
+  if (found == nullptr) return none();
   return {.value = Optimum{.parameters = parameters, .values = std::move(*found)},
-          .simulated_runs = coordinator.simulated_runs()};
+          .simulated_runs = simulated_runs + coordinator.simulated_runs()};
 }
 
 }  // namespace coilwright::measurement::fit

@@ -64,18 +64,29 @@ FittedLine without_line(const Series& values, double frequency) {
   return out;
 }
 
+// A periodogram's ordinates and powers as logarithms; nothing of the ordinate at 0.
+struct LogarithmicSpectrum {
+  std::vector<double> places{}, values{};
+
+  explicit LogarithmicSpectrum(const std::vector<double>& power) : places(power.size()), values(power.size()) {
+    for (std::size_t i = 1; i < power.size(); ++i) {
+      places[i] = std::log(static_cast<double>(i));
+      values[i] = std::log(std::max(power[i], 1e-300));
+    }
+  }
+};
+
 // What a periodogram has at ordinate `at` without a line there, by a power law through its surroundings. The logarithm
 // of an exponential distribution lies Euler's constant below that of its mean, and a line among them hardly moves it.
-double surroundings_of(const std::vector<double>& power, std::size_t at, std::size_t reach, std::size_t gap,
+double surroundings_of(const LogarithmicSpectrum& spectrum, std::size_t at, std::size_t reach, std::size_t gap,
                        std::size_t last) {
   const std::size_t from = at > reach ? at - reach : 1;
   const std::size_t to = std::min(at + reach, last);
-  const double centre = std::log(static_cast<double>(at));
   double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   for (std::size_t i = from; i <= to; ++i) {
     if (i + gap >= at && i <= at + gap) continue;
-    const double place = std::log(static_cast<double>(i)) - centre;
-    const double value = std::log(std::max(power[i], 1e-300));
+    const double place = spectrum.places[i] - spectrum.places[at];
+    const double value = spectrum.values[i];
     count += 1.0;
     x += place;
     y += value;
@@ -96,12 +107,13 @@ std::optional<double> strongest_line(const Series& values) {
   const std::size_t last = spectrum.size / 2;
   const auto ordinates = static_cast<double>(last);  // of the padded transform, all of which are searched
   const double limit = std::log(ordinates / chance_of_a_line);
+  const LogarithmicSpectrum logarithms(spectrum.power);
   double best = 1.0;
   std::optional<std::size_t> found;
   for (std::size_t k = first; k + first < last; ++k) {
     const std::size_t reach = std::max<std::size_t>(k / 3, 24 * per_ordinate);
     if (spectrum.power[k] < spectrum.power[k - 1] || spectrum.power[k] < spectrum.power[k + 1]) continue;
-    const double around = surroundings_of(spectrum.power, k, reach, 2 * per_ordinate, last - 1);
+    const double around = surroundings_of(logarithms, k, reach, 2 * per_ordinate, last - 1);
     if (around <= 0.0) continue;
     const double excess = spectrum.power[k] / (around * limit);
     if (excess > best) {

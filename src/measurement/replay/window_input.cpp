@@ -140,13 +140,13 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
   const std::vector<double>& times = run.times_of_inputs();
   Rows out;
   std::optional<SmoothInput> smooth;
+  // Straight lines may have corners, which smooth curves round off as little as edges.
+  const double corner = edge ? *edge : edge_of(rows);
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     const Row& from = rows[i];
     const Row& to = rows[i + 1];
     const double step = size_of_step(from, to);
     const double duration = times[i + 1] - times[i];
-    // Straight lines may have corners, which smooth curves round off as little as edges.
-    const double corner = edge.value_or(edge_of(rows));
     const bool starts_a_part = i == 0 || size_of_step(rows[i - 1], from) >= corner;
     if (step < corner && starts_a_part) {
       std::size_t last = i + 1;

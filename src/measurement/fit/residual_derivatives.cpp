@@ -1,0 +1,165 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "measurement/fit/fit.hpp"
+#include "measurement/fit/residual_blocks.hpp"
+#include "measurement/fit/residual_place.hpp"
+
+// The derivatives of ResidualBlocks, by forward differences.
+
+namespace coilwright::measurement::fit {
+namespace {
+
+using actuator::Model;
+using replay::Trajectory;
+
+// Step of a forward difference as a fraction of a typical change: the truncation error is a ten-thousandth, and the
+// integrator's error is smaller.
+constexpr double parameter_step = 1e-4;
+// The step in an initial state exceeds the integrator's error and stays in the linear range: it is about the noise.
+constexpr double initial_state_step = 1e-5;
+// The same for a number that has a tolerance, as a fraction of it.
+constexpr double tolerance_step = 0.01;
+// The step in another local number, as a fraction of its prior deviation; of half of the way between two samples for
+// the place of an edge.
+constexpr double local_number_step = 1e-3;
+
+// How far a local number is displaced for its derivative, and what the slope there is over that of the chord.
+struct LocalStep {
+  double number{};
+  double slope_over_chord = 1.0;
+};
+
+LocalStep local_step(const ResidualBlock& block, const replay::Window& window, std::size_t i) {
+  if (block.numbers.is_state(i)) return {.number = initial_state_step * std::max(1.0, std::abs(block.local[i]))};
+  const std::optional<std::size_t> place = block.numbers.edge_of(i);
+  if (!place) return {.number = local_number_step * block.numbers.sigma()[i]};
+  // Near a sample a number hardly moves its edge: the step is one in time, towards the middle.
+  const replay::InputEdge& edge = window.edges[*place];
+  const double shift = edge.shift(block.local[i]);
+  const double step = std::copysign(local_number_step * edge.half_width, -shift);
+  const double number = edge.number(shift + step) - block.local[i];
+  return {.number = number, .slope_over_chord = edge.slope(block.local[i]) * number / step};
+}
+
+}  // namespace
+
+// Whether the derivatives with respect to a number are taken over from another fit.
+bool ResidualBlocks::takes_known_column(Eigen::Index parameter) const {
+  return request_.derivatives_from != nullptr && request_.hypothesis->is_nominal(parameter);
+}
+
+// Nothing if one of the models cannot be built.
+std::optional<std::vector<ResidualBlocks::Displaced>> ResidualBlocks::displaced_models(
+    const Eigen::VectorXd& parameters) const {
+  std::vector<Displaced> out;
+  for (Eigen::Index i = 0; i < parameters.size(); ++i) {
+    if (request_.held_parameter == i || takes_known_column(i)) continue;
+    // At the edge of what makes a model there may be one to the other side only.
+    double step = difference_step(parameters, i);
+    std::optional<Models> models;
+    for (int side = 0; side < 2 && !models; ++side) {
+      if (side == 1) step = -step;
+      Eigen::VectorXd at = parameters;
+      at[i] += step;
+      models = models_at(at);
+    }
+    if (!models) return std::nullopt;
+    out.push_back({.parameter = i, .step = step, .models = std::move(*models)});
+  }
+  return out;
+}
+
+// Where a displaced model has no motion to either side (a pose about to lose its equilibrium), the derivatives of that
+// run are left at zero: the fit then moves on by the others, and takes no step that does not lower its objective.
+void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,
+                                  ResidualValues& values) const {
+  const std::size_t runs = request_.runs.size();
+  tbb::parallel_for(std::size_t{0}, displaced.size() * runs, [&](std::size_t task) {
+    const Displaced& to = displaced[task / runs];
+    const std::size_t r = task % runs;
+    double step = to.step;
+    auto there = evaluate_run(to.models, r);
+    if (!there) {
+      step = -step;
+      Eigen::VectorXd at = parameters;
+      at[to.parameter] += step;
+      if (const std::optional<Models> other = models_at(at)) there = evaluate_run(*other, r);
+    }
+    if (!there) return;
+    for (std::size_t b = 0; b < there->residuals.size(); ++b) {
+      ResidualValues::Block& block = values.blocks[first_block_[r] + b];
+      block.jacobian.col(to.parameter) = (there->residuals[b] - block.residuals) / step;
+    }
+  });
+}
+
+void ResidualBlocks::add_known_columns(ResidualValues& values) const {
+  for (Eigen::Index i = 0; i < request_.hypothesis->size(); ++i) {
+    if (request_.held_parameter == i || !takes_known_column(i)) continue;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      values.blocks[b].jacobian.col(i) = request_.derivatives_from->parameter_columns[b].col(i);
+  }
+}
+
+double ResidualBlocks::difference_step(const Eigen::VectorXd& parameters, Eigen::Index i) const {
+  const FitParameter& parameter = request_.hypothesis->parameters()[static_cast<std::size_t>(i)];
+  // A tolerance is small compared with its number, and the step must still exceed the integrator's error.
+  const double typical = parameter.has_prior() ? parameter.scale : std::max(parameter.scale, std::abs(parameters[i]));
+  const double step = (parameter.has_prior() ? tolerance_step : parameter_step) * typical;
+  return parameters[i] + step <= parameter.upper ? step : -step;
+}
+
+// Whether all windows could be simulated.
+bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<RunValues>& runs,
+                                        ResidualValues& values) const {
+  std::vector<char> simulated(blocks_.size(), 1);
+  tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
+    const ResidualBlock& block = blocks_[b];
+    ResidualValues::Block& out = values.blocks[b];
+    out.local_jacobian.resize(block.rows, static_cast<Eigen::Index>(block.local.size()));
+    if (block.local.empty()) return;
+    const replay::PreparedRun& prepared = request_.runs[block.run];
+    const replay::Window& window = prepared.windows[block.window];
+    const Model& model = models.on(rig_of_run_[block.run]);
+    const std::size_t in_run = b - first_block_[block.run];
+    const Eigen::Index samples = block.samples();
+    for (std::size_t i = 0; i < block.local.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const std::optional<std::size_t> edge = block.numbers.edge_of(i);
+      if (request_.derivatives_from != nullptr && block.numbers.moves(i)) {
+        out.local_jacobian.col(column) = request_.derivatives_from->local_columns[b].col(column);
+        if (edge) {
+          const replay::InputEdge& known = window.edges[*edge];
+          const double there = request_.derivatives_from->runs[block.run].local_numbers[block.window][i];
+          out.local_jacobian.col(column).head(samples) *= known.slope(block.local[i]) / known.slope(there);
+        }
+        continue;
+      }
+      const LocalStep step = local_step(block, window, i);
+      std::vector<double> displaced(block.local.begin(), block.local.end());
+      displaced[i] += step.number;
+      const replay::LocalValues there{.numbers = &block.numbers, .values = displaced};
+      std::optional<Trajectory> moved;
+      if (block.numbers.moves(i)) {
+        moved = replay::simulate_window(model, window, there, runs[block.run].internal[in_run]);
+        if (!moved) {
+          simulated[b] = 0;
+          return;
+        }
+      }
+      const Trajectory& motion = moved ? *moved : runs[block.run].trajectories[in_run];
+      const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, motion, there);
+      out.local_jacobian.col(column) =
+          (residuals_with_prior(block, prepared, window.range, predicted, displaced) - out.residuals) / step.number;
+      out.local_jacobian.col(column).head(samples) *= step.slope_over_chord;
+    }
+  });
+  return std::ranges::count(simulated, 0) == 0;
+}
+
+}  // namespace coilwright::measurement::fit

@@ -37,10 +37,10 @@ class FormatsDocument(ProgramTest):
                 self.write("example.json", text)
                 result = run(*arguments, cwd=self.folder)
                 self.assertEqual((result.returncode, result.stderr), (0, ""))
-        for text in examples("study"):
+        for number, text in enumerate(examples("study")):
             # Its path counts from docs/.
             self.write("example.json", text.replace("../configs", str(ROOT / "configs")))
-            result = run("size", "example.json", "--out", "out", "--max-evaluations", "40", cwd=self.folder)
+            result = run("size", "example.json", "--out", f"out{number}", "--max-evaluations", "40", cwd=self.folder)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual([len(examples(kind)) for kind in ("actuator", "pair", "study")], [3, 1, 3])
 

@@ -9,7 +9,7 @@ import time
 import unittest
 
 from archived_runs import designs_of, results_of, start
-from program import ProgramTest, run
+from program import HANGS, ProgramTest, run
 from study import FRONT, GRID, write_study
 
 KILLS = int(os.environ.get("COILWRIGHT_KILLS", "12"))
@@ -57,7 +57,7 @@ class KilledRuns(ProgramTest):
             process = start(command, "study.json", "--out", "killed", "--resume", cwd=self.folder)
             time.sleep(self.random.uniform(0, duration))
             process.kill()
-            output, errors = process.communicate(timeout=60)
+            output, errors = process.communicate(timeout=HANGS)
             if process.returncode == 0:
                 break  # it was faster than its kill
             self.assertEqual((process.returncode, output, errors), (-9, "", ""))

@@ -10,7 +10,7 @@ import subprocess
 import unittest
 
 from archived_runs import ARCHIVE, designs_of, end, results_of, start, wait_for_designs
-from program import ProgramTest, run
+from program import HANGS, ProgramTest, run
 from study import FRONT, GRID, write_study
 
 ENDLESS = {"max_evaluations": 1000000, "algorithm": "isres"}
@@ -42,7 +42,7 @@ class ArchivedStudy(ProgramTest):
     def killed(self, **options):
         process = self.begun(**options)
         process.kill()
-        process.communicate(timeout=60)
+        process.communicate(timeout=HANGS)
 
 
 class Folders(ArchivedStudy):
@@ -186,7 +186,7 @@ class Signals(ArchivedStudy):
                 out = sent.name
                 process = self.begun(out=out, **study)
                 process.send_signal(sent)
-                output, errors = process.communicate(timeout=60)
+                output, errors = process.communicate(timeout=HANGS)
                 self.assertEqual((process.returncode, errors),
                                  (130, f"coilwright: interrupted: what was evaluated is in {out}/archive.sqlite; --resume "
                                        "goes on from there\n"))
@@ -236,7 +236,7 @@ class Disks(ArchivedStudy):
             resource.setrlimit(resource.RLIMIT_FSIZE, (250_000, 250_000))
 
         process = start("sweep", "study.json", "--out", "out", cwd=self.folder, preexec_fn=limit_files)
-        output, errors = process.communicate(timeout=60)
+        output, errors = process.communicate(timeout=HANGS)
         self.assertEqual((process.returncode, output), (1, whole))
         self.assertRegex(errors, r"coilwright: out/designs\.csv: cannot be written: File too large\n$")
         self.run_well("sweep", "--resume")

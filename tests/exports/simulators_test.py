@@ -30,7 +30,7 @@ MATRIX = 1e-6
 def in_mujoco(model, folder, current, joints=False):
     more = [folder / "joints.csv"] if joints else []
     done = subprocess.run([IN_MUJOCO, folder / model, folder / "torque.csv", str(current), *more], capture_output=True,
-                          text=True, timeout=60, check=False)
+                          text=True, timeout=900, check=False)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 

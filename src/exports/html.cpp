@@ -9,6 +9,7 @@
 namespace coilwright::exports {
 namespace {
 
+using text::class_of_column;
 using text::escaped;
 
 constexpr std::string_view style = R"(
@@ -32,33 +33,19 @@ section.page { break-before: page; }
 @media print { body { padding: 0; } }
 )";
 
-bool is_number(std::string_view cell) {
-  return !cell.empty() && cell.find_first_not_of("0123456789.-") == std::string_view::npos;
-}
-
-// Columns of numbers, and of nothing else, are set to the right.
-std::string_view alignment(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
-  bool numbers = false;
-  for (const std::vector<std::string>& row : rows) {
-    if (is_number(row.at(column)))
-      numbers = true;
-    else if (!row.at(column).empty())
-      return "";
-  }
-  return numbers ? " class=\"number\"" : "";
-}
-
 }  // namespace
 
 std::string html_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
   std::string out = rows.size() > 20 ? "<table class=\"long\">\n<thead><tr>" : "<table>\n<thead><tr>";
-  for (std::size_t i = 0; i < header.size(); ++i)
-    out += fmt::format("<th{}>{}</th>", alignment(rows, i), escaped(header[i]));
+  std::vector<std::string_view> classes;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    classes.push_back(class_of_column(rows, i));
+    out += fmt::format("<th{}>{}</th>", classes.back(), escaped(header[i]));
+  }
   out += "</tr></thead>\n<tbody>\n";
   for (const std::vector<std::string>& row : rows) {
     out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      out += fmt::format("<td{}>{}</td>", alignment(rows, i), escaped(row[i]));
+    for (std::size_t i = 0; i < row.size(); ++i) out += fmt::format("<td{}>{}</td>", classes[i], escaped(row[i]));
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table>\n";

@@ -44,6 +44,16 @@ std::string escaped_lines(std::string_view text) {
   return out;
 }
 
+std::string_view class_of_column(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
+  bool numbers = false;
+  for (const std::vector<std::string>& row : rows) {
+    const std::string& cell = row.at(column);
+    if (cell.find_first_not_of("0123456789.-+e") != std::string::npos) return "";
+    numbers = numbers || !cell.empty();
+  }
+  return numbers ? " class=\"number\"" : "";
+}
+
 std::string script_json(std::string_view json) {
   std::string out;
   out.reserve(json.size());

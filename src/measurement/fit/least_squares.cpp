@@ -204,7 +204,7 @@ bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen:
     const auto there = blocks.evaluate(parameters, Derivatives::none);
     simulated_runs += there.simulated_runs;
     if (!there.value) return std::numeric_limits<double>::max();
-    double sum = std::pow((parameters[number] - parameter.declared) / parameter.tolerance, 2);
+    double sum = request.hypothesis->prior_residuals(parameters).squaredNorm();
     for (const ResidualValues::Block& block : there.value->blocks) sum += block.residuals.squaredNorm();
     return sum;
   };

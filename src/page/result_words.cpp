@@ -54,6 +54,16 @@ std::string first_member_text(const Node& object) {
   return members.empty() ? "-" : fmt::format("{} {}", members.front().key(), cell_of(members.front()));
 }
 
+bool is_feasible(const Node& result) {
+  return result.find("feasible").value().boolean();
+}
+
+Objective objective_of(const Node& result) {
+  const Node first = result.find("objectives").value().elements().front();
+  const Node member = first.members().front();
+  return {.name = member.text(), .largest = member.key() == "maximise"};
+}
+
 std::string origin_text(const std::filesystem::path& folder, std::string_view made_by) {
   std::string out = fmt::format("Page by {}.", made_by);
   const std::filesystem::path file = folder / "provenance.json";

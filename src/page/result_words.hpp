@@ -25,6 +25,16 @@ namespace coilwright::page {
 /// The one member of an object of one, as "name value".
 [[nodiscard]] std::string first_member_text(const text::Node& object);
 
+/// Whether the design of a result of `size` keeps every limit.
+[[nodiscard]] bool is_feasible(const text::Node& result);
+
+/// The first objective of a result, and which way it improves.
+struct Objective {
+  std::string name;
+  bool largest{};  ///< whether it is to be as large as possible
+};
+[[nodiscard]] Objective objective_of(const text::Node& result);
+
 /// What provenance.json and result.json tell of where a result is from, as one line.
 [[nodiscard]] std::string origin_text(const std::filesystem::path& folder, std::string_view made_by);
 

@@ -16,26 +16,12 @@
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "page/result_words.hpp"
+#include "page/sizing_outlook.hpp"
 
 namespace coilwright::page {
 namespace {
 
 using text::Node;
-
-bool is_feasible(const Node& result) {
-  return result.find("feasible").value().boolean();
-}
-
-// "largest peak_bending_speed_deg_s", and its name.
-struct Objective {
-  std::string name;
-  bool largest{};
-};
-Objective objective_of(const Node& result) {
-  const Node first = result.find("objectives").value().elements().front();
-  const Node member = first.members().front();
-  return {.name = member.text(), .largest = member.key() == "maximise"};
-}
 
 std::string verdict_of(const Node& result) {
   const Objective objective = objective_of(result);
@@ -171,95 +157,6 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
     section.blocks.emplace_back(Paragraph{"No design of the search has a value of the objective."});
   else
     section.blocks.emplace_back(figure_of(chart));
-  return section;
-}
-
-std::string violations_text(const Node& step) {
-  std::vector<std::string> names;
-  for (const Node& each : step.find("violates").value().elements()) names.push_back(cell_of(each));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-Section sensitivity_section(const Node& result) {
-  Section section{.id = "sensitivity", .title = "What a change would bring", .blocks = {}};
-  BarChart chart{.id = "steps",
-                 .title = "One step of one variable",
-                 .description = "Change of the objective when one variable moves by one step and all others stay.",
-                 .value_title = "change of " + objective_of(result).name,
-                 .label_title = "step",
-                 .bars = {}};
-  Table table{.header = {"variable", "from", "to", "change", "breaks"}, .rows = {}};
-  for (const Node& each : result.find("steps").value().elements()) {
-    const Node change = each.find("objective_change").value();
-    const std::string broken = violations_text(each);
-    table.rows.push_back({cell_of(each.find("variable").value()), cell_of(each.find("from").value()),
-                          cell_of(each.find("to").value()), cell_of(change), broken});
-    if (change.is_null()) continue;
-    const bool improves = each.find("improves").value().boolean();
-    chart.bars.push_back(
-        {.label = fmt::format("{} {} to {}", table.rows.back()[0], table.rows.back()[1], table.rows.back()[2]),
-         .value = change.number(),
-         .group = !improves        ? "worse"
-                  : broken.empty() ? "better"
-                                   : "better, but breaks a limit"});
-  }
-  if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
-  if (table.rows.empty())
-    section.blocks.emplace_back(Paragraph{"No steps were looked at: the search was interrupted, or nothing can vary."});
-  else
-    section.blocks.emplace_back(TableBlock{.caption = "Steps of the variables", .table = std::move(table)});
-  Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}, .rows = {}};
-  for (const Node& each : result.find("binding").value().elements()) {
-    const auto design = each.find("relaxed_best");
-    relaxed.rows.push_back({cell_of(each.find("constraint").value()), cell_of(each.find("relaxed_to").value()),
-                            cell_of(each.find("objective_change").value()),
-                            design && !design->is_null() ? members_text(*design) : "-"});
-  }
-  if (!relaxed.rows.empty())
-    section.blocks.emplace_back(TableBlock{.caption = "Limits in the way, each relaxed by 5 %", .table = relaxed});
-  return section;
-}
-
-Section assumptions_section(const Node& result) {
-  Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
-  const std::vector<Node> all = result.find("assumptions").value().elements();
-  if (all.empty()) {
-    section.blocks.emplace_back(Paragraph{"No other modelling choice was looked at: no design keeps every limit."});
-    return section;
-  }
-  BarChart chart{.id = "choices",
-                 .title = "This design under each other modelling choice",
-                 .description =
-                     "Value of the objective if one choice of the model is made otherwise, and whether the "
-                     "design then still keeps its limits.",
-                 .value_title = objective_of(result).name,
-                 .label_title = "if it is otherwise",
-                 .bars = {},
-                 .symbols = true};
-  const double value = result.find("best").value().find("objectives").value().members().front().number();
-  chart.bars.push_back({.label = "as taken", .value = value, .group = "as taken"});
-  Table table{.header = {"subject", "taken", "otherwise", "objective then", "worst margin, % of its limit",
-                         "another design", "settled by"},
-              .rows = {}};
-  for (const Node& each : all) {
-    const std::vector<Node> objectives =
-        each.find("objectives").value().is_null() ? std::vector<Node>{} : each.find("objectives").value().members();
-    const auto worst = each.find("worst_margin");
-    const bool known = !objectives.empty() && !objectives.front().is_null();
-    table.rows.push_back({cell_of(each.find("subject").value()), cell_of(each.find("taken").value()),
-                          cell_of(each.find("otherwise").value()), known ? cell_of(objectives.front()) : "-",
-                          worst && !worst->is_null()
-                              ? fmt::format("{} ({:.3g})", cell_of(worst->find("limit").value()),
-                                            100.0 * worst->find("relative_margin").value().number())
-                              : "-",
-                          cell_of(each.find("changes_design").value()), cell_of(each.find("settled_by").value())});
-    if (known)
-      chart.bars.push_back({.label = fmt::format("{}: {}", table.rows.back()[0], table.rows.back()[2]),
-                            .value = objectives.front().number(),
-                            .group = each.find("feasible").value().boolean() ? "keeps every limit" : "breaks a limit"});
-  }
-  section.blocks.emplace_back(figure_of(chart));
-  section.blocks.emplace_back(TableBlock{.caption = "Modelling choices", .table = std::move(table)});
   return section;
 }
 

@@ -32,7 +32,7 @@ ROOMS = {
     "exports": "formats/actuator",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
-    "page": "exports formats/study",
+    "page": "exports formats/study validation",
     "cli": "validation systems report page",
 }
 

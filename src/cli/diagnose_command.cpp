@@ -17,6 +17,7 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/formats/data/expected_table.hpp"
 #include "coilwright/formats/data/experiment_file.hpp"
 #include "coilwright/formats/data/experiment_writer.hpp"
 #include "coilwright/formats/data/residual_table.hpp"
@@ -47,6 +48,7 @@ constexpr const char* corrected_name = "corrected_actuator.json";
 constexpr const char* residuals_name = "residuals.csv";
 constexpr const char* summary_name = "summary.txt";
 constexpr const char* next_name = "next_experiment.json";
+constexpr const char* expected_name = "next_experiment.csv";
 
 // The data set, the declared actuator, and every record.
 Provenance provenance_of(const formats::DatasetFile& set, const std::filesystem::path& declared, std::uint64_t seed) {
@@ -80,8 +82,8 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
   std::vector<std::filesystem::path> outputs;
-  for (const char* name :
-       {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name, next_name, provenance_name})
+  for (const char* name : {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name, next_name,
+                           expected_name, provenance_name})
     outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
   // Known before the work, whether it can be written.
@@ -203,6 +205,11 @@ void write(const Options& options, const Found& found) {
     folder.remove(next_name);
   else
     folder.write(next_name, found.next_experiment);
+  // Where an explanation cannot be simulated in the proposed run, there is nothing to compare.
+  if (found.diagnosis.next_experiment && !found.diagnosis.next_experiment->expected.empty())
+    formats::write_expected_readings(folder.open(expected_name), *found.diagnosis.next_experiment);
+  else
+    folder.remove(expected_name);
   folder.commit();
   std::cout << (options.json ? diagnosis : summary);
 }
@@ -228,12 +235,11 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which every\n"
       "other command reads); residuals.csv (every sample as measured and as predicted by the declared, the\n"
-      "recalibrated and the corrected model); provenance.json (program, files, seed). Where a run would separate what "
-      "these data cannot, it also writes\n"
-      "next_experiment.json (experiment/1, for plan and twin); where no known effect explains all and a torque "
-      "without\n"
-      "a name explains more on runs left out, corrected_actuator.json with that torque. The exit code is 0 for every\n"
-      "verdict. Ctrl-C writes nothing; the exit code is then 130.\n\n"
+      "recalibrated and the corrected model); provenance.json (program, files, seed). Where a run would separate\n"
+      "what these data cannot, it also writes next_experiment.json (experiment/1, for plan and twin) and\n"
+      "next_experiment.csv (what each explanation expects that run to show). Where no known effect explains all\n"
+      "and a torque without a name explains more on runs left out, it also writes corrected_actuator.json with that\n"
+      "torque. The exit code is 0 for every verdict. Ctrl-C writes nothing; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   auto report = std::make_shared<bool>(false);

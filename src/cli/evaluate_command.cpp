@@ -14,6 +14,7 @@
 #include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/page/evaluation_page.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
@@ -25,6 +26,7 @@
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
+#include "report_option.hpp"
 #include "word_rule.hpp"
 
 namespace coilwright::cli {
@@ -40,6 +42,7 @@ struct Options {
   std::optional<double> supply_resistance{};
   std::optional<double> supply_voltage{};
   bool json{false};
+  std::optional<std::string> page{};
 };
 
 std::runtime_error no_performance(const std::string& file, const simulation::NoPerformance& why) {
@@ -86,6 +89,11 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
+  if (options.page)
+    write_page(
+        page::evaluation_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance},
+                              file.name, made_by()),
+        *options.page);
   const std::vector<simulation::PartLimit> limits = simulation::part_limits(view);
   const std::vector<simulation::ChoiceEffect> effects = simulation::choice_effects(design, point);
   const std::vector<simulation::CorrectionReach> reach =
@@ -103,6 +111,9 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
 }
 
 void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const Options& options) {
+  if (options.page)
+    throw text::InputError({.file = options.actuator.file,
+                            .rule = "is a lumped model: --report draws a design with its dimensions (actuator/1)"});
   if (!options.current) throw no_current(options);
   const auto result = simulation::motion_of(model, *options.current, grasp_point({}, options));
   if (const auto* why = std::get_if<simulation::NoPerformance>(&result))
@@ -158,6 +169,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
                    "Voltage of the supply without load, V; asks for the current that it drives at most")
       ->check(number_rule(text::Rule::between(1e-6, 1e6)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_report_file_option(*command, options->page);
   command->footer(
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"
       "steady-state values for this current and duty.\n\n"

@@ -35,7 +35,7 @@ void run_report(const Options& options) {
 void add_report_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "Make one page of a folder of results, to look at and to pass on");
-  command->add_option("DIR", options->folder, "Folder that size, pareto or diagnose has written")->required();
+  command->add_option("DIR", options->folder, "Folder that size, sweep, pareto or diagnose has written")->required();
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
   command
@@ -50,11 +50,11 @@ void add_report_command(CLI::App& app, Outcome&) {
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
   command->footer(
       "Writes one HTML file that works without a network, and prints its name. Of size: verdict, design in section\n"
-      "and in motion, limits, sensitivities, assumptions. Of pareto: the designs of the front in linked views, each "
-      "to\n"
-      "be saved as an actuator file; sections and motions need the study where provenance.json names it. Of diagnose:\n"
-      "each run as measured and predicted, what is left over, and the hypotheses. Vega draws it, which the program\n"
-      "carries if it was built where npm is.\n\n"
+      "and in motion, limits, sensitivities, assumptions. Of sweep: the best designs, what each variable does, which\n"
+      "limits decide. Of pareto: the designs of the front in linked views, each to be saved as an actuator file. Of\n"
+      "diagnose: each run as measured and predicted, what is left over, the hypotheses, and the run that would\n"
+      "separate them. Sections and motions of pareto and sweep need the study where provenance.json names it. Vega\n"
+      "draws it, which the program carries if it was built where npm is.\n\n"
       "Example:\n"
       "  coilwright report results/fastest_finger");
   command->callback([options] { run_report(*options); });

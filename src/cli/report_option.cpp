@@ -78,29 +78,47 @@ void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
       formats::read_study(files.at(0), simulation::standard_quantities(), actuator::standard_effects(), changes);
 }
 
+// Why no page can be made; empty where one can.
+std::string why_none() {
+  return report_libraries().empty() ? std::string(built_without) : std::string();
+}
+
 }  // namespace
+
+std::string made_by() {
+  return "coilwright " + version();
+}
 
 void add_report_option(CLI::App& command, bool& wanted) {
   command.add_flag("--report", wanted, fmt::format("Write a page to look at as well: {} in that folder", report_name))
       ->disable_flag_override()
-      ->check(
-          [](const std::string&) { return report_libraries().empty() ? std::string(built_without) : std::string(); });
+      ->check([](const std::string&) { return why_none(); });
+}
+
+void add_report_file_option(CLI::App& command, std::optional<std::string>& file) {
+  command.add_option("--report", file, "HTML file for a page to look at and to pass on, that works without a network")
+      ->check([](const std::string& name) { return name.empty() ? std::string("must not be empty") : why_none(); });
 }
 
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
                   const ReportOptions& options) {
   if (report_libraries().empty()) throw text::InputError({.file = folder.string(), .rule = built_without});
-  page::PageInputs inputs{.made_by = "coilwright " + version()};
-  if (std::filesystem::is_regular_file(folder / "front.csv")) find_study(folder, inputs);
+  page::PageInputs inputs{.made_by = made_by()};
+  for (const char* of_designs : {"front.csv", "best.csv"})
+    if (std::filesystem::is_regular_file(folder / of_designs)) find_study(folder, inputs);
   if (options.pictures) inputs.most_pictures = *options.pictures;
-  const page::Page content = page::page_of(folder, inputs);
+  write_page(page::page_of(folder, inputs), file, options.figures);
+}
+
+void write_page(const page::Page& content, const std::filesystem::path& file,
+                const std::optional<std::filesystem::path>& figures_folder) {
   const std::string_view style = packed(page_files(), "page.css");
   const std::vector<page::Script> all = scripts();
   text::OutputFile out(file);
   std::optional<text::OutputFolder> figures;
-  if (options.figures) {
+  if (figures_folder) {
     DrawnFigures drawn = draw_figures(page::figure_files(content, style));
-    figures.emplace(*options.figures);
+    figures.emplace(*figures_folder);
     for (const page::FigureFile& each : drawn.files) figures->write(each.name, each.text);
     if (!drawn.why.empty()) std::cerr << drawn.why << ".\n";
   }

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
+
+#include "coilwright/page/page.hpp"
 
 namespace coilwright::cli {
 
@@ -13,6 +16,12 @@ inline constexpr const char* report_name = "report.html";
 /// --report of a command that writes a folder. Where the program was built without what pages are drawn with, giving it
 /// is an error of usage, before any work.
 void add_report_option(CLI::App& command, bool& wanted);
+
+/// --report FILE of a command that writes no folder; likewise.
+void add_report_file_option(CLI::App& command, std::optional<std::string>& file);
+
+/// Program and version, as the first lines of a page have them.
+[[nodiscard]] std::string made_by();
 
 /// What a page may be told.
 struct ReportOptions {
@@ -25,5 +34,9 @@ struct ReportOptions {
 /// what pages are drawn with, OutputError where a file cannot be written.
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,
                   const ReportOptions& options = {});
+
+/// A page written to `file` as a whole or not at all, and each of its figures into a folder, if one is given.
+void write_page(const page::Page& content, const std::filesystem::path& file,
+                const std::optional<std::filesystem::path>& figures_folder = {});
 
 }  // namespace coilwright::cli

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "progress_line.hpp"
+#include "report_option.hpp"
 #include "run_archive.hpp"
 #include "study_run.hpp"
 
@@ -62,14 +64,15 @@ ExitCode run_sweep(const StudyOptions& options) {
                          });
   }();
   const std::vector<sizing::Leader> best = leaders.all();
+  const formats::SweepReport answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
   if (archive.is_writing())
     archive.write_results([&] {
       formats::write_leaders(folder.open("best.csv"), study, best);
+      folder.write("result.json", formats::to_json(answer).text());
       folder.write(provenance_name, to_json(input.provenance).text());
       folder.commit();
     });
   archive.end(made < count ? sizing::name_of(sizing::StopReason::interrupted) : "complete", interruption, {});
-  const formats::SweepReport answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
   std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
   archive.require_written();
   if (made < count) return ExitCode::interrupted;
@@ -84,17 +87,20 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
       app.add_subcommand("sweep", "Evaluate every design of a study whose variables are lists or grids");
   add_study_options(*command, *options);
   command->footer(
-      "Writes designs.csv (one row for each design: variables, every quantity, the margin of every limit) and\n"
-      "best.csv (the best design of each configuration in each objective) and provenance.json (program and files). "
-      "Every variable needs a list of values,\n"
-      "a step or whole numbers; what is not a variable keeps the value of the study's actuator. If no design\n"
-      "keeps all limits, the exit code is 3. Ctrl-C writes what was evaluated so far; the exit code is then 130. "
-      "Every\n"
-      "evaluation is recorded in archive.sqlite as it is made: --resume goes on from there, after Ctrl-C and after a\n"
-      "crash.\n\n"
+      "Writes designs.csv (one row for each design: variables, every quantity, the margin of every limit), best.csv\n"
+      "(the best design of each configuration in each objective), result.json (what --json prints) and\n"
+      "provenance.json (program and files). Every variable needs a list of values, a step or whole numbers; what is\n"
+      "not a variable keeps the value of the study's actuator. If no design keeps all limits, the exit code is 3.\n"
+      "Ctrl-C writes what was evaluated so far; the exit code is then 130. Every evaluation is recorded in\n"
+      "archive.sqlite as it is made: --resume goes on from there, after Ctrl-C and after a crash.\n\n"
       "Example:\n"
       "  coilwright sweep configs/studies/configurations.json --out results/configurations");
-  command->callback([options, &outcome] { outcome.code = run_sweep(*options); });
+  auto report = std::make_shared<bool>(false);
+  add_report_option(*command, *report);
+  command->callback([options, report, &outcome] {
+    outcome.code = run_sweep(*options);
+    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+  });
 }
 
 }  // namespace coilwright::cli

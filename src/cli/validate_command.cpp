@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "coilwright/page/comparison_page.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/validation/paper_comparison.hpp"
 #include "commands.hpp"
 #include "outcome.hpp"
+#include "report_option.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -47,14 +51,17 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("validate", "Compare the model with the figures of the source paper");
   command->add_flag("--json", *json, "Print JSON instead of a table")->disable_flag_override();
+  auto page = std::make_shared<std::optional<std::string>>();
+  add_report_file_option(*command, *page);
   command->footer(
       "Each row has the band in which the difference must lie. The exit code is 1 if a difference lies outside\n"
       "its band.\n\n"
       "Example:\n"
       "  coilwright validate --json");
-  command->callback([json, &outcome] {
+  command->callback([json, page, &outcome] {
     const std::vector<Comparison> rows = validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
+    if (*page) write_page(page::comparison_page(rows, made_by()), **page);
     if (*json)
       std::cout << as_json(rows, outside == 0).text();
     else

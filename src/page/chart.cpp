@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace coilwright::page {
@@ -198,9 +199,11 @@ Figure figure_of(const BarChart& chart) {
   Table table{.header = {chart.label_title, chart.value_title, ""}, .rows = {}};
   Json groups = Json::array();
   std::vector<std::string> seen;
+  std::set<std::string> labels;
   for (const Bar& bar : chart.bars) {
     rows.add(Json::object({{"label", bar.label}, {"value", bar.value}, {"group", bar.group}}));
     table.rows.push_back({bar.label, fmt::format("{:.6g}", bar.value), bar.group});
+    labels.insert(bar.label);
     if (std::ranges::find(seen, bar.group) != seen.end()) continue;
     seen.push_back(bar.group);
     groups.add(bar.group);
@@ -223,7 +226,7 @@ Figure figure_of(const BarChart& chart) {
        {"color", group}});
   if (chart.symbols) encoding.set("shape", group);
   Json spec = frame(chart.title, chart.description);
-  spec.set("height", 22 * chart.bars.size());
+  spec.set("height", 22 * labels.size());
   spec.set("autosize", Json::object({{"type", "fit-x"}, {"contains", "padding"}, {"resize", true}}));
   spec.set("data", Json::object({{"values", std::move(rows)}}));
   spec.set("mark", chart.symbols ? Json::object({{"type", "point"}, {"size", 70}, {"filled", true}})

@@ -15,6 +15,7 @@
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
+#include "page/next_section.hpp"
 #include "page/result_words.hpp"
 #include "page/run_figures.hpp"
 
@@ -36,12 +37,6 @@ std::string verdict_of(const std::filesystem::path& folder, const Node& diagnosi
     if (!line.empty()) out += (out.empty() ? "" : " ") + line;
   }
   return out;
-}
-
-std::string ids_text(const Node& list) {
-  std::vector<std::string> ids;
-  for (const Node& each : list.elements()) ids.push_back(each.text());
-  return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, " and "));
 }
 
 std::string interval_text(const Node& parameter) {
@@ -211,29 +206,6 @@ Section candidates_section(const Node& diagnosis) {
   return section;
 }
 
-Section next_section(const Node& diagnosis) {
-  Section section{.id = "next", .title = "What cannot be told apart, and what to record next", .blocks = {}};
-  const std::vector<Node> sets = diagnosis.find("indistinguishable").value().elements();
-  for (const Node& set : sets) {
-    std::vector<std::string> members;
-    for (const Node& each : set.elements())
-      members.push_back(each.kind() == Node::Kind::array ? ids_text(each) : cell_of(each));
-    section.blocks.emplace_back(Paragraph{fmt::format("These data cannot tell apart: {}.", fmt::join(members, "; "))});
-  }
-  if (sets.empty()) section.blocks.emplace_back(Paragraph{"These data tell all hypotheses apart that fit them."});
-  const auto next = diagnosis.find("next_experiment");
-  if (!next || next->is_null()) {
-    section.blocks.emplace_back(Paragraph{"No further run is proposed."});
-    return section;
-  }
-  Table table{.header = {"", ""}, .rows = {}};
-  for (const Node& each : next->members())
-    if (each.kind() != Node::Kind::object && each.kind() != Node::Kind::array)
-      table.rows.push_back({each.key(), cell_of(each)});
-  section.blocks.emplace_back(TableBlock{.caption = "The run that would separate them", .table = std::move(table)});
-  return section;
-}
-
 Section warnings_section(const Node& diagnosis) {
   Section section{.id = "warnings", .title = "Warnings", .blocks = {}};
   for (const Node& each : diagnosis.find("warnings").value().elements()) {
@@ -257,7 +229,7 @@ Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, 
   for (Section& section : runs_sections(folder)) page.sections.push_back(std::move(section));
   page.sections.push_back(torque_section(diagnosis));
   page.sections.push_back(candidates_section(diagnosis));
-  page.sections.push_back(next_section(diagnosis));
+  page.sections.push_back(next_section(folder, diagnosis));
   if (!warnings.blocks.empty()) page.sections.push_back(std::move(warnings));
   return page;
 }

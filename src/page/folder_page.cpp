@@ -7,6 +7,7 @@
 #include "page/diagnosis_page.hpp"
 #include "page/front_page.hpp"
 #include "page/sizing_page.hpp"
+#include "page/sweep_page.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -20,12 +21,13 @@ Page page_of(const std::filesystem::path& folder, const std::filesystem::path& f
     if (result.find("verdict")) return diagnosis_page(folder, result, inputs.made_by);
     if (word == "size") return sizing_page(folder, result, inputs.made_by);
     if (word == "pareto") return front_page(folder, result, inputs);
+    if (word == "sweep") return sweep_page(folder, result, inputs);
   } catch (const std::bad_optional_access&) {
     throw text::InputError({.file = file.string(), .rule = "lacks a key that these results have (docs/formats.md)"});
   }
   throw text::InputError({.file = file.string(),
                           .place = "/command",
-                          .rule = "must be \"size\" or \"pareto\": there is no page of other results",
+                          .rule = "must be \"size\", \"pareto\" or \"sweep\": there is no page of other results",
                           .value = command ? command->shown() : ""});
 }
 
@@ -42,7 +44,7 @@ Page page_of(const std::filesystem::path& folder, const PageInputs& inputs) {
   }
   throw text::InputError(
       {.file = folder.string(),
-       .rule = "has neither result.json nor diagnosis.json: it is no folder of size, pareto or diagnose"});
+       .rule = "has neither result.json nor diagnosis.json: it is no folder of size, sweep, pareto or diagnose"});
 }
 
 }  // namespace coilwright::page

@@ -39,14 +39,6 @@ bool agrees(const sizing::Evaluation& evaluation, const FrontTable& front, std::
   return true;
 }
 
-std::optional<EvaluatedDesign> evaluated_row(const DesignProblem& problem, const FrontTable& front, std::size_t row) {
-  const std::optional<std::vector<double>> point = point_of(problem.study(), front, row);
-  if (!point) return std::nullopt;
-  sizing::DesignResult result = problem.evaluate(*point);
-  if (!agrees(problem.assess(result), front, row)) return std::nullopt;
-  return std::get<EvaluatedDesign>(std::move(result));
-}
-
 // One duration for all, so that their responses can be laid over each other: the middle one of what each is worth.
 double common_duration(const std::vector<EvaluatedDesign>& designs) {
   std::vector<double> each;
@@ -103,6 +95,14 @@ Json texts_json(const std::vector<std::string>& texts) {
 }
 
 }  // namespace
+
+std::optional<EvaluatedDesign> evaluated_row(const DesignProblem& problem, const FrontTable& front, std::size_t row) {
+  const std::optional<std::vector<double>> point = point_of(problem.study(), front, row);
+  if (!point) return std::nullopt;
+  sizing::DesignResult result = problem.evaluate(*point);
+  if (!agrees(problem.assess(result), front, row)) return std::nullopt;
+  return std::get<EvaluatedDesign>(std::move(result));
+}
 
 Json front_pictures(const sizing::Study& study, const FrontTable& front, std::size_t most) {
   const DesignProblem problem(study);

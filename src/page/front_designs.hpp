@@ -1,12 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "coilwright/page/folder_page.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "page/front_table.hpp"
 
 namespace coilwright::page {
+
+/// The design of a row, evaluated anew; nothing where the study has no such design, or it comes out with other
+/// objectives than its row has.
+[[nodiscard]] std::optional<sizing::EvaluatedDesign> evaluated_row(const sizing::DesignProblem& problem,
+                                                                   const FrontTable& front, std::size_t row);
 
 /// What a front's designs look like and how they move, for those rows that are drawn, to be read by the page's script:
 /// `rows`, `poses` (three sections a row), `times_s`, `angle_deg` (bending angle, a list a row). A design whose

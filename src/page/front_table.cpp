@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace coilwright::page {
@@ -40,32 +41,44 @@ std::optional<double> coordinate_of(const StudyVariable& variable, const std::st
   return std::nullopt;
 }
 
-}  // namespace
+// Those of the first of some designs.
+std::vector<std::string> variables_of(const text::Node& designs) {
+  const std::vector<text::Node> all = designs.elements();
+  return all.empty() ? std::vector<std::string>{} : all.front().find("variables").value().keys();
+}
 
-FrontTable read_front(const std::filesystem::path& folder, const text::Node& result) {
-  FrontTable front{.texts = text::read_csv_texts(folder / "front.csv", [](std::string_view) { return true; }),
-                   .variables = {},
-                   .objectives = {},
-                   .largest = {},
-                   .margins = {},
-                   .quantities = {}};
+FrontTable designs_in(const std::filesystem::path& file, const text::Node& result, std::vector<std::string> variables) {
+  FrontTable designs{.texts = text::read_csv_texts(file, [](std::string_view) { return true; }),
+                     .variables = std::move(variables),
+                     .objectives = {},
+                     .largest = {},
+                     .margins = {},
+                     .quantities = {}};
   for (const text::Node& each : result.find("objectives").value().elements()) {
     const text::Node member = each.members().at(0);
-    front.objectives.push_back(member.text());
-    front.largest.push_back(member.key() == "maximise");
+    designs.objectives.push_back(member.text());
+    designs.largest.push_back(member.key() == "maximise");
   }
-  for (const text::Node& end : result.find("ends").value().elements())
-    if (front.variables.empty()) front.variables = end.find("variables").value().keys();
   const auto is_among = [](const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
   };
-  for (const std::string& name : front.texts.names()) {
+  for (const std::string& name : designs.texts.names()) {
     if (is_margin(name))
-      front.margins.push_back(name);
-    else if (!is_among(front.variables, name) && !is_among(front.objectives, name))
-      front.quantities.push_back(name);
+      designs.margins.push_back(name);
+    else if (!is_among(designs.variables, name) && !is_among(designs.objectives, name))
+      designs.quantities.push_back(name);
   }
-  return front;
+  return designs;
+}
+
+}  // namespace
+
+FrontTable read_front(const std::filesystem::path& folder, const text::Node& result) {
+  return designs_in(folder / "front.csv", result, variables_of(result.find("ends").value()));
+}
+
+FrontTable read_leaders(const std::filesystem::path& folder, const text::Node& result) {
+  return designs_in(folder / "best.csv", result, variables_of(result.find("best").value()));
 }
 
 text::Json json_of(const std::string& field) {

@@ -14,7 +14,7 @@
 
 namespace coilwright::page {
 
-/// front.csv with what its columns are.
+/// front.csv, or another table of designs, with what its columns are.
 struct FrontTable {
   text::CsvTexts texts;
   std::vector<std::string> variables;
@@ -28,6 +28,9 @@ struct FrontTable {
 
 /// Of the folder of a `pareto`; the objectives are those of its result.json.
 [[nodiscard]] FrontTable read_front(const std::filesystem::path& folder, const text::Node& result);
+
+/// Of the folder of a `sweep`: best.csv, the best designs of each configuration, likewise.
+[[nodiscard]] FrontTable read_leaders(const std::filesystem::path& folder, const text::Node& result);
 
 /// A field of a CSV file as JSON: a number where it is one, null where it is empty, else a text.
 [[nodiscard]] text::Json json_of(const std::string& field);

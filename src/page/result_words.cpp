@@ -54,6 +54,12 @@ std::string first_member_text(const Node& object) {
   return members.empty() ? "-" : fmt::format("{} {}", members.front().key(), cell_of(members.front()));
 }
 
+std::string ids_text(const Node& list) {
+  std::vector<std::string> ids;
+  for (const Node& each : list.elements()) ids.push_back(each.text());
+  return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, " and "));
+}
+
 bool is_feasible(const Node& result) {
   return result.find("feasible").value().boolean();
 }
@@ -74,8 +80,10 @@ std::string origin_text(const std::filesystem::path& folder, std::string_view ma
     const auto node = root.find(key);
     return node ? cell_of(*node) : std::string("-");
   };
-  out += fmt::format(" Results of {} {}, commit {}, seed {}.", word("command"), word("version"),
-                     word("commit").substr(0, 12), word("seed"));
+  out += fmt::format(" Results of {} {}, commit {}", word("command"), word("version"), word("commit").substr(0, 12));
+  // Null where nothing is drawn.
+  if (const auto seed = root.find("seed"); seed && !seed->is_null()) out += fmt::format(", seed {}", cell_of(*seed));
+  out += '.';
   if (const auto inputs = root.find("inputs"))
     for (const Node& input : inputs->elements())
       out += fmt::format(" {}: SHA-256 {}.", cell_of(input.find("file").value()),

@@ -25,6 +25,9 @@ namespace coilwright::page {
 /// The one member of an object of one, as "name value".
 [[nodiscard]] std::string first_member_text(const text::Node& object);
 
+/// "dry_friction and back_emf": the texts of a list; "none" of an empty one.
+[[nodiscard]] std::string ids_text(const text::Node& list);
+
 /// Whether the design of a result of `size` keeps every limit.
 [[nodiscard]] bool is_feasible(const text::Node& result);
 

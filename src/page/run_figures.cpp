@@ -14,6 +14,7 @@
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
+#include "page/thinning.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -55,12 +56,6 @@ std::optional<std::pair<std::string_view, double>> place_of(const text::CsvTexts
   return std::nullopt;
 }
 
-std::vector<double> every(const std::vector<double>& values, std::size_t stride) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < values.size(); i += stride) out.push_back(values[i]);
-  return out;
-}
-
 // The even step of the times; nothing where they are not even to a thousandth.
 std::optional<double> even_interval(const std::vector<double>& times) {
   if (times.size() < 2) return std::nullopt;
@@ -70,51 +65,39 @@ std::optional<double> even_interval(const std::vector<double>& times) {
   return step;
 }
 
-constexpr std::size_t most_points = 1200;
-
 std::vector<std::string> colour_order() {
   std::vector<std::string> names{"measured"};
   for (const auto& [column, name] : models) names.emplace_back(name);
   return names;
 }
 
-std::size_t stride_of(std::size_t count) {
-  return (count + most_points - 1) / most_points;
-}
-
-std::string thinned_text(std::size_t stride) {
-  return stride > 1 ? fmt::format(" One sample in {} is drawn.", stride) : "";
-}
-
 Figure record_figure(const RunRecord& record, std::size_t number) {
-  const std::size_t stride = stride_of(record.x.size());
-  Chart chart{.id = fmt::format("run-{}", number),
-              .title = fmt::format("{} ({})", record.run, record.role == "fit" ? "fitted" : "held out of the fit"),
-              .description =
-                  fmt::format("{} as measured and as each model predicts it.{}", record.channel, thinned_text(stride)),
-              .x_title = axis_title(record.axis),
-              .y_title = record.channel,
-              .series = {{.name = "measured",
-                          .x = every(record.x, stride),
-                          .y = every(record.measured, stride),
-                          .mark = Mark::dots}},
-              .colour_order = colour_order()};
+  const Thinning thinning(record.x.size());
+  Chart chart{
+      .id = fmt::format("run-{}", number),
+      .title = fmt::format("{} ({})", record.run, record.role == "fit" ? "fitted" : "held out of the fit"),
+      .description = fmt::format("{} as measured and as each model predicts it.{}", record.channel, thinning.text()),
+      .x_title = axis_title(record.axis),
+      .y_title = record.channel,
+      .series =
+          {{.name = "measured", .x = thinning.of(record.x), .y = thinning.of(record.measured), .mark = Mark::dots}},
+      .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions)
-    chart.series.push_back({.name = each.name, .x = every(each.x, stride), .y = every(each.y, stride)});
+    chart.series.push_back({.name = each.name, .x = thinning.of(each.x), .y = thinning.of(each.y)});
   return figure_of(chart);
 }
 
 Figure residual_figure(const RunRecord& record, std::size_t number) {
-  const std::size_t stride = stride_of(record.x.size());
+  const Thinning thinning(record.x.size());
   Chart chart{.id = fmt::format("residual-{}", number),
               .title = fmt::format("{}: what each model leaves over", record.run),
-              .description = "Measured less predicted." + thinned_text(stride),
+              .description = "Measured less predicted." + thinning.text(),
               .x_title = axis_title(record.axis),
               .y_title = "residual of " + record.channel,
               .series = {},
               .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions)
-    chart.series.push_back({.name = each.name, .x = every(each.x, stride), .y = every(each.residual, stride)});
+    chart.series.push_back({.name = each.name, .x = thinning.of(each.x), .y = thinning.of(each.residual)});
   return figure_of(chart);
 }
 

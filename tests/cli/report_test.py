@@ -5,7 +5,7 @@ import re
 import unittest
 
 from program import ProgramTest, run
-from study import write_study
+from study import FRONT, GRID, write_study
 
 
 class Report(ProgramTest):
@@ -20,13 +20,19 @@ class Report(ProgramTest):
         result = run("size", "study.json", "--out", "out", "--quiet", *arguments, cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
+    def specs(self, file):
+        """Of each figure of a page its Vega-Lite specification."""
+        page = (self.folder / file).read_text()
+        return {name: json.loads(text) for name, text in re.findall(
+            r'<script type="application/json" class="spec" data-figure="([^"]+)">(.*?)</script>', page, re.DOTALL)}
+
     def test_what_is_no_folder_of_results_is_refused(self):
         self.assert_refused(("report", "nowhere"), "nowhere: must be a folder of results")
         self.assert_refused(("report", "none"), "none: has neither result.json nor diagnosis.json: it is no folder of size, "
-                                                "pareto or diagnose")
-        self.write("none/result.json", '{"command": "sweep"}')
-        self.assert_refused(("report", "none"), 'none/result.json: /command: must be "size" or "pareto": there is no page of '
-                                                'other results; got text "sweep"')
+                                                "sweep, pareto or diagnose")
+        self.write("none/result.json", '{"command": "plan"}')
+        self.assert_refused(("report", "none"), 'none/result.json: /command: must be "size", "pareto" or "sweep": there is no '
+                                                'page of other results; got text "plan"')
 
     def test_a_damaged_result_is_refused_and_nothing_written(self):
         self.write("none/result.json", '{"command": "size", "study": "s", "objectives": [{"maximise": "mass_g"}]}')
@@ -42,9 +48,7 @@ class Report(ProgramTest):
 
     def test_the_numbers_of_a_page_are_those_of_its_files(self):
         self.size("--report")
-        page = (self.folder / "out/report.html").read_text()
-        specs = {name: json.loads(text) for name, text in re.findall(
-            r'<script type="application/json" class="spec" data-figure="([^"]+)">(.*?)</script>', page, re.DOTALL)}
+        specs = self.specs("out/report.html")
         result = self.result("out/result.json")
         (objective,) = result["best"]["objectives"]
         series = {row["series"]: row for row in specs["search"]["data"]["values"]}
@@ -54,6 +58,76 @@ class Report(ProgramTest):
         self.assertEqual(sorted(series["keeps every limit"]["y"]), sorted(kept))
         steps = [step["objective_change"] for step in result["steps"] if step["objective_change"] is not None]
         self.assertEqual([row["value"] for row in specs["steps"]["data"]["values"]], steps)
+
+    def sweep(self):
+        write_study(self, variables=GRID, objectives=FRONT)
+        result = run("sweep", "study.json", "--out", "out", "--report", "--quiet", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return self.table("out/designs.csv")
+
+    def test_a_sweep_shows_the_best_at_each_value_of_each_variable(self):
+        rows = self.sweep()
+        specs = self.specs("out/report.html")
+        variables = list(GRID)
+        for number, (objective, best_of) in enumerate((("peak_bending_speed_deg_s", max), ("mass_g", min)), start=1):
+            for place, name in enumerate(variables, start=1):
+                if name == "configuration":
+                    continue
+                series = {row["series"]: row for row in specs[f"effect-{number}-{place}"]["data"]["values"]}
+                for letter in "AB":
+                    kept = [row for row in rows if row["configuration"] == letter and row["status"] == "ok"]
+                    values = sorted({float(row[name]) for row in kept})
+                    line = series[f"best with configuration {letter}"]
+                    self.assertEqual(line["x"], values)
+                    self.assertEqual(line["y"], [best_of(float(row[objective]) for row in kept if float(row[name]) == value)
+                                                 for value in values])
+                shown = series["keeps every limit"]
+                self.assertEqual(sorted(shown["y"]), sorted(float(row[objective]) for row in rows if row["status"] == "ok"))
+
+    def test_a_sweep_counts_who_breaks_each_limit(self):
+        rows = self.sweep()
+        margins = [name for name in rows[0] if "_margin" in name and ("_max_" in name or "_min_" in name)]
+        page = (self.folder / "out/report.html").read_text()
+        for name in margins:
+            broken = [row for row in rows if row[name] and float(row[name]) < 0]
+            alone = [row for row in broken if sum(float(row[other]) < 0 for other in margins) == 1]
+            cells = re.search(rf"{name}</t[hd]>\s*<td[^>]*>(\d+)</td>\s*<td[^>]*>(\d+)</td>", page)
+            self.assertEqual((int(cells[1]), int(cells[2])), (len(broken), len(alone)), name)
+
+    def test_a_sweep_whose_tables_do_not_belong_together_is_refused(self):
+        self.sweep()
+        file = self.folder / "out/designs.csv"
+        file.write_text("status,gap_mm\nok,1\n")
+        self.assert_refused(("report", "out", "--out", "again.html"),
+                            "out/designs.csv: must have the columns of best.csv")
+        self.assertFalse((self.folder / "again.html").exists())
+
+    def test_evaluate_and_validate_make_a_page_of_what_they_print(self):
+        write_study(self)
+        done = run("evaluate", "finger.json", "--current", "1", "--json", "--report", "one.html", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        printed = json.loads(done.stdout)
+        page = (self.folder / "one.html").read_text()
+        self.assertIn(f"peak_bending_speed_deg_s {printed['peak_bending_speed_deg_s']:.4g}", page)
+        margins = {row["label"].split()[0]: row["value"] for row in self.specs("one.html")["margins"]["data"]["values"]}
+        for each in printed["part_limits"]:
+            room = each["at_most"] - each["value"] if "at_most" in each else each["value"] - each["at_least"]
+            limit = each.get("at_most", each.get("at_least"))
+            self.assertAlmostEqual(margins[each["quantity"]], 100 * room / (abs(limit) or 1), places=9)
+        done = run("validate", "--json", "--report", "paper.html", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        shown = [row["value"] for row in self.specs("paper.html")["differences"]["data"]["values"]
+                 if row["group"].startswith("difference")]
+        self.assertEqual(shown, [row["difference_pct"] for row in json.loads(done.stdout)["rows"]])
+
+    def test_a_lumped_model_has_no_page(self):
+        self.write("rod.json", json.dumps({
+            "format": "lumped-model/1", "name": "rod", "gravity_m_s2": 9.81, "magnetics": None,
+            "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0, "mass_kg": 0.5, "inertia_kgm2": 0}],
+            "joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 0.005}]}))
+        self.assert_refused(("evaluate", "rod.json", "--current", "1", "--report", "one.html"),
+                            "rod.json: is a lumped model: --report draws a design with its dimensions (actuator/1)")
+        self.assertFalse((self.folder / "one.html").exists())
 
     def test_every_figure_can_be_had_as_a_file(self):
         self.size()

@@ -138,7 +138,7 @@ class Sweep(ProgramTest):
         for index, row in enumerate(rows):
             self.assertAlmostEqual(float(row["gap_mm"]), 0.7 + index * 1e-6, places=12)
             self.assertNotEqual(row["mass_g"], "")
-        self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()), ["archive.sqlite", "best.csv", "designs.csv", "provenance.json"])
+        self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()), ["archive.sqlite", "best.csv", "designs.csv", "provenance.json", "result.json"])
 
 
 if __name__ == "__main__":

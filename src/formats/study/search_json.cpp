@@ -1,7 +1,5 @@
 #include "coilwright/formats/study/search_json.hpp"
 
-#include <utility>
-
 namespace coilwright::formats {
 
 using namespace text;
@@ -21,14 +19,18 @@ Json to_json(const ArchiveCounts& counts) {
   return Json::object({{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}});
 }
 
-Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason) {
+Json objectives_asked(const sizing::Study& study) {
   Json objectives = Json::array();
   for (const sizing::StudyObjective& objective : study.objectives)
     objectives.add(Json::object(
         {{objective.sense == sizing::Sense::maximise ? "maximise" : "minimise", objective.quantity.name}}));
+  return objectives;
+}
+
+Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason) {
   return Json::object({{"command", command},
                        {"study", study.name},
-                       {"objectives", std::move(objectives)},
+                       {"objectives", objectives_asked(study)},
                        {"algorithm", sizing::name_of(study.search.algorithm)},
                        {"seed", static_cast<std::int64_t>(study.search.seed)},
                        {"max_evaluations", study.search.max_evaluations},

@@ -4,6 +4,7 @@
 
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/formats/study/design_json.hpp"
+#include "coilwright/formats/study/search_json.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -69,6 +70,7 @@ Json to_json(const SweepReport& report) {
   }
   return Json::object({{"command", "sweep"},
                        {"study", report.study.name},
+                       {"objectives", objectives_asked(report.study)},
                        {"designs", report.designs},
                        {"evaluated", report.evaluated},
                        {"ok", report.ok},

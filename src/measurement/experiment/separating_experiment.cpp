@@ -31,29 +31,41 @@ constexpr double pi = std::numbers::pi;
 
 using Prediction = std::optional<Eigen::VectorXd>;
 
-// What a hypothesis predicts that the instruments show, over their noise. Clocks and shutter would blur all hypotheses
-// alike. Nothing if it cannot be simulated.
-Prediction predicted_motion(const PlannedRun& candidate, const Instruments& instruments,
-                            const compare::FittedHypothesis& fitted) {
-  PlannedRun run = candidate;
+// A run with its times, and what perfect instruments show of it: channel after channel, SI.
+struct Seen {
+  data::Run run;
+  Eigen::VectorXd values;
+};
+
+// As one hypothesis has it. Clocks and shutter would blur all hypotheses alike. Nothing if it cannot be simulated.
+std::optional<Seen> seen_by(const compare::FittedHypothesis& fitted, const PlannedRun& planned) {
+  PlannedRun run = planned;
   run.plan.clock = {};
   run.plan.hold = {};
   run.input_rate = 0.0;
   try {
     const Model model(replay::on_changed_rig(fitted.hypothesis.spec_at(fitted.fit.values), run.plan.rig));
-    const data::Run seen = with_inputs(run, model);
+    data::Run seen = with_inputs(run, model);
     Eigen::VectorXd values = true_values(run, seen, {}, fitted.hypothesis.declared(), model);
-    const auto samples = static_cast<Eigen::Index>(seen.samples());
-    for (std::size_t c = 0; c < seen.channels.size(); ++c) {
-      const double noise = instruments.of(seen.channels[c].kind).noise;
-      values.segment(static_cast<Eigen::Index>(c) * samples, samples) *= noise > 0.0 ? 1.0 / noise : 0.0;
-    }
-    return values;
+    return Seen{.run = std::move(seen), .values = std::move(values)};
   } catch (const std::runtime_error&) {
     return std::nullopt;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
+}
+
+// The same over the noise of each instrument.
+Prediction predicted_motion(const PlannedRun& candidate, const Instruments& instruments,
+                            const compare::FittedHypothesis& fitted) {
+  std::optional<Seen> seen = seen_by(fitted, candidate);
+  if (!seen) return std::nullopt;
+  const auto samples = static_cast<Eigen::Index>(seen->run.samples());
+  for (std::size_t c = 0; c < seen->run.channels.size(); ++c) {
+    const double noise = instruments.of(seen->run.channels[c].kind).noise;
+    seen->values.segment(static_cast<Eigen::Index>(c) * samples, samples) *= noise > 0.0 ? 1.0 / noise : 0.0;
+  }
+  return std::move(seen->values);
 }
 
 // Torque of the first joint over its angle, N m: with the largest current, if coils drive the rig, and without.
@@ -135,6 +147,38 @@ std::vector<PlannedRun> bench_runs(double current) {
   return out;
 }
 
+std::vector<std::string> ids_of(const compare::FittedHypothesis& hypothesis) {
+  std::vector<std::string> ids;
+  for (const actuator::EffectKind* kind : hypothesis.kinds()) ids.emplace_back(kind->id());
+  return ids;
+}
+
+// What the rivals expect of each channel of the proposed runs; nothing where one of them cannot be simulated in them.
+std::vector<ExpectedReading> expected_readings(const std::vector<PlannedRun>& proposed, const Instruments& instruments,
+                                               const Rivals& rivals) {
+  std::vector<ExpectedReading> out;
+  for (const PlannedRun& planned : proposed) {
+    const std::size_t first = out.size();
+    for (const compare::FittedHypothesis* rival : rivals) {
+      const std::optional<Seen> seen = seen_by(*rival, planned);
+      if (!seen) return {};
+      const auto samples = static_cast<Eigen::Index>(seen->run.samples());
+      for (std::size_t c = 0; c < seen->run.channels.size(); ++c) {
+        const data::Channel& channel = seen->run.channels[c];
+        if (rival == rivals.front())
+          out.push_back({.run = planned.plan.name,
+                         .channel = channel.name,
+                         .kind = channel.kind,
+                         .noise = instruments.of(channel.kind).noise,
+                         .at = seen->run.times.empty() ? seen->run.angles : seen->run.times});
+        const auto values = seen->values.segment(static_cast<Eigen::Index>(c) * samples, samples);
+        out[first + c].values.emplace_back(values.begin(), values.end());
+      }
+    }
+  }
+  return out;
+}
+
 // Names that no other run of the experiment has.
 void add_with_own_name(Experiment& experiment, PlannedRun run) {
   const std::string stem = run.plan.name.substr(0, run.plan.name.rfind('.'));
@@ -186,23 +230,30 @@ std::optional<NextExperiment> separating_experiment(std::span<const replay::Prep
   });
   const auto best = std::ranges::max_element(separations);
   if (*best < least_separation) return std::nullopt;
+  std::vector<std::vector<std::string>> explanations;
+  for (const compare::FittedHypothesis* rival : rivals) explanations.push_back(ids_of(*rival));
   const auto i = static_cast<std::size_t>(best - separations.begin());
   if (i == candidates.size()) {
     recorded.instruments.torque = {.noise = accuracy_of_bench(current, after)};
+    const std::vector<PlannedRun> proposed = bench_runs(current);
     return NextExperiment{
         .kind = "bench_torque",
         .input = current > 0.0 ? "torque of the first joint over 0 to 80 deg, with the largest current and without"
                                : "torque of the first joint over 0 to 80 deg",
         .why = "magnets and springs are measured apart, at rest",
         .separation = *best,
-        .experiment = with_proposal(recorded, bench_runs(current))};
+        .experiment = with_proposal(recorded, proposed),
+        .explanations = std::move(explanations),
+        .expected = expected_readings(proposed, recorded.instruments, rivals)};
   }
   const CandidateRun& chosen = candidates[i];
   return NextExperiment{.kind = chosen.kind,
                         .input = chosen.input,
                         .why = chosen.why,
                         .separation = *best,
-                        .experiment = with_proposal(recorded, {chosen.run, chosen.run})};
+                        .experiment = with_proposal(recorded, {chosen.run, chosen.run}),
+                        .explanations = std::move(explanations),
+                        .expected = expected_readings({chosen.run}, recorded.instruments, rivals)};
 }
 
 }  // namespace coilwright::measurement::experiment

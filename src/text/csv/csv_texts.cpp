@@ -16,6 +16,52 @@
 #include "text/input_file.hpp"
 
 namespace coilwright::text {
+namespace {
+
+using Keep = std::function<bool(std::string_view name)>;
+using OnRow = std::function<void(std::span<const std::string_view> fields)>;
+
+constexpr std::size_t streamed_size_limit = 64'000'000'000;  // bytes of text, of which a row at a time is held
+
+// Names of the columns kept.
+std::vector<std::string> read_rows(const std::filesystem::path& path, std::size_t size_limit, const Keep& keep,
+                                   const OnRow& on_row) {
+  InputFile file(path, size_limit);
+  std::vector<std::string> names;
+  std::vector<std::size_t> kept;
+  std::vector<std::string_view> row;
+  std::size_t width = 0;
+  CsvParser parser(file.name(), [&](std::span<const std::string_view> fields, std::size_t line) {
+    if (width == 0) {
+      width = fields.size();
+      for (std::size_t i = 0; i < width; ++i) {
+        if (!keep(fields[i])) continue;
+        kept.push_back(i);
+        names.emplace_back(fields[i]);
+      }
+      return;
+    }
+    if (fields.size() != width)
+      throw InputError({.file = file.name(),
+                        .place = fmt::format("line {}", line),
+                        .rule = fmt::format("must have as many fields as the header, {}", width),
+                        .value = fmt::format("{}", fields.size())});
+    row.clear();
+    for (const std::size_t i : kept) row.push_back(fields[i]);
+    on_row(row);
+  });
+  std::array<char, 1 << 16> buffer{};
+  while (true) {
+    const std::span<char> read = file.read(buffer);
+    parser.feed({read.data(), read.size()});
+    if (read.size() < buffer.size()) break;
+  }
+  parser.finish();
+  if (width == 0) throw InputError({.file = file.name(), .rule = "is empty: it must have a header"});
+  return names;
+}
+
+}  // namespace
 
 bool CsvTexts::has(std::string_view name) const {
   return index_of(name).has_value();
@@ -45,38 +91,18 @@ std::optional<double> number_in(std::string_view field) noexcept {
   return value;
 }
 
-CsvTexts read_csv_texts(const std::filesystem::path& path, const std::function<bool(std::string_view name)>& keep) {
-  InputFile file(path, csv_size_limit);
+std::vector<std::string> for_each_csv_row(const std::filesystem::path& path, const Keep& keep, const OnRow& on_row) {
+  return read_rows(path, streamed_size_limit, keep, on_row);
+}
+
+CsvTexts read_csv_texts(const std::filesystem::path& path, const Keep& keep) {
   CsvTexts out;
-  std::vector<std::size_t> kept;
-  std::size_t width = 0;
-  CsvParser parser(file.name(), [&](std::span<const std::string_view> fields, std::size_t line) {
-    if (width == 0) {
-      width = fields.size();
-      for (std::size_t i = 0; i < width; ++i) {
-        if (!keep(fields[i])) continue;
-        kept.push_back(i);
-        out.names_.emplace_back(fields[i]);
-      }
-      out.columns_.resize(kept.size());
-      return;
-    }
-    if (fields.size() != width)
-      throw InputError({.file = file.name(),
-                        .place = fmt::format("line {}", line),
-                        .rule = fmt::format("must have as many fields as the header, {}", width),
-                        .value = fmt::format("{}", fields.size())});
-    for (std::size_t i = 0; i < kept.size(); ++i) out.columns_[i].emplace_back(fields[kept[i]]);
+  out.names_ = read_rows(path, csv_size_limit, keep, [&](std::span<const std::string_view> fields) {
+    out.columns_.resize(fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) out.columns_[i].emplace_back(fields[i]);
     ++out.rows_;
   });
-  std::array<char, 1 << 16> buffer{};
-  while (true) {
-    const std::span<char> read = file.read(buffer);
-    parser.feed({read.data(), read.size()});
-    if (read.size() < buffer.size()) break;
-  }
-  parser.finish();
-  if (width == 0) throw InputError({.file = file.name(), .rule = "is empty: it must have a header"});
+  out.columns_.resize(out.names_.size());
   return out;
 }
 

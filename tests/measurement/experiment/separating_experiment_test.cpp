@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -23,9 +24,9 @@ Effect effect(const char* id, std::vector<double> values) {
   return {.kind = actuator::standard_effects().find(id), .values = std::move(values)};
 }
 
-// The paper's finger, recorded in a step of 1.4 A with a noise of 0.3 degrees.
+// The paper's finger, recorded in a step of 1.4 A by a camera of that noise.
 struct Rig {
-  explicit Rig(actuator::ContactChoice faces = actuator::ContactChoice::walls) {
+  explicit Rig(actuator::ContactChoice faces = actuator::ContactChoice::walls, double noise = 0.3 * degree) {
     Design design;
     design.layout = actuator::layout_of(actuator::Configuration::B);
     design.choices.faces = faces;
@@ -34,7 +35,7 @@ struct Rig {
     run = {.name = "step.csv",
            .kind = data::RunKind::transient,
            .drive = data::Drive::current,
-           .sigma = 0.3 * degree,
+           .sigma = noise,
            .channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}}};
     for (int i = 0; i < 350; ++i) {
       run.times.push_back(0.002 * i);
@@ -104,6 +105,40 @@ TEST(SeparatingExperiment, IsAnExperimentThatEndsWithTheProposedRunTwice) {
   EXPECT_EQ(runs[2].plan.rig, runs[3].plan.rig);
   EXPECT_DOUBLE_EQ(runs[2].rate, 500.0);
   EXPECT_DOUBLE_EQ(next->experiment.instruments.angle.noise, 0.3 * degree);
+}
+
+TEST(SeparatingExperiment, TellsWhatEachExplanationExpectsOfTheProposedRun) {
+  const Rig rig(actuator::ContactChoice::hard_parts);
+  const auto next = rig.between(effect("base_tilt", {3.0 * degree}), {effect("angle_offset", {-1.0 * degree})});
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(next->explanations, (std::vector<std::vector<std::string>>{{"base_tilt"}, {"angle_offset"}}));
+  ASSERT_EQ(next->expected.size(), 1u);
+  const ExpectedReading& angle = next->expected.front();
+  EXPECT_EQ(angle.run, "next_" + next->kind + ".csv");
+  EXPECT_EQ(angle.channel, "bending_angle_deg");
+  EXPECT_DOUBLE_EQ(angle.noise, 0.3 * degree);
+  ASSERT_EQ(angle.values.size(), 2u);
+  ASSERT_EQ(angle.values[0].size(), angle.at.size());
+  ASSERT_EQ(angle.values[1].size(), angle.at.size());
+  // What is told of each sample is what the separation was worked out from.
+  double squares = 0.0;
+  for (std::size_t i = 0; i < angle.at.size(); ++i)
+    squares += std::pow((angle.values[0][i] - angle.values[1][i]) / angle.noise, 2);
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(angle.at.size())), next->separation, 1e-9 * next->separation);
+}
+
+TEST(SeparatingExperiment, TellsWhatATorqueBenchWouldRead) {
+  // A camera so coarse that no motion tells as much as a bench does.
+  const Rig rig(actuator::ContactChoice::walls, 5.0 * degree);
+  const auto next = rig.between(effect("stiffness_hardening", {0.1}), {effect("force_gain", {0.9})});
+  ASSERT_TRUE(next.has_value());
+  ASSERT_EQ(next->kind, "bench_torque");
+  ASSERT_EQ(next->expected.size(), 2u);
+  for (const ExpectedReading& torque : next->expected) {
+    EXPECT_EQ(torque.kind, data::ChannelKind::torque);
+    EXPECT_EQ(torque.at.size(), 17u);
+    EXPECT_NEAR(torque.at.back(), 80.0 * degree, 1e-12);
+  }
 }
 
 TEST(SeparatingExperiment, IsFastIfLagAndDelayAreInDoubt) {

@@ -97,11 +97,18 @@ def main():
         run("pareto", front, "--out", folder / "pareto", "--max-evaluations", 600, "--quiet", "--report", codes=(0, 3))
         run("init", "dataset", "--out", folder / "records")
         run("diagnose", folder / "records", "--out", folder / "diagnose", "--quiet", "--report")
+        finger = ROOT / "configs/actuators/finger.json"
+        run("evaluate", finger, "--current", 1, "--report", folder / "evaluate.html")
+        run("validate", "--report", folder / "validate.html")
+        grid = small_study("configurations", folder)
+        run("sweep", grid, "--out", folder / "sweep", "--quiet", "--report")
         run("report", many(folder, folder / "pareto", 20000))
         for script, page in (("sizing_test.mjs", "size"), ("front_test.mjs", "pareto"),
                              ("many_test.mjs", "many"), ("diagnosis_test.mjs", "diagnose")):
             subprocess.run([node, FOLDER / script, folder / page / "report.html", PROGRAM], env=environment, check=True,
                            timeout=300)
+        for page in ("sweep/report.html", "evaluate.html", "validate.html"):
+            subprocess.run([node, FOLDER / "plain_test.mjs", folder / page], env=environment, check=True, timeout=300)
 
 
 if __name__ == "__main__":

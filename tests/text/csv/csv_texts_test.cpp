@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/text/input_error.hpp"
@@ -50,6 +52,19 @@ TEST(CsvTexts, NamesTheLineOfARowOfAnotherWidth) {
     EXPECT_EQ(error.fault().place, "line 3");
     EXPECT_EQ(error.fault().value, "1");
   }
+}
+
+TEST(CsvTexts, GivesTheSameRowsOneByOne) {
+  const coilwright::testing::TemporaryFolder folder;
+  std::vector<std::string> seen;
+  const std::vector<std::string> names = for_each_csv_row(
+      folder.file("t.csv", "name,note,value\nthis,one,1\nthat,two,2\n"),
+      [](std::string_view name) { return name != "note"; },
+      [&](std::span<const std::string_view> fields) {
+        for (const std::string_view field : fields) seen.emplace_back(field);
+      });
+  EXPECT_EQ(names, (std::vector<std::string>{"name", "value"}));
+  EXPECT_EQ(seen, (std::vector<std::string>{"this", "1", "that", "2"}));
 }
 
 TEST(NumberIn, TakesAFieldAsAWhole) {

@@ -20,6 +20,9 @@ struct ArchiveCounts {
 /// {"ok": .., "infeasible": .., "failed": ..}
 [[nodiscard]] text::Json to_json(const ArchiveCounts& counts);
 
+/// The objectives as the study has them: [{"maximise": "stroke_deg"}].
+[[nodiscard]] text::Json objectives_asked(const sizing::Study& study);
+
 /// The first keys of a result file: what was asked, and how it was searched.
 [[nodiscard]] text::Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,12 @@ class CsvTexts {
 /// of fields.
 [[nodiscard]] CsvTexts read_csv_texts(const std::filesystem::path& path,
                                       const std::function<bool(std::string_view name)>& keep);
+
+/// The same row by row, for a table that need not fit into memory: `on_row` is given the fields of the columns that
+/// were kept, in the order of the names that are returned; they live as long as the call. Throws as read_csv_texts().
+std::vector<std::string> for_each_csv_row(const std::filesystem::path& path,
+                                          const std::function<bool(std::string_view name)>& keep,
+                                          const std::function<void(std::span<const std::string_view> fields)>& on_row);
 
 /// The text of a field as a number; nothing where it is not exactly a finite one.
 [[nodiscard]] std::optional<double> number_in(std::string_view field) noexcept;

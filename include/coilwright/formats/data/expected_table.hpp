@@ -1,0 +1,16 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "coilwright/measurement/experiment/next_experiment.hpp"
+
+namespace coilwright::formats {
+
+/// next_experiment.csv: what each explanation that is left expects of the proposed run, a row a sample of every
+/// channel. A long table: `run, channel`, then where on the run's axis the sample lies (`time_s` or `angle_deg`; the
+/// other is empty), `noise` (standard deviation of one reading), then a column for each explanation, all in the unit at
+/// the end of the channel's name. A column is named by its effects, joined by "+" ("no effect" without any; a second
+/// one of the same effects has " (2)" behind). Throws std::invalid_argument when an explanation lacks values.
+void write_expected_readings(std::ostream& out, const measurement::experiment::NextExperiment& next);
+
+}  // namespace coilwright::formats

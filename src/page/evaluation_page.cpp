@@ -1,0 +1,122 @@
+#include "coilwright/page/evaluation_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "coilwright/page/chart.hpp"
+#include "coilwright/page/design_figures.hpp"
+#include "coilwright/simulation/choice_effects.hpp"
+#include "coilwright/simulation/part_limits.hpp"
+#include "page/result_words.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using simulation::ChoiceEffect;
+using simulation::DesignView;
+using simulation::EvaluatedDesign;
+using simulation::PartLimit;
+
+// For what an actuator is usually built: in the verdict, and held against every other modelling choice.
+constexpr std::array main_figures = {"peak_bending_speed_deg_s", "steady_angle_deg", "grasp_force_N", "damping_ratio"};
+
+std::string value_text(const DesignView& design, std::string_view name) {
+  const std::optional<double> value = simulation::standard_quantities().at(name).value(design);
+  return value ? short_number(*value) : "-";
+}
+
+std::string value_text(const PartLimit& limit) {
+  return limit.value ? short_number(*limit.value) : "no steady value";
+}
+
+std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& limits) {
+  std::vector<std::string> figures;
+  for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
+  std::vector<std::string> broken;
+  for (const PartLimit& each : limits)
+    if (each.is_broken())
+      broken.push_back(fmt::format("{} is {}, beyond {}: {}", each.quantity, value_text(each), short_number(each.limit),
+                                   each.consequence));
+  const std::string does =
+      fmt::format("With {} A in every coil and a duty of {}: {}.", short_number(design.point.current),
+                  short_number(design.point.duty), fmt::join(figures, ", "));
+  if (broken.empty()) return does + " No part is beyond a limit of its own.";
+  return fmt::format("{} The parts do not stand that for long: {}.", does, fmt::join(broken, "; "));
+}
+
+Section limits_section(const std::vector<PartLimit>& limits) {
+  Section section{.id = "limits", .title = "What the parts stand", .blocks = {}};
+  BarChart chart{.id = "margins",
+                 .title = "Margins of the parts",
+                 .description =
+                     "How far each part is from its limit, in per cent of the limit. A bar to the left is a "
+                     "limit that is broken; it ends at -100 % where there is no steady value.",
+                 .value_title = "margin, %",
+                 .label_title = "limit",
+                 .bars = {}};
+  Table table{.header = {"quantity", "value", "limit", "beyond it"}, .rows = {}};
+  for (const PartLimit& each : limits) {
+    const std::string limit = fmt::format("{} {}", each.at_most ? "<=" : ">=", short_number(each.limit));
+    table.rows.push_back({std::string(each.quantity), value_text(each), limit, std::string(each.consequence)});
+    chart.bars.push_back({.label = fmt::format("{} {}", each.quantity, limit),
+                          .value = 100.0 * each.margin(),
+                          .group = each.is_broken() ? "broken" : "kept"});
+  }
+  section.blocks.emplace_back(figure_of(chart));
+  section.blocks.emplace_back(TableBlock{.caption = "Limits of the parts", .table = std::move(table)});
+  return section;
+}
+
+Section choices_section(const DesignView& design, const std::vector<ChoiceEffect>& effects) {
+  Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
+  Table table{.header = {"subject", "taken", "otherwise"}, .rows = {}};
+  for (const char* name : main_figures) table.header.emplace_back(name);
+  table.header.emplace_back("settled by");
+  std::vector<std::string> taken{"as taken", "", ""};
+  for (const char* name : main_figures) taken.push_back(value_text(design, name));
+  taken.emplace_back("");
+  table.rows.push_back(std::move(taken));
+  for (const ChoiceEffect& each : effects) {
+    std::vector<std::string> row{std::string(each.choice.subject), each.choice.taken, each.choice.otherwise};
+    const auto* other = std::get_if<EvaluatedDesign>(&each.result);
+    for (const char* name : main_figures) row.push_back(other != nullptr ? value_text(other->view(), name) : "-");
+    row.emplace_back(each.choice.settled_by);
+    table.rows.push_back(std::move(row));
+  }
+  section.blocks.emplace_back(
+      TableBlock{.caption = "The same parts under each other modelling choice", .table = std::move(table)});
+  return section;
+}
+
+Section quantities_section(const DesignView& design) {
+  Section section{.id = "quantities", .title = "All quantities", .blocks = {}};
+  Table table{.header = {"quantity", "value", "meaning"}, .rows = {}};
+  for (const simulation::ResultQuantity& each : simulation::standard_quantities())
+    table.rows.push_back({each.name, value_text(design, each.name), each.meaning});
+  section.blocks.emplace_back(TableBlock{.caption = "Quantities of this design", .table = std::move(table)});
+  return section;
+}
+
+}  // namespace
+
+Page evaluation_page(const EvaluatedDesign& evaluated, std::string_view name, std::string_view made_by) {
+  const DesignView design = evaluated.view();
+  const std::vector<PartLimit> limits = simulation::part_limits(design);
+  Page page{.title = fmt::format("{} at {} A", name, short_number(design.point.current)),
+            .verdict = verdict_of(design, limits),
+            .origin = fmt::format("Page by {}.", made_by),
+            .sections = design_sections(evaluated, {.name = std::string(name), .made_by = std::string(made_by)})};
+  page.sections.push_back(limits_section(limits));
+  page.sections.push_back(choices_section(design, simulation::choice_effects(evaluated.design, evaluated.point)));
+  page.sections.push_back(quantities_section(design));
+  return page;
+}
+
+}  // namespace coilwright::page

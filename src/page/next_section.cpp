@@ -1,0 +1,145 @@
+#include "page/next_section.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "coilwright/page/chart.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
+#include "page/result_words.hpp"
+#include "page/thinning.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using text::Node;
+
+// One channel of the proposed run, as next_experiment.csv has it.
+struct Expected {
+  std::string run;
+  std::string channel;
+  std::string axis;  // title of the x axis
+  double noise{};
+  std::vector<double> at;
+  std::vector<std::vector<double>> values;  // of each explanation
+};
+
+// The columns that tell of what a row is; those behind them are the explanations.
+constexpr std::array<std::string_view, 5> columns_of_place = {"run", "channel", "time_s", "angle_deg", "noise"};
+
+std::vector<std::string> explanations_in(const text::CsvTexts& table) {
+  const auto& names = table.names();
+  return {names.begin() + static_cast<std::ptrdiff_t>(columns_of_place.size()), names.end()};
+}
+
+std::vector<Expected> expected_of(const text::CsvTexts& table, const std::vector<std::string>& explanations) {
+  std::vector<Expected> out;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& run = table.column("run")[row];
+    const std::string& channel = table.column("channel")[row];
+    const std::optional<double> time = table.number("time_s", row);
+    if (out.empty() || out.back().run != run || out.back().channel != channel)
+      out.push_back({.run = run,
+                     .channel = channel,
+                     .axis = time ? "time, s" : "angle, deg",
+                     .noise = table.number("noise", row).value(),
+                     .at = {},
+                     .values = std::vector<std::vector<double>>(explanations.size())});
+    out.back().at.push_back(time ? *time : table.number("angle_deg", row).value());
+    for (std::size_t i = 0; i < explanations.size(); ++i)
+      out.back().values[i].push_back(table.number(explanations[i], row).value());
+  }
+  return out;
+}
+
+Figure readings_figure(const Expected& expected, const std::vector<std::string>& explanations, std::size_t number) {
+  const Thinning thinning(expected.at.size());
+  Chart chart{.id = fmt::format("expected-{}", number),
+              .title = fmt::format("{}: what each explanation expects", expected.run),
+              .description = fmt::format("{} of the proposed run as each explanation that is left predicts it.{}",
+                                         expected.channel, thinning.text()),
+              .x_title = expected.axis,
+              .y_title = expected.channel,
+              .series = {},
+              .colour_order = explanations};
+  for (std::size_t i = 0; i < explanations.size(); ++i)
+    chart.series.push_back(
+        {.name = explanations[i], .x = thinning.of(expected.at), .y = thinning.of(expected.values[i])});
+  return figure_of(chart);
+}
+
+// In units of the noise where it is known, so that 1 is what a single reading can just show.
+Figure difference_figure(const Expected& expected, const std::vector<std::string>& explanations, std::size_t number) {
+  const Thinning thinning(expected.at.size());
+  const double unit = expected.noise > 0.0 ? expected.noise : 1.0;
+  const std::string scale = expected.noise > 0.0
+                                ? fmt::format("noise of {} {}", short_number(expected.noise), expected.channel)
+                                : expected.channel;
+  Chart chart{
+      .id = fmt::format("difference-{}", number),
+      .title = fmt::format("{}: predicted difference to {}", expected.run, explanations.front()),
+      .description = fmt::format("What each other explanation expects less what {} expects, {}.", explanations.front(),
+                                 expected.noise > 0.0 ? "in multiples of the noise of one reading"
+                                                      : "in the channel's own unit: its noise is not known"),
+      .x_title = expected.axis,
+      .y_title = expected.noise > 0.0 ? "difference over the " + scale : "difference, " + scale,
+      .series = {},
+      .colour_order = explanations};
+  for (std::size_t i = 1; i < explanations.size(); ++i) {
+    std::vector<double> difference;
+    for (std::size_t k = 0; k < expected.at.size(); ++k)
+      difference.push_back((expected.values[i][k] - expected.values[0][k]) / unit);
+    chart.series.push_back({.name = explanations[i], .x = thinning.of(expected.at), .y = thinning.of(difference)});
+  }
+  return figure_of(chart);
+}
+
+std::vector<Figure> expected_figures(const std::filesystem::path& file) {
+  const text::CsvTexts table = text::read_csv_texts(file, [](std::string_view) { return true; });
+  const std::vector<std::string> explanations = explanations_in(table);
+  std::vector<Figure> figures;
+  std::size_t number = 0;
+  for (const Expected& each : expected_of(table, explanations)) {
+    ++number;
+    figures.push_back(readings_figure(each, explanations, number));
+    if (explanations.size() > 1) figures.push_back(difference_figure(each, explanations, number));
+  }
+  return figures;
+}
+
+}  // namespace
+
+Section next_section(const std::filesystem::path& folder, const Node& diagnosis) {
+  Section section{.id = "next", .title = "What cannot be told apart, and what to record next", .blocks = {}};
+  const std::vector<Node> sets = diagnosis.find("indistinguishable").value().elements();
+  for (const Node& set : sets) {
+    std::vector<std::string> members;
+    for (const Node& each : set.elements())
+      members.push_back(each.kind() == Node::Kind::array ? ids_text(each) : cell_of(each));
+    section.blocks.emplace_back(Paragraph{fmt::format("These data cannot tell apart: {}.", fmt::join(members, "; "))});
+  }
+  if (sets.empty()) section.blocks.emplace_back(Paragraph{"These data tell all hypotheses apart that fit them."});
+  const auto next = diagnosis.find("next_experiment");
+  if (!next || next->is_null()) {
+    section.blocks.emplace_back(Paragraph{"No further run is proposed."});
+    return section;
+  }
+  Table table{.header = {"", ""}, .rows = {}};
+  for (const Node& each : next->members())
+    if (each.kind() != Node::Kind::object && each.kind() != Node::Kind::array)
+      table.rows.push_back({each.key(), cell_of(each)});
+  section.blocks.emplace_back(TableBlock{.caption = "The run that would separate them", .table = std::move(table)});
+  if (std::filesystem::is_regular_file(folder / "next_experiment.csv"))
+    for (Figure& figure : expected_figures(folder / "next_experiment.csv"))
+      section.blocks.emplace_back(std::move(figure));
+  return section;
+}
+
+}  // namespace coilwright::page

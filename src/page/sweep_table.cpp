@@ -1,0 +1,145 @@
+#include "page/sweep_table.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "coilwright/text/csv/csv_texts.hpp"
+#include "coilwright/text/input_error.hpp"
+
+namespace coilwright::page {
+namespace {
+
+constexpr double most_samples = 3000.0;
+constexpr std::size_t most_reasons = 20;
+
+// A number below 1 for each row, without any pattern that the grid could fall in with (splitmix64, Steele 2014).
+double share_of(std::uint64_t row) {
+  std::uint64_t mixed = (row + 1) * 0x9E3779B97F4A7C15ULL;
+  mixed = (mixed ^ (mixed >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  mixed = (mixed ^ (mixed >> 27U)) * 0x94D049BB133111EBULL;
+  return static_cast<double>((mixed ^ (mixed >> 31U)) >> 11U) * 0x1.0p-53;
+}
+
+// Where the columns of a row lie among those that are read.
+struct Places {
+  std::vector<std::size_t> variables;
+  std::vector<std::size_t> objectives;
+  std::vector<std::size_t> margins;
+  std::size_t status{};
+  std::size_t reason{};
+  std::optional<std::size_t> configuration;
+};
+
+class Summary {
+ public:
+  Summary(const FrontTable& leaders, Places places, std::size_t designs)
+      : leaders_(&leaders), places_(std::move(places)), keep_(most_samples / static_cast<double>(designs)) {
+    table_.variables = leaders.variables;
+    table_.best.resize(table_.variables.size());
+    for (const std::string& name : leaders.margins) table_.broken.push_back({.margin = name});
+  }
+
+  void add(std::span<const std::string_view> fields) {
+    const std::string_view status = fields[places_.status];
+    if (status == "failed") {
+      count_failure(std::string(fields[places_.reason]));
+    } else {
+      std::vector<std::optional<double>> objectives;
+      for (const std::size_t place : places_.objectives) objectives.push_back(text::number_in(fields[place]));
+      if (status == "ok") improve(fields, objectives);
+      count_broken(fields);
+      if (share_of(table_.rows) < keep_) sample(fields, status == "ok", std::move(objectives));
+    }
+    ++table_.rows;
+  }
+
+  [[nodiscard]] SweepTable table() && { return std::move(table_); }
+
+ private:
+  void count_failure(std::string reason) {
+    const bool known = table_.failures.contains(reason) || table_.failures.size() < most_reasons;
+    ++table_.failures[known ? std::move(reason) : std::string("other reasons")];
+  }
+
+  void improve(std::span<const std::string_view> fields, const std::vector<std::optional<double>>& objectives) {
+    if (!std::ranges::all_of(objectives, [](const auto& each) { return each.has_value(); })) return;
+    const std::string group = places_.configuration ? std::string(fields[*places_.configuration]) : std::string();
+    for (std::size_t v = 0; v < places_.variables.size(); ++v) {
+      std::vector<SweepTable::Best>& groups = table_.best[v];
+      auto found = std::ranges::find(groups, group, &SweepTable::Best::group);
+      if (found == groups.end()) found = groups.insert(found, {.group = group, .rows = {}});
+      std::vector<double>& best = found->rows[std::string(fields[places_.variables[v]])];
+      for (std::size_t i = 0; i < objectives.size(); ++i) {
+        if (best.size() <= i)
+          best.push_back(*objectives[i]);
+        else
+          best[i] = leaders_->largest[i] ? std::max(best[i], *objectives[i]) : std::min(best[i], *objectives[i]);
+      }
+    }
+  }
+
+  void count_broken(std::span<const std::string_view> fields) {
+    std::vector<std::size_t> broken;
+    for (std::size_t i = 0; i < places_.margins.size(); ++i)
+      if (const auto margin = text::number_in(fields[places_.margins[i]]); margin && *margin < 0.0) broken.push_back(i);
+    for (const std::size_t i : broken) {
+      ++table_.broken[i].times;
+      if (broken.size() == 1) ++table_.broken[i].alone;
+    }
+  }
+
+  void sample(std::span<const std::string_view> fields, bool keeps_limits,
+              std::vector<std::optional<double>> objectives) {
+    SweepTable::Sample out{.keeps_limits = keeps_limits, .variables = {}, .objectives = std::move(objectives)};
+    for (const std::size_t place : places_.variables) out.variables.emplace_back(fields[place]);
+    table_.samples.push_back(std::move(out));
+  }
+
+  const FrontTable* leaders_;
+  Places places_;
+  double keep_;
+  SweepTable table_;
+};
+
+// The columns that are kept come in the order of the file: that of best.csv.
+Places places_in(const FrontTable& leaders, const std::vector<std::string>& names) {
+  Places out;
+  const auto place_of = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  };
+  for (const std::string& name : leaders.variables) out.variables.push_back(place_of(name));
+  for (const std::string& name : leaders.objectives) out.objectives.push_back(place_of(name));
+  for (const std::string& name : leaders.margins) out.margins.push_back(place_of(name));
+  out.status = place_of("status");
+  out.reason = place_of("reason");
+  if (std::ranges::find(leaders.variables, "configuration") != leaders.variables.end())
+    out.configuration = place_of("configuration");
+  return out;
+}
+
+}  // namespace
+
+SweepTable read_sweep(const std::filesystem::path& folder, const FrontTable& leaders, std::size_t designs) {
+  const auto is_kept = [&](std::string_view name) {
+    const auto among = [&](const std::vector<std::string>& names) {
+      return std::ranges::find(names, name) != names.end();
+    };
+    return name == "status" || name == "reason" || among(leaders.variables) || among(leaders.objectives) ||
+           among(leaders.margins);
+  };
+  std::vector<std::string> names;
+  for (const std::string& name : leaders.texts.names())
+    if (is_kept(name)) names.push_back(name);
+  Summary summary(leaders, places_in(leaders, names), designs);
+  const std::filesystem::path file = folder / "designs.csv";
+  const std::vector<std::string> there =
+      text::for_each_csv_row(file, is_kept, [&](std::span<const std::string_view> fields) {
+        if (fields.size() == names.size()) summary.add(fields);
+      });
+  if (there != names) throw text::InputError({.file = file.string(), .rule = "must have the columns of best.csv"});
+  return std::move(summary).table();
+}
+
+}  // namespace coilwright::page

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "page/front_table.hpp"
+
+namespace coilwright::page {
+
+/// What designs.csv of a sweep says as a whole: it is read once, row by row, and may be of any length.
+struct SweepTable {
+  /// The best feasible value of each objective over the values of one variable.
+  struct Best {
+    std::string group;                                ///< configuration of the designs; empty where none varies
+    std::map<std::string, std::vector<double>> rows;  ///< by the variable's value as it is written, an objective each
+  };
+  /// A design that stands for many: its values, in the order of the names.
+  struct Sample {
+    bool keeps_limits{};
+    std::vector<std::string> variables;
+    std::vector<std::optional<double>> objectives;
+  };
+  /// How often a limit is broken.
+  struct Broken {
+    std::string margin;  ///< name of its column
+    std::size_t times{};
+    std::size_t alone{};  ///< of those: no other limit is
+  };
+
+  std::vector<std::string> variables;
+  std::vector<std::vector<Best>> best;          ///< of each variable, a list a configuration
+  std::vector<Sample> samples;                  ///< at most some 3000, at random; equal from call to call
+  std::vector<Broken> broken;                   ///< of each limit
+  std::map<std::string, std::size_t> failures;  ///< designs by why they could not be evaluated
+  std::size_t rows{};
+};
+
+/// Of the folder of a `sweep`; `leaders` are its best designs, `designs` how many rows there are.
+[[nodiscard]] SweepTable read_sweep(const std::filesystem::path& folder, const FrontTable& leaders,
+                                    std::size_t designs);
+
+}  // namespace coilwright::page

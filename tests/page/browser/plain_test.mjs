@@ -1,0 +1,35 @@
+// node plain_test.mjs report.html: a page without linked views, by what every page must do. Each chart is to be seen, at
+// three widths, light and dark, and has a text and a heading.
+import {assert, colourOf, launch, open, pixels, pixelsWith} from './session.mjs';
+
+const file = process.argv[2];
+const browser = await launch();
+let charts = 0;
+try {
+  for (const [width, scheme] of [[1440, 'light'], [768, 'dark'], [390, 'light']]) {
+    const {page, complaints, close} = await open(browser, file, {viewport: {width, height: 900}, colorScheme: scheme});
+    const said = `${width} px, ${scheme}`;
+    const colours = [];
+    for (const name of ['--c1', '--c2', '--c3', '--c4', '--c5']) colours.push(await colourOf(page, name));
+    const ids = await page.evaluate(() => [...document.querySelectorAll('script.spec')].map((each) => each.dataset.figure));
+    assert.ok(ids.length > 0, 'a page without a chart');
+    charts = ids.length;
+    for (const id of ids) {
+      const picture = await pixels(page, `#${id}-plot`);
+      const seen = colours.reduce((sum, colour) => sum + pixelsWith(picture, colour), 0);
+      assert.ok(seen > 60, `nothing is seen in ${id} at ${said}: ${seen} pixels`);
+    }
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(overflow <= 0, `the page is ${overflow} px wider than the screen at ${said}`);
+    const untold = await page.evaluate(() => [...document.querySelectorAll('figure')].filter((figure) => {
+      const picture = figure.querySelector('[role="img"], [role="graphics-document"], img');
+      return !figure.querySelector('h3') || !(picture?.getAttribute('aria-label') || picture?.alt);
+    }).map((figure) => figure.id));
+    assert.deepEqual(untold, [], 'figures without a heading or a text');
+    assert.deepEqual(complaints, [], said);
+    await close();
+  }
+} finally {
+  await browser.close();
+}
+console.log(`${charts} charts are seen at three widths, light and dark`);

@@ -79,17 +79,15 @@ Figure readings_figure(const Expected& expected, const std::vector<std::string>&
 Figure difference_figure(const Expected& expected, const std::vector<std::string>& explanations, std::size_t number) {
   const Thinning thinning(expected.at.size());
   const double unit = expected.noise > 0.0 ? expected.noise : 1.0;
-  const std::string scale = expected.noise > 0.0
-                                ? fmt::format("noise of {} {}", short_number(expected.noise), expected.channel)
-                                : expected.channel;
   Chart chart{
       .id = fmt::format("difference-{}", number),
       .title = fmt::format("{}: predicted difference to {}", expected.run, explanations.front()),
       .description = fmt::format("What each other explanation expects less what {} expects, {}.", explanations.front(),
-                                 expected.noise > 0.0 ? "in multiples of the noise of one reading"
+                                 expected.noise > 0.0 ? fmt::format("in multiples of the noise of one reading, {} {}",
+                                                                    short_number(expected.noise), expected.channel)
                                                       : "in the channel's own unit: its noise is not known"),
       .x_title = expected.axis,
-      .y_title = expected.noise > 0.0 ? "difference over the " + scale : "difference, " + scale,
+      .y_title = expected.noise > 0.0 ? "difference, times the noise" : "difference, " + expected.channel,
       .series = {},
       .colour_order = explanations};
   for (std::size_t i = 1; i < explanations.size(); ++i) {

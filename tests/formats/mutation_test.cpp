@@ -32,14 +32,14 @@ void read_as_actuator(const std::string& text) {
 }
 // Beside the actuator that it names, so that an undamaged study is read to its end.
 void read_as_study(const std::string& text) {
-  (void)parse_study(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/x");
+  (void)parse_study(text, COILWRIGHT_TEST_DATA "/formats/x");
 }
 void read_as_experiment(const std::string& text) {
-  (void)parse_experiment(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/x");
+  (void)parse_experiment(text, COILWRIGHT_TEST_DATA "/formats/x");
 }
 // Beside the runs that it names, so that an undamaged set is read to its end.
 void read_as_dataset(const std::string& text) {
-  (void)parse_dataset(text, std::string(COILWRIGHT_TEST_DATA) + "/formats/dataset/x");
+  (void)parse_dataset(text, COILWRIGHT_TEST_DATA "/formats/dataset/x");
 }
 Read read_as_run(measurement::data::RunKind kind) {
   return [kind](const std::string& text) { (void)parse_run(text, "x", {.name = "x", .kind = kind, .sigma = 0.3}); };
@@ -50,7 +50,7 @@ void read_as_signal(const std::string& text) {
 
 std::string load(const std::string& name) {
   std::ostringstream text;
-  text << std::ifstream(std::string(COILWRIGHT_TEST_DATA) + "/formats/" + name, std::ios::binary).rdbuf();
+  text << std::ifstream(COILWRIGHT_TEST_DATA "/formats/" + name, std::ios::binary).rdbuf();
   return text.str();
 }
 

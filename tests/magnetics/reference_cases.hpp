@@ -11,7 +11,7 @@
 namespace coilwright::magnetics::reference {
 
 inline nlohmann::json load(const std::string& file) {
-  std::ifstream in(std::string(COILWRIGHT_TEST_DATA) + "/magnetics/" + file);
+  std::ifstream in(COILWRIGHT_TEST_DATA "/magnetics/" + file);
   return nlohmann::json::parse(in);
 }
 

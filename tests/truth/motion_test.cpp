@@ -52,7 +52,7 @@ TEST(Truth, BendsAsFarAndAsFastAsTheCodeUnderTest) {
 }
 
 nlohmann::json reference(const std::string& name) {
-  std::ifstream file(std::string(COILWRIGHT_TEST_DATA) + "/magnetics/" + name);
+  std::ifstream file(COILWRIGHT_TEST_DATA "/magnetics/" + name);
   return nlohmann::json::parse(file);
 }
 

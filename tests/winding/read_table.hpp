@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -10,7 +11,7 @@ namespace coilwright::winding {
 
 /// Rows of numbers of a comma-separated file in tests/data; its first line names the columns and is skipped.
 inline std::vector<std::vector<double>> read_table(const std::string& name) {
-  std::ifstream file(std::string(COILWRIGHT_TEST_DATA) + "/" + name);
+  std::ifstream file(std::filesystem::path(COILWRIGHT_TEST_DATA) / name);
   if (!file) throw std::runtime_error("cannot read tests/data/" + name);
   std::string line;
   std::getline(file, line);

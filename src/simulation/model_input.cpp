@@ -29,6 +29,9 @@ void ModelInput::require_fits(const Model& model) const {
   if (!joint_torques.empty() && joint_torques.size() != times.size())
     throw std::invalid_argument(
         fmt::format("input: one row of torques per time, {} here; got {}", times.size(), joint_torques.size()));
+  if (!straight.empty() && straight.size() != times.size())
+    throw std::invalid_argument(
+        fmt::format("input: one flag per time, {} here, or none; got {}", times.size(), straight.size()));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1]))
       throw std::invalid_argument(fmt::format("input: time must increase; sample {} is at {} s", i, times[i]));
@@ -48,6 +51,7 @@ ModelInput ModelInput::part(std::size_t first, std::size_t last) const {
   };
   ModelInput out{.times = samples(times), .currents = samples(currents)};
   if (!joint_torques.empty()) out.joint_torques = samples(joint_torques);
+  if (!straight.empty()) out.straight = samples(straight);
   return out;
 }
 

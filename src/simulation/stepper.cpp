@@ -59,28 +59,70 @@ Stepper::Stepper(const actuator::Model& model, const Tolerance& tolerance)
   for (int j = 0; j < model.joints(); ++j) squared_contact_frequencies_[j] *= model.hinges()[j].contact.stiffness;
 }
 
-void Stepper::derive(const PackedState& values, PackedState& slopes) const {
+void Stepper::derive(const PackedState& values, PackedState& slopes, double time) const {
   const int n = model_.joints();
   const auto count = static_cast<std::size_t>(model_.internal_states());
   const mechanics::JointVector angles = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
   const mechanics::JointVector rates = Eigen::Map<const Eigen::VectorXd>(values.data() + n, n);
   mechanics::JointVector accelerations;
   std::fill_n(slopes.data() + 2 * n, count, 0.0);
-  model_.derivative(angles, rates, {values.data() + 2 * n, count}, input_.currents, input_.applied, accelerations,
-                    {slopes.data() + 2 * n, count});
+  const auto under = [&](const actuator::CoilCurrents& currents, const mechanics::JointVector& applied) {
+    model_.derivative(angles, rates, {values.data() + 2 * n, count}, currents, applied, accelerations,
+                      {slopes.data() + 2 * n, count});
+  };
+  if (growth_) {
+    const double since = time - start_time_;
+    under(input_.currents + since * growth_->per_second.currents, input_.applied + since * growth_->per_second.applied);
+  } else {
+    under(input_.currents, input_.applied);
+  }
   std::copy_n(rates.data(), n, slopes.data());
   std::copy_n(accelerations.data(), n, slopes.data() + n);
 }
 
-void Stepper::start(double time, const State& state, Input input) {
+void Stepper::start(double time, const State& state, Input input, std::optional<Growth> growth) {
   input_ = std::move(input);
+  growth_ = std::move(growth);
+  start_time_ = time;
   time_ = previous_time_ = time;
   values_ = pack(state);
-  if (model_.drive_states() > 0) drive_end_ = model_.settled(state.angles, input_.currents).head(model_.drive_states());
+  drive_end_.resize(0);
+  if (model_.drive_states() > 0 && !growth_)
+    drive_end_ = model_.settled(state.angles, input_.currents).head(model_.drive_states());
   slopes_.assign(values_.size(), 0.0);
-  derive(values_, slopes_);
+  derive(values_, slopes_, time_);
   previous_values_ = values_;
   previous_slopes_ = slopes_;
+  // What was at rest has taken long steps, and its motion now is another one. Shorter ones find their way themselves.
+  constexpr double long_step = 0.02;  // s; a finger in motion takes a third of that
+  if (next_step_ > long_step) next_step_ = std::min(next_step_, first_step());
+}
+
+// A step over which the solution hardly bends: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I
+// (1993), II.4, for order 5, by the norm of the largest. The estimated error of a much longer one means nothing: it may
+// be accepted with joints degrees off.
+double Stepper::first_step() const {
+  const auto n = static_cast<std::size_t>(model_.joints());
+  const auto largest = [&](const PackedState& of) {
+    double out = 0.0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const double floor = i < 2 * n ? tolerance_.absolute : tolerance_.internal;
+      out = std::max(out, std::abs(of[i]) / (floor + tolerance_.relative * std::abs(values_[i])));
+    }
+    return out;
+  };
+  const double size = largest(values_);
+  const double slope = largest(slopes_);
+  const double guess = size < 1e-5 || slope < 1e-5 ? 1e-6 : 0.01 * size / slope;
+  PackedState there(values_);
+  for (std::size_t i = 0; i < there.size(); ++i) there[i] += guess * slopes_[i];
+  PackedState bent(slopes_.size(), 0.0);
+  derive(there, bent, time_ + guess);
+  for (std::size_t i = 0; i < bent.size(); ++i) bent[i] = (bent[i] - slopes_[i]) / guess;
+  const double steepest = std::max(slope, largest(bent));
+  constexpr double order = 5.0;
+  const double other = steepest <= 1e-15 ? std::max(1e-6, 1e-3 * guess) : std::pow(0.01 / steepest, 1.0 / order);
+  return std::min(100.0 * guess, other);
 }
 
 // The drive's states tend to constants while the input is held. An explicit method that takes a lag of microseconds at
@@ -104,7 +146,7 @@ void Stepper::rest_drive() {
   if (!((states - drive_end_).lpNorm<Eigen::Infinity>() <= drive_tolerance)) return;
   states = drive_end_;
   drive_end_.resize(0);
-  derive(values_, slopes_);
+  derive(values_, slopes_, time_);
 }
 
 void Stepper::step() {
@@ -115,7 +157,7 @@ void Stepper::step() {
   std::swap(values_, previous_values_);
   std::swap(slopes_, previous_slopes_);
   previous_time_ = time_;
-  const double frequency = contact_changed_ || model_.has_terms() ? 0.0 : contact_frequency();
+  const double frequency = contact_changed_ || growth_ || model_.has_terms() ? 0.0 : contact_frequency();
   contact_changed_ = false;
   last_was_stiff_ = false;
   if (frequency == 0.0 || !step_stiffly(frequency)) step_explicitly();
@@ -224,7 +266,7 @@ bool Stepper::step_stiffly(double frequency) {
   time_ = previous_time_ + step;
   values_.assign(rosenbrock_.end().data(), rosenbrock_.end().data() + size);
   slopes_.resize(values_.size());
-  derive(values_, slopes_);
+  derive(values_, slopes_, time_);
   return true;
 }
 
@@ -240,8 +282,8 @@ double Stepper::first_contact() const {
 }
 
 void Stepper::advance() {
-  const auto system = [this](const PackedState& values, PackedState& slopes, double /*time*/) {
-    derive(values, slopes);
+  const auto system = [this](const PackedState& values, PackedState& slopes, double time) {
+    derive(values, slopes, time);
   };
   while (controlled_.try_step(system, previous_values_, previous_slopes_, time_, values_, slopes_, next_step_) ==
          odeint::fail) {

@@ -7,6 +7,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/type_traits/integral_constant.hpp>
 #include <optional>
+#include <utility>
 
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/simulation/state.hpp"
@@ -26,13 +27,18 @@ struct boost::numeric::odeint::is_resizeable<coilwright::simulation::PackedState
 
 namespace coilwright::simulation {
 
-/// The model's equation of motion under a constant input, in steps of Dormand and Prince's 5(4) pair (Boost.Odeint),
-/// and of a Rosenbrock method while faces are pressed together that would ring faster than the motion changes.
+/// The model's equation of motion under an input that is constant or grows evenly, in steps of Dormand and Prince's
+/// 5(4) pair (Boost.Odeint), and of a Rosenbrock method while faces are pressed together that would ring faster than
+/// the motion changes.
 class Stepper {
  public:
   struct Input {
-    actuator::CoilCurrents currents;
-    mechanics::JointVector applied;
+    actuator::CoilCurrents currents;  ///< A
+    mechanics::JointVector applied;   ///< N m
+  };
+  /// An input that grows from what it is at the start.
+  struct Growth {
+    Input per_second;
   };
   /// Allowed error of one step in every state x: absolute + relative (|x| + h |dx/dt|).
   struct Tolerance {
@@ -51,7 +57,9 @@ class Stepper {
   Stepper(const actuator::Model& model, const Tolerance& tolerance);
 
   /// Starts anew at `time` from `state`; keeps the last step size as a first guess.
-  void start(double time, const State& state, Input input);
+  void start(double time, const State& state, Input input) { start(time, state, std::move(input), std::nullopt); }
+  /// The same under an input that grows; steps are explicit then.
+  void start(double time, const State& state, Input input, std::optional<Growth> growth);
   /// One accepted step; the span it covered is [previous_time(), time()]. It ends where faces meet or part, so that no
   /// jump of the torques lies inside. A motion that has become infinite is accepted as it is: look at now().
   void step();
@@ -92,12 +100,15 @@ class Stepper {
   void approach_drive_end();
   void rest_drive();
   [[nodiscard]] double first_contact() const;  // in the last step; its end if there is none
-  void derive(const PackedState& values, PackedState& slopes) const;
+  [[nodiscard]] double first_step() const;
+  void derive(const PackedState& values, PackedState& slopes, double time) const;
   [[nodiscard]] State unpack(const PackedState& values) const;
 
   const actuator::Model& model_;
   Controlled controlled_;
   Input input_;
+  std::optional<Growth> growth_;
+  double start_time_ = 0.0;
   // Where the drive's states end under the held input; empty once they are there, and for a model without any.
   Eigen::VectorXd drive_end_;
   double time_ = 0.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "stepper.hpp"
@@ -44,10 +45,52 @@ Stepper::Input input_at(const actuator::Model& model, const ModelInput& signal, 
                                                   : signal.joint_torques[sample]};
 }
 
+// How it grows from there, where it goes straight.
+std::optional<Stepper::Growth> growth_at(const actuator::Model& model, const ModelInput& signal, std::size_t sample) {
+  if (!signal.goes_straight(sample)) return std::nullopt;
+  const double duration = signal.times[sample + 1] - signal.times[sample];
+  const Stepper::Input from = input_at(model, signal, sample);
+  const Stepper::Input to = input_at(model, signal, sample + 1);
+  return Stepper::Growth{.per_second = {.currents = (to.currents - from.currents) / duration,
+                                        .applied = (to.applied - from.applied) / duration}};
+}
+
+// Whether b only goes on with what is held at a.
 bool same_input(const ModelInput& signal, std::size_t a, std::size_t b) {
+  if (signal.goes_straight(a) || signal.goes_straight(b)) return false;
   return signal.currents[a] == signal.currents[b] &&
          (signal.joint_torques.empty() || signal.joint_torques[a] == signal.joint_torques[b]);
 }
+
+// Waits until a motion under a held input has come to rest. An explicit method that takes a stiff model at the edge of
+// its stability trembles by the error of its steps for good, so that rates and slopes never vanish.
+class RestWatch {
+ public:
+  RestWatch(const Stepper& stepper, double relative) : relative_(relative) { begin(stepper); }
+
+  // Whether it has moved by no more than that for long enough; what it was before is forgotten where it has.
+  [[nodiscard]] bool is_over(const Stepper& stepper) {
+    constexpr double enough = 0.25;  // s: half a period of 2 Hz, the slowest that a finger of this size swings at
+    const State now = stepper.now();
+    if (!stays(now.angles, from_.angles, 2.0) || !stays(now.internal, from_.internal, 10.0)) begin(stepper);
+    return stepper.time() - since_ >= enough;
+  }
+
+ private:
+  void begin(const Stepper& stepper) {
+    since_ = stepper.time();
+    from_ = stepper.now();
+  }
+  // A bristle trembles by more than a joint.
+  [[nodiscard]] bool stays(const auto& now, const auto& from, double errors) const {
+    return ((now - from).array().abs() <= errors * relative_ * from.array().abs() + smallest_move).all();
+  }
+
+  static constexpr double smallest_move = 1e-8;  // rad, or whatever the state has
+  double relative_;
+  double since_{};
+  State from_{};
+};
 
 // A finger whose joint turns by half a turn has left its torque curves behind; a rig without magnetics may turn freely.
 void check_motion(const actuator::Model& model, const State& state, double time) {
@@ -92,10 +135,13 @@ std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& i
     std::size_t last = sample + 1;
     while (last + 1 < input.times.size() && same_input(input, sample, last)) ++last;
     const double end = input.times[last];
-    stepper.start(input.times[sample], now, input_at(model, input, sample));
+    stepper.start(input.times[sample], now, input_at(model, input, sample), growth_at(model, input, sample));
+    RestWatch rest(stepper, accuracy.relative);
+    const bool may_rest = accuracy.ends_at_rest && !input.goes_straight(sample) && !model.has_slow_states();
     const double limit = std::min(all_steps + step_limit(model, end - input.times[sample]), accuracy.most_steps);
     const auto state_at = [&](double time) {
       while (stepper.time() < time) {
+        if (may_rest && rest.is_over(stepper)) return stepper.now();
         stepper.step();
         check_motion(model, stepper.now(), stepper.time());
         if (++all_steps > limit)

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "coilwright/simulation/initial_state.hpp"
 #include "simulation/reference.hpp"
 
 namespace coilwright::simulation {
@@ -88,6 +90,80 @@ TEST(Simulate, HoldsTheInputBetweenSamples) {
 }
 
 // What the finger has lost is what its dampers took less what its coils gave. Simpson's rule over samples every 0.1 ms.
+// A finger that has rested for long has been followed in long steps; the jump that ends it needs short ones at once.
+TEST(Simulate, FollowsAJumpAfterALongRestAsOneAtTheBeginning) {
+  actuator::Design design;
+  design.layout = actuator::layout_of(Configuration::B);
+  design.choices.faces = actuator::ContactChoice::hard_parts;
+  const actuator::ModelSpec spec = actuator::assemble_or_throw(design).model.nominal_spec();
+  int cases = 0;
+  for (const double turned : {0.0, 0.5 * std::numbers::pi + 0.05, std::numbers::pi}) {
+    actuator::ModelSpec turned_spec = spec;
+    turned_spec.chain = spec.chain.under_gravity(spec.chain.gravity(), spec.chain.base_tilt() + turned);
+    const Model model(turned_spec);
+    const auto start = state_at_rest(model, model.all_coils(0.0), straight(model));
+    if (!start) continue;
+    for (const double current : {-0.7, 0.35, 0.7, 1.4}) {
+      const ModelInput jump{.times = {0.0, 0.1}, .currents = {model.all_coils(current), model.all_coils(current)}};
+      const State best = simulate(model, jump, *start, {.relative = 1e-11}).back();
+      for (const double rest : {0.05, 0.5, 3.0}) {
+        const ModelInput input{.times = {0.0, rest, rest + 0.1},
+                               .currents = {model.all_coils(0.0), model.all_coils(current), model.all_coils(current)}};
+        for (const bool ends_at_rest : {false, true})
+          EXPECT_LT(largest_difference(
+                        simulate(model, input, *start, {.relative = 1e-6, .ends_at_rest = ends_at_rest}).back(), best),
+                    2e-4)
+              << turned << " rad, " << current << " A, " << rest << " s";
+        ++cases;
+      }
+    }
+  }
+  EXPECT_GT(cases, 20);
+}
+
+// A straight input is the limit of ever finer steps, each at the level in its middle.
+TEST(Simulate, GoesStraightBetweenSamplesWhereTheInputDoes) {
+  const Model model = finger(Configuration::B).model;
+  const State start{.angles = rest_of(model), .rates = straight(model)};
+  const ModelInput line{
+      .times = {0.0, 0.05, 0.12, 0.2},
+      .currents = {model.all_coils(0.0), model.all_coils(1.4), model.all_coils(0.5), model.all_coils(0.5)},
+      .straight = {1, 1, 0, 0}};
+  const State end = simulate(model, line, start, {.relative = 1e-10}).back();
+  double before = 0.0;
+  for (const int parts : {50, 100, 200}) {
+    ModelInput stairs;
+    const auto add = [&](double from, double to, double first, double last) {
+      for (int k = 0; k < parts; ++k) {
+        stairs.times.push_back(from + (to - from) * k / parts);
+        stairs.currents.push_back(model.all_coils(first + (last - first) * (k + 0.5) / parts));
+      }
+    };
+    add(0.0, 0.05, 0.0, 1.4);
+    add(0.05, 0.12, 1.4, 0.5);
+    stairs.times.insert(stairs.times.end(), {0.12, 0.2});
+    stairs.currents.insert(stairs.currents.end(), 2, model.all_coils(0.5));
+    const double error = largest_difference(simulate(model, stairs, start, {.relative = 1e-10}).back(), end);
+    if (before > 0.0) {
+      EXPECT_LT(error, before / 3.0);  // of second order
+    }
+    before = error;
+  }
+  EXPECT_LT(before, 1e-5);
+}
+
+TEST(Simulate, MayEndAtRest) {
+  const Model model = finger(Configuration::B).model;
+  const State start{.angles = rest_of(model), .rates = straight(model)};
+  const ModelInput input = step_input(model, {.current = 1.0, .duration = 20.0, .interval = 0.5});
+  const std::vector<State> followed = simulate(model, input, start, {.relative = 1e-6});
+  const std::vector<State> ended = simulate(model, input, start, {.relative = 1e-6, .ends_at_rest = true});
+  ASSERT_EQ(followed.size(), ended.size());
+  for (std::size_t i = 0; i < ended.size(); ++i)
+    EXPECT_LT((followed[i].angles - ended[i].angles).lpNorm<Eigen::Infinity>(), 5e-6) << i;
+  EXPECT_EQ(ended[30].angles, ended[40].angles);
+}
+
 TEST(Simulate, BalancesItsEnergy) {
   const Model model = finger(Configuration::B).model;
   const actuator::CoilCurrents currents = model.all_coils(1.4);

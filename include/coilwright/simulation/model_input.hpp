@@ -8,11 +8,20 @@
 
 namespace coilwright::simulation {
 
-/// What drives a model over time: one row a sample, held until the next (zero order).
+/// What drives a model over time: one row a sample, held until the next (zero order) unless `straight` says otherwise.
 struct ModelInput {
   std::vector<double> times{};                          ///< s, strictly increasing, at least one
   std::vector<actuator::CoilCurrents> currents{};       ///< A, a row a time
   std::vector<mechanics::JointVector> joint_torques{};  ///< N m, a row a time; empty: none
+
+  /// A row a time: whether the input goes straight from this row to the next one instead of being held. Empty: nowhere;
+  /// the last row has no next.
+  std::vector<char> straight{};
+
+  /// Whether it goes straight from row `row`.
+  [[nodiscard]] bool goes_straight(std::size_t row) const {
+    return row + 1 < times.size() && !straight.empty() && straight[row] != 0;
+  }
 
   /// Throws std::invalid_argument naming the sample and the rule when times do not increase, or when a row does not
   /// have one value per coil (joint) of `model`.

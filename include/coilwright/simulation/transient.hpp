@@ -17,12 +17,16 @@ struct Accuracy {
   /// Steps that a whole call may take before it gives up, besides the limit between two changes of the input; for
   /// callers that would rather have no answer than a slow one.
   double most_steps = std::numeric_limits<double>::infinity();
+  /// Whether a motion that has come to rest under a held input is taken to stay there until the input changes. At rest
+  /// is what moves by less than twice the error of a step in a quarter of a second; of effects with slow states
+  /// (Model::has_slow_states) nothing is.
+  bool ends_at_rest = false;
 };
 
 /// The state at every sample of `input`, from `start` at the first; the states of effects, where `start` has none,
 /// as a recorded run finds them there under the first input (InitialHistory::recorded_run). Dormand-Prince 5(4) with
 /// dense output (Boost.Odeint), and Rodas5P while faces are pressed together and no effects act; the steps do not see
-/// the samples unless the input changes there. Throws
+/// the samples unless the input changes there, or goes straight from there. Throws
 /// std::invalid_argument for an input that does not fit the model, std::runtime_error naming the time where the motion
 /// cannot be followed (a joint beyond 180 degrees, or more than 1e6 steps between two changes of the input, 1e5 a
 /// second added where effects have states).

@@ -168,7 +168,8 @@ std::optional<Trajectory> simulated(const Model& model, const ModelInput& input,
   Trajectory out{.times = input.times};
   try {
     const double most_steps = most_steps_per_window + most_steps_per_sample * static_cast<double>(input.times.size());
-    out.states = simulation::simulate(model, input, start, {.relative = relative_accuracy, .most_steps = most_steps});
+    out.states = simulation::simulate(model, input, start,
+                                      {.relative = relative_accuracy, .most_steps = most_steps, .ends_at_rest = true});
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

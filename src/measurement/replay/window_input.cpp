@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace coilwright::measurement::replay {
@@ -19,8 +20,6 @@ constexpr double least_bend = 0.003;
 
 // Between rows at most this far apart a cubic gives the motion of a finger at 10 Hz within 1e-5 of its amplitude.
 constexpr double densest_needed = 0.004;  // s
-// A straight input is held for at most this long: the mean of what is held is that of the straight line.
-constexpr double held_on_a_slope = 0.002;  // s
 // The input reaches so far beyond the samples for each standard deviation of the clocks.
 constexpr double clock_deviations = 4.0;
 // And always so far: a camera may stamp its pictures early (measurement_delay, down to -50 ms).
@@ -32,26 +31,47 @@ constexpr double edge_over_median = 4.0;
 
 using Row = std::vector<double>;
 
+Row between(const Row& from, const Row& to, double share) {
+  Row out(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) out[i] = (1.0 - share) * from[i] + share * to[i];
+  return out;
+}
+
 // Rows of the command and the time from which each is in force.
 struct Rows {
   std::vector<double> times{};
   std::vector<Row> rows{};
   std::vector<std::size_t> samples{};  // of the input from which each is
+  std::vector<double> shares{};        // of the way to the next sample at which it is
   std::vector<double> half_widths{};   // of the edge with which a row begins; 0 where it begins at a known time
   std::vector<Row> bends{};            // what a smooth curve has more than the row
+  std::vector<char> straight{};        // whether the input goes straight to the next row instead of being held
 
   void add(double time, Row row, std::size_t sample, double half_width = 0.0) {
     times.push_back(time);
     samples.push_back(sample);
+    shares.push_back(0.0);
     bends.emplace_back(row.size(), 0.0);
     rows.push_back(std::move(row));
     half_widths.push_back(half_width);
+    straight.push_back(0);
   }
-  void add_straight(double time, Row row, std::size_t sample, const Row& smooth) {
-    Row bend(row.size());
-    for (std::size_t i = 0; i < row.size(); ++i) bend[i] = smooth[i] - row[i];
+  void add_straight(double time, Row row, std::size_t sample, double share) {
     add(time, std::move(row), sample);
-    bends.back() = std::move(bend);
+    shares.back() = share;
+    straight.back() = 1;
+  }
+  // Towards a smooth curve that meets the straight one at both samples, `parts` rows apart. A polygon of so many parts
+  // under an arc has 1 - 1 / parts^2 of its area: the bend is larger by that, so that the impulse is the curve's.
+  void bend_last(const Row& smooth, std::size_t parts) {
+    const double square = static_cast<double>(parts) * static_cast<double>(parts);
+    for (std::size_t i = 0; i < smooth.size(); ++i)
+      bends.back()[i] = square / (square - 1.0) * (smooth[i] - rows.back()[i]);
+  }
+  // At a time from that of row `row` to that of the next one.
+  [[nodiscard]] Row at(std::size_t row, double time) const {
+    if (straight[row] == 0) return rows[row];
+    return between(rows[row], rows[row + 1], (time - times[row]) / (times[row + 1] - times[row]));
   }
 };
 
@@ -59,12 +79,6 @@ double size_of_step(const Row& from, const Row& to) {
   double size = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) size = std::max(size, std::abs(to[i] - from[i]));
   return size;
-}
-
-Row between(const Row& from, const Row& to, double share) {
-  Row out(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) out[i] = (1.0 - share) * from[i] + share * to[i];
-  return out;
 }
 
 // The smallest step between two samples of the input that counts as an edge.
@@ -134,6 +148,14 @@ class SmoothInput {
   std::vector<boost::math::interpolators::cubic_hermite<std::vector<double>>> columns_;
 };
 
+// Into how many a straight part is cut, so that rows are dense and what bends between samples longer apart than 2 ms is
+// seen (below, a sine of 10 Hz bends by less than least_bend).
+std::size_t parts_of(double duration) {
+  constexpr double never_bent = 0.002;  // s
+  const auto dense = static_cast<std::size_t>(std::ceil(duration / densest_needed - 1e-6));
+  return std::max<std::size_t>(dense, duration > never_bent * (1.0 + 1e-6) ? 2 : 1);
+}
+
 // From sample to sample, straight, and what a smooth curve from edge to edge has more: a step of at least `edge` is an
 // edge in the middle.
 Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::optional<double> edge) {
@@ -159,16 +181,12 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
       out.add(times[i], from, i);
       out.add(times[i] + 0.5 * duration, to, i + 1, 0.5 * duration);
     } else {
-      const auto parts = static_cast<std::size_t>(std::ceil(duration / held_on_a_slope));
+      const std::size_t parts = parts_of(duration);
       for (std::size_t k = 0; k < parts; ++k) {
-        const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(parts);
-        const double middle = times[i] + share * duration;
-        Row row = between(from, to, share);
-        const double time = times[i] + duration * static_cast<double>(k) / static_cast<double>(parts);
-        if (smooth && step < corner)
-          out.add_straight(time, std::move(row), i, smooth->at(middle));
-        else
-          out.add(time, std::move(row), i);
+        const double share = static_cast<double>(k) / static_cast<double>(parts);
+        const double time = times[i] + share * duration;
+        out.add_straight(time, between(from, to, share), i, share);
+        if (smooth && step < corner && k > 0) out.bend_last(smooth->at(time), parts);
       }
     }
   }
@@ -198,7 +216,8 @@ double reach_of(const data::Run& run, double duration) {
 
 // The errors of samples as those of the rows that come from them; of those that reach the window.
 std::vector<InputRowErrors> row_errors(const std::vector<InputError>& errors, const std::vector<std::size_t>& samples,
-                                       const simulation::CommandedInput& command, const actuator::Model& nominal) {
+                                       const std::vector<double>& shares, const simulation::CommandedInput& command,
+                                       const actuator::Model& nominal) {
   std::vector<InputRowErrors> out;
   for (const InputError& error : errors) {
     const auto row_of = [&](std::size_t sample) {
@@ -213,7 +232,9 @@ std::vector<InputRowErrors> row_errors(const std::vector<InputError>& errors, co
     changed.rows.clear();
     for (std::size_t row = first; row < last; ++row) {
       changed.rows.emplace_back(command.rows.front().size(), 0.0);
-      changed.rows.back()[error.column] = error.shape[samples[row] - error.first];
+      const std::size_t at = samples[row] - error.first;
+      const double next = at + 1 < error.shape.size() ? error.shape[at + 1] : error.shape[at];
+      changed.rows.back()[error.column] = error.shape[at] + shares[row] * (next - error.shape[at]);
     }
     ModelInput input = simulation::model_input(nominal, changed);
     out.push_back(
@@ -237,54 +258,68 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   simulation::CommandedInput bend = command;
   window.edges.clear();
   std::vector<std::size_t> samples;  // of the input behind each row
-  const auto add = [&](double time, const Row& row, const Row& more, std::size_t sample) {
+  std::vector<double> shares;        // of the way from it to the next
+  std::vector<char> straight;
+  const auto add = [&](double time, Row row, Row more, std::size_t sample, double share, bool goes_straight) {
     command.times.push_back(time);
-    command.rows.push_back(row);
+    command.rows.push_back(std::move(row));
     bend.times.push_back(time);
-    bend.rows.push_back(more);
+    bend.rows.push_back(std::move(more));
     samples.push_back(sample);
+    shares.push_back(share);
+    straight.push_back(goes_straight ? 1 : 0);
   };
+  const auto add_row = [&](std::size_t row) {
+    add(all.times[row], all.rows[row], all.bends[row], all.samples[row], all.shares[row], all.straight[row] != 0);
+  };
+  // What is held: straight parts are dense already.
   const auto fill_until = [&](double until) {
     const double from = command.times.back();
     const auto parts = static_cast<std::size_t>(std::ceil((until - from) / densest_needed - 1e-6));
     for (std::size_t k = 1; k < parts; ++k)
       add(from + (until - from) * static_cast<double>(k) / static_cast<double>(parts), Row(command.rows.back()),
-          Row(bend.rows.back()), samples.back());
+          Row(bend.rows.back()), samples.back(), shares.back(), false);
   };
   // The row in force at the first sample.
   const auto after = std::upper_bound(all.times.begin(), all.times.end(), first);
   auto row = static_cast<std::size_t>(after - all.times.begin());
   if (row > 0) --row;
+  const bool has_begun = all.times[row] <= first;
   if (run.hold == data::InputHold::zero_order) {
-    add(first, all.rows[row], flat, all.samples[row]);
+    add(first, all.rows[row], flat, all.samples[row], 0.0, false);
   } else {
-    // A run starts at rest under its first sample; what is held first is the mean over the first part of a slope.
+    // A run starts at rest under its first sample.
     constexpr double instant = 1e-6;  // s
     const std::vector<double>& times = run.times_of_inputs();
     const auto next = std::upper_bound(times.begin(), times.end(), first);
     const std::size_t sample = next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1;
-    add(first, rows[sample], flat, sample);
-    add(first + instant, all.rows[row], all.bends[row], all.samples[row]);
+    add(first, rows[sample], flat, sample, 0.0, false);
+    if (has_begun)
+      add(first + instant, all.at(row, first + instant), all.bends[row], all.samples[row], all.shares[row],
+          all.straight[row] != 0);
   }
-  for (++row; row < all.times.size() && all.times[row] <= end; ++row) {
+  for (row += has_begun ? 1 : 0; row < all.times.size() && all.times[row] <= end; ++row) {
     if (all.times[row] <= command.times.back()) continue;
     fill_until(all.times[row]);
     if (all.half_widths[row] > 0.0)
       window.edges.push_back({.row = command.times.size(), .half_width = all.half_widths[row]});
-    add(all.times[row], all.rows[row], all.bends[row], all.samples[row]);
+    add_row(row);
   }
   if (command.times.back() < end) {
     fill_until(end);
-    add(end, Row(command.rows.back()), flat, samples.back());
+    const bool was_straight = straight.back() != 0;
+    add(end, was_straight ? all.at(row - 1, end) : Row(command.rows.back()), flat, samples.back(), shares.back(),
+        false);
   }
   window.input = simulation::model_input(nominal, command);
+  if (std::ranges::find(straight, 1) != straight.end()) window.input.straight = std::move(straight);
   double largest_bend = 0.0;
   double largest = 0.0;
   for (const Row& each : bend.rows) largest_bend = std::max(largest_bend, size_of_step(flat, each));
   for (const Row& each : command.rows) largest = std::max(largest, size_of_step(command.rows.front(), each));
   window.bend = {};
   if (largest_bend > least_bend * largest) window.bend = simulation::model_input(nominal, bend);
-  window.errors = row_errors(clean.errors, samples, command, nominal);
+  window.errors = row_errors(clean.errors, samples, shares, command, nominal);
   if (current_flows(run.rig)) return;
   window.bend = {};
   window.errors.clear();
@@ -320,13 +355,19 @@ ModelInput as_driven(const Window& window, const InputChange& change) {
 }
 
 ModelInput at_samples(const Window& window, const data::Run& run) {
+  const ModelInput& input = window.input;
   ModelInput out;
   std::size_t row = 0;
   for (std::size_t i = window.range.first; i < window.range.last; ++i) {
-    while (row + 1 < window.input.times.size() && window.input.times[row + 1] <= run.times[i]) ++row;
+    while (row + 1 < input.times.size() && input.times[row + 1] <= run.times[i]) ++row;
+    const std::size_t next = input.goes_straight(row) ? row + 1 : row;
+    const double share = next == row ? 0.0 : (run.times[i] - input.times[row]) / (input.times[next] - input.times[row]);
+    const auto between_rows = [&](const auto& values) {
+      return std::decay_t<decltype(values[row])>((1.0 - share) * values[row] + share * values[next]);
+    };
     out.times.push_back(run.times[i]);
-    out.currents.push_back(window.input.currents[row]);
-    if (!window.input.joint_torques.empty()) out.joint_torques.push_back(window.input.joint_torques[row]);
+    out.currents.push_back(between_rows(input.currents));
+    if (!input.joint_torques.empty()) out.joint_torques.push_back(between_rows(input.joint_torques));
   }
   return out;
 }

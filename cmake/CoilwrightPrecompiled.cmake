@@ -26,16 +26,12 @@ function(coilwright_precompiled name)
   target_precompile_headers(${name} PRIVATE ${precompiled_everywhere} ${PCH_HEADERS})
 endfunction()
 
-# A test takes a quarter less to compile so; what is computed long is in the libraries that it links.
-set(coilwright_test_options $<$<CONFIG:Release>:-O1>)
-
 if(COILWRIGHT_PCH)
   coilwright_precompiled(coilwright_precompiled PIC ON
     HEADERS ${precompiled_in_rooms} LINK fmt::fmt)
   if(COILWRIGHT_TESTS)
     coilwright_precompiled(coilwright_precompiled_tests PIC OFF
       HEADERS <gmock/gmock.h> <gtest/gtest.h> LINK GTest::gtest GTest::gmock)
-    target_compile_options(coilwright_precompiled_tests PRIVATE ${coilwright_test_options})
   endif()
 endif()
 

@@ -48,7 +48,6 @@ function(coilwright_test name)
     COILWRIGHT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   coilwright_warnings(${name})
-  target_compile_options(${name} PRIVATE ${coilwright_test_options})
   coilwright_precompile(${name} TEST)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${TEST_LABEL})
 endfunction()

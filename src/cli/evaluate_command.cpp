@@ -25,6 +25,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
+#include "keep_inputs.hpp"
 #include "number_rule.hpp"
 #include "report_option.hpp"
 #include "word_rule.hpp"
@@ -89,15 +90,15 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     throw no_performance(options.actuator.file, *why);
   const simulation::DesignView view{
       .design = design, .assembly = assembly, .point = point, .performance = std::get<simulation::Performance>(result)};
-  if (options.page)
-    write_page(
-        page::evaluation_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance},
-                              file.name, made_by()),
-        *options.page);
   const std::vector<simulation::PartLimit> limits = simulation::part_limits(view);
   const std::vector<simulation::ChoiceEffect> effects = simulation::choice_effects(design, point);
   const std::vector<simulation::CorrectionReach> reach =
       simulation::correction_reach(assembly.model, view.performance.cold, point.current);
+  if (options.page)
+    write_page(
+        page::evaluation_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance},
+                              effects, file.name, made_by()),
+        *options.page);
   if (options.json) {
     text::Json out = formats::to_json(view);
     out.set("operating_point", formats::to_json(point));
@@ -177,6 +178,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
       "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --json\n"
       "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --set gap_mm=1.2 --set turns_axial=26");
   command->callback([options] {
+    if (options->page) keep_inputs({{options->actuator.file}}, {{*options->page}});
     const formats::ActuatorFile file = read_actuator(options->actuator);
     std::visit([&](const auto& content) { evaluate(content, file, *options); }, file.content);
   });

@@ -5,8 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "commands.hpp"
+#include "keep_inputs.hpp"
 #include "number_rule.hpp"
 #include "outcome.hpp"
 #include "report_option.hpp"
@@ -21,10 +24,20 @@ struct Options {
   std::optional<std::string> figures;
 };
 
+// All that a page is made of: what a folder of results has beside its pages.
+std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> out;
+  std::error_code none;  // a folder that is not there is refused where it is read
+  for (const std::filesystem::directory_entry& each : std::filesystem::directory_iterator(folder, none))
+    if (each.path().extension() != ".html") out.push_back(each.path());
+  return out;
+}
+
 void run_report(const Options& options) {
   const std::filesystem::path folder(options.folder);
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
   ReportOptions how{.pictures = options.pictures};
+  keep_inputs(results_in(folder), {{file}});
   if (options.figures) how.figures = *options.figures;
   write_report(folder, file, how);
   std::cout << file.string() << '\n';

@@ -97,7 +97,10 @@ void add_report_option(CLI::App& command, bool& wanted) {
 
 void add_report_file_option(CLI::App& command, std::optional<std::string>& file) {
   command.add_option("--report", file, "HTML file for a page to look at and to pass on, that works without a network")
-      ->check([](const std::string& name) { return name.empty() ? std::string("must not be empty") : why_none(); });
+      ->check([](const std::string& name) {
+        if (name.empty()) return std::string("must not be empty");
+        return name == "-" ? std::string("must be a file: standard output has the answer itself") : why_none();
+      });
 }
 
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& file,

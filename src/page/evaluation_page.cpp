@@ -12,7 +12,6 @@
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/page/design_figures.hpp"
-#include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "page/result_words.hpp"
 
@@ -74,7 +73,7 @@ Section limits_section(const std::vector<PartLimit>& limits) {
   return section;
 }
 
-Section choices_section(const DesignView& design, const std::vector<ChoiceEffect>& effects) {
+Section choices_section(const DesignView& design, std::span<const ChoiceEffect> effects) {
   Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
   Table table{.header = {"subject", "taken", "otherwise"}, .rows = {}};
   for (const char* name : main_figures) table.header.emplace_back(name);
@@ -106,7 +105,8 @@ Section quantities_section(const DesignView& design) {
 
 }  // namespace
 
-Page evaluation_page(const EvaluatedDesign& evaluated, std::string_view name, std::string_view made_by) {
+Page evaluation_page(const EvaluatedDesign& evaluated, std::span<const ChoiceEffect> effects, std::string_view name,
+                     std::string_view made_by) {
   const DesignView design = evaluated.view();
   const std::vector<PartLimit> limits = simulation::part_limits(design);
   Page page{.title = fmt::format("{} at {} A", name, short_number(design.point.current)),
@@ -114,7 +114,7 @@ Page evaluation_page(const EvaluatedDesign& evaluated, std::string_view name, st
             .origin = fmt::format("Page by {}.", made_by),
             .sections = design_sections(evaluated, {.name = std::string(name), .made_by = std::string(made_by)})};
   page.sections.push_back(limits_section(limits));
-  page.sections.push_back(choices_section(design, simulation::choice_effects(evaluated.design, evaluated.point)));
+  page.sections.push_back(choices_section(design, effects));
   page.sections.push_back(quantities_section(design));
   return page;
 }

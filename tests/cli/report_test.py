@@ -129,6 +129,21 @@ class Report(ProgramTest):
                             "rod.json: is a lumped model: --report draws a design with its dimensions (actuator/1)")
         self.assertFalse((self.folder / "one.html").exists())
 
+    def test_a_page_never_takes_the_place_of_what_it_is_made_of(self):
+        write_study(self)
+        before = (self.folder / "finger.json").read_bytes()
+        self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "finger.json"),
+                            "finger.json: cannot be written: it is an input of this command")
+        self.assertEqual((self.folder / "finger.json").read_bytes(), before)
+        self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "-"),
+                            "evaluate: --report: must be a file: standard output has the answer itself "
+                            "(see coilwright evaluate --help)")
+        self.size()
+        result = (self.folder / "out/result.json").read_bytes()
+        self.assert_refused(("report", "out", "--out", "out/result.json"),
+                            "out/result.json: cannot be written: it is an input of this command")
+        self.assertEqual((self.folder / "out/result.json").read_bytes(), result)
+
     def test_every_figure_can_be_had_as_a_file(self):
         self.size()
         done = run("report", "out", "--figures", "figures", cwd=self.folder)

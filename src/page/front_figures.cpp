@@ -195,10 +195,7 @@ Json end_layer(const char* field, double place, const char* baseline) {
 
 std::optional<Figure> parallel(const FrontTable& front) {
   std::vector<Coordinate> coordinates;
-  std::vector<std::string> names = front.objectives;
-  for (const std::string& name : front.variables)
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  for (const std::string& name : names)
+  for (const std::string& name : shown_columns(front))
     if (std::optional<Coordinate> each = coordinate_of(front, name)) coordinates.push_back(*std::move(each));
   if (coordinates.size() < 2) return std::nullopt;
   Json axis = Json::array();

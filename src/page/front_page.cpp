@@ -101,18 +101,12 @@ constexpr std::size_t most_table_rows = 500;
 
 TableBlock front_rows(const FrontTable& front) {
   Table table{.header = {"design"}, .rows = {}};
-  std::vector<std::string> shown = front.objectives;
-  for (const std::string& name : front.variables)
-    if (std::ranges::find(shown, name) == shown.end()) shown.push_back(name);
+  const std::vector<std::string> shown = shown_columns(front);
   table.header.insert(table.header.end(), shown.begin(), shown.end());
   const std::vector<std::size_t> rows = even_choice(front.rows(), most_table_rows);
   for (const std::size_t row : rows) {
     std::vector<std::string> cells{std::to_string(row + 1)};
-    for (const std::string& name : shown) {
-      const std::string& field = front.texts.column(name)[row];
-      const std::optional<double> number = text::number_in(field);
-      cells.push_back(number ? fmt::format("{:.5g}", *number) : field);
-    }
+    for (std::string& field : shown_fields(front, row, shown)) cells.push_back(std::move(field));
     table.rows.push_back(std::move(cells));
   }
   const std::string some =

@@ -1,5 +1,7 @@
 #include "page/front_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -79,6 +81,23 @@ FrontTable read_front(const std::filesystem::path& folder, const text::Node& res
 
 FrontTable read_leaders(const std::filesystem::path& folder, const text::Node& result) {
   return designs_in(folder / "best.csv", result, variables_of(result.find("best").value()));
+}
+
+std::vector<std::string> shown_columns(const FrontTable& front) {
+  std::vector<std::string> out = front.objectives;
+  for (const std::string& name : front.variables)
+    if (std::ranges::find(out, name) == out.end()) out.push_back(name);
+  return out;
+}
+
+std::vector<std::string> shown_fields(const FrontTable& front, std::size_t row, std::span<const std::string> columns) {
+  std::vector<std::string> out;
+  for (const std::string& name : columns) {
+    const std::string& field = front.texts.column(name)[row];
+    const std::optional<double> number = text::number_in(field);
+    out.push_back(number ? fmt::format("{:.5g}", *number) : field);
+  }
+  return out;
 }
 
 text::Json json_of(const std::string& field) {

@@ -32,6 +32,13 @@ struct FrontTable {
 /// Of the folder of a `sweep`: best.csv, the best designs of each configuration, likewise.
 [[nodiscard]] FrontTable read_leaders(const std::filesystem::path& folder, const text::Node& result);
 
+/// The columns that people look at: the objectives, then the variables that are none.
+[[nodiscard]] std::vector<std::string> shown_columns(const FrontTable& front);
+
+/// The fields of a row in some columns, to read: numbers with five digits, texts as they are.
+[[nodiscard]] std::vector<std::string> shown_fields(const FrontTable& front, std::size_t row,
+                                                    std::span<const std::string> columns);
+
 /// A field of a CSV file as JSON: a number where it is one, null where it is empty, else a text.
 [[nodiscard]] text::Json json_of(const std::string& field);
 

@@ -67,19 +67,13 @@ std::string verdict_of(const Node& result, const FrontTable& leaders) {
 Section leaders_section(const FrontTable& leaders) {
   Section section{.id = "best", .title = "The best designs", .blocks = {}};
   Table table{.header = {"best for", "limits"}, .rows = {}};
-  std::vector<std::string> shown = leaders.objectives;
-  for (const std::string& name : leaders.variables)
-    if (std::ranges::find(shown, name) == shown.end()) shown.push_back(name);
+  const std::vector<std::string> shown = shown_columns(leaders);
   table.header.insert(table.header.end(), shown.begin(), shown.end());
   for (std::size_t row = 0; row < leaders.rows(); ++row) {
     const std::string& status = leaders.texts.column("status")[row];
     std::vector<std::string> cells{leaders.texts.column("best_for")[row],
                                    status == "ok" ? "kept" : (status == "failed" ? "not evaluated" : "broken")};
-    for (const std::string& name : shown) {
-      const std::string& field = leaders.texts.column(name)[row];
-      const std::optional<double> number = text::number_in(field);
-      cells.push_back(number ? fmt::format("{:.5g}", *number) : field);
-    }
+    for (std::string& field : shown_fields(leaders, row, shown)) cells.push_back(std::move(field));
     table.rows.push_back(std::move(cells));
   }
   section.blocks.emplace_back(TableBlock{

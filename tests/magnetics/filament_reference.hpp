@@ -1,13 +1,12 @@
 #pragma once
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <numbers>
 
-// Forces from the mutual inductance of circular loops alone (Maxwell's formula), with Boost's elliptic integrals in
-// long double and adaptive quadrature: shares neither formulas nor integrals nor quadrature with the library.
+// Forces from the mutual inductance of circular loops alone (Maxwell's formula), with the standard library's elliptic
+// integrals in long double and adaptive quadrature: shares neither formulas nor integrals nor quadrature with the
+// library.
 namespace coilwright::magnetics::filament_reference {
 
 using Real = long double;
@@ -15,7 +14,7 @@ using Real = long double;
 /// Mutual inductance of two coaxial loops over mu0, m: sqrt(a b) ((2/k - k) K - 2/k E).
 inline Real inductance(Real a, Real b, Real s) {
   const Real k = std::sqrt(4 * a * b / ((a + b) * (a + b) + s * s));
-  return std::sqrt(a * b) * ((2 / k - k) * boost::math::ellint_1(k) - 2 / k * boost::math::ellint_2(k));
+  return std::sqrt(a * b) * ((2 / k - k) * std::comp_ellint_1(k) - 2 / k * std::comp_ellint_2(k));
 }
 
 /// Two coaxial sheets of lengths l1, l2: the double integral of dM/ds, one of them done by hand.

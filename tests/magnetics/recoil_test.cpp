@@ -4,8 +4,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -58,8 +56,8 @@ Field of_loop(double a, double rho, double z) {
   const double near = (a - rho) * (a - rho) + z * z;
   const double far = std::sqrt((a + rho) * (a + rho) + z * z);
   const double k = std::sqrt(4.0 * a * rho) / far;
-  const double first = boost::math::ellint_1(k);
-  const double second = boost::math::ellint_2(k);
+  const double first = std::comp_ellint_1(k);
+  const double second = std::comp_ellint_2(k);
   return {.radial = z / (2.0 * pi * rho * far) * (-first + (a * a + rho * rho + z * z) / near * second),
           .axial = 1.0 / (2.0 * pi * far) * (first + (a * a - rho * rho - z * z) / near * second)};
 }
@@ -76,9 +74,9 @@ Field own_field(const CylinderMagnet& of, double rho, double z) {
       const double near = (a - rho) * (a - rho) + height * height;
       const double far = std::sqrt((a + rho) * (a + rho) + height * height);
       const double k = std::sqrt(4.0 * a * rho) / far;
-      const double second = boost::math::ellint_2(k);
+      const double second = std::comp_ellint_2(k);
       return Field{.radial = a / (2.0 * pi * rho * far) *
-                             (boost::math::ellint_1(k) - (a * a - rho * rho + height * height) / near * second),
+                             (std::comp_ellint_1(k) - (a * a - rho * rho + height * height) / near * second),
                    .axial = a * height / (pi * far * near) * second};
     };
     // The integrand peaks at a = rho with the width of the height: graded towards it from both sides.

@@ -6,8 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -204,8 +202,7 @@ double linked_energy(const Pose& pose) {
                 return Rule::integrate(
                     [&](double z) {
                       const double k = std::sqrt(4 * r * rho / ((r + rho) * (r + rho) + (p.z() - z) * (p.z() - z)));
-                      return std::sqrt(r * rho) *
-                             ((2 / k - k) * boost::math::ellint_1(k) - 2 / k * boost::math::ellint_2(k));
+                      return std::sqrt(r * rho) * ((2 / k - k) * std::comp_ellint_1(k) - 2 / k * std::comp_ellint_2(k));
                     },
                     -6e-3, 6e-3);
               },

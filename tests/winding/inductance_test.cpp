@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "error_text.hpp"
@@ -22,7 +20,7 @@ constexpr double mu0 = 4e-7 * pi;  // exact before 2019, 5e-10 from today's valu
 // Maxwell: mutual inductance of two coaxial loops.
 double loop_pair(double a, double b, double distance) {
   const double k = std::sqrt(4.0 * a * b / ((a + b) * (a + b) + distance * distance));
-  return mu0 * std::sqrt(a * b) * ((2.0 / k - k) * boost::math::ellint_1(k) - 2.0 / k * boost::math::ellint_2(k));
+  return mu0 * std::sqrt(a * b) * ((2.0 / k - k) * std::comp_ellint_1(k) - 2.0 / k * std::comp_ellint_2(k));
 }
 
 // Geometric mean distance of a rectangle b by c from itself, exact (Maxwell; Grover's "Inductance Calculations").
@@ -71,7 +69,7 @@ TEST(Inductance, ApproachesLorenzCurrentSheet) {
   for (const double u : {0.08, 0.7, 3.9, 17.0}) {
     // Lorenz 1879 in Nagaoka's form; u = diameter / length.
     const double k = u / std::hypot(1.0, u);
-    const double K = boost::math::ellint_1(k), E = boost::math::ellint_2(k);
+    const double K = std::comp_ellint_1(k), E = std::comp_ellint_2(k);
     const double lorenz = 4.0 / (3.0 * pi * u) * ((K + (u * u - 1.0) * E) / k - u * u);
     EXPECT_NEAR(coefficient(u) / lorenz, 1.0, 1e-6) << u;  // the thickness left, and n1 > 1e-15 in the code
   }

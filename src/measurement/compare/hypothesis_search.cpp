@@ -135,12 +135,13 @@ class HypothesisSearch {
     std::vector<FittedHypothesis> all;
     overdispersion_ = overdispersion_of(runs_, least_chi_square(level, before));
     double above_noise = before.chi_square_above_noise();
+    double of_the_size_before = before.fit.objective();
     const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
     for (std::size_t size = 1;; ++size) {
       std::ranges::stable_sort(level, {}, bic);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      level = counted(with_better_optima(runs_, std::move(level), scale_, request_.seed));
+      level = counted(with_better_optima(runs_, std::move(level), of_the_size_before, scale_, request_.seed));
       std::ranges::stable_sort(level, {}, bic);
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
@@ -164,8 +165,9 @@ class HypothesisSearch {
                  search_effort.worth_another_effect * left;
         });
       above_noise = left;
-      Level next = counted(larger_hypotheses(before, worth_extending ? level : Level{}, combined));
+      Level next = counted(larger_hypotheses(before, worth_extending ? level : Level{}, of_the_size_before, combined));
       if (next.empty()) break;
+      of_the_size_before = least_chi_square(level, before).fit.objective();
       level = std::move(next);
     }
     return all;
@@ -221,10 +223,11 @@ class HypothesisSearch {
 
   // Hypotheses with one effect more than those of `level` (sorted, best first), and `combined` effects added to `base`.
   [[nodiscard]] Counted<Level> larger_hypotheses(const FittedHypothesis& base, const Level& level,
+                                                 double of_the_size_before,
                                                  const std::vector<ScreenedCombination>& combined) {
     std::vector<PlannedExtension> planned;
     long simulated_runs = 0;
-    for (std::size_t i = 0; i < std::min(search_effort.beam, level.size()); ++i) {
+    for (const std::size_t i : contenders(level, of_the_size_before, search_effort.beam)) {
       const Counted<Screened> more = screen(level[i]);
       simulated_runs += more.simulated_runs;
       for (const EffectKind* kind : kinds_by_predicted_fall(more.value, search_effort.extensions))

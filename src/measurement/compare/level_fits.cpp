@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -26,6 +27,18 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, const std::vector
     out.simulated_runs += each.simulated_runs;
     if (each.value && (!out.value || each.value->fit.objective() < out.value->fit.objective()))
       out.value = std::move(each.value);
+  }
+  return out;
+}
+
+// Of a level in its order: the first ones, and those that explain enough of what the size before has left.
+std::vector<char> worth_more_runs(std::span<const double> objectives, double of_the_size_before) {
+  constexpr std::size_t always = 2;
+  const double most = objectives.empty() ? 0.0 : of_the_size_before - std::ranges::min(objectives);
+  std::vector<char> out;
+  for (const double objective : objectives) {
+    const double explained = of_the_size_before - objective;
+    out.push_back(out.size() < always || explained >= search_effort.worth_more_runs * most ? 1 : 0);
   }
   return out;
 }
@@ -56,9 +69,14 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
       out.value.failed.push_back(planned[i].kinds().front());
   }
   std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.objective(); });
+  std::vector<double> objectives;
+  for (const ShortFit& each : found) objectives.push_back(each.fitted.objective());
+  double before = std::numeric_limits<double>::infinity();
+  for (const PlannedExtension& each : planned) before = std::min(before, each.base->fit.objective());
+  const std::vector<char> worth = worth_more_runs(objectives, before);
   std::vector<CountedFit> fits(found.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-    if (i < refined)
+    if (i < refined && worth[i] != 0)
       fits[i] = refine(runs, found[i]);
     else
       fits[i].value = score(runs, std::move(found[i].plan.hypothesis), std::move(found[i].fitted));
@@ -70,16 +88,25 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
   return out;
 }
 
-Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level,
+std::vector<std::size_t> contenders(const Level& level, double of_the_size_before, std::size_t most) {
+  std::vector<double> objectives;
+  for (const FittedHypothesis& each : level) objectives.push_back(each.fit.objective());
+  const std::vector<char> worth = worth_more_runs(objectives, of_the_size_before);
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < level.size() && i < most; ++i)
+    if (worth[i] != 0) out.push_back(i);
+  return out;
+}
+
+Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level, double of_the_size_before,
                                   const actuator::RigScale& scale, std::uint64_t seed) {
   Counted<Level> out{.value = std::move(level)};
-  const std::size_t count = std::min(search_effort.reconsidered, out.value.size());
   const auto take_better = [&](const std::vector<PlannedFit>& plans, FittedHypothesis& best) {
     const CountedFit other = best_fit(runs, plans);
     out.simulated_runs += other.simulated_runs;
     if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
   };
-  for (std::size_t i = 0; i < count; ++i) {
+  for (const std::size_t i : contenders(out.value, of_the_size_before, search_effort.reconsidered)) {
     if (leaves_noise(out.value)) break;
     const FittedHypothesis as_found = out.value[i];
     take_better(with_other_choices(as_found), out.value[i]);

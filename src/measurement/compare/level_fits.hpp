@@ -19,22 +19,27 @@ using Level = std::vector<FittedHypothesis>;
 /// Whether what one of a level leaves passes as noise.
 [[nodiscard]] bool leaves_noise(const Level& level);
 
+/// Which of a level (in its order) are among the first `most` and worth more runs than they have had (see
+/// SearchEffort::worth_more_runs). `of_the_size_before` is the least objective of the hypotheses with one effect less.
+[[nodiscard]] std::vector<std::size_t> contenders(const Level& level, double of_the_size_before, std::size_t most);
+
 /// The fits of planned hypotheses.
 struct LevelFits {
   Level level{};                                      ///< best of the short fits first
   std::vector<const actuator::EffectKind*> failed{};  ///< those that alone leave the model from every start
 };
 
-/// A short fit of each of `planned`; the best `refined` are continued to convergence. `progress` is told now and then
-/// how many are done; it may be called from several threads, one at a time.
+/// A short fit of each of `planned`; those of the best `refined` that are worth it are continued to convergence.
+/// `progress` is told now and then how many are done; it may be called from several threads, one at a time.
 [[nodiscard]] fit::Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs,
                                                 const std::vector<PlannedExtension>& planned, std::size_t refined,
                                                 const std::function<void(std::size_t)>& progress);
 
 /// A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
 /// is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise, the
-/// ones behind it are not worth their runs.
+/// ones behind it are not worth their runs. `of_the_size_before` as in contenders().
 [[nodiscard]] fit::Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level,
-                                                     const actuator::RigScale& scale, std::uint64_t seed);
+                                                     double of_the_size_before, const actuator::RigScale& scale,
+                                                     std::uint64_t seed);
 
 }  // namespace coilwright::measurement::compare

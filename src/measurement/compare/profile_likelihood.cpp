@@ -79,6 +79,7 @@ double ProfileLikelihood::above_limit(double coordinate) {
                                   .start = start,
                                   .local_numbers_from = &fitted_.fit,
                                   .derivatives_from = &fitted_.fit,
+                                  .updates_derivatives = true,
                                   .held_parameter = parameter_,
                                   .effort = search_effort.profile});
   simulated_runs_ += refitted.simulated_runs;

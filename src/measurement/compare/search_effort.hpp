@@ -26,12 +26,9 @@ struct SearchEffort {
   double runner_up = 0.7;
   /// End of a short fit. More iterations rank the effects more reliably, and each costs one simulation per parameter.
   fit::FitEffort short_fit{.iterations = 8, .tolerance = 1e-2};
-  /// Steps with all derivatives before a fit that is continued to convergence keeps some of them. More steps bring them
-  /// nearer to those of the optimum, and each costs one simulation per number.
-  fit::FitEffort first_steps{.iterations = 2, .tolerance = 1e-3};
-  /// A fit that keeps some derivatives takes them anew where it ended, and goes on as long as they promise more than
-  /// its tolerance, at most so often.
-  int most_rounds = 3;
+  /// A fit takes its derivatives anew where it ended, and goes on as long as they promise more than its tolerance and
+  /// its last turn has kept such a promise, at most so often.
+  int most_turns = 6;
   /// Effects are tried from the declared numbers too where these are less likely than this after the recalibration.
   double numbers_pulled_away = 0.01;
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
@@ -40,8 +37,14 @@ struct SearchEffort {
   /// End of a fit that is continued to convergence: a thousandth of what decides between two hypotheses, at noise
   /// level.
   fit::FitEffort converged{.iterations = 25, .tolerance = 1e-4};
+  /// The same for a hypothesis whose numbers are reported.
+  fit::FitEffort exact{.iterations = 25, .tolerance = 1e-5};
   /// Number of single effects whose short fit is continued to convergence; the others are too far behind.
   std::size_t refined_singles = 6;
+  /// Of hypotheses of one size the best two, and those that explain at least this fraction of what the best explains of
+  /// the residual of the size before, are worth more runs (convergence, other starts, another effect). What explains
+  /// less is no nearer to an answer than the size before, whose combinations are tried too.
+  double worth_more_runs = 0.1;
   /// Number of hypotheses of one size that are extended by one more effect (beam width).
   std::size_t beam = 5;
   /// Number of effects, in order of their predicted fall of chi-square, by which each of them is extended.

@@ -35,6 +35,44 @@ double predicted_fall(const fit::Fit& fitted) {
   return slope.dot(curvature.completeOrthogonalDecomposition().solve(slope));
 }
 
+// Where derivatives cost much, they are taken where a turn begins and follow it to its end. With derivatives of another
+// place a fit ends where these see no way down, which is near its optimum only if they have hardly changed: they are
+// taken anew there, and another turn begins as long as they promise more.
+fit::Counted<std::optional<FittedHypothesis>> fitted_in_turns(std::span<const replay::PreparedRun> runs,
+                                                              const PlannedFit& plan, const fit::FitEffort& effort) {
+  fit::FitRequest request = fit_request_of(runs, plan);
+  request.effort = effort;
+  std::optional<fit::Fit> reached;
+  long simulated_runs = 0;
+  if (!has_slow_derivatives(runs, plan.hypothesis)) {
+    auto fitted = fit::fit(request);
+    simulated_runs += fitted.simulated_runs;
+    reached = std::move(fitted.value);
+  } else {
+    request.updates_derivatives = true;
+    for (int turn = 0; turn < search_effort.most_turns; ++turn) {
+      const auto fitted = fit::fit(request);
+      simulated_runs += fitted.simulated_runs;
+      if (!fitted.value) break;
+      auto anew = fit::evaluate_with_jacobian({.hypothesis = &plan.hypothesis,
+                                               .runs = runs,
+                                               .start = fitted.value->values,
+                                               .local_numbers_from = &*fitted.value,
+                                               .effort = {.iterations = 0}});
+      simulated_runs += anew.simulated_runs;
+      if (!anew.value) break;
+      const double notable = effort.tolerance * anew.value->objective();
+      const bool has_stalled = reached && reached->objective() - anew.value->objective() <= notable;
+      reached = std::move(anew.value);
+      if (has_stalled || predicted_fall(*reached) <= notable) break;
+      request.start = reached->values;
+      request.local_numbers_from = request.derivatives_from = &*reached;
+    }
+  }
+  if (!reached) return {.value = std::nullopt, .simulated_runs = simulated_runs};
+  return {.value = score(runs, plan.hypothesis, std::move(*reached)), .simulated_runs = simulated_runs};
+}
+
 }  // namespace
 
 fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
@@ -47,43 +85,12 @@ fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const 
 
 fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
                                                           const PlannedFit& plan) {
-  auto fitted = fit::fit(fit_request_of(runs, plan));
-  if (!fitted.value) return {.value = std::nullopt, .simulated_runs = fitted.simulated_runs};
-  return {.value = score(runs, plan.hypothesis, std::move(*fitted.value)), .simulated_runs = fitted.simulated_runs};
+  return fitted_in_turns(runs, plan, search_effort.exact);
 }
 
 fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const replay::PreparedRun> runs,
                                                                  const PlannedFit& plan) {
-  fit::FitRequest request = fit_request_of(runs, plan);
-  request.derivatives_from = nullptr;
-  if (!has_slow_derivatives(runs, plan.hypothesis)) return fit_exactly(runs, plan);
-  request.effort = search_effort.first_steps;
-  auto reached = fit::fit(request);
-  long simulated_runs = reached.simulated_runs;
-  const auto none = [&] {
-    return fit::Counted<std::optional<FittedHypothesis>>{.value = std::nullopt, .simulated_runs = simulated_runs};
-  };
-  if (!reached.value) return none();
-  request.effort = search_effort.converged;
-  for (int round = 0; round < search_effort.most_rounds; ++round) {
-    request.start = reached.value->values;
-    request.local_numbers_from = request.derivatives_from = &*reached.value;
-    const auto fitted = fit::fit(request);
-    simulated_runs += fitted.simulated_runs;
-    if (!fitted.value) return none();
-    // With derivatives of another place a fit ends where these see no way down, which is near its optimum only if they
-    // have hardly changed.
-    auto anew = fit::evaluate_with_jacobian({.hypothesis = &plan.hypothesis,
-                                             .runs = runs,
-                                             .start = fitted.value->values,
-                                             .local_numbers_from = &*fitted.value,
-                                             .effort = search_effort.converged});
-    simulated_runs += anew.simulated_runs;
-    if (!anew.value) return none();
-    reached.value = std::move(anew.value);
-    if (predicted_fall(*reached.value) <= search_effort.converged.tolerance * reached.value->objective()) break;
-  }
-  return {.value = score(runs, plan.hypothesis, std::move(*reached.value)), .simulated_runs = simulated_runs};
+  return fitted_in_turns(runs, plan, search_effort.converged);
 }
 
 PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effect> added) {
@@ -110,6 +117,7 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
     }
     fit::FitRequest request = fit_request_of(runs, plan);
     request.effort = search_effort.short_fit;
+    request.updates_derivatives = true;
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
     if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;
@@ -129,8 +137,10 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
 }
 
 fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
-  return fit_to_convergence(
-      runs, {.hypothesis = from.plan.hypothesis, .start = from.fitted.values, .local_numbers_from = &from.fitted});
+  return fit_to_convergence(runs, {.hypothesis = from.plan.hypothesis,
+                                   .start = from.fitted.values,
+                                   .local_numbers_from = &from.fitted,
+                                   .derivatives_from = &from.fitted});
 }
 
 }  // namespace coilwright::measurement::compare

@@ -13,15 +13,14 @@ struct PlannedFit {
   fit::Hypothesis hypothesis;
   Eigen::VectorXd start{};
   const fit::Fit* local_numbers_from{};  ///< null: from the measurement
-  const fit::Fit* derivatives_from{};    ///< as fit::FitRequest has it; null: all are taken at each step
+  const fit::Fit* derivatives_from{};    ///< as fit::FitRequest has it; null: all are taken where it starts
 };
 /// Refers to `plan`.
 [[nodiscard]] fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
-/// Two steps with all derivatives; then those with respect to declared numbers within their tolerances and to local
-/// numbers are kept to the end. Nothing if the model cannot be simulated.
+/// The best fit from there; its derivatives are those of where it ended. Nothing if the model cannot be simulated.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(
     std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
-/// The same with all derivatives at every step: for a hypothesis whose numbers are reported.
+/// The same to a tenth of its tolerance: for a hypothesis whose numbers are reported.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
                                                                         const PlannedFit& plan);
 

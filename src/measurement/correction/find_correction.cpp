@@ -87,6 +87,7 @@ class Search {
     plan.start = start_of(plan, candidate.promise.step);
     fit::FitRequest asked = request(plan);
     asked.effort = effort;
+    asked.updates_derivatives = true;
     auto found = fit::fit(asked);
     simulated_runs_ += found.simulated_runs;
     if (!found.value) return std::nullopt;

@@ -50,6 +50,7 @@ fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::Prepa
                                     .start = fitted.fit.values,
                                     .local_numbers_from = &others.fit,
                                     .derivatives_from = &others.fit,
+                                    .updates_derivatives = true,
                                     .effort = effort});
     out.simulated_runs += refitted.simulated_runs;
     if (!refitted.value) continue;

@@ -13,7 +13,7 @@ struct Fit;
 
 /// When a fit ends.
 struct FitEffort {
-  int iterations = 25;
+  int iterations = 25;      ///< at most; 0: residuals and derivatives are taken at the start, and nothing is moved
   double tolerance = 1e-5;  ///< relative fall of chi-square in one step
 };
 
@@ -28,6 +28,9 @@ struct FitRequest {
   /// fit's simulated runs. Null: all are taken here, at each step. Residuals are always those of the numbers
   /// themselves.
   const Fit* derivatives_from{};
+  /// Derivatives are taken once, where the fit begins; from step to step they are only corrected by what the step has
+  /// shown of them, which costs no simulated run. False: they are taken anew at each step.
+  bool updates_derivatives{};
   std::optional<Eigen::Index> held_parameter{};  ///< index of a parameter that keeps its value in `start`
   FitEffort effort{};
 };

@@ -17,8 +17,9 @@ namespace {
 // Ceres announces each point once; everything is then evaluated in parallel, and the cost functions only copy.
 class Coordinator : public ceres::EvaluationCallback {
  public:
-  Coordinator(ResidualBlocks& blocks, Eigen::VectorXd& parameters, Derivatives derivatives)
-      : blocks_(blocks), parameters_(parameters), derivatives_(derivatives) {}
+  // With `updates` derivatives are taken at the first point, and carried on from there.
+  Coordinator(ResidualBlocks& blocks, Eigen::VectorXd& parameters, Derivatives derivatives, bool updates)
+      : blocks_(blocks), parameters_(parameters), derivatives_(derivatives), updates_(updates) {}
 
   void PrepareForEvaluation(bool derivatives, bool /*new_point*/) override { evaluate_here(derivatives); }
   // Residuals and derivatives at the point where the solver is: often kept from its last accepted step. Null if there
@@ -32,13 +33,7 @@ class Coordinator : public ceres::EvaluationCallback {
   [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
 
  private:
-  struct Point {
-    Eigen::VectorXd parameters{};
-    std::vector<double> local_numbers{};
-    std::optional<ResidualValues> values{};
-  };
-
-  [[nodiscard]] bool is_here(const Point& point) const {
+  [[nodiscard]] bool is_here(const ResidualPoint& point) const {
     return point.values && point.parameters == parameters_ &&
            std::ranges::equal(point.local_numbers, blocks_.local_numbers());
   }
@@ -48,20 +43,24 @@ class Coordinator : public ceres::EvaluationCallback {
       current_ = is_here(with_derivatives_) ? &with_derivatives_ : &without_derivatives_;
       return;
     }
-    current_ = derivatives ? &with_derivatives_ : &without_derivatives_;
+    const bool carries = derivatives && updates_ && with_derivatives_.values;
     const std::span<const double> local_numbers = blocks_.local_numbers();
-    auto found = blocks_.evaluate(parameters_, derivatives ? derivatives_ : Derivatives::none);
+    auto found = blocks_.evaluate(parameters_, derivatives && !carries ? derivatives_ : Derivatives::none);
     simulated_runs_ += found.simulated_runs;
-    *current_ = {.parameters = parameters_,
-                 .local_numbers = {local_numbers.begin(), local_numbers.end()},
-                 .values = std::move(found.value)};
+    ResidualPoint here{.parameters = parameters_,
+                       .local_numbers = {local_numbers.begin(), local_numbers.end()},
+                       .values = std::move(found.value)};
+    if (carries && here.values) blocks_.carry_derivatives(with_derivatives_, here);
+    current_ = derivatives ? &with_derivatives_ : &without_derivatives_;
+    *current_ = std::move(here);
   }
 
   ResidualBlocks& blocks_;
   Eigen::VectorXd& parameters_;
   Derivatives derivatives_;
-  Point with_derivatives_, without_derivatives_;
-  Point* current_ = &without_derivatives_;
+  bool updates_;
+  ResidualPoint with_derivatives_, without_derivatives_;
+  ResidualPoint* current_ = &without_derivatives_;
   long simulated_runs_ = 0;
 };
 
@@ -226,13 +225,13 @@ Counted<std::optional<Optimum>> least_squares(const FitRequest& request, Residua
   Eigen::VectorXd parameters = request.hypothesis->clamped(request.start);
   const Derivatives derivatives =
       unknowns == Unknowns::local_numbers ? Derivatives::by_local_numbers : Derivatives::all;
-  Coordinator coordinator(blocks, parameters, derivatives);
+  Coordinator coordinator(blocks, parameters, derivatives, request.updates_derivatives);
   long simulated_runs = 0;
   const auto none = [&] {
     return Counted<std::optional<Optimum>>{.value = std::nullopt,
                                            .simulated_runs = simulated_runs + coordinator.simulated_runs()};
   };
-  constexpr int most_rounds = 3;
+  const int most_rounds = request.effort.iterations > 0 ? 3 : 0;
   for (int round = 0; round < most_rounds; ++round) {
     // A solver cannot start where there is no model.
     const ResidualValues* here = coordinator.here();

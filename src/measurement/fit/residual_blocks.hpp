@@ -37,6 +37,12 @@ struct ResidualValues {
   std::vector<Block> blocks{};
   std::vector<Eigen::VectorXd> predictions{};  ///< of each run, SI
 };
+/// Residuals, and what they were evaluated at.
+struct ResidualPoint {
+  Eigen::VectorXd parameters{};
+  std::vector<double> local_numbers{};  ///< of all blocks, one after the other
+  std::optional<ResidualValues> values{};
+};
 enum class Derivatives {
   none,
   by_local_numbers,  ///< those with respect to the parameters are zero
@@ -58,6 +64,8 @@ class ResidualBlocks {
   /// Derivatives where the last call was take its motions over.
   [[nodiscard]] Counted<std::optional<ResidualValues>> evaluate(const Eigen::VectorXd& parameters,
                                                                 Derivatives derivatives);
+  /// The derivatives at `to` from those at `from`, without a simulated run: see update_derivatives().
+  void carry_derivatives(const ResidualPoint& from, ResidualPoint& to) const;
 
  private:
   struct RunValues;

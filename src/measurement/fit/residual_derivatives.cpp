@@ -8,8 +8,9 @@
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 #include "measurement/fit/residual_place.hpp"
+#include "measurement/fit/update_derivatives.hpp"
 
-// The derivatives of ResidualBlocks, by forward differences.
+// The derivatives of ResidualBlocks, by forward differences, and how they follow a fit.
 
 namespace coilwright::measurement::fit {
 namespace {
@@ -160,6 +161,34 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
     }
   });
   return std::ranges::count(simulated, 0) == 0;
+}
+
+void ResidualBlocks::carry_derivatives(const ResidualPoint& from, ResidualPoint& to) const {
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ResidualBlock& block = blocks_[b];
+    const auto count = static_cast<Eigen::Index>(block.local.size());
+    const Eigen::Map<const Eigen::VectorXd> before(from.local_numbers.data() + first, count);
+    const Eigen::Map<const Eigen::VectorXd> after(to.local_numbers.data() + first, count);
+    const Eigen::Map<const Eigen::VectorXd> sigma(block.numbers.sigma().data(), count);
+    first += block.local.size();
+    ResidualValues::Block& values = to.values->blocks[b];
+    const ResidualValues::Block& known = from.values->blocks[b];
+    values.jacobian = known.jacobian;
+    values.local_jacobian = known.local_jacobian;
+    for (std::size_t i = 0; i < block.local.size(); ++i) {
+      const std::optional<std::size_t> place = block.numbers.edge_of(i);
+      if (!place) continue;
+      const replay::InputEdge& edge = request_.runs[block.run].windows[block.window].edges[*place];
+      const auto at = static_cast<Eigen::Index>(i);
+      values.local_jacobian.col(at).head(block.samples()) *= edge.slope(after[at]) / edge.slope(before[at]);
+    }
+    update_derivatives({.parameters = to.parameters - from.parameters,
+                        .parameter_scales = request_.hypothesis->scales(),
+                        .local = after - before,
+                        .local_scales = sigma},
+                       known.residuals, values);
+  }
 }
 
 }  // namespace coilwright::measurement::fit

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "measurement/fit/update_derivatives.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slider_model.hpp"
 
@@ -51,6 +52,75 @@ TEST(Fit, ResidualsAreMeasuredMinusPredictedOverTheNoise) {
   ASSERT_TRUE(there.value.has_value());
   for (const double residual : there.value->runs.front().residuals) EXPECT_NEAR(residual, 2.0, 1e-2);
   EXPECT_NEAR(there.value->chi_square, 400.0, 4.0);
+}
+
+// Of y = A x + (x1 + x2)^2 b, whose derivatives change as it goes: after each step they give that step's change.
+TEST(UpdatedDerivatives, GiveTheChangeOfTheStep) {
+  const Eigen::MatrixXd linear{{1.0, 2.0, 0.5}, {0.0, -1.0, 3.0}, {4.0, 1.0, 1.0}, {2.0, 2.0, -2.0}};
+  const Eigen::Vector4d bend(0.5, -1.0, 2.0, 1.0);
+  const auto values = [&](const Eigen::Vector3d& x) -> Eigen::VectorXd {
+    return linear * x + (x[0] + x[1]) * (x[0] + x[1]) * bend;
+  };
+  Eigen::Vector3d at(0.1, -0.2, 0.3);
+  ResidualValues::Block block{.residuals = values(at)};
+  block.jacobian = linear.leftCols(2) + 2.0 * (at[0] + at[1]) * bend * Eigen::RowVector2d::Ones();
+  block.local_jacobian = linear.col(2);
+  for (const Eigen::Vector3d& step : {Eigen::Vector3d(0.5, 0.1, -0.2), Eigen::Vector3d(0.0, 0.3, 0.1)}) {
+    const Eigen::VectorXd before = block.residuals;
+    at += step;
+    block.residuals = values(at);
+    update_derivatives({.parameters = step.head(2),
+                        .parameter_scales = Eigen::Vector2d(0.1, 10.0),
+                        .local = step.tail(1),
+                        .local_scales = Eigen::VectorXd::Constant(1, 2.0)},
+                       before, block);
+    const Eigen::VectorXd shown = block.jacobian * step.head(2) + block.local_jacobian * step.tail(1);
+    EXPECT_LT((shown - (block.residuals - before)).norm(), 1e-12);
+  }
+}
+
+// A straight function's derivatives stay what they are, and a step of nothing says nothing.
+TEST(UpdatedDerivatives, StayWhereTheyAreRight) {
+  const Eigen::MatrixXd linear{{1.0, 2.0}, {0.0, -1.0}, {4.0, 1.0}};
+  const StepTaken step{.parameters = Eigen::Vector2d(0.5, -2.0),
+                       .parameter_scales = Eigen::Vector2d(1.0, 3.0),
+                       .local = Eigen::VectorXd(0),
+                       .local_scales = Eigen::VectorXd(0)};
+  ResidualValues::Block block{
+      .residuals = linear * step.parameters, .jacobian = linear, .local_jacobian = Eigen::MatrixXd(3, 0)};
+  update_derivatives(step, Eigen::Vector3d::Zero(), block);
+  EXPECT_LT((block.jacobian - linear).norm(), 1e-14);
+  StepTaken none = step;
+  none.parameters.setZero();
+  update_derivatives(none, block.residuals, block);
+  EXPECT_TRUE(block.jacobian.allFinite());
+}
+
+TEST(Fit, WithUpdatedDerivativesReachesTheSameOptimumWithFewerRuns) {
+  const replay::DeclaredModel declared = slide(3.0, 1.0);
+  const auto run = slide_run(300, {}, no_error);
+  const Prepared prepared(declared, run);
+  FitRequest request{.hypothesis = &prepared.hypothesis, .runs = prepared.runs, .start = prepared.hypothesis.start()};
+  const auto fresh = fit(request);
+  request.updates_derivatives = true;
+  const auto updated = fit(request);
+  ASSERT_TRUE(fresh.value && updated.value);
+  EXPECT_NEAR(updated.value->values[0], true_mass, 1e-4 * true_mass);
+  EXPECT_NEAR(updated.value->values[1], true_damping, 1e-4 * true_damping);
+  EXPECT_LT(updated.simulated_runs, fresh.simulated_runs);
+}
+
+TEST(Fit, OfNoIterationsMovesNothing) {
+  const replay::DeclaredModel declared = slide(3.0, 1.0);
+  const auto run = slide_run(100, {}, no_error);
+  const Prepared prepared(declared, run);
+  const auto there = evaluate_with_jacobian({.hypothesis = &prepared.hypothesis,
+                                             .runs = prepared.runs,
+                                             .start = prepared.hypothesis.start(),
+                                             .effort = {.iterations = 0}});
+  ASSERT_TRUE(there.value.has_value());
+  EXPECT_EQ(there.value->values, prepared.hypothesis.start());
+  EXPECT_EQ(there.simulated_runs, 3);
 }
 
 TEST(Fit, JacobianIsThatOfTheClosedForm) {

@@ -34,7 +34,8 @@ std::optional<StepMotion> step_motion(const EvaluatedDesign& evaluated, double d
   const actuator::Model model = held_at_rest(warm_model(evaluated), evaluated.performance.cold.rest_angles);
   StepMotion motion;
   for (std::size_t i = 0; i < samples; ++i)
-    motion.times.push_back(duration * static_cast<double>(i) / static_cast<double>(samples - 1));
+    motion.times.push_back(duration *
+                           (static_cast<double>(i) / static_cast<double>(samples - 1)));  // ends at it exactly
   const actuator::CoilCurrents on = model.all_coils(evaluated.point.current);
   const ModelInput input{.times = {0.0, duration}, .currents = {on, on}};
   const State rest{.angles = free->rest_angles,

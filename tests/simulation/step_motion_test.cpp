@@ -42,6 +42,14 @@ TEST(StepMotion, EndsWherePerformanceSaysThatItSettles) {
   EXPECT_LT((motion.states.back().angles - told.steady_angles).lpNorm<Eigen::Infinity>(), 1e-4);
 }
 
+// Rounding must not put the last sample behind the end of the input: of these durations 0.8889541585700292 did.
+TEST(StepMotion, EndsAtItsDurationToTheBit) {
+  const EvaluatedDesign design = warm_finger();
+  for (const double duration : {0.8889541585700292, 0.1, 0.7, 1.0 / 3.0})
+    for (const std::size_t samples : {2u, 7u, 240u, 241u})
+      EXPECT_EQ(step_motion(design, duration, samples).value().times.back(), duration);
+}
+
 TEST(StepMotion, RefusesWhatIsNoTime) {
   const EvaluatedDesign design = warm_finger();
   EXPECT_THROW(static_cast<void>(step_motion(design, 0.0, 10)), std::invalid_argument);

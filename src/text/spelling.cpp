@@ -44,20 +44,37 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
   return best;
 }
 
-std::vector<std::string> words_beginning_with(std::string_view word, std::span<const std::string> candidates) {
-  constexpr std::ptrdiff_t fewest_letters = 2;  // of one letter, nothing can be told
-  constexpr std::size_t most_words = 4;         // more are a list, which the reader of a message has elsewhere
+namespace {
+
+// None where `word` is too short to tell anything, and where more candidates match than a message may list.
+template <typename Matches>
+std::vector<std::string> matching_words(std::string_view word, std::span<const std::string> candidates,
+                                        const Matches& matches) {
+  constexpr std::ptrdiff_t fewest_letters = 2;
+  constexpr std::size_t most_words = 4;
   const auto is_letter = [](unsigned char letter) { return letter != '-' && letter != '_'; };
   if (std::ranges::count_if(word, is_letter) < fewest_letters) return {};
   std::vector<std::string> words;
   for (const std::string& candidate : candidates)
-    if (candidate != word && candidate.starts_with(word)) words.push_back(candidate);
+    if (candidate != word && matches(candidate)) words.push_back(candidate);
   if (words.size() > most_words) words.clear();
   return words;
 }
 
+}  // namespace
+
+std::vector<std::string> words_beginning_with(std::string_view word, std::span<const std::string> candidates) {
+  return matching_words(word, candidates, [&](const std::string& each) { return each.starts_with(word); });
+}
+
+std::vector<std::string> words_ending_with(std::string_view word, std::span<const std::string> candidates) {
+  const std::string end = fmt::format("_{}", word);
+  return matching_words(word, candidates, [&](const std::string& each) { return each.ends_with(end); });
+}
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   std::vector<std::string> words = words_beginning_with(word, candidates);
+  if (words.empty()) words = words_ending_with(word, candidates);
   if (words.empty())
     if (const auto nearest = nearest_word(word, candidates)) words.push_back(*nearest);
   if (words.empty()) return {};

@@ -70,11 +70,13 @@ class BadData(ProgramTest):
         self.refuse_csv("", "is empty: it must have a header")
         self.refuse_csv(head + "\n", "must have a row below its header")
         self.refuse_csv(f"{head}\n0,0,0\n", "line 2: column time_s: must be followed by a second sample; got 0")
-        for text in ("nan", "inf", "abc", ""):
+        for text in ("nan", "inf", "abc"):
             self.refuse_csv(f"{head}\n0,0,0\n0.01,0,{text}\n",
                             f'line 3: column theta1_deg: must be a finite number; got "{text}"')
+        self.refuse_csv(f"{head}\n0,0,0\n0.01,0,\n", "line 3: column theta1_deg: must be a finite number (a row without one "
+                                                     'is left out); got ""')
         self.refuse_csv(f"{head}\n0,0,0\n0.01,0\n", "line 3: must have 3 fields, as the header has; got 2")
-        self.refuse_csv(f"{head}\n0,0,0\n0.01,0,1,2\n", "line 3: must have 3 fields, as the header has; got 4")
+        self.refuse_csv(f"{head}\n0,0,0\n0.01,0,1,2\n", "line 3: must have 3 fields, as the header has (are its decimals written with commas?); got 4")
 
     def test_a_clock_that_goes_back_or_stands(self):
         head = ",".join(HEADER)
@@ -92,14 +94,15 @@ class BadData(ProgramTest):
                  "current_A, current1_A.., voltage_V, torque1_Nm..; a column that is to be left alone is named in "
                  "\"ignore\" of its run"),
                 ("time_s,torque1_Nm,theta1_deg,theta1_deg", "column theta1_deg: must not be there twice"),
-                ("time_s,torque1_A,theta1_deg", 'column torque1_A: unknown unit; did you mean "torque1_Nm"?')):
+                ("time_s,torque1_A,theta1_deg", 'column torque1_A: unknown unit; may be "torque1_Nm" or "torque1_Nmm", with the numbers in that unit')):
             values = ",".join("0" for _ in header.split(","))
             self.refuse_csv(f"{header}\n{values}\n1{values[1:]}\n", f"line 1: {message}")
 
     def test_a_table_with_other_separators(self):
         for mark in (";", "\t"):
+            header = (";" if mark == ";" else "\\t").join(HEADER)
             self.refuse_csv(table(HEADER, rows()).replace(",", mark),
-                            "line 1: column time_s: is missing; columns must be separated by commas")
+                            f'line 1: must separate its columns by commas; got "{header}"')
 
     def test_a_file_that_is_not_there(self):
         self.set["runs"][0]["file"] = "nowhere.csv"
@@ -269,9 +272,10 @@ class BadData(ProgramTest):
         self.assertEqual(self.result("out/diagnosis.json")["verdict"], "no_missing_effect")
         late = [[round(t + (5 if i > 30 else 0), 4), 0.2 if i == 0 else 0.21, y] for i, (t, _, y) in enumerate(rows(40))]
         self.write("set/a.csv", table(HEADER, late))
-        (found,) = self.warnings()
-        self.assertEqual(found[0], "a.csv")
-        self.assertIn("the clock jumps by 5.02 s after 0.6 s", found[1])
+        clock, pose = self.warnings()
+        self.assertEqual((clock[0], pose[0]), ("a.csv", "a.csv"))
+        self.assertIn("the clock jumps by 5.02 s after 0.6 s", clock[1])
+        self.assertRegex(pose[1], "^theta1_deg begins at .* deg, where the declared model rests at .* deg. If the angle is counted ")
 
 
 if __name__ == "__main__":

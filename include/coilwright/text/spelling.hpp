@@ -21,8 +21,12 @@ namespace coilwright::text {
 [[nodiscard]] std::vector<std::string> words_beginning_with(std::string_view word,
                                                             std::span<const std::string> candidates);
 
+/// The same of those whose last words are `word`: "angle_deg" for "bending_angle_deg".
+[[nodiscard]] std::vector<std::string> words_ending_with(std::string_view word,
+                                                         std::span<const std::string> candidates);
+
 /// `; did you mean "evaluate"?`: the candidates that begin with `word` ("mass" for "mass_g", "eval" for "evaluate"), or
-/// else the nearest one. Nothing when no candidate is near.
+/// else those that end with it, or else the nearest one. Nothing when no candidate is near.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace coilwright::text

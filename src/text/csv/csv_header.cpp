@@ -39,10 +39,23 @@ std::string_view quantity_of(std::string_view name) {
   return split ? split->quantity : name;
 }
 
+// What a column that is asked for may be called, each with the unit of its numbers.
+std::string unknown_unit(std::string_view asked) {
+  std::vector<std::string> names;
+  if (const auto wanted = units::split_unit(asked))
+    for (const std::string_view suffix : column_units)
+      if (const std::string name = fmt::format("{}_{}", wanted->quantity, suffix); answers(name, asked))
+        names.push_back(in_quotes(name));
+  if (names.empty()) names.push_back(in_quotes(asked));
+  return fmt::format("unknown unit; may be {}, with the numbers in that unit", fmt::join(names, " or "));
+}
+
 }  // namespace
 
 CsvHeader::CsvHeader(std::string file, std::size_t line, std::vector<std::string> names)
     : file_(std::move(file)), line_(line), names_(std::move(names)) {
+  if (names_.front().find_first_of(";\t|") != std::string::npos)
+    throw error("must separate its columns by commas; got " + in_quotes(one_line(names_.front())));
   std::set<std::string_view> seen;
   for (const std::string& name : names_) {
     if (name.empty()) throw error("must name every column");
@@ -76,11 +89,10 @@ void CsvHeader::require(std::string_view name) {
     if (left_alone_.contains(i)) continue;
     const std::string& each = names_[i];
     if (quantity_of(each) == quantity_of(name) || each == quantity_of(name)) {
-      throw error(each, "unknown unit; did you mean " + in_quotes(name) + "?");
+      throw error(each, unknown_unit(name));
     }
   }
-  const bool otherwise_separated = names_.front().find_first_of(";\t|") != std::string::npos;
-  throw error(name, otherwise_separated ? "is missing; columns must be separated by commas" : "is missing");
+  throw error(name, "is missing");
 }
 
 std::size_t CsvHeader::numbered(std::string_view pattern) {
@@ -115,7 +127,7 @@ void CsvHeader::finish(std::string_view advice) const {
     if (known_.contains(i) || left_alone_.contains(i)) continue;
     for (const std::string& asked : asked_for_) {
       const bool same_quantity = quantity_of(names_[i]) == quantity_of(asked) || names_[i] == quantity_of(asked);
-      if (same_quantity) throw error(names_[i], "unknown unit; did you mean " + in_quotes(asked) + "?");
+      if (same_quantity) throw error(names_[i], unknown_unit(asked));
     }
     std::vector<std::string> absent;
     for (const std::string& asked : asked_for_)

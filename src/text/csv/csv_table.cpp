@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -79,9 +81,13 @@ class CsvTableBuilder {
 
   void take_row(std::span<const std::string_view> fields, std::size_t line) {
     if (fields.size() != width_) {
+      const bool decimal_commas = fields.size() > width_ && std::ranges::all_of(fields, [](std::string_view field) {
+                                    return finite_number(field).has_value();
+                                  });
       throw InputError({.file = table_.file_,
                         .place = fmt::format("line {}", line),
-                        .rule = fmt::format("must have {} fields, as the header has", width_),
+                        .rule = fmt::format("must have {} fields, as the header has{}", width_,
+                                            decimal_commas ? " (are its decimals written with commas?)" : ""),
                         .value = std::to_string(fields.size())});
     }
     if ((table_.lines_.size() + 1) * table_.columns_.size() > csv_value_limit) {
@@ -96,7 +102,8 @@ class CsvTableBuilder {
       if (!value) {
         throw InputError({.file = table_.file_,
                           .place = fmt::format("line {}: column {}", line, source_[i].name),
-                          .rule = "must be a finite number",
+                          .rule = fields[i].empty() ? "must be a finite number (a row without one is left out)"
+                                                    : "must be a finite number",
                           .value = in_quotes(fields[i])});
       }
       if (source_[i].kept) table_.columns_[target++].push_back(units::to_si(*value, source_[i].unit));

@@ -49,6 +49,21 @@ bool is_in_a_non_finite_number(std::string_view text, std::size_t offset) {
                      [&](std::string_view word) { return text.substr(offset).starts_with(word); });
 }
 
+// What a hand that writes JSON now and then does where the parser stumbles; empty where it is nothing of that kind.
+std::string_view usual_slip(std::string_view text, std::size_t offset) {
+  if (offset >= text.size()) return {};
+  if (text[offset] == '/') return R"( (JSON has no comments: write a text under the key "comment"))";
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool at_number = is_digit(text[offset]);
+  while (at_number && offset > 0 && is_digit(text[offset - 1])) --offset;
+  const std::size_t before = offset == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", offset - 1);
+  if (before == std::string_view::npos || text[before] != ',') return {};
+  if (at_number && before + 1 == offset && before > 0 && is_digit(text[before - 1]))
+    return " (is a decimal written with a comma? JSON has a point)";
+  if (text[offset] == '}' || text[offset] == ']') return " (a comma stands before it)";
+  return {};
+}
+
 // Builds the value from nlohmann's events. The events rather than its own tree, because the tree silently keeps the
 // last of two equal keys.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -88,7 +103,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
                         .value = one_line(last_token)});
     }
     const std::size_t offset = position == 0 ? 0 : position - 1;
-    std::string rule = "is not JSON: " + essence(e.what());
+    std::string rule = fmt::format("is not JSON: {}{}", essence(e.what()), usual_slip(text_, offset));
     if (offset >= text_.size()) {
       rule = text_.empty() ? "is empty: it must hold a JSON value" : "ends before its JSON value is complete";
     } else if (is_in_a_non_finite_number(text_, offset)) {

@@ -162,10 +162,12 @@ TEST(RunFile, RefusesMissingColumns) {
 TEST(RunFile, RefusesColumnsAndUnitsThatDoNotExist) {
   EXPECT_EQ(refusal("time_s,current_A,bending_angel_deg\n1,2,3\n"),
             "x.csv: line 1: column bending_angel_deg: unknown column; did you mean \"bending_angle_deg\"?");
-  EXPECT_EQ(refusal("time_us,current_A,theta1_deg\n1,2,3\n"),
-            "x.csv: line 1: column time_us: unknown unit; did you mean \"time_s\"?");
+  EXPECT_EQ(
+      refusal("time_us,current_A,theta1_deg\n1,2,3\n"),
+      "x.csv: line 1: column time_us: unknown unit; may be \"time_s\" or \"time_ms\", with the numbers in that unit");
   EXPECT_EQ(refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
-            "x.csv: line 1: column theta1_mm: unknown unit; did you mean \"theta1_deg\"?");
+            "x.csv: line 1: column theta1_mm: unknown unit; may be \"theta1_deg\" or \"theta1_rad\", with the numbers "
+            "in that unit");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta3_deg\n1,2,3,4\n"),
             "x.csv: line 1: column theta3_deg: unknown column; did you mean \"theta2_deg\"?");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta1_rad\n1,2,3,4\n"),
@@ -184,7 +186,7 @@ TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1\n"),
             "x.csv: line 3: must have 3 fields, as the header has; got 2");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,2,3\n"),
-            "x.csv: line 3: must have 3 fields, as the header has; got 4");
+            "x.csv: line 3: must have 3 fields, as the header has (are its decimals written with commas?); got 4");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,abc\n"),
             "x.csv: line 3: column theta1_deg: must be a finite number; got \"abc\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,nan\n"),
@@ -192,7 +194,7 @@ TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
             "x.csv: line 3: column current_A: must be a finite number; got \"-inf\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,\n"),
-            "x.csv: line 2: column theta1_deg: must be a finite number; got \"\"");
+            "x.csv: line 2: column theta1_deg: must be a finite number (a row without one is left out); got \"\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1e13,2\n"),
             "x.csv: line 3: column current_A: must be a number that can be measured, at most 1e12; got 10000000000000");
 }

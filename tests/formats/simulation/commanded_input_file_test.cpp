@@ -50,7 +50,7 @@ TEST(CommandedInput, RefusesAMissingOrMisspeltInput) {
   EXPECT_EQ(refusal("time_s,curent_A\n1,2\n"),
             "x.csv: line 1: column curent_A: unknown column; did you mean \"current_A\"?");
   EXPECT_EQ(refusal("time_s,current_mA\n1,2\n"),
-            "x.csv: line 1: column current_mA: unknown unit; did you mean \"current_A\"?");
+            "x.csv: line 1: column current_mA: unknown unit; may be \"current_A\", with the numbers in that unit");
   EXPECT_EQ(refusal("current_A\n2\n"), "x.csv: line 1: column time_s: is missing");
   EXPECT_EQ(refusal("time_s,torque_Nm\n1,2\n"),
             "x.csv: line 1: column torque_Nm: unknown column; did you mean \"torque1_Nm\"?");

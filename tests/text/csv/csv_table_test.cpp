@@ -88,12 +88,14 @@ TEST(CsvTable, RefusesAnUnknownColumnAndSuggestsTheOneThatWasMeant) {
 
 TEST(CsvTable, RefusesAnUnknownUnit) {
   EXPECT_EQ(refusal("angle_deg,current_mA\n1.5,2.5\n"),
-            "x.csv: line 1: column current_mA: unknown unit; did you mean \"current_A\"?");
+            "x.csv: line 1: column current_mA: unknown unit; may be \"current_A\", with the numbers in that unit");
   EXPECT_EQ(refusal("angle_furlong,current_A\n1.5,2.5\n"), "x.csv: line 1: column angle_deg: is missing");
   EXPECT_EQ(refusal("angle,current_A\n1.5,2.5\n"),
-            "x.csv: line 1: column angle: unknown unit; did you mean \"angle_deg\"?");
+            "x.csv: line 1: column angle: unknown unit; may be \"angle_deg\" or \"angle_rad\", with the numbers in "
+            "that unit");
   EXPECT_EQ(refusal("angle_deg,current_A,torque_deg\n1.5,2.5,3\n"),
-            "x.csv: line 1: column torque_deg: unknown unit; did you mean \"torque_Nmm\"?");
+            "x.csv: line 1: column torque_deg: unknown unit; may be \"torque_Nm\" or \"torque_Nmm\", with the numbers "
+            "in that unit");
 }
 
 TEST(CsvTable, RefusesAColumnThatIsThereTwice) {
@@ -107,10 +109,11 @@ TEST(CsvTable, RefusesAColumnThatIsThereTwice) {
 TEST(CsvTable, RefusesWhatIsNoFiniteNumber) {
   const std::string header = "angle_deg,current_A\n1.5,2.5\n";
   const std::string place = "x.csv: line 3: column current_A: must be a finite number; got ";
-  for (const std::string field :
-       {"abc", "", "nan", "NaN", "inf", "-inf", "1e999", "1.5x", "0x10", "1 5", "+-2", "--2"}) {
+  for (const std::string field : {"abc", "nan", "NaN", "inf", "-inf", "1e999", "1.5x", "0x10", "1 5", "+-2", "--2"}) {
     EXPECT_EQ(refusal(header + "3.5," + field + "\n"), place + "\"" + field + "\"");
   }
+  EXPECT_EQ(refusal(header + "3.5,\n"),
+            "x.csv: line 3: column current_A: must be a finite number (a row without one is left out); got \"\"");
   EXPECT_EQ(refusal(header + "3.5,\"a\nb\"\n"), place + "\"a\\nb\"");
 }
 
@@ -118,6 +121,13 @@ TEST(CsvTable, RefusesARaggedRow) {
   EXPECT_EQ(refusal("angle_deg,current_A\n1.5,2.5\n3.5\n"),
             "x.csv: line 3: must have 2 fields, as the header has; got 1");
   EXPECT_EQ(refusal("angle_deg,current_A\n1.5,2.5,\n"), "x.csv: line 2: must have 2 fields, as the header has; got 3");
+  EXPECT_EQ(refusal("angle_deg,current_A\n1,5,2,5\n"),
+            "x.csv: line 2: must have 2 fields, as the header has (are its decimals written with commas?); got 4");
+}
+
+TEST(CsvTable, RefusesOtherSeparators) {
+  EXPECT_EQ(refusal("angle_deg;current_A\n1.5;2.5\n"),
+            "x.csv: line 1: must separate its columns by commas; got \"angle_deg;current_A\"");
 }
 
 TEST(CsvTable, CountsLinesAcrossBlankOnesAndLineEndsInQuotes) {

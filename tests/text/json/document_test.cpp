@@ -39,7 +39,7 @@ TEST(JsonDocument, SkipsAByteOrderMark) {
   EXPECT_EQ(parse_json("\xef\xbb\xbf{\"turns\": 40}", "x.json").root().find("turns")->integer(), 40);
   EXPECT_EQ(refusal("\xef\xbb\xbf[1,]"),
             "x.json: line 1, column 4: is not JSON: syntax error while parsing value - unexpected ']'; expected '[', "
-            "'{', or a literal");
+            "'{', or a literal (a comma stands before it)");
 }
 
 TEST(JsonDocument, RefusesDuplicateKeys) {
@@ -73,12 +73,18 @@ TEST(JsonDocument, RefusesWhatIsNotJson) {
             "x.json: line 1, column 1: is not JSON: syntax error while parsing value - invalid literal");
   EXPECT_EQ(refusal("{\"a\": 1,}"),
             "x.json: line 1, column 9: is not JSON: syntax error while parsing object key - unexpected '}'; "
-            "expected string literal");
+            "expected string literal (a comma stands before it)");
+  EXPECT_EQ(
+      refusal("{\"mass_g\": 60,5}"),
+      "x.json: line 1, column 15: is not JSON: syntax error while parsing object key - unexpected number literal; "
+      "expected string literal (is a decimal written with a comma? JSON has a point)");
   EXPECT_EQ(refusal("{} {}"),
             "x.json: line 1, column 4: is not JSON: syntax error while parsing value - unexpected '{'; "
             "expected end of input");
   EXPECT_EQ(refusal("// no\n{}"),
-            "x.json: line 1, column 1: is not JSON: syntax error while parsing value - invalid literal");
+            "x.json: line 1, column 1: is not JSON: syntax error while parsing value - invalid literal (JSON has no "
+            "comments: "
+            "write a text under the key \"comment\")");
 }
 
 TEST(JsonDocument, RefusesInvalidUtf8AndNulBytes) {

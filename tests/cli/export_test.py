@@ -93,7 +93,7 @@ class Export(ProgramTest):
 
     def test_an_actuator_that_cannot_be_built_is_refused(self):
         self.assert_refused(["export", str(FINGER), "--set", "gap_mm=1200", "--as", "workshop", "--out", "out"],
-                            f"{FINGER}: gap must be > 0 and at most 1000 mm; got 1200 mm (with gap_mm=1200)")
+                            "gap_mm=1200: must be from 0.01 to 1000")
 
 
 if __name__ == "__main__":

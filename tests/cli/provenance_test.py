@@ -132,7 +132,7 @@ class SetOfAStudy(ProgramTest):
                 ("/constraints/7/at_most=1", "/constraints/7/at_most=1: must lead to a number of the study"),
                 ("/name=1", "/name=1: must lead to a number of the study"),
                 ("/constraints/0/at_most=x", "/constraints/0/at_most=x: must be a finite number"),
-                ("front_length_mm=0", "front_length_mm=0: must be > 0 and <= 1000000")):
+                ("front_length_mm=0", "front_length_mm=0: must be from 0.01 to 1000")):
             with self.subTest(argument):
                 self.assert_refused(["size", "study.json", "--out", "out", "--set", argument], message)
         self.assert_refused(["size", "study.json", "--out", "out", "--set", "front_length_mm=9", "--set",

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/winding/packing.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 
@@ -17,9 +18,8 @@ namespace {
 // prototype's 0.9 (Tables I and II: l_0 - l_c / 2 and l_1 - l_m / 2).
 constexpr double coil_wall_share = 1.0 / 3.0;
 
-// Any length, and layers or turns in a layer (of the thinnest wire in the table they make a metre): beyond them a slip
-// of the keyboard is likelier than a finger.
-constexpr double longest = 1.0;  // m
+// Layers or turns in a layer (of the thinnest wire in the table they make a metre): beyond them a slip of the keyboard
+// is likelier than a finger.
 constexpr int most_turns = 10'000;
 
 // degC; where copper's linear law and the silicone still hold.
@@ -34,11 +34,11 @@ class MisfitList {
     list_.push_back({fmt::format("{} must be finite and > 0; got {:.6g} {}", name, value / unit, unit_name), excess});
   }
   void require_length(double value, const char* name) {
-    if (value > 0.0 && value <= longest) return;
-    const double outside = value > longest ? value / longest - 1.0 : 1.0 - value / 1e-3;
-    list_.push_back(
-        {fmt::format("{} must be > 0 and at most {:.6g} mm; got {:.6g} mm", name, longest * 1e3, value * 1e3),
-         std::isfinite(outside) ? outside : 1.0});
+    if (value >= shortest_length && value <= longest_length) return;
+    const double outside = value > longest_length ? value / longest_length - 1.0 : 1.0 - value / 1e-3;
+    list_.push_back({fmt::format("{} must be from {:.6g} to {:.6g} mm; got {:.6g} mm", name, shortest_length * 1e3,
+                                 longest_length * 1e3, value * 1e3),
+                     std::isfinite(outside) ? outside : 1.0});
   }
   void require_not_negative(double value, const char* name, double unit, const char* unit_name) {
     if (std::isfinite(value) && value >= 0.0) return;

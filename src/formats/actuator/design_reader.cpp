@@ -166,6 +166,9 @@ Rule rule_of(const actuator::Parameter& parameter) {
   switch (parameter.rule) {
     case actuator::ParameterRule::positive:
       return positive.and_also(Rule::at_most(largest_number));
+    case actuator::ParameterRule::length:
+      return Rule::between(units::from_memory(actuator::shortest_length, parameter.key),
+                           units::from_memory(actuator::longest_length, parameter.key));
     case actuator::ParameterRule::not_negative:
       return Rule::between(0.0, largest_number);
     case actuator::ParameterRule::at_least_one:

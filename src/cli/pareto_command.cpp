@@ -48,17 +48,18 @@ ExitCode run_pareto(const StudyOptions& options) {
     return sizing::pareto(archive.study().problem(), search);
   }();
   check_front(problem, result.front);
+  const std::vector<sizing::FrontPartLimit> broken = sizing::front_part_limits(problem, result.front);
   const std::vector<sizing::Record> records = result.archive.records();
   archive.write_results([&] {
     formats::write_front(folder.open("front.csv"), study, result.front);
     formats::write_evaluations(folder.open("evaluations.csv"), study, records);
     formats::write_convergence(folder.open("convergence.csv"), result.archive);
-    folder.write("result.json", formats::to_json(study, result).text());
+    folder.write("result.json", formats::to_json(study, result, broken).text());
     folder.write(provenance_name, to_json(input.provenance).text());
     folder.commit();
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, records);
-  std::cout << (options.json ? formats::to_json(study, result).text() : report::to_text(study, result));
+  std::cout << (options.json ? formats::to_json(study, result, broken).text() : report::to_text(study, result, broken));
   archive.require_written();
   if (interruption.requested()) return ExitCode::interrupted;
   return result.front.empty() ? ExitCode::infeasible : ExitCode::done;

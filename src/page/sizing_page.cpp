@@ -23,6 +23,22 @@ namespace {
 
 using text::Node;
 
+// What the design breaks of its parts, as the study does not set it.
+std::string parts_sentence(const Node& result) {
+  const auto limits = result.find("part_limits");
+  std::vector<std::string> broken;
+  for (const Node& each : limits ? limits->elements() : std::vector<Node>()) {
+    if (!each.find("broken").value().boolean()) continue;
+    const char* side = each.find("at_most") ? "at_most" : "at_least";
+    broken.push_back(fmt::format("{} {}, {} {}: {}", cell_of(each.find("quantity").value()),
+                                 cell_of(each.find("value").value()), each.find("at_most") ? "at most" : "at least",
+                                 cell_of(each.find(side).value()), cell_of(each.find("consequence").value())));
+  }
+  if (broken.empty()) return {};
+  return fmt::format(" BEWARE: it breaks limits of its parts that the study does not set ({}).",
+                     fmt::join(broken, "; "));
+}
+
 std::string verdict_of(const Node& result) {
   const Objective objective = objective_of(result);
   const Node best = result.find("best").value();
@@ -53,7 +69,7 @@ std::string verdict_of(const Node& result) {
     out += fmt::format("; {} of {} other modelling choices would lead to another design", changes, assumptions.size());
   const auto first = result.find("measure_first");
   if (first && !first->is_null()) out += fmt::format(". Measure first: {}", first->text());
-  return out + ".";
+  return out + "." + parts_sentence(result);
 }
 
 TableBlock variables_table(const Node& result) {

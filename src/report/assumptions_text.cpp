@@ -50,7 +50,7 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
                         objective_change(effect.evaluation.objectives.front(), best.evaluation.objectives.front()),
                         margin_phrase(report.study, effect));
   if (effect.changes_design)
-    text += fmt::format("      another design is then better: {} {} with {}\n", objective,
+    text += fmt::format("      the best design is then another one: {} {} with {}\n", objective,
                         short_number(effect.other_best->evaluation.objectives.front()),
                         difference(report.study, best, *effect.other_best));
   return text;

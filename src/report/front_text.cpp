@@ -43,16 +43,27 @@ std::string nearest_text(const Study& study, const ParetoResult& result) {
          fmt::format("It is not feasible: {}\n", reasons_for_infeasibility(study, result.least_infeasible->evaluation));
 }
 
+std::string parts_text(std::span<const FrontPartLimit> broken, std::size_t designs) {
+  if (broken.empty()) return {};
+  std::string text = "\nBEWARE: designs of this front break limits of their parts that the study does not set\n";
+  for (const FrontPartLimit& each : broken)
+    text += fmt::format("  {}: {} of {} designs: {}\n", each.quantity, each.designs, designs, each.consequence);
+  return text +
+         "Limit these quantities in the study's \"constraints\" and run it anew; evaluate says what the limits are.\n";
+}
+
 }  // namespace
 
-std::string to_text(const Study& study, const ParetoResult& result) {
+std::string to_text(const Study& study, const ParetoResult& result, std::span<const FrontPartLimit> broken) {
   std::string text = study.name + ":";
   for (const StudyObjective& objective : study.objectives)
     text += (&objective == &study.objectives.front() ? " " : ", ") + objective_text(objective);
   text += "\n\n" + (result.front.empty() ? nearest_text(study, result) : table_of(study, result));
-  return text + fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.\n",
-                            result.front.size(), meaning_of(result.stop_reason), result.evaluations,
-                            to_text(formats::counts_of(result.archive)));
+  return text +
+         fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.\n",
+                     result.front.size(), meaning_of(result.stop_reason), result.evaluations,
+                     to_text(formats::counts_of(result.archive))) +
+         parts_text(broken, result.front.size());
 }
 
 }  // namespace coilwright::report

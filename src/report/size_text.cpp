@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/report/text_table.hpp"
+#include "coilwright/simulation/part_limits.hpp"
 #include "report/assumptions_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
@@ -77,6 +79,19 @@ std::string objective_lines(const formats::SizeReport& report) {
   return text;
 }
 
+// Of a design that keeps no limit of the study anyway, what the study names is said there.
+std::string parts_text(const formats::SizeReport& report) {
+  const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
+  if (evaluated == nullptr) return {};
+  std::vector<simulation::PartLimit> broken = simulation::broken_part_limits(evaluated->view());
+  std::erase_if(broken, [&](const simulation::PartLimit& each) {
+    return !report.result.feasible && std::ranges::any_of(report.study.limits, [&](const Limit& limit) {
+      return limit.quantity.name == each.quantity;
+    });
+  });
+  return warning_of_parts(broken);
+}
+
 std::string limits_text(const formats::SizeReport& report) {
   const Evaluation& best = report.result.best->evaluation;
   const Study& study = report.study;
@@ -141,8 +156,8 @@ std::string to_text(const formats::SizeReport& report) {
   const SearchResult& result = report.result;
   std::string text = headline(report);
   if (result.best) {
-    text += '\n' + variables_text(report) + objective_lines(report) + limits_text(report) + relaxations_text(report) +
-            range_ends_text(report) + steps_text(report);
+    text += '\n' + variables_text(report) + objective_lines(report) + parts_text(report) + limits_text(report) +
+            relaxations_text(report) + range_ends_text(report) + steps_text(report);
     if (report.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
         text += "\nAll quantities of this design\n" + to_text(evaluated->view(), report.study.quantities);

@@ -35,4 +35,10 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
   return limits;
 }
 
+std::vector<PartLimit> broken_part_limits(const DesignView& design) {
+  std::vector<PartLimit> out = part_limits(design);
+  std::erase_if(out, [](const PartLimit& limit) { return !limit.is_broken(); });
+  return out;
+}
+
 }  // namespace coilwright::simulation

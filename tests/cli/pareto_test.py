@@ -74,6 +74,19 @@ class Pareto(ProgramTest):
             self.assertIn("best " + name, text)
         self.assertIn("\nmiddle ", text)
 
+    def test_counts_designs_that_break_limits_of_their_parts(self):
+        write_study(self, objectives=FRONT, operating_point={"current_A": 1.4, "duty": 1}, constraints=None)
+        result = run("pareto", "study.json", "--out", "out", "--report", cwd=self.folder)
+        answer = self.result("out/result.json")
+        hot = [row for row in self.table("out/front.csv") if float(row["magnet_temperature_degC"]) > 60]
+        (told,) = [each for each in answer["broken_part_limits"] if each["quantity"] == "magnet_temperature_degC"]
+        self.assertGreater(told["designs"], 0)
+        self.assertEqual(told["designs"], len(hot))
+        line = f"  magnet_temperature_degC: {len(hot)} of {answer['front_size']} designs: {told['consequence']}\n"
+        self.assertIn("\nBEWARE: designs of this front break limits of their parts that the study does not set\n", result.stdout)
+        self.assertIn(line, result.stdout)
+        self.assertIn(f"{len(hot)} of them break magnet_temperature_degC", (self.folder / "out/report.html").read_text())
+
     def test_three_objectives_of_either_sense(self):
         write_study(self, objectives=[*FRONT, {"maximise": "grasp_force_N"}], constraints=None)
         self.pareto()

@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import subprocess
 import unittest
 
@@ -84,6 +85,26 @@ class Size(ProgramTest):
         self.assertLess(up["objective_change"], 0)
         self.assertEqual(answer["stop_reason"], "space_exhausted")
         self.assertEqual(answer["evaluations"]["search"], 26)
+
+    def test_warns_of_limits_of_the_parts_that_the_study_does_not_set(self):
+        hot = {"operating_point": {"current_A": 1.4, "duty": 1}, "variables": {"turns_radial": {"lower": 10, "upper": 12}},
+               "constraints": [{"quantity": "mass_g", "at_most": 90}]}
+        write_study(self, **hot)
+        text = self.size("--report")
+        broken = [each for each in self.result("out/result.json")["part_limits"] if each["broken"]]
+        self.assertIn("coil_hot_spot_degC", [each["quantity"] for each in broken])
+        evaluated = json.loads(run("evaluate", "out/actuator.json", "--json", cwd=self.folder).stdout)
+        self.assertEqual(evaluated["part_limits"], self.result("out/result.json")["part_limits"])
+        self.assertIn("\nBEWARE: this design breaks limits of its parts that the study does not set\n", text)
+        self.assertIn("BEWARE: it breaks limits of its parts that the study does not set (",
+                      (self.folder / "out/report.html").read_text())
+        # What it says to add is what a study takes, and leads to a design that keeps them, or to none.
+        line = re.search(r'Add to the study\'s "constraints" and size anew: (.*)\n', text)[1]
+        constraints = json.loads(f"[{line}]")
+        self.assertEqual([each["quantity"] for each in constraints], [each["quantity"] for each in broken])
+        write_study(self, **{**hot, "operating_point": {"current_A": 0.5, "duty": 1},
+                             "constraints": hot["constraints"] + constraints})
+        self.assertNotIn("BEWARE", self.size())
 
     def test_compares_with_the_actuator_as_given(self):
         write_study(self)

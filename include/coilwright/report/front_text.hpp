@@ -1,13 +1,17 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/front_part_limits.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::report {
 
-/// The ends of the front and its middle as a table, or the design nearest to feasible.
-[[nodiscard]] std::string to_text(const sizing::Study& study, const sizing::ParetoResult& result);
+/// The ends of the front and its middle as a table, and which limits of their parts its designs break; or the design
+/// nearest to feasible.
+[[nodiscard]] std::string to_text(const sizing::Study& study, const sizing::ParetoResult& result,
+                                  std::span<const sizing::FrontPartLimit> broken);
 
 }  // namespace coilwright::report

@@ -27,4 +27,7 @@ struct PartLimit {
 /// reason other than a runaway (a magnet without a grade has no coercivity) is left out.
 [[nodiscard]] std::vector<PartLimit> part_limits(const DesignView& design);
 
+/// Those of them that the design breaks.
+[[nodiscard]] std::vector<PartLimit> broken_part_limits(const DesignView& design);
+
 }  // namespace coilwright::simulation

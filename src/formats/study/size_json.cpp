@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "coilwright/formats/simulation/assumptions_json.hpp"
@@ -11,6 +12,7 @@
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/formats/study/design_json.hpp"
 #include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/simulation/part_limits.hpp"
 
 namespace coilwright::formats {
 
@@ -155,6 +157,8 @@ Json to_json(const SizeReport& report) {
   out.set("steps", std::move(steps));
   out.set("assumptions", assumptions_json(report)).set("measure_first", measure_first(report));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
+  const auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
+  out.set("part_limits", to_json(limits));
   out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
   return out;
 }

@@ -81,6 +81,20 @@ std::string to_text(std::span<const PartLimit> limits) {
   return text;
 }
 
+std::string warning_of_parts(std::span<const PartLimit> broken) {
+  if (broken.empty()) return {};
+  std::string text = "\nBEWARE: this design breaks limits of its parts that the study does not set\n";
+  std::vector<std::string> constraints;
+  for (const PartLimit& limit : broken) {
+    const std::string value = limit.value ? fmt::format("{:.5g}", *limit.value) : "none (thermal runaway)";
+    text += fmt::format("  {:<28} {:>10}  {} {:.5g}: {}\n", limit.quantity, value,
+                        limit.at_most ? "at most" : "at least", limit.limit, limit.consequence);
+    constraints.push_back(fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", limit.quantity,
+                                      limit.at_most ? "at_most" : "at_least", limit.limit));
+  }
+  return text + fmt::format("Add to the study's \"constraints\" and size anew: {}\n", fmt::join(constraints, ", "));
+}
+
 std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
   std::string text = "\nWhat these figures rest on: modelling choices that no measurement of this design has settled\n";
   std::string_view subject;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "coilwright/sizing/search/pareto.hpp"
+#include "coilwright/sizing/study/front_part_limits.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -15,7 +17,9 @@ namespace coilwright::formats {
 /// empty.
 [[nodiscard]] std::size_t middle_of(const sizing::ParetoResult& result);
 
-/// result.json of `pareto`; its keys are in docs/formats.md. `study` has the options that were used.
-[[nodiscard]] text::Json to_json(const sizing::Study& study, const sizing::ParetoResult& result);
+/// result.json of `pareto`; its keys are in docs/formats.md. `study` has the options that were used, `broken` what the
+/// designs of the front break of their parts.
+[[nodiscard]] text::Json to_json(const sizing::Study& study, const sizing::ParetoResult& result,
+                                 std::span<const sizing::FrontPartLimit> broken);
 
 }  // namespace coilwright::formats

@@ -8,6 +8,10 @@
 
 namespace coilwright::report {
 
+/// A warning of limits that a design breaks as its study does not set them, and how to keep them; empty where there are
+/// none.
+[[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken);
+
 /// One line for each limit of the parts: value, limit, and what happens where it is broken.
 [[nodiscard]] std::string to_text(std::span<const simulation::PartLimit> limits);
 

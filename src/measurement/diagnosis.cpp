@@ -1,5 +1,6 @@
 #include "coilwright/measurement/diagnosis.hpp"
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <chrono>
@@ -16,6 +17,7 @@
 #include "measurement/diagnosis_warnings.hpp"
 #include "measurement/experiment/separating_experiment.hpp"
 #include "measurement/final_errors.hpp"
+#include "measurement/first_poses.hpp"
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/localise/localisation.hpp"
@@ -93,6 +95,10 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
   }
   FinalErrors::require_fits_model(data.validate, declared, nominal);
+  const std::vector<data::Warning> poses = warnings_of_first_poses(runs, declared);
+  append(out.warnings, poses);
+  if (options.progress)
+    for (const data::Warning& each : poses) options.progress(fmt::format("warning: {}: {}", each.run, each.text));
   const long simulated_for_outliers = set_outliers_aside(runs, as_declared);
   timer.end_phase("noise and outliers", simulated_for_outliers);
 

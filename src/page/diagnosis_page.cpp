@@ -7,17 +7,15 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
-#include "coilwright/text/input_text.hpp"
-#include "coilwright/text/json/document.hpp"
 #include "page/next_section.hpp"
 #include "page/result_words.hpp"
 #include "page/run_figures.hpp"
+#include "page/summary_text.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -26,17 +24,8 @@ using text::Node;
 
 // The paragraph below the title of summary.txt: the verdict as the program words it.
 std::string verdict_of(const std::filesystem::path& folder, const Node& diagnosis) {
-  const std::filesystem::path file = folder / "summary.txt";
-  if (!std::filesystem::is_regular_file(file)) return diagnosis.find("verdict").value().text();
-  std::istringstream lines(text::read_text(file, text::json_size_limit).text);
-  std::string line;
-  std::string out;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    if (line.empty() && !out.empty()) break;
-    if (!line.empty()) out += (out.empty() ? "" : " ") + line;
-  }
-  return out;
+  const std::vector<std::string> lines = summary_lines(folder, "");
+  return lines.empty() ? diagnosis.find("verdict").value().text() : fmt::format("{}", fmt::join(lines, " "));
 }
 
 std::string interval_text(const Node& parameter) {

@@ -14,6 +14,7 @@
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "page/result_words.hpp"
+#include "page/summary_text.hpp"
 #include "page/thinning.hpp"
 
 namespace coilwright::page {
@@ -115,7 +116,8 @@ std::vector<Figure> expected_figures(const std::filesystem::path& file) {
 }  // namespace
 
 Section next_section(const std::filesystem::path& folder, const Node& diagnosis) {
-  Section section{.id = "next", .title = "What cannot be told apart, and what to record next", .blocks = {}};
+  Section section{.id = "next", .title = "What to do next, and what cannot be told apart", .blocks = {}};
+  for (std::string& step : summary_lines(folder, "What to do next")) section.blocks.emplace_back(Paragraph{step});
   const std::vector<Node> sets = diagnosis.find("indistinguishable").value().elements();
   for (const Node& set : sets) {
     std::vector<std::string> members;
@@ -123,10 +125,12 @@ Section next_section(const std::filesystem::path& folder, const Node& diagnosis)
       members.push_back(each.kind() == Node::Kind::array ? ids_text(each) : cell_of(each));
     section.blocks.emplace_back(Paragraph{fmt::format("These data cannot tell apart: {}.", fmt::join(members, "; "))});
   }
-  if (sets.empty()) section.blocks.emplace_back(Paragraph{"These data tell all hypotheses apart that fit them."});
+  const bool found = !diagnosis.find("effects").value().elements().empty();
+  if (sets.empty() && found)
+    section.blocks.emplace_back(Paragraph{"No other hypothesis fits these data as well as the one reported."});
   const auto next = diagnosis.find("next_experiment");
   if (!next || next->is_null()) {
-    section.blocks.emplace_back(Paragraph{"No further run is proposed."});
+    section.blocks.emplace_back(Paragraph{"No run is proposed that would separate explanations."});
     return section;
   }
   Table table{.header = {"", ""}, .rows = {}};

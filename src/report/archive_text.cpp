@@ -41,10 +41,14 @@ std::string count_or_dash(const std::optional<std::size_t>& count) {
 std::string runs_text(const std::vector<archive::Run>& runs) {
   TextTable table;
   table.row({"run", "began", "ended", "why", "budget", "evaluated", "known", "reused"});
-  for (const archive::Run& run : runs)
-    table.row({fmt::format("{}", run.id), run.started, run.ended.empty() ? "not yet" : run.ended,
+  for (const archive::Run& run : runs) {
+    // What a run has done is written where it ends: one that was killed has not said it.
+    const bool ended = !run.ended.empty();
+    const auto count = [&](std::size_t value) { return ended ? fmt::format("{}", value) : "-"; };
+    table.row({fmt::format("{}", run.id), run.started, ended ? run.ended : "killed, or under way",
                run.stop_reason.empty() ? "-" : run.stop_reason, count_or_dash(run.max_evaluations),
-               fmt::format("{}", run.evaluated), fmt::format("{}", run.answered), fmt::format("{}", run.reused)});
+               count(run.evaluated), count(run.answered), count(run.reused)});
+  }
   return table.text(0,
                     {TextTable::Align::right, TextTable::Align::left, TextTable::Align::left, TextTable::Align::left});
 }

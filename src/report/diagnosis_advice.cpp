@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
 #include "report/diagnosis_numbers.hpp"
 
@@ -76,6 +77,21 @@ std::vector<std::string> checks_at_the_rig(const Diagnosis& diagnosis) {
   return out;
 }
 
+// What explains the runs that were fitted and not those left out in turn: right, and shown by too few runs, or wrong.
+std::string repeating_step(const Diagnosis& diagnosis) {
+  const auto compared = formats::compared_as_reported(diagnosis);
+  if (compared.empty() || !compared.front().evidence) return {};
+  const compare::ComparedHypothesis& best = compared.front();
+  const double left = best.evidence->chi_square_after;
+  if (best.remark != compare::worse_on_runs_left_out || left > 0.5 * best.evidence->chi_square_before) return {};
+  return fmt::format(
+      "Record each motion once more and diagnose again. {} explains most of the runs that were fitted, and makes runs "
+      "worse that are left out in turn: as long as only one run of its kind shows an effect, nobody can tell whether "
+      "it "
+      "is the right one.",
+      fmt::join(formats::ids(best.effects), " + "));
+}
+
 }  // namespace
 
 std::string far_numbers(const Diagnosis& diagnosis) {
@@ -91,20 +107,23 @@ std::string far_numbers(const Diagnosis& diagnosis) {
       diagnosis.effects.empty() ? "But d" : "Even so d", fmt::join(names, ", "));
 }
 
+bool has_risen(const Errors& from, const Errors& to, double noise) {
+  return to.rmse > from.rmse + notable_rise * noise;
+}
+
 std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
   std::vector<std::string> out;
   for (const ErrorComparison* errors : formats::main_first(diagnosis.validate_errors)) {
     const units::Unit unit = formats::error_unit(errors->kind);
-    const double most = notable_rise * errors->noise_floor_rmse;
     const auto add = [&](double from, const char* what_before, double to, const char* what_after) {
       out.push_back(
           fmt::format("On the runs that no fit has seen the error of the {} rises from {} {} to {} {} (rmse).",
                       formats::name_of(errors->kind), number_text(units::from_si(from, unit)), what_before,
                       in_unit_text(to, unit), what_after));
     };
-    if (!diagnosis.effects.empty() && errors->after.rmse > errors->before.rmse + most)
+    if (!diagnosis.effects.empty() && has_risen(errors->before, errors->after, errors->noise_floor_rmse))
       add(errors->before.rmse, "without the effects", errors->after.rmse, "with them");
-    else if (errors->after.rmse > errors->declared.rmse + most)
+    else if (has_risen(errors->declared, errors->after, errors->noise_floor_rmse))
       add(errors->declared.rmse, "as declared", errors->after.rmse, "fitted anew");
   }
   return out;
@@ -116,6 +135,8 @@ std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_a
   if (!risen_errors(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");
+  if (structure)
+    if (std::string step = repeating_step(diagnosis); !step.empty()) steps.push_back(std::move(step));
   for (std::string& step : checks_at_the_rig(diagnosis)) steps.push_back(std::move(step));
   if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
     steps.push_back(measuring_step(diagnosis, measure));

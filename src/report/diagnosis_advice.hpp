@@ -7,6 +7,9 @@
 
 namespace coilwright::report {
 
+/// Whether the rms of errors is larger by more than a tenth of the noise.
+[[nodiscard]] bool has_risen(const measurement::Errors& from, const measurement::Errors& to, double noise);
+
 /// Where the error on the runs that no fit has seen is larger than before effects were added, or before anything was
 /// fitted: one sentence a quantity.
 [[nodiscard]] std::vector<std::string> risen_errors(const measurement::Diagnosis& diagnosis);

@@ -5,7 +5,9 @@
 
 #include <vector>
 
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
+#include "report/diagnosis_advice.hpp"
 #include "report/diagnosis_numbers.hpp"
 
 namespace coilwright::report {
@@ -63,6 +65,24 @@ std::string replaced_text(const formats::DiagnosisReport& report, const Nameless
   return "  It does better without the effects above, and its file leaves them out.\n";
 }
 
+// What cross-validation promised, the runs that no fit has seen may refute.
+std::string use_text(const formats::DiagnosisReport& report) {
+  std::string text;
+  for (const measurement::ErrorComparison* errors : formats::main_first(report.diagnosis.validate_errors)) {
+    if (!errors->corrected || !has_risen(errors->after, *errors->corrected, errors->noise_floor_rmse)) continue;
+    const units::Unit unit = formats::error_unit(errors->kind);
+    text +=
+        fmt::format("  But on the runs that no fit has seen the error of the {} rises with it from {} to {} (rmse).\n",
+                    formats::name_of(errors->kind), number_text(units::from_si(errors->after.rmse, unit)),
+                    in_unit_text(errors->corrected->rmse, unit));
+  }
+  if (!text.empty())
+    return text + fmt::format("  Do not use {}, which has it, before a run of that kind is among those fitted.\n",
+                              report.corrected_actuator);
+  return fmt::format("  {} has it: evaluate and simulate take it, and size where the geometry stays.\n",
+                     report.corrected_actuator);
+}
+
 }  // namespace
 
 std::string correction_text(const formats::DiagnosisReport& report) {
@@ -80,9 +100,7 @@ std::string correction_text(const formats::DiagnosisReport& report) {
              "  It is largest, {}, and smallest, {}.\n",
              variables_text(found), 100.0 * found.cross_validated_gain, ranges_text(found),
              place_text(found, found.largest), place_text(found, found.smallest)) +
-         shape_text(found) + replaced_text(report, found) +
-         fmt::format("  {} has it: evaluate and simulate take it, and size where the geometry stays.\n",
-                     report.corrected_actuator);
+         shape_text(found) + replaced_text(report, found) + use_text(report);
 }
 
 }  // namespace coilwright::report

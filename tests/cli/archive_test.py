@@ -48,6 +48,10 @@ class Archive(ProgramTest):
         self.assertEqual(told["runs"][0]["evaluated"], counts["total"])
         self.assertEqual(told["question_sha256"], self.result("out/provenance.json")["question_sha256"])
 
+    def test_list_says_of_a_killed_run_that_it_has_not_ended(self):
+        self.change("UPDATE runs SET ended_utc = NULL, stop_reason = NULL, evaluated = 0")
+        self.assertRegex(self.archive("list"), r"\n  1  \S+Z  killed, or under way +- +40 +- +- +-\n")
+
     def test_csv_has_the_numbers_of_the_result_files(self):
         rows = list(csv.DictReader(io.StringIO(self.archive("csv"))))
         evaluations = {row["evaluation"]: row for row in self.table("out/evaluations.csv")}

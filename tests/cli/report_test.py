@@ -30,6 +30,9 @@ class Report(ProgramTest):
         self.assert_refused(("report", "nowhere"), "nowhere: must be a folder of results")
         self.assert_refused(("report", "none"), "none: has neither result.json nor diagnosis.json: it is no folder of size, "
                                                 "sweep, pareto or diagnose")
+        self.write("none/archive.sqlite", "")
+        self.assert_refused(("report", "none"), "none: has no result yet: its run was killed or is under way; the same command "
+                                                "with --resume goes on with it")
         self.write("none/result.json", '{"command": "plan"}')
         self.assert_refused(("report", "none"), 'none/result.json: /command: must be "size", "pareto" or "sweep": there is no '
                                                 'page of other results; got text "plan"')

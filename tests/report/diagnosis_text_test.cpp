@@ -119,6 +119,19 @@ A torque without a name
 )"));
 }
 
+TEST(DiagnosisText, AdvisesAgainstATorqueThatMakesWhatNoFitHasSeenWorse) {
+  Diagnosis diagnosis = corrected_example();
+  diagnosis.validate_errors.front().corrected = degrees(0.3, 0.4, 1.5);
+  formats::DiagnosisReport report = report_of(diagnosis);
+  report.corrected_actuator = "corrected_actuator.json";
+  const std::string text = to_text(report);
+  EXPECT_THAT(text, HasSubstr("  But on the runs that no fit has seen the error of the angle rises with it from 0.3 to "
+                              "0.4 deg (rmse).\n"
+                              "  Do not use corrected_actuator.json, which has it, before a run of that kind is among "
+                              "those fitted.\n"));
+  EXPECT_THAT(text, Not(HasSubstr("evaluate and simulate take it, and size")));
+}
+
 TEST(DiagnosisText, SaysWhyThereIsNoTorqueWithoutAName) {
   Diagnosis diagnosis = example();
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("without a name")));
@@ -307,6 +320,24 @@ TEST(DiagnosisText, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
               HasSubstr("    coil_heating           1  51.7  makes runs that are left out worse\n"
                         "    magnet_heating         1  50.7  these data do not tell it from the first\n"
                         "    dry_friction           1   7.6\n"));
+}
+
+// One run of a kind cannot show whether what explains it is right: the way out is another one.
+TEST(DiagnosisText, AsksForRepeatsWhereWhatFitsBestDoesNotHoldOnRunsLeftOut) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.verdict = Verdict::unexplained;
+  compare::Evidence evidence{.chi_square_before = 30000.0, .chi_square_after = 12000.0, .quasi_bic_gain = 900.0};
+  diagnosis.compared_hypotheses = {
+      {.effects = {&coil_heating}, .evidence = evidence, .remark = std::string(compare::worse_on_runs_left_out)}};
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("What to do next\n  Record each motion once more and diagnose again. coil_heating explains most "
+                "of the runs that were fitted, and makes runs worse that are left out in turn: "));
+  // What explains little would not with more runs either.
+  diagnosis.compared_hypotheses.front().evidence->chi_square_after = 29000.0;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("Record each motion once more")));
 }
 
 TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {

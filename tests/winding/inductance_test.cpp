@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "coilwright/magnetics/axial_force.hpp"
 #include "error_text.hpp"
 #include "winding/read_table.hpp"

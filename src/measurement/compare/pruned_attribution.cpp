@@ -35,7 +35,7 @@ double explained_fraction(const FittedHypothesis& without, const FittedHypothesi
 std::optional<std::string> unsupported(const FittedHypothesis& without, const FittedHypothesis& with,
                                        const Evidence& evidence) {
   // Whatever it explains where it was fitted: an effect must not make runs worse that were left out.
-  if (evidence.cross_validated_gain <= 0.0) return "makes runs that are left out in turn worse";
+  if (evidence.cross_validated_gain <= 0.0) return std::string(worse_on_runs_left_out);
   // The search compared it with a fit of the smaller hypothesis that may have ended elsewhere; this is the best of
   // both.
   if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain)

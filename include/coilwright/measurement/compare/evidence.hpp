@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/actuator/model/effect.hpp"
@@ -20,6 +21,9 @@ struct Evidence {
                                   ///< set has a single fit run
   double correlation_time{};      ///< integrated autocorrelation time of the residual with the effect, samples
 };
+
+/// The remark of a hypothesis whose last effect does not hold on runs that are left out in turn.
+inline constexpr std::string_view worse_on_runs_left_out = "makes runs that are left out in turn worse";
 
 /// One of the hypotheses that were compared.
 struct ComparedHypothesis {

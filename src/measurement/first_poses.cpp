@@ -1,0 +1,64 @@
+#include "measurement/first_poses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "coilwright/simulation/initial_state.hpp"
+#include "measurement/fit/hypothesis.hpp"
+#include "measurement/replay/rig_change.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double far = 5.0 / degrees;
+// Of the noise: nearer may be noise.
+constexpr double deviations = 10.0;
+
+// What an angle channel would show of a pose; nothing of another quantity.
+std::optional<double> shown(const data::Channel& channel, const simulation::State& state) {
+  if (channel.kind == data::ChannelKind::bending_angle) return state.angles.sum();
+  if (channel.kind == data::ChannelKind::joint_angle) return state.angles[channel.joint];
+  return std::nullopt;
+}
+
+// The median of the first three: a picture that was misread is no pose.
+double first_reading(const data::Channel& channel) {
+  std::vector<double> first(channel.values.begin(),
+                            channel.values.begin() + std::min<std::ptrdiff_t>(3, std::ssize(channel.values)));
+  std::ranges::sort(first);
+  return first[first.size() / 2];
+}
+
+}  // namespace
+
+std::vector<data::Warning> warnings_of_first_poses(std::span<const replay::PreparedRun> runs,
+                                                   const replay::DeclaredModel& declared) {
+  const fit::Hypothesis as_declared(declared, {});
+  for (const replay::PreparedRun& prepared : runs) {
+    const data::Run& run = *prepared.run;
+    if (!prepared.is_motion() || run.start != data::Start::at_rest) continue;
+    const actuator::Model model(replay::on_changed_rig(as_declared.spec_at(as_declared.start()), run.rig));
+    const auto rest = simulation::equilibrium_at_first_input(model, prepared.windows.front().input);
+    if (!rest) continue;
+    for (std::size_t c = 0; c < run.channels.size(); ++c) {
+      const std::optional<double> expected = shown(run.channels[c], *rest);
+      if (!expected) continue;
+      const double seen = first_reading(run.channels[c]);
+      if (std::abs(seen - *expected) <= std::max(far, deviations * prepared.noise[c].sigma)) continue;
+      return {
+          {.run = run.name,
+           .text = fmt::format("{} begins at {:.3g} deg, where the declared model rests at {:.3g} deg. If the angle is "
+                               "counted from its rest, add the difference to the record: 0 is a straight finger, and "
+                               "no effect moves the zero of a sensor by more than 10 deg",
+                               run.channels[c].name, degrees * seen, degrees * *expected)}};
+    }
+  }
+  return {};
+}
+
+}  // namespace coilwright::measurement

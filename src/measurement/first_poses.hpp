@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "coilwright/measurement/data/dataset.hpp"
+#include "coilwright/measurement/replay/declared_model.hpp"
+#include "measurement/replay/prepared_run.hpp"
+
+namespace coilwright::measurement {
+
+/// Says of the first run that starts at rest far from where the declared model rests (by more than half of what
+/// angle_offset may move an angle) that its angle may be counted from another zero: asked before anything is fitted, as
+/// effects that bend the rest pose would take its place. At most one warning.
+[[nodiscard]] std::vector<data::Warning> warnings_of_first_poses(std::span<const replay::PreparedRun> runs,
+                                                                 const replay::DeclaredModel& declared);
+
+}  // namespace coilwright::measurement

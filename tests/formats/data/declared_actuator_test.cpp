@@ -301,7 +301,7 @@ TEST(DeclaredDesign, RefusesNamesThatNoFitCanMove) {
   EXPECT_EQ(refusal(design, {"/measured/joint_stiffness_Nmm_rad", "joint_stiffness"}),
             "dataset.json: /calibrate/1: must not mean a number that another name means; got text "
             "\"joint_stiffness\"");
-  const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "body": {"gap_mm": 2000}})";
+  const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "coil": {"inner_radius_mm": 0.02}})";
   EXPECT_THAT(refusal(impossible, {}), ::testing::StartsWith("a.json: /: "));
 }
 

@@ -186,7 +186,8 @@ std::string compared_text(const Diagnosis& diagnosis) {
          "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
          "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
          "below 0 it\n"
-         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides. Those far\n"
+         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides. "
+         "Those far\n"
          "  behind the best were fitted briefly: their gain may be larger.\n";
 }
 

@@ -117,7 +117,6 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
     }
     fit::FitRequest request = fit_request_of(runs, plan);
     request.effort = search_effort.short_fit;
-    request.updates_derivatives = true;
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
     if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;

@@ -54,7 +54,7 @@ std::string unknown_unit(std::string_view asked) {
 
 CsvHeader::CsvHeader(std::string file, std::size_t line, std::vector<std::string> names)
     : file_(std::move(file)), line_(line), names_(std::move(names)) {
-  if (names_.front().find_first_of(";\t|") != std::string::npos)
+  if (names_.size() == 1 && names_.front().find_first_of(";\t|") != std::string::npos)
     throw error("must separate its columns by commas; got " + in_quotes(one_line(names_.front())));
   std::set<std::string_view> seen;
   for (const std::string& name : names_) {
@@ -123,19 +123,26 @@ void CsvHeader::ignore(std::string_view name) {
 }
 
 void CsvHeader::finish(std::string_view advice) const {
+  std::vector<std::string> absent;
+  for (const std::string& asked : asked_for_)
+    if (index_of(asked) == names_.size()) absent.push_back(asked);
+  std::vector<std::string> unknown;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     if (known_.contains(i) || left_alone_.contains(i)) continue;
     for (const std::string& asked : asked_for_) {
       const bool same_quantity = quantity_of(names_[i]) == quantity_of(asked) || names_[i] == quantity_of(asked);
       if (same_quantity) throw error(names_[i], unknown_unit(asked));
     }
-    std::vector<std::string> absent;
-    for (const std::string& asked : asked_for_)
-      if (index_of(asked) == names_.size()) absent.push_back(asked);
     const std::string meant = did_you_mean(names_[i], absent);
     if (!meant.empty()) throw error(names_[i], "unknown column" + meant);
-    throw error(names_[i], fmt::format("unknown column; there may be {}{}", fmt::join(legal_, ", "), advice));
+    unknown.push_back(one_line(names_[i]));
   }
+  if (unknown.empty()) return;
+  const bool one = unknown.size() == 1;
+  throw InputError(
+      {.file = file_,
+       .place = fmt::format("line {}: column{} {}", line_, one ? "" : "s", fmt::join(unknown, ", ")),
+       .rule = fmt::format("unknown column{}; there may be {}{}", one ? "" : "s", fmt::join(legal_, ", "), advice)});
 }
 
 InputError CsvHeader::error(std::string rule) const {

@@ -17,6 +17,7 @@ namespace {
 
 using coilwright::testing::TemporaryFolder;
 using ::testing::ElementsAre;
+using ::testing::StartsWith;
 
 void ask_for_bench(CsvHeader& header) {
   header.require("angle_deg");
@@ -84,6 +85,8 @@ TEST(CsvTable, RefusesAnUnknownColumnAndSuggestsTheOneThatWasMeant) {
             "x.csv: line 1: column troque_Nmm: unknown column; did you mean \"torque_Nmm\"?");
   EXPECT_EQ(refusal("angle_deg,current_A,humidity\n1.5,2.5,3.5\n"),
             "x.csv: line 1: column humidity: unknown column; there may be angle_deg, current_A, torque_Nmm");
+  EXPECT_EQ(refusal("angle_deg,mood,current_A,humidity\n1.5,2,2.5,3.5\n"),
+            "x.csv: line 1: columns mood, humidity: unknown columns; there may be angle_deg, current_A, torque_Nmm");
 }
 
 TEST(CsvTable, RefusesAnUnknownUnit) {
@@ -128,6 +131,8 @@ TEST(CsvTable, RefusesARaggedRow) {
 TEST(CsvTable, RefusesOtherSeparators) {
   EXPECT_EQ(refusal("angle_deg;current_A\n1.5;2.5\n"),
             "x.csv: line 1: must separate its columns by commas; got \"angle_deg;current_A\"");
+  EXPECT_THAT(refusal("frame|camera,angle_deg,current_A\n1,1.5,2.5\n"),
+              StartsWith("x.csv: line 1: column frame|camera: unknown column"));
 }
 
 TEST(CsvTable, CountsLinesAcrossBlankOnesAndLineEndsInQuotes) {

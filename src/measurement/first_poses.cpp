@@ -20,9 +20,10 @@ constexpr double far = 5.0 / degrees;
 constexpr double deviations = 10.0;
 
 // What an angle channel would show of a pose; nothing of another quantity.
-std::optional<double> shown(const data::Channel& channel, const simulation::State& state) {
-  if (channel.kind == data::ChannelKind::bending_angle) return state.angles.sum();
-  if (channel.kind == data::ChannelKind::joint_angle) return state.angles[channel.joint];
+std::optional<double> shown(const actuator::Model& model, const data::Channel& channel,
+                            const simulation::State& state) {
+  if (channel.kind == data::ChannelKind::bending_angle) return model.observed(state.angles.sum());
+  if (channel.kind == data::ChannelKind::joint_angle) return model.observed(state.angles[channel.joint]);
   return std::nullopt;
 }
 
@@ -46,7 +47,7 @@ std::vector<data::Warning> warnings_of_first_poses(std::span<const replay::Prepa
     const auto rest = simulation::equilibrium_at_first_input(model, prepared.windows.front().input);
     if (!rest) continue;
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
-      const std::optional<double> expected = shown(run.channels[c], *rest);
+      const std::optional<double> expected = shown(model, run.channels[c], *rest);
       if (!expected) continue;
       const double seen = first_reading(run.channels[c]);
       if (std::abs(seen - *expected) <= std::max(far, deviations * prepared.noise[c].sigma)) continue;

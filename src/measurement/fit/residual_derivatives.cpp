@@ -164,13 +164,15 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
 }
 
 void ResidualBlocks::carry_derivatives(const ResidualPoint& from, ResidualPoint& to) const {
+  StepTaken step{.parameters = to.parameters - from.parameters, .parameter_scales = request_.hypothesis->scales()};
   std::size_t first = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ResidualBlock& block = blocks_[b];
     const auto count = static_cast<Eigen::Index>(block.local.size());
     const Eigen::Map<const Eigen::VectorXd> before(from.local_numbers.data() + first, count);
     const Eigen::Map<const Eigen::VectorXd> after(to.local_numbers.data() + first, count);
-    const Eigen::Map<const Eigen::VectorXd> sigma(block.numbers.sigma().data(), count);
+    step.local = after - before;
+    step.local_scales = Eigen::Map<const Eigen::VectorXd>(block.numbers.sigma().data(), count);
     first += block.local.size();
     ResidualValues::Block& values = to.values->blocks[b];
     const ResidualValues::Block& known = from.values->blocks[b];
@@ -183,11 +185,7 @@ void ResidualBlocks::carry_derivatives(const ResidualPoint& from, ResidualPoint&
       const auto at = static_cast<Eigen::Index>(i);
       values.local_jacobian.col(at).head(block.samples()) *= edge.slope(after[at]) / edge.slope(before[at]);
     }
-    update_derivatives({.parameters = to.parameters - from.parameters,
-                        .parameter_scales = request_.hypothesis->scales(),
-                        .local = after - before,
-                        .local_scales = sigma},
-                       known.residuals, values);
+    update_derivatives(step, known.residuals, values);
   }
 }
 

@@ -95,10 +95,11 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
   }
   FinalErrors::require_fits_model(data.validate, declared, nominal);
-  const std::vector<data::Warning> poses = warnings_of_first_poses(runs, declared);
-  append(out.warnings, poses);
+  append(out.warnings, warnings_of_first_poses(runs, declared));
+  // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.progress)
-    for (const data::Warning& each : poses) options.progress(fmt::format("warning: {}: {}", each.run, each.text));
+    for (const data::Warning& each : out.warnings)
+      options.progress(fmt::format("warning: {}: {}", each.run, each.text));
   const long simulated_for_outliers = set_outliers_aside(runs, as_declared);
   timer.end_phase("noise and outliers", simulated_for_outliers);
 

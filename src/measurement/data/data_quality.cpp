@@ -23,9 +23,11 @@ constexpr std::size_t shortest_rest = 10;  // samples
 constexpr std::size_t approach = 5;        // samples
 constexpr double full_motion = 0.25;       // fraction of the rms change between samples
 
-// Values that no rig of this kind reaches, and that a unit wrong by a factor of 57 or 1000 exceeds.
+// Values that no rig of this kind reaches, and that a unit wrong by a factor of 57 or 1000 exceeds: a camera of 500
+// pictures a second whose milliseconds are taken for seconds has one every 2 s.
 constexpr double largest_angle = 4.0 * std::numbers::pi;  // rad
 constexpr double largest_current = 100.0;                 // A
+constexpr double longest_interval = 1.5;                  // s between samples of a motion
 constexpr double coldest = -60.0;                         // degC
 constexpr double hottest = 400.0;                         // degC
 
@@ -113,21 +115,38 @@ std::optional<std::string> stuck_sensor(const Channel& channel) {
       channel.name, in_unit(rest.value, channel), rest.extreme, rest.other);
 }
 
-std::optional<std::string> gap_in_clock(const Run& run) {
-  if (run.times.size() < 3) return std::nullopt;
+// Time between two samples where nothing is wrong.
+double usual_interval(const Run& run) {
   std::vector<double> intervals(run.times.size() - 1);
   std::ranges::transform(run.times.begin() + 1, run.times.end(), run.times.begin(), run.times.end() - 1,
                          intervals.begin(), std::minus());
-  const auto longest = std::ranges::max_element(intervals);
-  const auto at = static_cast<std::size_t>(longest - intervals.begin());
-  const double gap = *longest;
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
   std::ranges::nth_element(intervals, middle);
-  if (gap <= largest_gap * *middle) return std::nullopt;
+  return *middle;
+}
+
+std::optional<std::string> implausible_clock(const Run& run) {
+  if (run.kind != RunKind::transient || run.times.size() < 3) return std::nullopt;
+  const double interval = usual_interval(run);
+  if (interval <= longest_interval) return std::nullopt;
+  return fmt::format(
+      "a sample every {:.3g} s for {:.6g} s shows no motion of such a finger and is long to simulate: is "
+      "the unit right? time_ms are milliseconds",
+      interval, run.times.back() - run.times.front());
+}
+
+std::optional<std::string> gap_in_clock(const Run& run) {
+  if (run.times.size() < 3) return std::nullopt;
+  std::size_t at = 1;
+  for (std::size_t i = 2; i < run.times.size(); ++i)
+    if (run.times[i] - run.times[i - 1] > run.times[at] - run.times[at - 1]) at = i;
+  const double gap = run.times[at] - run.times[at - 1];
+  const double usual = usual_interval(run);
+  if (gap <= largest_gap * usual) return std::nullopt;
   return fmt::format(
       "the clock jumps by {:.6g} s after {:.6g} s, {:.3g} times the usual interval; the input is held "
       "meanwhile",
-      gap, run.times[at], gap / *middle);
+      gap, run.times[at - 1], gap / usual);
 }
 
 std::optional<std::string> implausible_angle(const std::string& name, std::span<const double> values) {
@@ -160,6 +179,7 @@ std::vector<Warning> data_quality_warnings(const Run& run) {
     if (text) warnings.push_back({.run = run.name, .text = *text});
   };
   if (run.samples() == 0) return warnings;
+  add(implausible_clock(run));
   add(gap_in_clock(run));
   add(constant_input(run));
   add(implausible_current(run));

@@ -88,6 +88,14 @@ TEST(DataQuality, NamesAGapInTheClock) {
               only("the clock jumps by 0.502 s after 1.398 s, 251 times the usual interval"));
 }
 
+TEST(DataQuality, NamesMillisecondsTakenForSeconds) {
+  data::Run run = sine(Noise::some);
+  for (double& time : run.times) time *= 1e3;
+  EXPECT_THAT(data_quality_warnings(run),
+              only("a sample every 2 s for 2998 s shows no motion of such a finger and is long to simulate: is the "
+                   "unit right? time_ms are milliseconds"));
+}
+
 TEST(DataQuality, AcceptsUnevenSampling) {
   data::Run run = sine(Noise::some);
   std::mt19937 random(3);

@@ -3,7 +3,6 @@
 #include <iostream>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "evaluated_again.hpp"
 #include "outcome.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
@@ -24,11 +24,12 @@
 namespace coilwright::cli {
 namespace {
 
-// Whatever the search says of a design, it is evaluated again before it is written.
-void check_front(const sizing::DesignProblem& problem, std::span<const sizing::Record> front) {
+std::vector<sizing::BrokenPartLimit> broken_part_limits(const sizing::DesignProblem& problem,
+                                                        std::span<const sizing::Record> front) {
+  std::vector<sizing::DesignResult> designs;
   for (const sizing::Record& record : front)
-    if (problem.assess(problem.evaluate(record.point)) != record.evaluation || !sizing::is_feasible(record.evaluation))
-      throw std::logic_error("a design of the front gives other numbers when it is evaluated again");
+    designs.push_back(evaluated_again(problem, record.point, record.evaluation));
+  return sizing::broken_part_limits(designs);
 }
 
 ExitCode run_pareto(const StudyOptions& options) {
@@ -47,8 +48,7 @@ ExitCode run_pareto(const StudyOptions& options) {
     search.stop = interruption.token();
     return sizing::pareto(archive.study().problem(), search);
   }();
-  check_front(problem, result.front);
-  const std::vector<sizing::FrontPartLimit> broken = sizing::front_part_limits(problem, result.front);
+  const std::vector<sizing::BrokenPartLimit> broken = broken_part_limits(problem, result.front);
   const std::vector<sizing::Record> records = result.archive.records();
   archive.write_results([&] {
     formats::write_front(folder.open("front.csv"), study, result.front);

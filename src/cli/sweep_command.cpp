@@ -14,6 +14,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "evaluated_again.hpp"
 #include "outcome.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
@@ -35,6 +36,13 @@ void require_grid(const sizing::DesignProblem& problem, const StudyOptions& opti
   } catch (const std::invalid_argument& too_many) {
     throw text::InputError({.file = options.study, .place = "/variables", .rule = too_many.what()});
   }
+}
+
+std::vector<sizing::BrokenPartLimit> broken_part_limits(const sizing::DesignProblem& problem,
+                                                        std::span<const sizing::SweptDesign> best) {
+  std::vector<sizing::DesignResult> designs;
+  for (const sizing::SweptDesign& each : best) designs.push_back(evaluated_again(problem, each.point, each.evaluation));
+  return sizing::broken_part_limits(designs);
 }
 
 ExitCode run_sweep(const StudyOptions& options) {
@@ -64,7 +72,9 @@ ExitCode run_sweep(const StudyOptions& options) {
                          });
   }();
   const std::vector<sizing::Leader> best = leaders.all();
-  const formats::SweepReport answer{.study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best};
+  const std::vector<sizing::BrokenPartLimit> broken = broken_part_limits(problem, sizing::feasible_designs(best));
+  const formats::SweepReport answer{
+      .study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best, .broken = broken};
   if (archive.is_writing())
     archive.write_results([&] {
       formats::write_leaders(folder.open("best.csv"), study, best);

@@ -28,17 +28,6 @@ std::string names_text(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-// What designs of the front break of their parts, as the study does not set it.
-std::string parts_sentence(const Node& result) {
-  const auto limits = result.find("broken_part_limits");
-  std::vector<std::string> broken;
-  for (const Node& each : limits ? limits->elements() : std::vector<Node>())
-    broken.push_back(fmt::format("{} of them break {}: {}", cell_of(each.find("designs").value()),
-                                 cell_of(each.find("quantity").value()), cell_of(each.find("consequence").value())));
-  if (broken.empty()) return {};
-  return fmt::format(" BEWARE: the study does not set limits of the parts ({}).", fmt::join(broken, "; "));
-}
-
 std::string verdict_of(const Node& result, const FrontTable& front) {
   const Node counts = result.find("evaluations").value();
   const std::string search = fmt::format("{} designs were evaluated, {} of them keep every limit",
@@ -54,7 +43,7 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
   return fmt::format(
       "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one "
       "that was found; {}.{}",
-      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search, parts_sentence(result));
+      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search, broken_parts_sentence(result));
 }
 
 Json names_json(const std::vector<std::string>& names) {

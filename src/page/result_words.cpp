@@ -60,6 +60,16 @@ std::string ids_text(const Node& list) {
   return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, " and "));
 }
 
+std::string broken_parts_sentence(const Node& result) {
+  const auto limits = result.find("broken_part_limits");
+  std::vector<std::string> broken;
+  for (const Node& each : limits ? limits->elements() : std::vector<Node>())
+    broken.push_back(fmt::format("{} of them break {}: {}", cell_of(each.find("designs").value()),
+                                 cell_of(each.find("quantity").value()), cell_of(each.find("consequence").value())));
+  if (broken.empty()) return {};
+  return fmt::format(" BEWARE: the study does not set limits of the parts ({}).", fmt::join(broken, "; "));
+}
+
 bool is_feasible(const Node& result) {
   return result.find("feasible").value().boolean();
 }

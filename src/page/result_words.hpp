@@ -28,6 +28,10 @@ namespace coilwright::page {
 /// "dry_friction and back_emf": the texts of a list; "none" of an empty one.
 [[nodiscard]] std::string ids_text(const text::Node& list);
 
+/// " BEWARE: ..." of the limits of parts that designs break as their study does not set them (`broken_part_limits` of a
+/// result), as a sentence to follow another one that names the designs; empty where all keep all.
+[[nodiscard]] std::string broken_parts_sentence(const text::Node& result);
+
 /// Whether the design of a result of `size` keeps every limit.
 [[nodiscard]] bool is_feasible(const text::Node& result);
 

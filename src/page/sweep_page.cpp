@@ -61,7 +61,7 @@ std::string verdict_of(const Node& result, const FrontTable& leaders) {
           "The {} {} is {}: {}.", leaders.largest[i] ? "largest" : "smallest", leaders.objectives[i],
           short_number(leaders.texts.number(leaders.objectives[i], *row).value()), variables_text(leaders, *row)));
   if (sentences.empty()) return counts + ".";
-  return fmt::format("{} {}.", fmt::join(sentences, " "), counts);
+  return fmt::format("{} {}.{}", fmt::join(sentences, " "), counts, broken_parts_sentence(result));
 }
 
 Section leaders_section(const FrontTable& leaders) {

@@ -7,6 +7,7 @@
 
 #include "coilwright/formats/study/front_json.hpp"
 #include "coilwright/report/text_table.hpp"
+#include "report/broken_part_limits_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
 
@@ -43,18 +44,9 @@ std::string nearest_text(const Study& study, const ParetoResult& result) {
          fmt::format("It is not feasible: {}\n", reasons_for_infeasibility(study, result.least_infeasible->evaluation));
 }
 
-std::string parts_text(std::span<const FrontPartLimit> broken, std::size_t designs) {
-  if (broken.empty()) return {};
-  std::string text = "\nBEWARE: designs of this front break limits of their parts that the study does not set\n";
-  for (const FrontPartLimit& each : broken)
-    text += fmt::format("  {}: {} of {} designs: {}\n", each.quantity, each.designs, designs, each.consequence);
-  return text +
-         "Limit these quantities in the study's \"constraints\" and run it anew; evaluate says what the limits are.\n";
-}
-
 }  // namespace
 
-std::string to_text(const Study& study, const ParetoResult& result, std::span<const FrontPartLimit> broken) {
+std::string to_text(const Study& study, const ParetoResult& result, std::span<const BrokenPartLimit> broken) {
   std::string text = study.name + ":";
   for (const StudyObjective& objective : study.objectives)
     text += (&objective == &study.objectives.front() ? " " : ", ") + objective_text(objective);
@@ -63,7 +55,7 @@ std::string to_text(const Study& study, const ParetoResult& result, std::span<co
          fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.\n",
                      result.front.size(), meaning_of(result.stop_reason), result.evaluations,
                      to_text(formats::counts_of(result.archive))) +
-         parts_text(broken, result.front.size());
+         warning_of_parts(broken, "designs of this front", result.front.size());
 }
 
 }  // namespace coilwright::report

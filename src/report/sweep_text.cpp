@@ -8,6 +8,7 @@
 
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/report/text_table.hpp"
+#include "report/broken_part_limits_text.hpp"
 #include "report/design_text.hpp"
 
 namespace coilwright::report {
@@ -31,7 +32,7 @@ std::string best_for(const Study& study, std::span<const sizing::Leader> leaders
 }  // namespace
 
 std::string to_text(const formats::SweepReport& report) {
-  const auto& [study, designs, evaluated, ok, leaders] = report;
+  const auto& [study, designs, evaluated, ok, leaders, broken] = report;
   TextTable table;
   std::vector<std::string> header;
   formats::add_variable_names(study, header);
@@ -53,7 +54,8 @@ std::string to_text(const formats::SweepReport& report) {
   std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);
   align.push_back(TextTable::Align::left);
   return table.text(0, std::move(align)) +
-         fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", evaluated, designs, ok);
+         fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", evaluated, designs, ok) +
+         warning_of_parts(broken, "the best designs", sizing::feasible_designs(leaders).size());
 }
 
 }  // namespace coilwright::report

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "coilwright/sizing/search/pareto.hpp"
-#include "coilwright/sizing/study/front_part_limits.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/study.hpp"
 
 namespace coilwright::report {
@@ -12,6 +12,6 @@ namespace coilwright::report {
 /// The ends of the front and its middle as a table, and which limits of their parts its designs break; or the design
 /// nearest to feasible.
 [[nodiscard]] std::string to_text(const sizing::Study& study, const sizing::ParetoResult& result,
-                                  std::span<const sizing::FrontPartLimit> broken);
+                                  std::span<const sizing::BrokenPartLimit> broken);
 
 }  // namespace coilwright::report

@@ -64,7 +64,7 @@ Json least_infeasible_json(const Study& study, const ParetoResult& result) {
 
 }  // namespace
 
-Json to_json(const Study& study, const ParetoResult& result, std::span<const FrontPartLimit> broken) {
+Json to_json(const Study& study, const ParetoResult& result, std::span<const BrokenPartLimit> broken) {
   Json evaluations = to_json(counts_of(result.archive));
   evaluations.set("total", result.evaluations);
   Json out = result_head("pareto", study, result.stop_reason);
@@ -77,11 +77,7 @@ Json to_json(const Study& study, const ParetoResult& result, std::span<const Fro
   out.set("ends", std::move(ends));
   out.set("middle", result.front.empty() ? Json(nullptr) : end_json(study, result.front[middle_of(result)]));
   out.set("least_infeasible", least_infeasible_json(study, result));
-  Json limits = Json::array();
-  for (const FrontPartLimit& each : broken)
-    limits.add(
-        Json::object({{"quantity", each.quantity}, {"designs", each.designs}, {"consequence", each.consequence}}));
-  out.set("broken_part_limits", std::move(limits));
+  out.set("broken_part_limits", to_json(broken));
   return out;
 }
 

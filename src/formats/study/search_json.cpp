@@ -19,6 +19,13 @@ Json to_json(const ArchiveCounts& counts) {
   return Json::object({{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}});
 }
 
+Json to_json(std::span<const sizing::BrokenPartLimit> broken) {
+  Json out = Json::array();
+  for (const sizing::BrokenPartLimit& each : broken)
+    out.add(Json::object({{"quantity", each.quantity}, {"designs", each.designs}, {"consequence", each.consequence}}));
+  return out;
+}
+
 Json objectives_asked(const sizing::Study& study) {
   Json objectives = Json::array();
   for (const sizing::StudyObjective& objective : study.objectives)

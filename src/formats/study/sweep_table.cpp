@@ -74,7 +74,8 @@ Json to_json(const SweepReport& report) {
                        {"designs", report.designs},
                        {"evaluated", report.evaluated},
                        {"ok", report.ok},
-                       {"best", std::move(best)}});
+                       {"best", std::move(best)},
+                       {"broken_part_limits", to_json(report.broken)}});
 }
 
 }  // namespace coilwright::formats

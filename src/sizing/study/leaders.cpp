@@ -61,4 +61,13 @@ bool Leaders::any_feasible() const {
   return std::ranges::any_of(leaders_, [](const auto& entry) { return is_feasible(entry.second.evaluation); });
 }
 
+std::vector<SweptDesign> feasible_designs(std::span<const Leader> leaders) {
+  std::vector<SweptDesign> out;
+  for (const Leader& leader : leaders)
+    if (is_feasible(leader.design.evaluation) &&
+        std::ranges::find(out, leader.design.index, &SweptDesign::index) == out.end())
+      out.push_back(leader.design);
+  return out;
+}
+
 }  // namespace coilwright::sizing

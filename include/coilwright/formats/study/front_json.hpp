@@ -4,7 +4,7 @@
 #include <span>
 
 #include "coilwright/sizing/search/pareto.hpp"
-#include "coilwright/sizing/study/front_part_limits.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -20,6 +20,6 @@ namespace coilwright::formats {
 /// result.json of `pareto`; its keys are in docs/formats.md. `study` has the options that were used, `broken` what the
 /// designs of the front break of their parts.
 [[nodiscard]] text::Json to_json(const sizing::Study& study, const sizing::ParetoResult& result,
-                                 std::span<const sizing::FrontPartLimit> broken);
+                                 std::span<const sizing::BrokenPartLimit> broken);
 
 }  // namespace coilwright::formats

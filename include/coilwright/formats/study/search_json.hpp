@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 #include "coilwright/sizing/problem/archive.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -22,6 +24,9 @@ struct ArchiveCounts {
 
 /// The objectives as the study has them: [{"maximise": "stroke_deg"}].
 [[nodiscard]] text::Json objectives_asked(const sizing::Study& study);
+
+/// [{"quantity": .., "designs": .., "consequence": ..}]
+[[nodiscard]] text::Json to_json(std::span<const sizing::BrokenPartLimit> broken);
 
 /// The first keys of a result file: what was asked, and how it was searched.
 [[nodiscard]] text::Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/json/json.hpp"
@@ -36,9 +37,11 @@ struct SweepReport {
   std::size_t evaluated{};  ///< of those; fewer after an interruption
   std::size_t ok{};         ///< of those evaluated: keep every limit
   std::span<const sizing::Leader> leaders;
+  std::span<const sizing::BrokenPartLimit> broken{};  ///< by those leaders that keep every limit of the study
 };
 
-/// The counts, and of each leader its configuration, variables, objectives and constraints.
+/// The counts, of each leader its configuration, variables, objectives and constraints, and what they break of their
+/// parts.
 [[nodiscard]] text::Json to_json(const SweepReport& report);
 
 }  // namespace coilwright::formats

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ struct Leader {
   std::size_t objective{};         ///< index in the study
   SweptDesign design;
 };
+
+/// The designs of leaders that keep every limit, each once, in their order.
+[[nodiscard]] std::vector<SweptDesign> feasible_designs(std::span<const Leader> leaders);
 
 /// Keeps the leaders of a sweep, design by design.
 class Leaders {

@@ -139,9 +139,12 @@ text::InputError RunArchive::unfinished(const archive::Reader& found, std::size_
 void RunArchive::require_same_run(const archive::Reader& found, const archive::Contents& asked) const {
   const std::vector<std::string> differing = archive::differences(found.contents(), asked);
   if (differing.empty()) return;
+  const std::string taken_over = archive::differences_for_reuse(found.contents(), asked).empty()
+                                     ? fmt::format(", and --reuse {} takes its designs over", folder_.path().string())
+                                     : "";
   throw refusal(folder_.path(), fmt::format("holds the archive of another run ({}): --force replaces it, another --out "
-                                            "keeps it",
-                                            fmt::join(differing, "; ")));
+                                            "keeps it{}",
+                                            fmt::join(differing, "; "), taken_over));
 }
 
 void RunArchive::take_others(const StudyOptions& options, const archive::Contents& asked,

@@ -78,11 +78,12 @@ class Folders(ArchivedStudy):
         self.run_well("pareto")
         tail = "): --force replaces it, another --out keeps it"
         head = "out: holds the archive of another run ("
+        reusable = tail + ", and --reuse out takes its designs over"
         for option in ([], ["--resume"]):
             self.assert_refused(["pareto", "study.json", "--out", "out", "--seed", "6", *option],
-                                head + "seed 5, not seed 6" + tail)
+                                head + "seed 5, not seed 6" + reusable)
         self.assert_refused(["pareto", "study.json", "--out", "out", "--algorithm", "cobyla"],
-                            head + "algorithm automatic, not cobyla" + tail)
+                            head + "algorithm automatic, not cobyla" + reusable)
         self.assert_refused(["pareto", "study.json", "--out", "out", "--set", "front_length_mm=9"],
                             head + "no --set, not --set front_length_mm=9" + tail)
         self.write("finger.json", (self.folder / "finger.json").read_text() + "\n")

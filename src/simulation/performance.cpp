@@ -1,10 +1,14 @@
 #include "coilwright/simulation/performance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "coilwright/actuator/cost.hpp"
+#include "coilwright/actuator/heat.hpp"
+#include "coilwright/thermal/steady_state.hpp"
 #include "electrics.hpp"
 #include "motion.hpp"
 #include "warm_state.hpp"
@@ -37,12 +41,23 @@ std::optional<actuator::Demagnetisation> demagnetisation_of(const Design& design
                                    .margin_worst_point = std::min(one.margin_worst_point, other.margin_worst_point)};
 }
 
+// Why there is no motion, and that heat forbids the current anyway where it does: who asks for milliamperes in amperes
+// is told what the actuator can bear.
+NoPerformance with_heat(NoPerformance reason, const Design& design, const Assembly& assembly,
+                        const OperatingPoint& point) {
+  const auto straight = mechanics::JointVector::Zero(assembly.model.joints());
+  const double bearable = thermal::runaway_current(actuator::heat_network(design, assembly, straight));
+  const double current = std::abs(point.current) * std::sqrt(point.duty);
+  if (!std::isfinite(current) || current <= bearable) return reason;
+  return {fmt::format("{}; beyond {:.3g} A there is no steady temperature either", reason.reason, bearable)};
+}
+
 }  // namespace
 
 std::variant<Performance, NoPerformance> performance_of(const Design& design, const Assembly& assembly,
                                                         const OperatingPoint& point) {
   std::variant<MotionSummary, NoPerformance> motion = motion_of(assembly.model, point.current, point.grasp);
-  if (const auto* reason = std::get_if<NoPerformance>(&motion)) return *reason;
+  if (const auto* reason = std::get_if<NoPerformance>(&motion)) return with_heat(*reason, design, assembly, point);
   Performance out;
   out.cold = std::get<MotionSummary>(std::move(motion));
   std::variant<FreeCase, NoPerformance> free = free_case(design, assembly, point, out.cold);

@@ -286,16 +286,18 @@ std::vector<ResultQuantity> rows() {
           "time_to_limit_warm_s", "the same from the steady state of the mean load, current and duty", 100.0,
           [](const DesignView& d) { return soonest(d, &Heat::time_to_limit_warm); }, never),
       of_design(
-          "coil_hot_spot_degC", "steady temperature of the hottest turn at this current and duty", 100.0,
-          [](const DesignView& d) { return hotter(d, &Heat::coil_hot_spot); }, runaway),
+          "coil_hot_spot_degC", "steady temperature of the hottest turn, free or gripping, at this current and duty",
+          100.0, [](const DesignView& d) { return hotter(d, &Heat::coil_hot_spot); }, runaway),
       of_design(
           "temperature_ripple_K", "rise and fall of a coil over a period of the duty cycle, at most", 1.0,
           [](const DesignView& d) { return hotter(d, &Heat::ripple); }, no_period + std::string(", or ") + runaway),
       of_design(
-          "coil_temperature_degC", "mean steady temperature of the hottest coil at this current and duty", 100.0,
+          "coil_temperature_degC",
+          "mean steady temperature of the hottest coil, free or gripping, at this current and duty", 100.0,
           [](const DesignView& d) { return hotter(d, &Heat::coil_temperature); }, runaway),
       of_design(
-          "magnet_temperature_degC", "steady temperature of the hottest magnet at this current and duty", 100.0,
+          "magnet_temperature_degC",
+          "steady temperature of the hottest magnet, free or gripping, at this current and duty", 100.0,
           [](const DesignView& d) { return hotter(d, &Heat::magnet_temperature); }, runaway),
       of_electrics("coil_resistance_hot_Ohm", "resistance of the hottest coil at its steady temperature", 6.0,
                    &Electrics::resistance),

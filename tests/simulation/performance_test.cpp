@@ -1,5 +1,6 @@
 #include "coilwright/simulation/performance.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace coilwright::simulation {
 namespace {
 
 using actuator::Design;
+using ::testing::MatchesRegex;
 
 Performance at(const Design& design, const OperatingPoint& point) {
   return std::get<Performance>(performance_of(design, actuator::assemble_or_throw(design), point));
@@ -130,6 +132,9 @@ TEST(Performance, SaysWhyThereIsNone) {
   actuator::Assembly endless = a;
   endless.model = with_hinges(a.model, [](actuator::Hinge& hinge) { hinge.damping = 0.0; });
   EXPECT_EQ(reason(endless, 1.0), "the step from rest does not settle: a joint folds, or it rings beyond 60 s");
+  EXPECT_THAT(reason(endless, 20.0),
+              MatchesRegex("the step from rest does not settle: .*; beyond 1\\.9[0-9] A there is no steady temperature "
+                           "either"));
 }
 
 TEST(Performance, RefusesADutyThatIsNone) {

@@ -95,8 +95,10 @@ exports::Subject subject_of(const Options& options) {
     return exports::ModelSubject{.origin = std::move(origin), .model = std::move(*model)};
   auto& design = std::get<actuator::Design>(file.content);
   actuator::Assembly assembly = assemble(design, options.actuator);
-  return exports::DesignSubject{
-      .origin = std::move(origin), .design = std::move(design), .assembly = std::move(assembly)};
+  return exports::DesignSubject{.origin = std::move(origin),
+                                .design = std::move(design),
+                                .assembly = std::move(assembly),
+                                .operating_point = file.operating_point};
 }
 
 std::vector<ExportedFile> files_of(const Options& options, const ExportKind& kind) {

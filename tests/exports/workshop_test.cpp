@@ -21,6 +21,9 @@ namespace {
 using actuator::Component;
 using actuator::ComponentKind;
 using actuator::Design;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The sheets have numbers of six digits; three of them in a product or a sum.
 constexpr double six_digits = 1.5e-5;
@@ -148,6 +151,23 @@ TEST(Recipe, HasTheSiliconeOfThePrototype) {
   // The prototype's packing gives 9.5 and 12 mm to a hundredth: 0.1 % of the volume.
   EXPECT_NEAR(batches, by_hand, 1e-3 * by_hand);
   EXPECT_NEAR(segments, batches, six_digits * batches);
+}
+
+// Figures of the prototype: the straight finger's coils bear 1.067 A and its magnet 0.96 A (actuator/heat.hpp).
+TEST(AssemblyOrder, SaysWhichCurrentItBearsAndWasSizedFor) {
+  const auto in_use = [](const DesignSubject& subject) {
+    const std::string page = text_of(workshop(subject, {}), "workshop.html");
+    const std::size_t begin = page.find("<li>In use.");
+    return page.substr(begin, page.find("</li>", begin) - begin);
+  };
+  DesignSubject subject = subject_of(Design{});
+  const std::string text = in_use(subject);
+  const std::string before = "the actuator holds ";
+  EXPECT_NEAR(std::stod(text.substr(text.find(before) + before.size())), 0.96, 0.005) << text;
+  EXPECT_THAT(text, AllOf(HasSubstr("A in every coil for good; then the hottest magnet is at its limit"),
+                          Not(HasSubstr("It was sized for"))));
+  subject.operating_point = actuator::OperatingPoint{.current = 0.8, .duty = 0.25};
+  EXPECT_THAT(in_use(subject), HasSubstr("It was sized for 0.8 A during 0.25 of the time."));
 }
 
 // Directions as the table tells them, by dipoles: a current that runs clockwise for who looks from the tip has its

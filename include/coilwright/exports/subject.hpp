@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/model.hpp"
+#include "coilwright/actuator/operating_point.hpp"
 
 namespace coilwright::exports {
 
@@ -19,7 +21,8 @@ struct Origin {
 struct DesignSubject {
   Origin origin;
   actuator::Design design;
-  actuator::Assembly assembly;  ///< of `design`
+  actuator::Assembly assembly;                                ///< of `design`
+  std::optional<actuator::OperatingPoint> operating_point{};  ///< for which it was sized
 };
 
 /// An actuator of which only the model is known, or wanted.

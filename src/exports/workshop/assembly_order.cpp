@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <sstream>
 
+#include "coilwright/actuator/heat.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
+#include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/units/unit.hpp"
 #include "exports/workshop/rounded.hpp"
 
@@ -137,7 +139,24 @@ std::string cell_text(const WindingSheet& winding) {
       cell_voltage, current, winding.current_limit, cell_voltage / winding.current_limit - resistance);
 }
 
-std::vector<std::string> checks_of(const AssemblyOrder& order, const WindingSheet& winding) {
+// Straight, coils and magnets are nearest to each other, and heat each other most.
+std::string operation_text(const DesignSubject& subject) {
+  const auto straight = mechanics::JointVector::Zero(subject.assembly.model.joints());
+  const thermal::CurrentLimits limits =
+      thermal::current_limits(actuator::heat_network(subject.design, subject.assembly, straight));
+  std::string text = fmt::format(
+      "In use. Straight, at {:.4g} degC around it, the actuator holds {:.3g} A in every coil for good; then {} at its "
+      "limit. From {:.3g} A on nothing holds its temperature: it burns.",
+      subject.design.surroundings.ambient, std::min(limits.coils, limits.magnets),
+      limits.coils <= limits.magnets ? "the hottest coil is" : "the hottest magnet is", limits.runaway);
+  if (const auto& point = subject.operating_point)
+    text += fmt::format(" It was sized for {:.4g} A{}.", point->current,
+                        point->duty < 1.0 ? fmt::format(" during {:.3g} of the time", point->duty) : "");
+  return text;
+}
+
+std::vector<std::string> checks_of(const DesignSubject& subject, const AssemblyOrder& order,
+                                   const WindingSheet& winding) {
   std::vector<std::string> checks = {
       "Before bonding. " + cell_text(winding) +
       ". Connect its plus pole to the start of a coil and look at the marked face with a compass: it is a south pole, "
@@ -157,6 +176,7 @@ std::vector<std::string> checks_of(const AssemblyOrder& order, const WindingShee
       "it "
       "does the opposite.",
       magnets > 1 ? ", unless the magnets hold it against so small a current" : ""));
+  checks.push_back(operation_text(subject));
   return checks;
 }
 
@@ -168,7 +188,7 @@ AssemblyOrder assembly_order(const DesignSubject& subject, const Cast& cast, con
   for (std::size_t i = 0; i < cast.plan.parts.size(); ++i) order.parts.push_back(row_of(cast.plan, i));
   order.joints = joints_of(subject, cast.plan);
   order.steps = steps_of(subject, order, cast, recipe, winding);
-  order.checks = checks_of(order, winding);
+  order.checks = checks_of(subject, order, winding);
   return order;
 }
 

@@ -168,6 +168,16 @@ Json frame(const std::string& title, const std::string& description) {
       {{"$schema", schema}, {"description", fmt::format("{}. {}", title, description)}, {"width", "container"}});
 }
 
+// How full the bars of so many groups are, the first ones most.
+Json fillings(std::size_t groups) {
+  constexpr double full = 1.0;
+  constexpr double faint = 0.3;
+  Json out = Json::array();
+  for (std::size_t i = 0; i < groups; ++i)
+    out.add(groups < 2 ? full : full - (full - faint) * static_cast<double>(i) / static_cast<double>(groups - 1));
+  return out;
+}
+
 }  // namespace
 
 std::string short_number(double value) {
@@ -208,11 +218,11 @@ Figure figure_of(const BarChart& chart) {
     seen.push_back(bar.group);
     groups.add(bar.group);
   }
-  const Json group = Json::object({{"field", "group"},
-                                   {"type", "nominal"},
-                                   {"title", nullptr},
-                                   {"sort", nullptr},
-                                   {"scale", Json::object({{"domain", groups}})}});
+  const auto group = [&](std::string_view type, Json scale) {
+    scale.set("domain", groups);
+    return Json::object(
+        {{"field", "group"}, {"type", type}, {"title", nullptr}, {"sort", nullptr}, {"scale", std::move(scale)}});
+  };
   Json encoding = Json::object(
       {{"y", Json::object({{"field", "label"},
                            {"type", "nominal"},
@@ -223,8 +233,12 @@ Figure figure_of(const BarChart& chart) {
                            {"type", "quantitative"},
                            {"title", chart.value_title},
                            {"scale", Json::object({{"zero", !chart.symbols}})}})},
-       {"color", group}});
-  if (chart.symbols) encoding.set("shape", group);
+       {"color", group("nominal", Json::object({}))}});
+  // A group is told by more than its colour: by its symbol, or by how full its bars are.
+  if (chart.symbols)
+    encoding.set("shape", group("nominal", Json::object({})));
+  else
+    encoding.set("opacity", group("ordinal", Json::object({{"range", fillings(seen.size())}})));
   Json spec = frame(chart.title, chart.description);
   spec.set("height", 22 * labels.size());
   spec.set("autosize", Json::object({{"type", "fit-x"}, {"contains", "padding"}, {"resize", true}}));

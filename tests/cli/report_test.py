@@ -156,6 +156,17 @@ class Report(ProgramTest):
         self.assertNotIn("var(", (self.folder / "figures/pose-rest.svg").read_text())
         # With Node the charts are drawn as well; without, a line says what is missing.
         self.assertEqual("response.svg" in names, done.stderr == "")
+        for picture in (self.folder / "figures").glob("*.svg"):
+            self.assert_whole_legend(picture)
+
+    def assert_whole_legend(self, picture):
+        """A legend of several rows lies below the upper edge of the picture."""
+        text = picture.read_text()
+        if "role-legend" not in text:
+            return
+        frame = float(re.search(r'<g fill="none"[^>]* transform="translate\([^,]+,([^)]+)\)"', text)[1])
+        legend = float(re.search(r'role-legend"[^>]*><g transform="translate\([^,]+,([^)]+)\)"', text)[1])
+        self.assertGreaterEqual(frame + legend, 0.0, picture.name)
 
 
 if __name__ == "__main__":

@@ -82,4 +82,16 @@ export const pixelsWith = (picture, colour) => {
   return found;
 };
 
+// The same of any colour that is no grey: bars of every group, however full.
+export const pixelsWithColour = (picture) => {
+  let found = 0;
+  for (let x = 0; x < picture.width; ++x) {
+    for (let y = 0; y < picture.height; ++y) {
+      const colour = picture.colour(x, y);
+      found += Math.max(...colour) - Math.min(...colour) > 40 ? 1 : 0;
+    }
+  }
+  return found;
+};
+
 export {assert};

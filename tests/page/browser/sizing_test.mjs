@@ -1,5 +1,5 @@
 // node sizing_test.mjs report.html: the page of a sizing in a browser.
-import {assert, colourOf, columnsWith, launch, open, pixels, pixelsWith} from './session.mjs';
+import {assert, colourOf, columnsWith, launch, open, pixels, pixelsWith, pixelsWithColour} from './session.mjs';
 
 const file = process.argv[2];
 const browser = await launch();
@@ -14,8 +14,7 @@ try {
     assert.ok(columnsWith(await pixels(page, '#temperature-plot'), await colourOf(page, '--c4')) > 0.5, `no temperature is seen at ${said}`);
     // A limit in the way has hardly a bar; the others have.
     const margins = await pixels(page, '#margins-plot');
-    const bars = pixelsWith(margins, first) + pixelsWith(margins, await colourOf(page, '--c2'));
-    assert.ok(bars > 500, `no margin is seen at ${said}`);
+    assert.ok(pixelsWithColour(margins) > 500, `no margin is seen at ${said}`);
     for (const pose of ['rest', 'bent', 'peak']) {
       const picture = await pixels(page, `#pose-${pose} svg`);
       const magnet = await colourOf(page, '--magnet');

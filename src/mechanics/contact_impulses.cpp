@@ -121,7 +121,8 @@ double fault_of(const Contacts& contacts, std::span<const Contact> list, const V
 // What Lemke's method found, once more without its rounding: which contacts hold, slide or are open is kept, and the
 // speeds that must be zero are made so by the smallest change of the impulses. Where two rows are alike to eight digits
 // the pivots are as small.
-VectorXd refined(const Contacts& contacts, const Unknowns& unknowns, const VectorXd& found) {
+VectorXd refined(const Contacts& contacts, std::span<const Contact> list, const Unknowns& unknowns,
+                 const VectorXd& found) {
   const int count = static_cast<int>(found.size()) / 4;
   const VectorXd impulses = unknowns.to_impulses * found.head(3 * count);
   const Eigen::Index free_speeds = Eigen::Index{2} * count;
@@ -129,7 +130,9 @@ VectorXd refined(const Contacts& contacts, const Unknowns& unknowns, const Vecto
   std::vector<int> rows;
   for (int i = 0; i < count; ++i) {
     if (!(found[i] > 0.0)) continue;
-    const bool slides = found[3 * count + i] > 0.0;
+    // Without friction nothing slides against a resistance, and nothing is held.
+    const bool has_friction = list[i].friction.along > 0.0 || list[i].friction.against > 0.0;
+    const bool slides = !has_friction || found[3 * count + i] > 0.0;
     freedom(i, static_cast<int>(rows.size())) = 1.0;
     if (slides) freedom(count + i, static_cast<int>(rows.size())) = impulses[count + i] / impulses[i];
     rows.push_back(i);
@@ -171,7 +174,7 @@ std::optional<VectorXd> impulses_by(const Attempt& attempt, const Contacts& cont
     if (!found) return std::nullopt;
     VectorXd impulses = unknowns.to_impulses * found->head(pushes);
     if (fault_of(contacts, list, impulses) < 0.1 * allowed) return impulses;
-    VectorXd better = refined(contacts, unknowns, *found);
+    VectorXd better = refined(contacts, list, unknowns, *found);
     if (fault_of(contacts, list, better) < allowed) return better;
     constant.head(pushes) = unknowns.constant.head(pushes) - attempt.give * unknowns.to_impulses.transpose() * impulses;
   }

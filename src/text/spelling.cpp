@@ -29,29 +29,32 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return previous[b.size()];
 }
 
-std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates) {
+std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates) {
   constexpr std::size_t longest_word = 100;  // what is longer is no slip of ours, and the distance costs a * b
-  if (word.size() > longest_word) return std::nullopt;
-  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
-  std::optional<std::string> best;
+  if (word.size() > longest_word) return {};
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3);
+  std::vector<std::string> best;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest_word || candidate == word) continue;
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance >= best_distance || distance >= word.size()) continue;  // a single letter is no slip for another one
+    if (distance > best_distance || distance >= word.size()) continue;  // a single letter is no slip for another one
+    if (distance < best_distance) best.clear();
     best_distance = distance;
-    best = candidate;
+    best.push_back(candidate);
   }
   return best;
 }
 
 namespace {
 
+// More are no hint.
+constexpr std::size_t most_words = 4;
+
 // None where `word` is too short to tell anything, and where more candidates match than a message may list.
 template <typename Matches>
 std::vector<std::string> matching_words(std::string_view word, std::span<const std::string> candidates,
                                         const Matches& matches) {
   constexpr std::ptrdiff_t fewest_letters = 2;
-  constexpr std::size_t most_words = 4;
   const auto is_letter = [](unsigned char letter) { return letter != '-' && letter != '_'; };
   if (std::ranges::count_if(word, is_letter) < fewest_letters) return {};
   std::vector<std::string> words;
@@ -67,17 +70,19 @@ std::vector<std::string> words_beginning_with(std::string_view word, std::span<c
   return matching_words(word, candidates, [&](const std::string& each) { return each.starts_with(word); });
 }
 
-std::vector<std::string> words_ending_with(std::string_view word, std::span<const std::string> candidates) {
-  const std::string end = fmt::format("_{}", word);
-  return matching_words(word, candidates, [&](const std::string& each) { return each.ends_with(end); });
+std::vector<std::string> words_with(std::string_view word, std::span<const std::string> candidates) {
+  // Whole words between underscores.
+  const std::string inside = fmt::format("_{}_", word);
+  return matching_words(word, candidates, [&](const std::string& each) {
+    return each.starts_with(word) || fmt::format("{}_", each).find(inside) != std::string::npos;
+  });
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-  std::vector<std::string> words = words_beginning_with(word, candidates);
-  if (words.empty()) words = words_ending_with(word, candidates);
-  if (words.empty())
-    if (const auto nearest = nearest_word(word, candidates)) words.push_back(*nearest);
-  if (words.empty()) return {};
+  std::vector<std::string> words = words_with(word, candidates);
+  if (words.empty()) words = words_beginning_with(word, candidates);
+  if (words.empty()) words = nearest_words(word, candidates);
+  if (words.empty() || words.size() > most_words) return {};
   for (std::string& meant : words) meant = in_quotes(meant);
   const std::string last = words.back();
   words.pop_back();

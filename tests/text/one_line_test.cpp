@@ -75,6 +75,21 @@ TEST(Spelling, SuggestsWhatBeginsWithTheWord) {
   EXPECT_EQ(did_you_mean("mass_g", words), "");
 }
 
+TEST(Spelling, SuggestsWhatHasTheWordAmongItsWords) {
+  const std::vector<std::string> words = {"temperature_ripple_K", "coil_temperature_degC", "peak_bending_speed_deg_s",
+                                          "speeding_g"};
+  EXPECT_EQ(did_you_mean("temperature", words),
+            "; did you mean \"temperature_ripple_K\" or \"coil_temperature_degC\"?");
+  EXPECT_EQ(did_you_mean("bending_speed", words), "; did you mean \"peak_bending_speed_deg_s\"?");
+  EXPECT_EQ(did_you_mean("ending", words), "");
+}
+
+TEST(Spelling, SuggestsAllThatAreEquallyNear) {
+  EXPECT_EQ(did_you_mean("N55", std::vector<std::string>{"N35", "N35M", "N50", "N52"}),
+            "; did you mean \"N35\", \"N50\" or \"N52\"?");
+  EXPECT_EQ(did_you_mean("N55", std::vector<std::string>{"N35", "N45", "N50", "N52", "N58"}), "");
+}
+
 TEST(Spelling, SuggestsNothingThatBeginsWithOneLetterOrWithDashes) {
   const std::vector<std::string> words = {"--json", "maximise"};
   EXPECT_EQ(did_you_mean("--j", words), "");

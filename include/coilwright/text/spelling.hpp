@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,20 +12,21 @@ namespace coilwright::text {
 /// string alignment distance).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate that `word` was most likely meant to be: at most a third of its letters (at least one) away.
-[[nodiscard]] std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
+/// The candidates that `word` was most likely meant to be, in their order: those nearest to it, at most a third of its
+/// letters (at least one) away.
+[[nodiscard]] std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates);
 
 /// The candidates that begin with `word`, in their order: at least two letters or digits of it are needed, and nothing
 /// is returned where more than four begin so.
 [[nodiscard]] std::vector<std::string> words_beginning_with(std::string_view word,
                                                             std::span<const std::string> candidates);
 
-/// The same of those whose last words are `word`: "angle_deg" for "bending_angle_deg".
-[[nodiscard]] std::vector<std::string> words_ending_with(std::string_view word,
-                                                         std::span<const std::string> candidates);
+/// The same of those that begin with `word` or have it among their words: "bending_angle_deg" for "angle".
+[[nodiscard]] std::vector<std::string> words_with(std::string_view word, std::span<const std::string> candidates);
 
-/// `; did you mean "evaluate"?`: the candidates that begin with `word` ("mass" for "mass_g", "eval" for "evaluate"), or
-/// else those that end with it, or else the nearest one. Nothing when no candidate is near.
+/// `; did you mean "evaluate"?`: the candidates that have `word` among their words ("mass" for "mass_g") or, where that
+/// is too many, those that begin with it, or else the nearest ones. Nothing when no candidate is near, or more than
+/// four are.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace coilwright::text

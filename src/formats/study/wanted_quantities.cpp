@@ -24,7 +24,8 @@ constexpr Rule limit_rule = Rule::between(-1e12, 1e12);
 std::string nearest_quantity(std::string_view name, const QuantityTable& quantities) {
   std::vector<std::string> names;
   for (const ResultQuantity& quantity : quantities) names.push_back(quantity.name);
-  return did_you_mean(name, names);
+  const std::string meant = did_you_mean(name, names);
+  return meant.empty() ? "; coilwright list quantities has them all" : meant;
 }
 
 // A name that a block would bring which the study does not have.

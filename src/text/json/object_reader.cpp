@@ -135,8 +135,10 @@ InputError ObjectReader::missing(std::string_view key) const {
     strangers.push_back(present);
   }
   // Not all keys have been asked for yet, so the near one may be legal in its own right: a question, not a verdict.
-  const auto near = nearest_word(key, strangers);
-  return at_key(node_, key, near ? fmt::format("is missing; is {} meant to be it?", in_quotes(*near)) : "is missing");
+  const std::vector<std::string> near = nearest_words(key, strangers);
+  return at_key(
+      node_, key,
+      near.empty() ? "is missing" : fmt::format("is missing; is {} meant to be it?", in_quotes(near.front())));
 }
 
 InputError ObjectReader::unknown(const std::string& key) const {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "actuator_input.hpp"
 #include "coilwright/formats/simulation/linear_model_json.hpp"
@@ -26,7 +28,7 @@ using simulation::LinearModel;
 
 struct Options {
   ActuatorOptions actuator;
-  double current{};
+  std::vector<double> currents;
   std::string out;
   bool json{false};
 };
@@ -35,7 +37,13 @@ struct Options {
 LinearModel linear_model(const Options& options) {
   const actuator::Model model = read_model(options.actuator);
   try {
-    return simulation::linearise(model, options.current);
+    if (options.currents.size() == 1) return simulation::linearise(model, options.currents.front());
+    if (options.currents.size() > static_cast<std::size_t>(mechanics::max_joints) + 1)
+      throw std::invalid_argument(
+          fmt::format("has {} coils; a current for each is needed, got {}", model.coils(), options.currents.size()));
+    const auto count = static_cast<Eigen::Index>(options.currents.size());
+    return simulation::linearise(
+        model, actuator::CoilCurrents(Eigen::Map<const Eigen::VectorXd>(options.currents.data(), count)));
   } catch (const std::invalid_argument& rule) {
     throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
   } catch (const std::runtime_error& reason) {
@@ -45,11 +53,16 @@ LinearModel linear_model(const Options& options) {
 
 std::string as_table(const LinearModel& model) {
   constexpr double degrees = 180.0 / std::numbers::pi;
-  std::string text = fmt::format("{:<26} {:>12.5g}\n{:<26} {:>12.5g}\n", "current_A", model.current,
-                                 "bending_angle_deg", model.angles.sum() * degrees);
+  const bool one_input = model.b.cols() == 1;
+  const auto row = [](std::string_view name, double value) { return fmt::format("{:<26} {:>12.5g}\n", name, value); };
+  std::string text;
+  for (Eigen::Index i = 0; i < model.b.cols(); ++i)
+    text += row(one_input ? "current_A" : fmt::format("current{}_A", i + 1), model.currents[i]);
+  text += row("bending_angle_deg", model.angles.sum() * degrees);
   for (Eigen::Index j = 0; j < model.angles.size(); ++j)
-    text += fmt::format("{:<26} {:>12.5g}\n", fmt::format("theta{}_deg", j + 1), model.angles[j] * degrees);
-  if (model.dc_gain) text += fmt::format("{:<26} {:>12.5g}\n", "dc_gain_deg_A", (*model.dc_gain)[0] * degrees);
+    text += row(fmt::format("theta{}_deg", j + 1), model.angles[j] * degrees);
+  for (Eigen::Index i = 0; model.dc_gain && i < model.b.cols(); ++i)
+    text += row(one_input ? "dc_gain_deg_A" : fmt::format("dc_gain{}_deg_A", i + 1), (*model.dc_gain)(0, i) * degrees);
   for (const simulation::Mode& mode : model.modes)
     text += fmt::format("{:<26} {:>12.5g}\n{:<26} {:>12.5g}\n", "natural_frequency_Hz", mode.natural_frequency,
                         "damping_ratio", mode.damping_ratio);
@@ -88,20 +101,26 @@ void add_linearise_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("linearise", "Give the linear model of small motions about a steady pose");
   add_actuator_options(*command, options->actuator);
-  command->add_option("--current", options->current, "Current in every coil that holds the pose, A")
+  command
+      ->add_option("--current", options->currents,
+                   "Current that holds the pose, A: one in every coil, or one for each, base to tip")
       ->required()
+      ->expected(1, static_cast<int>(mechanics::max_joints) + 1)
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   command->add_flag("--json", options->json, "Print JSON (linear-model/1) instead of a table")->disable_flag_override();
   command->add_option("--out", options->out, "JSON file to write (linear-model/1)");
   command->footer(
       "The JSON has x' = A x + B u, y = C x + D u with the names of states, input and outputs, each ending in its\n"
-      "unit: deviations of joint angles and rates, of the current in every coil, of bending and joint angles. Effects\n"
+      "unit: deviations of joint angles and rates, of the current in every coil (or, where each has its own, of "
+      "each),\n"
+      "of bending and joint angles. Effects\n"
       "with states that come back by themselves (a lag, creep) bring these along; camera effects are left out of the\n"
       "outputs. What sticks, and faces that are pressed, are told on standard error. Whether the parts bear the "
       "current:\n"
       "evaluate.\n\n"
       "Example:\n"
-      "  coilwright linearise configs/actuators/paper_finger.json --current 1.4 --out linear.json");
+      "  coilwright linearise configs/actuators/paper_finger.json --current 1.4 --out linear.json\n"
+      "  coilwright linearise configs/actuators/paper_finger.json --current 1.4 -0.3");
   command->callback([options] { run_linearise(*options); });
 }
 

@@ -109,20 +109,21 @@ LinearSystem linear_system(const Model& model, const JointVector& angles, const 
   return out;
 }
 
-Eigen::VectorXd slopes_by_current(const Model& model, const JointVector& angles, const CoilCurrents& currents,
-                                  const LinearSystem& system) {
+Eigen::MatrixXd slopes_by_currents(const Model& model, const JointVector& angles, const CoilCurrents& currents,
+                                   const LinearSystem& system) {
   constexpr double current_step = 1e-6;
   const int n = model.joints();
   const JointVector still = JointVector::Zero(n);
   const InternalStates settled = model.settled(angles, currents);
-  using OneCurrent = Eigen::Matrix<double, 1, 1>;
-  const Eigen::VectorXd all = slope_by(OneCurrent(currents[0]), 0, current_step, [&](const OneCurrent& at) {
-    return Slopes(model, model.all_coils(at[0]))(angles, still, settled);
-  });
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(system.matrix.rows());
-  out.segment(n, n) = all.head(n);
-  for (int k = 0; k < system.relaxing; ++k)
-    out[2 * n + k] = all[n + system.relaxing_states[static_cast<std::size_t>(k)]];
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(system.matrix.rows(), currents.size());
+  for (Eigen::Index coil = 0; coil < currents.size(); ++coil) {
+    const Eigen::VectorXd all = slope_by(currents, coil, current_step, [&](const CoilCurrents& at) {
+      return Slopes(model, at)(angles, still, settled);
+    });
+    out.col(coil).segment(n, n) = all.head(n);
+    for (int k = 0; k < system.relaxing; ++k)
+      out(2 * n + k, coil) = all[n + system.relaxing_states[static_cast<std::size_t>(k)]];
+  }
   return out;
 }
 

@@ -34,10 +34,9 @@ struct LinearSystem {
 [[nodiscard]] LinearSystem linear_system(const actuator::Model& model, const mechanics::JointVector& angles,
                                          const actuator::CoilCurrents& currents);
 
-/// How the slopes of the system's states change with the same current in every coil, the states held: a column B, in
-/// the states' units a second and ampere. For models without bodies beside the chain. Of `currents` (A) the first is
-/// that of all coils.
-[[nodiscard]] Eigen::VectorXd slopes_by_current(const actuator::Model& model, const mechanics::JointVector& angles,
-                                                const actuator::CoilCurrents& currents, const LinearSystem& system);
+/// How the slopes of the system's states change with the current of each coil, the states held: a matrix B with a
+/// column for each coil, in the states' units a second and ampere. For models without bodies beside the chain.
+[[nodiscard]] Eigen::MatrixXd slopes_by_currents(const actuator::Model& model, const mechanics::JointVector& angles,
+                                                 const actuator::CoilCurrents& currents, const LinearSystem& system);
 
 }  // namespace coilwright::simulation

@@ -42,6 +42,21 @@ class Linearise(ProgramTest):
         slope = (steady("1.41") - steady("1.39")) / 0.02
         self.assertAlmostEqual(model["dc_gain_deg_A"], slope, delta=2e-3 * slope)
 
+    def test_each_coil_may_have_its_own_current(self):
+        result = run("linearise", PAPER_FINGER, "--current", "1.4", "-0.3", "--json")
+        self.assertEqual((result.returncode, result.stderr), (0, "The faces of joint 2 are pressed: the linear model "
+                                                                 "holds while they stay so.\n"))
+        model = json.loads(result.stdout)
+        self.assertEqual((model["coil_currents_A"], model["inputs"]), ([1.4, -0.3], ["current1_A", "current2_A"]))
+        self.assertEqual(([len(row) for row in model["B"]], len(model["dc_gains_deg_A"])), ([2] * 4, 2))
+        self.assertNotIn("current_A", model)
+        table = run("linearise", PAPER_FINGER, "--current", "1.4", "-0.3").stdout
+        self.assertEqual([line.split()[0] for line in table.splitlines()],
+                         ["current1_A", "current2_A", "bending_angle_deg", "theta1_deg", "theta2_deg", "dc_gain1_deg_A",
+                          "dc_gain2_deg_A", "natural_frequency_Hz", "damping_ratio", "natural_frequency_Hz", "damping_ratio"])
+        self.assert_refused(["linearise", PAPER_FINGER, "--current", "1", "2", "3"],
+                            f"{PAPER_FINGER}: has 2 coils; a current for each is needed, got 3")
+
     def test_the_modes_are_those_of_the_matrix(self):
         """The product of the eigenvalues is the determinant, their sum the trace."""
         model = self.linear()

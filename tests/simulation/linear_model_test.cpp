@@ -37,7 +37,7 @@ void expect_small_step_alike(const Model& model, double current) {
                     .rates = straight(model),
                     .internal = model.settled(linear.angles, model.all_coils(current))};
   const std::vector<State> motion = simulate(model, input, start, {.relative = 1e-11});
-  const double size = std::abs((*linear.dc_gain)[0]) * step;
+  const double size = std::abs((*linear.dc_gain)(0, 0)) * step;
   for (std::size_t i = 1; i < motion.size(); ++i) {
     const Eigen::VectorXd expected = outputs_after(linear, step, input.times[i]);
     const mechanics::JointVector moved = motion[i].angles - linear.angles;
@@ -65,11 +65,35 @@ TEST(LinearModel, HasTheSlopeOfTheEquilibriaAsItsGain) {
         (bending_at(model, current + step, linear.angles) - bending_at(model, current - step, linear.angles)) /
         (2.0 * step);
     // Equilibria are good to 1e-11 of the hinge's torque; the difference errs with the square of its step.
-    EXPECT_NEAR((*linear.dc_gain)[0], slope, 1e-6 * slope);
-    EXPECT_NEAR((*linear.dc_gain)[1] + (*linear.dc_gain)[2], (*linear.dc_gain)[0], 1e-14);
+    EXPECT_NEAR((*linear.dc_gain)(0, 0), slope, 1e-6 * slope);
+    EXPECT_NEAR((*linear.dc_gain)(1, 0) + (*linear.dc_gain)(2, 0), (*linear.dc_gain)(0, 0), 1e-14);
     EXPECT_TRUE(linear.stable());
     EXPECT_FALSE(linear.sticks);
   }
+}
+
+// What each coil does alone, against equilibria beside it; together they do what all of them do.
+TEST(LinearModel, HasAColumnForEachCoil) {
+  const Model model = finger(Configuration::B).model;
+  actuator::CoilCurrents currents(2);
+  currents << 1.3, 0.2;
+  const LinearModel linear = linearise(model, currents);
+  ASSERT_EQ(linear.b.cols(), 2);
+  for (Eigen::Index coil = 0; coil < 2; ++coil) {
+    constexpr double step = 1e-4;
+    actuator::CoilCurrents more = currents, less = currents;
+    more[coil] += step;
+    less[coil] -= step;
+    const JointVector slope =
+        (find_equilibrium(model, more, linear.angles).value() - find_equilibrium(model, less, linear.angles).value()) /
+        (2.0 * step);
+    for (Eigen::Index j = 0; j < 2; ++j)
+      EXPECT_NEAR((*linear.dc_gain)(1 + j, coil), slope[j], 1e-6 * slope.norm()) << coil;
+  }
+  const LinearModel together = linearise(model, 0.9);
+  const LinearModel apart = linearise(model, actuator::CoilCurrents(model.all_coils(0.9)));
+  EXPECT_EQ(apart.angles, together.angles);
+  EXPECT_LT((apart.b.rowwise().sum() - together.b).norm(), 1e-12 * together.b.norm());
 }
 
 // One joint by hand: theta'' = (torque per ampere i - K theta - b theta') / J.
@@ -78,8 +102,9 @@ TEST(LinearModel, OfOneJointIsASpringAMassAndATorque) {
   const LinearModel linear = linearise(model, 0.7);
   const double inertia = model.chain().mass_matrix(linear.angles)(0, 0);
   const actuator::HingePair& pair = model.magnetics().hinge_pairs().front();
-  EXPECT_NEAR(linear.b[1], pair.sense * pair.torque_per_ampere->value(linear.angles[0]) / inertia, 1e-8 * linear.b[1]);
-  EXPECT_EQ(linear.b[0], 0.0);
+  EXPECT_NEAR(linear.b(1, 0), pair.sense * pair.torque_per_ampere->value(linear.angles[0]) / inertia,
+              1e-8 * linear.b(1, 0));
+  EXPECT_EQ(linear.b(0, 0), 0.0);
   EXPECT_NEAR(linear.a(1, 0), -model.tangent_stiffness(linear.angles, model.all_coils(0.7))(0, 0) / inertia,
               -1e-12 * linear.a(1, 0));
   EXPECT_NEAR(linear.a(1, 1), -model.hinges()[0].damping / inertia, -1e-12 * linear.a(1, 1));
@@ -113,6 +138,8 @@ TEST(LinearModel, RefusesWhatItCannotDescribe) {
   EXPECT_THAT([&] { (void)linearise(model, 1e5); },
               testing::ThrowsMessage<std::runtime_error>(testing::MatchesRegex(
                   "rests with joint 1 at 13[0-9.]+ deg under 100000 A, and its torque is known up to 120 deg")));
+  EXPECT_EQ(error_text([&] { (void)linearise(model, actuator::CoilCurrents(actuator::CoilCurrents::Ones(3))); }),
+            "has 2 coils; a current for each is needed, got 3");
   actuator::Design design = actuator::paper_finger();
   design.effects = {{actuator::standard_effects().find("mount_compliance"), {20.0, 0.5}}};
   EXPECT_EQ(error_text([&] { (void)linearise(actuator::assemble_or_throw(design).model, 1.0); }),

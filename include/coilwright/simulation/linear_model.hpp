@@ -13,19 +13,20 @@ namespace coilwright::simulation {
 /// Small motions about an equilibrium, to design a controller with: x' = A x + B u, y = C x + D u.
 ///
 /// x are deviations of the n joint angles (rad), of their n rates (rad/s) and of those states of effects that come back
-/// by themselves (each in its own SI unit); u is one deviation of the current in every coil (A); y are deviations of
-/// the bending angle and of the n joint angles (rad), as they are and not as a camera shows them.
+/// by themselves (each in its own SI unit); u is one deviation of the current in every coil, or one of each coil's own
+/// (A); y are deviations of the bending angle and of the n joint angles (rad), as they are and not as a camera shows
+/// them.
 struct LinearModel {
   mechanics::JointVector angles;                  ///< of the equilibrium, rad
-  double current{};                               ///< in every coil there, A
+  actuator::CoilCurrents currents;                ///< of each coil there, A
   Eigen::MatrixXd a;                              ///< (2n + e, 2n + e)
-  Eigen::VectorXd b;                              ///< (2n + e)
+  Eigen::MatrixXd b;                              ///< (2n + e, m): m = 1 for all coils alike, or one for each coil
   Eigen::MatrixXd c;                              ///< (1 + n, 2n + e)
-  Eigen::VectorXd d;                              ///< (1 + n): zeros, because a torque first changes a rate
+  Eigen::MatrixXd d;                              ///< (1 + n, m): zeros, because a torque first changes a rate
   int effect_states{};                            ///< e
   std::vector<Mode> modes;                        ///< of the chain, slowest first
   std::vector<std::complex<double>> eigenvalues;  ///< of A, 1/s; conjugates side by side
-  std::optional<Eigen::VectorXd> dc_gain;         ///< -C A^-1 B + D, rad/A; nothing where A is singular
+  std::optional<Eigen::MatrixXd> dc_gain;         ///< -C A^-1 B + D, rad/A; nothing where A is singular
   /// Whether something sticks (dry friction, hysteresis): the model then is one beyond what the friction gives, and
   /// says nothing of motions that it holds.
   bool sticks{};
@@ -41,5 +42,8 @@ struct LinearModel {
 /// equilibrium, or a joint rests there beyond the angles over which its torque is known. Whether the parts bear the
 /// current is not asked: evaluate says so.
 [[nodiscard]] LinearModel linearise(const actuator::Model& model, double current);
+
+/// The same with a current of its own in every coil (A, finite, one for each, base to tip), each of them an input.
+[[nodiscard]] LinearModel linearise(const actuator::Model& model, const actuator::CoilCurrents& currents);
 
 }  // namespace coilwright::simulation

@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coilwright/units/unit.hpp"
@@ -22,16 +23,25 @@ Json rows_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-Json joint_names(Json names, Eigen::Index joints, const char* pattern) {
+Json numbered(Json names, Eigen::Index joints, const char* pattern) {
   for (Eigen::Index j = 1; j <= joints; ++j) names.add(fmt::format(fmt::runtime(pattern), j));
   return names;
 }
 
 Json state_names(const simulation::LinearModel& model) {
   const Eigen::Index n = model.angles.size();
-  Json names = joint_names(joint_names(Json::array(), n, "theta{}_rad"), n, "rate{}_rad_s");
+  Json names = numbered(numbered(Json::array(), n, "theta{}_rad"), n, "rate{}_rad_s");
   for (int k = 1; k <= model.effect_states; ++k) names.add(fmt::format("effect_state{}", k));
   return names;
+}
+
+Json numbers_of(const auto& values) {
+  return Json::numbers({values.data(), static_cast<std::size_t>(values.size())});
+}
+
+Json input_names(const simulation::LinearModel& model) {
+  if (model.b.cols() == 1) return Json::array({"current_A"});
+  return numbered(Json::array(), model.b.cols(), "current{}_A");
 }
 
 Json modes_of(const simulation::LinearModel& model) {
@@ -53,23 +63,28 @@ Json to_json(const simulation::LinearModel& model) {
     eigenvalues.add(Json::object({{"real_1_s", value.real()}, {"imaginary_1_s", value.imag()}}));
   Json pressed = Json::array();
   for (const int joint : model.pressed_joints) pressed.add(joint + 1);
-  return Json::object({{"format", "linear-model/1"},
-                       {"current_A", model.current},
-                       {"joint_angles_deg", Json::numbers(angles)},
-                       {"bending_angle_deg", units::from_memory(model.angles.sum(), "angle_deg")},
-                       {"states", state_names(model)},
-                       {"inputs", Json::array({"current_A"})},
-                       {"outputs", joint_names(Json::array({"bending_angle_rad"}), n, "theta{}_rad")},
-                       {"A", rows_of(model.a)},
-                       {"B", rows_of(model.b)},
-                       {"C", rows_of(model.c)},
-                       {"D", rows_of(model.d)},
-                       {"dc_gain_deg_A", model.dc_gain ? Json((*model.dc_gain)[0] * degrees) : Json(nullptr)},
-                       {"modes", modes_of(model)},
-                       {"eigenvalues", std::move(eigenvalues)},
-                       {"stable", model.stable()},
-                       {"sticks", model.sticks},
-                       {"pressed_joints", std::move(pressed)}});
+  // One input has its key, one for each coil a list.
+  const bool one_input = model.b.cols() == 1;
+  Json out = Json::object({{"format", "linear-model/1"}});
+  if (one_input)
+    out.set("current_A", model.currents[0]);
+  else
+    out.set("coil_currents_A", numbers_of(model.currents));
+  out.set("joint_angles_deg", Json::numbers(angles));
+  out.set("bending_angle_deg", units::from_memory(model.angles.sum(), "angle_deg"));
+  out.set("states", state_names(model)).set("inputs", input_names(model));
+  out.set("outputs", numbered(Json::array({"bending_angle_rad"}), n, "theta{}_rad"));
+  out.set("A", rows_of(model.a)).set("B", rows_of(model.b)).set("C", rows_of(model.c)).set("D", rows_of(model.d));
+  const char* gain = one_input ? "dc_gain_deg_A" : "dc_gains_deg_A";
+  if (!model.dc_gain) {
+    out.set(gain, nullptr);
+  } else {
+    const Eigen::VectorXd gains = degrees * model.dc_gain->row(0);
+    out.set(gain, one_input ? Json(gains[0]) : numbers_of(gains));
+  }
+  out.set("modes", modes_of(model)).set("eigenvalues", std::move(eigenvalues)).set("stable", model.stable());
+  out.set("sticks", model.sticks).set("pressed_joints", std::move(pressed));
+  return out;
 }
 
 }  // namespace coilwright::formats

@@ -29,12 +29,12 @@ CommandShape projected(Eigen::MatrixXd basis, const Eigen::VectorXd& readings) {
   return out;
 }
 
-// Whether what is left over is white noise of sigma: its mean square, and the correlation of neighbours.
-bool leaves_noise(const CommandShape& shape, const Eigen::VectorXd& readings, double sigma) {
-  const Eigen::VectorXd left = (readings - shape.values) / sigma;
+// Whether what is left over is white noise of that size: its mean square, and the correlation of neighbours.
+bool leaves_noise(const CommandShape& shape, const Eigen::VectorXd& readings, const ReadingNoise& noise) {
+  const Eigen::VectorXd left = (readings - shape.values) / noise.sigma;
   const Eigen::Index n = left.size();
   const auto freedom = static_cast<double>(n - shape.basis.cols());
-  const double excess = (left.squaredNorm() - freedom) / std::sqrt(2.0 * freedom);
+  const double excess = (left.squaredNorm() / freedom - 1.0) / std::sqrt(2.0 / freedom + 2.0 / noise.freedom);
   const double alike = left.head(n - 1).dot(left.tail(n - 1)) / left.squaredNorm() * std::sqrt(static_cast<double>(n));
   return excess < significant && alike < significant;
 }
@@ -89,15 +89,16 @@ std::optional<CommandShape> sine(const Times& times, const Eigen::VectorXd& read
 
 }  // namespace
 
-std::optional<CommandShape> command_shape(std::span<const double> times, std::span<const double> values, double sigma) {
+std::optional<CommandShape> command_shape(std::span<const double> times, std::span<const double> values,
+                                          const ReadingNoise& noise) {
   const auto n = static_cast<Eigen::Index>(values.size());
   if (n < fewest_readings) return std::nullopt;
   const Times at(times.data(), n);
   const Eigen::VectorXd readings = Times(values.data(), n);
-  CommandShape simple = polynomial(at, readings, sigma);
-  if (leaves_noise(simple, readings, sigma)) return simple;
+  CommandShape simple = polynomial(at, readings, noise.sigma);
+  if (leaves_noise(simple, readings, noise)) return simple;
   std::optional<CommandShape> swinging = sine(at, readings);
-  if (swinging && leaves_noise(*swinging, readings, sigma)) return swinging;
+  if (swinging && leaves_noise(*swinging, readings, noise)) return swinging;
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -15,9 +16,15 @@ struct CommandShape {
   Eigen::VectorXd values{};  ///< the curve at the samples, (n)
 };
 
-/// Nothing if no such curve leaves white noise of `sigma` (> 0): its mean square exceeds sigma^2 by more than four
-/// standard deviations, or readings beside one another are still alike. At least eight readings.
+/// The noise of readings, as far as it is known.
+struct ReadingNoise {
+  double sigma{};                                            ///< standard deviation, > 0
+  double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of its square; infinite if exact
+};
+
+/// Nothing if no such curve leaves white noise of that size: its mean square exceeds that of the noise by more than
+/// four standard deviations of their ratio, or readings beside one another are still alike. At least eight readings.
 [[nodiscard]] std::optional<CommandShape> command_shape(std::span<const double> times, std::span<const double> values,
-                                                        double sigma);
+                                                        const ReadingNoise& noise);
 
 }  // namespace coilwright::measurement::replay

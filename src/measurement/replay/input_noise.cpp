@@ -60,8 +60,11 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   const noise::NoiseLevel level = noise::noise_of(record, record.channels.front());
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (level.sigma < least_share * (*most - *least)) return std::nullopt;
+  const ReadingNoise noise{.sigma = level.sigma, .freedom = level.freedom};
   std::vector<std::size_t> starts{0};
-  for (const std::size_t edge : edges_of(values, level.sigma)) starts.push_back(edge);
+  // A fast sine is as steep as an edge: it is one command, and no pieces.
+  if (!command_shape(times, values, noise))
+    for (const std::size_t edge : edges_of(values, level.sigma)) starts.push_back(edge);
   starts.push_back(values.size());
   std::vector<noise::SampledSegment> segments;
   for (std::size_t s = 0; s + 1 < starts.size(); ++s)
@@ -70,7 +73,7 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   const double penalty = noise::best_penalty(segments, level.sigma);
   SmoothColumn out{.sigma = level.sigma};
   for (const noise::SampledSegment& segment : segments) {
-    if (const auto shape = command_shape(segment.times, segment.values, level.sigma)) {
+    if (const auto shape = command_shape(segment.times, segment.values, noise)) {
       for (Eigen::Index k = 0; k < shape->basis.cols(); ++k) {
         InputError error{.first = out.values.size()};
         for (const double value : shape->basis.col(k)) error.shape.push_back(level.sigma * value);

@@ -35,7 +35,7 @@ double mean_squared_error(int samples, const std::function<double(double)>& comm
   double sum = 0.0;
   for (unsigned seed = 1; seed <= draws; ++seed) {
     const Readings readings = read(samples, command, seed);
-    const auto shape = command_shape(readings.times, readings.values, sigma);
+    const auto shape = command_shape(readings.times, readings.values, {.sigma = sigma});
     EXPECT_TRUE(shape) << seed;
     if (!shape) return 0.0;
     EXPECT_EQ(shape->basis.cols(), numbers) << seed;
@@ -73,16 +73,31 @@ TEST(CommandShape, IsASineOfOnePeriod) {
 TEST(CommandShape, IsNothingForACurveOfMoreNumbers) {
   const auto chirp = [](double t) { return std::sin(2.0 * std::numbers::pi * (1.0 + 2.0 * t) * t); };
   const Readings readings = read(1000, chirp, 3);
-  EXPECT_FALSE(command_shape(readings.times, readings.values, sigma));
+  EXPECT_FALSE(command_shape(readings.times, readings.values, {.sigma = sigma}));
   const Readings few = read(
       7, [](double) { return 1.0; }, 3);
-  EXPECT_FALSE(command_shape(few.times, few.values, sigma));
+  EXPECT_FALSE(command_shape(few.times, few.values, {.sigma = sigma}));
+}
+
+// A level that is known to a tenth may be a fifth too low; one that is exact may not.
+TEST(CommandShape, BearsWithALevelThatIsAnEstimate) {
+  const Readings readings = read(
+      370, [](double) { return 0.4; }, 7);
+  const double low = 0.82 * sigma;
+  EXPECT_FALSE(command_shape(readings.times, readings.values, {.sigma = low}));
+  const auto shape = command_shape(readings.times, readings.values, {.sigma = low, .freedom = 50.0});
+  ASSERT_TRUE(shape);
+  EXPECT_EQ(shape->basis.cols(), 1);
+  // What is no constant is none with a level as uncertain, either.
+  const Readings bent = read(
+      370, [](double t) { return 0.1 * std::sin(40.0 * t * t); }, 7);
+  EXPECT_FALSE(command_shape(bent.times, bent.values, {.sigma = low, .freedom = 50.0}));
 }
 
 TEST(CommandShape, HasOrthonormalColumnsThatSpanItsCurve) {
   const Readings readings = read(
       300, [](double t) { return 0.2 - t * t; }, 5);
-  const auto shape = command_shape(readings.times, readings.values, sigma);
+  const auto shape = command_shape(readings.times, readings.values, {.sigma = sigma});
   ASSERT_TRUE(shape);
   const Eigen::Index k = shape->basis.cols();
   EXPECT_EQ(k, 3);

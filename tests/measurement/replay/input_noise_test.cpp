@@ -43,6 +43,35 @@ TEST(InputNoise, IsTakenOutBetweenEdgesThatStaySharp) {
   EXPECT_LT(largest, 3.0 * sigma);  // a blurred edge would be off by half an ampere
 }
 
+// Between two samples at 10 Hz and 0.7 A there is more than the noise, for several of them in a row.
+TEST(InputNoise, OfAFastSineLeavesOneSine) {
+  Normal normal(2);
+  data::Run run{.name = "sine.csv", .kind = data::RunKind::transient, .drive = data::Drive::current};
+  for (int i = 0; i < 250; ++i) {
+    run.times.push_back(0.002 * i);
+    run.inputs.push_back({0.7 + 0.7 * std::sin(20.0 * std::numbers::pi * run.times.back()) + sigma * normal()});
+  }
+  const auto clean = without_noise(run);
+  ASSERT_TRUE(clean);
+  EXPECT_EQ(clean->errors.size(), 4U);
+}
+
+// Records of two levels: those of the first thousand whose noise is estimated so low that a constant would not pass if
+// the estimate were exact, and one other.
+TEST(InputNoise, LeavesLevelsOfWhichEachKeepsOneError) {
+  for (const unsigned seed : {1U, 285U, 324U, 422U, 618U, 720U, 887U, 972U}) {
+    Normal normal(seed);
+    data::Run run{.name = "release.csv", .kind = data::RunKind::transient, .drive = data::Drive::current};
+    for (int i = 0; i < 400; ++i) {
+      run.times.push_back(0.002 * i);
+      run.inputs.push_back({(i < 32 ? 1.4 : 0.0) + sigma * normal()});
+    }
+    const auto clean = without_noise(run);
+    ASSERT_TRUE(clean);
+    EXPECT_EQ(clean->errors.size(), 2U) << seed;
+  }
+}
+
 TEST(InputNoise, IsNotInACommand) {
   EXPECT_FALSE(without_noise(record(0.0)));
   // A logger's resolution is no noise.

@@ -95,10 +95,12 @@ Figure scatter(const FrontTable& front, const OtherDesigns& others) {
   Json on_front = Json::object({{"x", x}, {"y", y}, {"shape", shape_of(front)}});
   const bool coloured = front.objectives.size() > 2;
   if (coloured)
-    on_front.set("color", Json::object({{"field", "z"},
-                                        {"type", "quantitative"},
-                                        {"title", sense_of(front, 2)},
-                                        {"scale", Json::object({{"scheme", "viridis"}})}}));
+    on_front.set("color",
+                 Json::object({{"field", "z"},
+                               {"type", "quantitative"},
+                               {"title", sense_of(front, 2)},
+                               {"legend", Json::object({{"direction", "horizontal"}, {"gradientLength", 160}})},
+                               {"scale", Json::object({{"scheme", "viridis"}})}}));
   Json mark =
       Json::object({{"type", "point"}, {"filled", true}, {"size", front.rows() > 2000 ? 22 : 70}, {"opacity", 1}});
   if (!coloured) mark.set("style", "front");

@@ -97,8 +97,14 @@
     const marker = document.createElement('div');
     marker.className = 'marker';
     views.front.container().append(marker);
-    const placeOf = (at) => {
+    // Where the scales begin in the picture: its origin is told without its padding.
+    const corner = () => {
       const [left, top] = views.front.origin();
+      const padding = views.front.padding();
+      return [left + padding.left, top + padding.top];
+    };
+    const placeOf = (at) => {
+      const [left, top] = corner();
       const picture = views.front.container().querySelector('svg, canvas');
       const box = picture.getBoundingClientRect();
       const frame = views.front.container().getBoundingClientRect();
@@ -110,6 +116,10 @@
       marker.style.left = `${left}px`;
       marker.style.top = `${top}px`;
     };
+    // A legend or a scroll bar that is laid out later moves the picture under the ring.
+    const follow = () => requestAnimationFrame(placeMarker);
+    for (const signal of ['width', 'height']) views.front.addSignalListener(signal, follow);
+    new ResizeObserver(follow).observe(views.front.container());
     window.addEventListener('resize', () => setTimeout(placeMarker, 300));
 
     const select = async (next) => {
@@ -168,7 +178,7 @@
 
     // The design whose mark is nearest to the click, wherever that is: on a phone nobody meets a mark.
     views.front.addEventListener('click', (event) => {
-      const [left, top] = views.front.origin();
+      const [left, top] = corner();
       const box = views.front.container().querySelector('svg, canvas').getBoundingClientRect();
       const [x, y] = [views.front.scale('x'), views.front.scale('y')];
       const at = [event.clientX - box.left - left, event.clientY - box.top - top];

@@ -26,6 +26,8 @@
     const spec = JSON.parse(script.textContent);
     const element = document.getElementById(`${script.dataset.figure}-plot`);
     const {view} = await embed(element, spec, {renderer: marksOf(spec) > 5000 ? 'canvas' : 'svg'});
+    // How much room a legend takes shows once it is laid out: only the second layout leaves it.
+    await view.resize().runAsync();
     window.coilwright.views[script.dataset.figure] = view;
   };
 

@@ -3,7 +3,7 @@ import {readFileSync, writeFileSync} from 'node:fs';
 import {execFileSync} from 'node:child_process';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {assert, colourOf, launch, open, pixels, pixelsWith} from './session.mjs';
+import {assert, colourOf, launch, open, pixels, pixelsWith, ringError} from './session.mjs';
 
 const [file, program] = process.argv.slice(2);
 const browser = await launch();
@@ -19,6 +19,8 @@ try {
       `the selection is not seen in the parallel coordinates at ${said}`);
     assert.ok(pixelsWith(await pixels(page, '#selection-response-plot'), await colourOf(page, '--c1')) > 200,
       `the response is not seen at ${said}`);
+    const error = await ringError(page);
+    assert.ok(error < 2.5, `the ring is ${error} px beside the selected design at ${said}`);
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     assert.ok(overflow <= 0, `the page is ${overflow} px wider than the screen at ${said}`);
     assert.deepEqual(complaints, [], said);
@@ -52,8 +54,9 @@ try {
     const front = window.coilwright.read('front-data');
     const box = view.container().querySelector('svg, canvas').getBoundingClientRect();
     const [left, top] = view.origin();
-    return [box.left + left + view.scale('x')(front.columns[front.objectives[0]][0]),
-      box.top + top + view.scale('y')(front.columns[front.objectives[1]][0])];
+    const padding = view.padding();
+    return [box.left + padding.left + left + view.scale('x')(front.columns[front.objectives[0]][0]),
+      box.top + padding.top + top + view.scale('y')(front.columns[front.objectives[1]][0])];
   });
   await page.evaluate((y) => window.scrollBy(0, y - 400), at[1]);
   const moved = await page.evaluate(() => window.scrollY);

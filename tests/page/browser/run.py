@@ -95,6 +95,8 @@ def main():
         run("size", sizing, "--out", folder / "size", "--max-evaluations", 120, "--quiet", "--report", codes=(0, 3))
         front = small_study("speed_against_grip", folder)
         run("pareto", front, "--out", folder / "pareto", "--max-evaluations", 600, "--quiet", "--report", codes=(0, 3))
+        three = small_study("speed_grip_mass", folder)
+        run("pareto", three, "--out", folder / "three", "--max-evaluations", 200, "--quiet", "--report", codes=(0, 3))
         run("init", "dataset", "--out", folder / "records")
         run("diagnose", folder / "records", "--out", folder / "diagnose", "--quiet", "--report")
         finger = ROOT / "configs/actuators/finger.json"
@@ -104,7 +106,7 @@ def main():
         run("sweep", grid, "--out", folder / "sweep", "--quiet", "--report")
         run("report", many(folder, folder / "pareto", 20000))
         for script, page in (("sizing_test.mjs", "size"), ("front_test.mjs", "pareto"),
-                             ("many_test.mjs", "many"), ("diagnosis_test.mjs", "diagnose")):
+                             ("three_test.mjs", "three"), ("many_test.mjs", "many"), ("diagnosis_test.mjs", "diagnose")):
             subprocess.run([node, FOLDER / script, folder / page / "report.html", PROGRAM], env=environment, check=True,
                            timeout=300)
         for page in ("sweep/report.html", "evaluate.html", "validate.html"):

@@ -94,4 +94,16 @@ export const pixelsWithColour = (picture) => {
   return found;
 };
 
+// How far the ring about the selected design is from the mark of that design, px.
+export const ringError = (page) => page.evaluate(() => {
+  const centre = (element) => {
+    const box = element.getBoundingClientRect();
+    return [box.left + box.width / 2, box.top + box.height / 2];
+  };
+  const row = Number(document.documentElement.dataset.selected);
+  const mark = document.querySelectorAll('#front-plot .designs_marks path')[row];
+  const [[x, y], [left, top]] = [centre(mark), centre(document.querySelector('#front-plot .marker'))];
+  return Math.hypot(x - left, y - top);
+});
+
 export {assert};

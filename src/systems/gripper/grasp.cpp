@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -29,6 +31,9 @@ constexpr double at_rest = 2e-3;
 // Lost for good, m/s.
 constexpr double lost = 0.3;
 constexpr double most_load = 10.0;  // of the task's
+
+// Over which what the fingers carry is the mean, s: impulses differ from step to step.
+constexpr double carrying_time = 2e-3;
 
 // Fingers with less than this are still, J: a tip of 20 g at 1 mm/s.
 constexpr double still_energy = 1e-8;
@@ -128,13 +133,20 @@ class Programme {
     const double start = scene_.object().centre.y();
     const double end_of_hold = ramp_time + hold_time;
     const double steps = std::round(record_time / task_.step);
+    // What the fingers carry of an object that slips is what they can, and not the load: that has grown by a ninth of the
+    // object's weight since it began to slip, however little of it the fingers bear.
+    std::deque<double> carried;
+    const auto window = static_cast<std::size_t>(std::max(1.0, std::round(carrying_time / task_.step)));
     double held = 0.0;
     bool judged = false;
     for (double time = task_.step;; time += task_.step) {
       const double load = out_.load / ramp_time * (std::min(time, ramp_time) + std::max(0.0, time - end_of_hold));
       scene_.advance({.current = task_.current, .load = load}, task_.step);
       const double sinking = -scene_.object_velocity().y();
-      if (sinking < slipping) held = load;
+      carried.push_back(scene_.lifting_force());
+      if (carried.size() > window) carried.pop_front();
+      if (sinking < slipping)
+        held = std::accumulate(carried.begin(), carried.end(), 0.0) / static_cast<double>(carried.size());
       if (time > end_of_hold - record_time && time <= end_of_hold) add_contacts(steps);
       if (!judged && time > end_of_hold) {
         judged = true;

@@ -74,6 +74,13 @@ bool Scene::touches(int finger) const {
   return false;
 }
 
+double Scene::lifting_force() const {
+  double out = 0.0;
+  for (const Touch& touch : touches_)
+    out += touch.normal * touch.point.normal.y() + touch.tangential * touch.point.normal.x();
+  return out;
+}
+
 double Scene::finger_energy() const {
   double out = 0.0;
   for (int f = 0; f < 2; ++f)

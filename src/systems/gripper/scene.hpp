@@ -35,6 +35,8 @@ class Scene {
   };
   [[nodiscard]] const std::vector<Touch>& touches() const noexcept { return touches_; }
   [[nodiscard]] bool touches(int finger) const;
+  /// With which both fingers lift the object in the last step, N.
+  [[nodiscard]] double lifting_force() const;
   /// Gap between a finger and the object in the middle of the last step, m; infinite where no face looks at the object.
   [[nodiscard]] double gap(int finger) const { return gaps_[static_cast<std::size_t>(finger)]; }
   /// Throws std::invalid_argument if a finger overlaps the object.

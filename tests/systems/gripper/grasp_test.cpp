@@ -77,6 +77,7 @@ TEST(Grasp, PressesASmoothBoxAsTheStaticsOfOneFingerOnAWallSay) {
   const Grasp pressed = grasp(gripper, box, {.current = 1.4, .find_capacity = false});
   EXPECT_TRUE(pressed.both_touched);
   EXPECT_FALSE(pressed.holds);
+  EXPECT_NEAR(pressed.capacity, 0.0, 1e-3 * statics->force);
   ASSERT_EQ(pressed.contacts.size(), 2U);
   for (const GraspContact& contact : pressed.contacts) {
     EXPECT_NEAR(contact.normal, statics->force, 2e-3 * statics->force);
@@ -137,6 +138,18 @@ TEST(Grasp, HoldsMoreWithMoreFrictionAndWithMoreCurrent) {
   EXPECT_GT(rough, smooth);
   EXPECT_GT(rough, weak);
   EXPECT_FALSE(grasp(gripper, ball(0.01), {.current = 1.4}).holds);
+}
+
+// What the fingers can carry does not depend on what they are given to carry.
+TEST(Grasp, CarriesTheSameOfAnyWeight) {
+  const Gripper gripper = paper_gripper();
+  const auto capacity = [&](double mass) {
+    Object object = ball();
+    object.mass = mass;
+    return grasp(gripper, object, {.current = 1.4}).capacity;
+  };
+  const double light = capacity(0.02);
+  for (const double mass : {0.1, 1.0, 40.0}) EXPECT_NEAR(capacity(mass), light, 0.02 * light) << mass;
 }
 
 TEST(Grasp, ConvergesWithTheStep) {

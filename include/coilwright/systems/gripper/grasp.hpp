@@ -36,7 +36,7 @@ struct Grasp {
   double missing{};          ///< how near the finger came that stayed away, m; 0 where both touched
   double closing_time{};     ///< from the current to the touch of the later finger, s; infinite if one never touched
   double load{};             ///< mass times gravity and acceleration, N
-  double capacity{};         ///< largest load before the object was lost, N; 0 without a grasp
+  double capacity{};         ///< what the fingers carried when the object began to slip, N; 0 without a grasp
   bool capacity_is_bound{};  ///< the object was still held at ten times its load: the capacity is at least that
   double settling{};         ///< how far the object sank between the end of support and the full load, m
   double magnet_force{};     ///< largest force between two magnets of different fingers while holding, N

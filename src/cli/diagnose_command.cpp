@@ -96,6 +96,10 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed};
+  // No progress: without a warning a wrong unit shows by nothing but a long wait.
+  how.warn = [](const measurement::data::Warning& each) {
+    std::cerr << "warning: " << each.run << ": " << each.text << '\n';
+  };
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   try {
     return measurement::diagnose(set.data, declared.model, how);
@@ -229,7 +233,8 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_threads_option(*command, options->threads, "Number of fits that run at the same time");
   command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
       ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
-  command->add_flag("--quiet", options->quiet, "Show no progress")->disable_flag_override();
+  command->add_flag("--quiet", options->quiet, "Show no progress; warnings of the records remain")
+      ->disable_flag_override();
   command->add_flag("--json", options->json, "Print diagnosis.json instead of the summary")->disable_flag_override();
   command->footer(
       "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"

@@ -1,6 +1,5 @@
 #include "coilwright/measurement/diagnosis.hpp"
 
-#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <chrono>
@@ -97,9 +96,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   FinalErrors::require_fits_model(data.validate, declared, nominal);
   append(out.warnings, warnings_of_first_poses(runs, declared));
   // What is wrong with the records is said before the work: its answer would come to nothing.
-  if (options.progress)
-    for (const data::Warning& each : out.warnings)
-      options.progress(fmt::format("warning: {}: {}", each.run, each.text));
+  if (options.warn)
+    for (const data::Warning& each : out.warnings) options.warn(each);
   const long simulated_for_outliers = set_outliers_aside(runs, as_declared);
   timer.end_phase("noise and outliers", simulated_for_outliers);
 

@@ -214,8 +214,9 @@ Figure temperature_figure(const EvaluatedDesign& evaluated, const simulation::He
       .title = "Temperature over time",
       .description = fmt::format(
           "Means of every coil and magnet from {:.4g} degC on, with {:.4g} A for {:.4g} of the time, at the angles "
-          "where the free finger ends; a limit of a temperature counts the hotter of this pose and the gripping one. "
-          "{}",
+          "where the free finger ends; a limit of a temperature counts the hottest of the poses that are held (cases "
+          "of the "
+          "operating point). {}",
           evaluated.design.surroundings.ambient, evaluated.point.current, evaluated.point.duty,
           heating.runaway ? "There is no steady state: it runs away." : ""),
       .x_title = "time, s",

@@ -264,7 +264,7 @@ std::vector<ResultQuantity> rows() {
                 [](const DesignView& d) -> Value { return smaller(d, &Heat::runaway_current); }),
       of_design(
           "thermal_load",
-          "rms current divided by the smaller continuous current of coils and magnets, worse of free and gripping", 1.0,
+          "rms current divided by the smaller continuous current of coils and magnets, the worst of the poses held", 1.0,
           [](const DesignView& d) -> Value {
             return load(d.point,
                         std::min(smaller(d, &Heat::continuous_current), smaller(d, &Heat::magnet_continuous_current)));
@@ -286,18 +286,18 @@ std::vector<ResultQuantity> rows() {
           "time_to_limit_warm_s", "the same from the steady state of the mean load, current and duty", 100.0,
           [](const DesignView& d) { return soonest(d, &Heat::time_to_limit_warm); }, never),
       of_design(
-          "coil_hot_spot_degC", "steady temperature of the hottest turn, free or gripping, at this current and duty",
+          "coil_hot_spot_degC", "steady temperature of the hottest turn in the poses held, at this current and duty",
           100.0, [](const DesignView& d) { return hotter(d, &Heat::coil_hot_spot); }, runaway),
       of_design(
           "temperature_ripple_K", "rise and fall of a coil over a period of the duty cycle, at most", 1.0,
           [](const DesignView& d) { return hotter(d, &Heat::ripple); }, no_period + std::string(", or ") + runaway),
       of_design(
           "coil_temperature_degC",
-          "mean steady temperature of the hottest coil, free or gripping, at this current and duty", 100.0,
+          "mean steady temperature of the hottest coil in the poses held, at this current and duty", 100.0,
           [](const DesignView& d) { return hotter(d, &Heat::coil_temperature); }, runaway),
       of_design(
           "magnet_temperature_degC",
-          "steady temperature of the hottest magnet, free or gripping, at this current and duty", 100.0,
+          "steady temperature of the hottest magnet in the poses held, at this current and duty", 100.0,
           [](const DesignView& d) { return hotter(d, &Heat::magnet_temperature); }, runaway),
       of_electrics("coil_resistance_hot_Ohm", "resistance of the hottest coil at its steady temperature", 6.0,
                    &Electrics::resistance),

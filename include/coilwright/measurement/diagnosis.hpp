@@ -93,7 +93,8 @@ struct DiagnosisOptions {
   int threads = 0;         ///< number of threads; 0: as many as the machine has. The result does not depend on it.
   std::uint64_t seed = 1;  ///< random seed for the additional fit starts
   std::function<void(const std::string&)>
-      progress{};  ///< called with one line at a time, never from two threads at once
+      progress{};                                    ///< called with one line at a time, never from two threads at once
+  std::function<void(const data::Warning&)> warn{};  ///< called with what is wrong with the records, before the work
   /// Effects that the declared model may lack; the diagnosis refers to their kinds.
   actuator::EffectCatalogue effects = actuator::standard_effects();
 };

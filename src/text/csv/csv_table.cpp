@@ -102,7 +102,7 @@ class CsvTableBuilder {
       if (!value) {
         throw InputError({.file = table_.file_,
                           .place = fmt::format("line {}: column {}", line, source_[i].name),
-                          .rule = fields[i].empty() ? "must be a finite number (a row without one is left out)"
+                          .rule = fields[i].empty() ? "must be a finite number (delete the rows that have none)"
                                                     : "must be a finite number",
                           .value = in_quotes(fields[i])});
       }

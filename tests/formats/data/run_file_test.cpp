@@ -194,7 +194,7 @@ TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
             "x.csv: line 3: column current_A: must be a finite number; got \"-inf\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,\n"),
-            "x.csv: line 2: column theta1_deg: must be a finite number (a row without one is left out); got \"\"");
+            "x.csv: line 2: column theta1_deg: must be a finite number (delete the rows that have none); got \"\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1e13,2\n"),
             "x.csv: line 3: column current_A: must be a number that can be measured, at most 1e12; got 10000000000000");
 }

@@ -116,7 +116,7 @@ TEST(CsvTable, RefusesWhatIsNoFiniteNumber) {
     EXPECT_EQ(refusal(header + "3.5," + field + "\n"), place + "\"" + field + "\"");
   }
   EXPECT_EQ(refusal(header + "3.5,\n"),
-            "x.csv: line 3: column current_A: must be a finite number (a row without one is left out); got \"\"");
+            "x.csv: line 3: column current_A: must be a finite number (delete the rows that have none); got \"\"");
   EXPECT_EQ(refusal(header + "3.5,\"a\nb\"\n"), place + "\"a\\nb\"");
 }
 

@@ -264,7 +264,8 @@ std::vector<ResultQuantity> rows() {
                 [](const DesignView& d) -> Value { return smaller(d, &Heat::runaway_current); }),
       of_design(
           "thermal_load",
-          "rms current divided by the smaller continuous current of coils and magnets, the worst of the poses held", 1.0,
+          "rms current divided by the smaller continuous current of coils and magnets, the worst of the poses held",
+          1.0,
           [](const DesignView& d) -> Value {
             return load(d.point,
                         std::min(smaller(d, &Heat::continuous_current), smaller(d, &Heat::magnet_continuous_current)));

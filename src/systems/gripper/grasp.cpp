@@ -133,8 +133,8 @@ class Programme {
     const double start = scene_.object().centre.y();
     const double end_of_hold = ramp_time + hold_time;
     const double steps = std::round(record_time / task_.step);
-    // What the fingers carry of an object that slips is what they can, and not the load: that has grown by a ninth of the
-    // object's weight since it began to slip, however little of it the fingers bear.
+    // What the fingers carry of an object that slips is what they can, and not the load: that has grown by a ninth of
+    // the object's weight since it began to slip, however little of it the fingers bear.
     std::deque<double> carried;
     const auto window = static_cast<std::size_t>(std::max(1.0, std::round(carrying_time / task_.step)));
     double held = 0.0;

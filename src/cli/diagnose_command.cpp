@@ -97,9 +97,10 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
   FLAGS_minloglevel = google::GLOG_FATAL;
   measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed};
   // No progress: without a warning a wrong unit shows by nothing but a long wait.
-  how.warn = [](const measurement::data::Warning& each) {
-    std::cerr << "warning: " << each.run << ": " << each.text << '\n';
-  };
+  if (!options.json)
+    how.warn = [](const measurement::data::Warning& each) {
+      std::cerr << "warning: " << each.run << ": " << each.text << '\n';
+    };
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   try {
     return measurement::diagnose(set.data, declared.model, how);

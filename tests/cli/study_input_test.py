@@ -111,7 +111,7 @@ class StudyInput(ProgramTest):
              '/constraints/0/at_least: cannot stand beside "at_most"'),
             (constraints({"at_most": 60}), "/constraints/0/quantity: is missing"),
             (constraints({"quantity": "weight_g", "at_most": 60}), "/constraints/0/quantity: " + QUANTITY_RULE +
-             '; got text "weight_g"'),
+             '; coilwright list quantities has them all; got text "weight_g"'),
             (constraints({"quantity": "mass_g", "at_most": 60}, {"quantity": "mass_g", "at_most": 70}),
              "/constraints/1: limits the same side of a quantity twice"),
             (constraints({"quantity": "mass_g", "at_most": 60}, {"quantity": "mass_g", "at_least": 61}),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace coilwright::sizing {
 namespace {
@@ -14,7 +13,7 @@ std::pair<bool, double> distance_from_feasible(const SweptDesign& design) {
 
 }  // namespace
 
-Leaders::Leaders(DesignProblem problem) : problem_(std::move(problem)) {}
+Leaders::Leaders(const DesignProblem& problem) : problem_(problem) {}
 
 std::size_t Leaders::configuration_of(const SweptDesign& design) const {
   const std::vector<StudyVariable>& variables = problem_.study().variables;

@@ -25,7 +25,7 @@ struct Leader {
 class Leaders {
  public:
   /// No leader yet. Keeps a copy of the problem.
-  explicit Leaders(DesignProblem problem);
+  explicit Leaders(const DesignProblem& problem);
 
   /// Takes in one design. Of equal designs the first one stays.
   void consider(const SweptDesign& design);

@@ -24,14 +24,6 @@
 namespace coilwright::cli {
 namespace {
 
-std::vector<sizing::BrokenPartLimit> broken_part_limits(const sizing::DesignProblem& problem,
-                                                        std::span<const sizing::Record> front) {
-  std::vector<sizing::DesignResult> designs;
-  for (const sizing::Record& record : front)
-    designs.push_back(evaluated_again(problem, record.point, record.evaluation));
-  return sizing::broken_part_limits(designs);
-}
-
 ExitCode run_pareto(const StudyOptions& options) {
   StudyInput input =
       read_study(options, {.least = 2, .most = 3, .rule = "must be two or three for pareto (size takes one)"});
@@ -48,7 +40,8 @@ ExitCode run_pareto(const StudyOptions& options) {
     search.stop = interruption.token();
     return sizing::pareto(archive.study().problem(), search);
   }();
-  const std::vector<sizing::BrokenPartLimit> broken = broken_part_limits(problem, result.front);
+  const std::vector<sizing::BrokenPartLimit> broken =
+      sizing::broken_part_limits(evaluated_again(problem, result.front));
   const std::vector<sizing::Record> records = result.archive.records();
   archive.write_results([&] {
     formats::write_front(folder.open("front.csv"), study, result.front);

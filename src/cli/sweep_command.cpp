@@ -38,13 +38,6 @@ void require_grid(const sizing::DesignProblem& problem, const StudyOptions& opti
   }
 }
 
-std::vector<sizing::BrokenPartLimit> broken_part_limits(const sizing::DesignProblem& problem,
-                                                        std::span<const sizing::SweptDesign> best) {
-  std::vector<sizing::DesignResult> designs;
-  for (const sizing::SweptDesign& each : best) designs.push_back(evaluated_again(problem, each.point, each.evaluation));
-  return sizing::broken_part_limits(designs);
-}
-
 ExitCode run_sweep(const StudyOptions& options) {
   StudyInput input = read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"});
   const sizing::DesignProblem problem(std::move(input.study));
@@ -72,7 +65,8 @@ ExitCode run_sweep(const StudyOptions& options) {
                          });
   }();
   const std::vector<sizing::Leader> best = leaders.all();
-  const std::vector<sizing::BrokenPartLimit> broken = broken_part_limits(problem, sizing::feasible_designs(best));
+  const std::vector<sizing::BrokenPartLimit> broken =
+      sizing::broken_part_limits(evaluated_again(problem, sizing::feasible_designs(best)));
   const formats::SweepReport answer{
       .study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best, .broken = broken};
   if (archive.is_writing())

@@ -12,6 +12,7 @@
 
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/modes.hpp"
+#include "measurement/data/usual_interval.hpp"
 #include "measurement/fit/hypothesis.hpp"
 
 namespace coilwright::measurement {
@@ -38,21 +39,12 @@ constexpr double longest_exposure = 0.25;
 // A shorter lag or delay, in intervals between pictures, does not show.
 constexpr double shortest_lag = 0.2;
 
-// Time between two samples where nothing is wrong: a clock that jumped once is no slow camera.
-double usual_interval(const data::Run& run) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < run.times.size(); ++i) intervals.push_back(run.times[i] - run.times[i - 1]);
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
-}
-
 // The motion that is recorded most slowly; nothing if none is recorded.
 const data::Run* slowest_record(std::span<const replay::PreparedRun> runs) {
   const data::Run* out = nullptr;
   for (const replay::PreparedRun& prepared : runs)
     if (prepared.is_motion() && prepared.run->times.size() > 1 &&
-        (out == nullptr || usual_interval(*prepared.run) > usual_interval(*out)))
+        (out == nullptr || data::usual_interval(*prepared.run) > data::usual_interval(*out)))
       out = prepared.run;
   return out;
 }
@@ -79,7 +71,7 @@ std::optional<double> ringing_frequency(const actuator::Model& model) {
 
 void warn_of_ringing(std::vector<data::Warning>& out, const data::Run& slowest, double frequency,
                      std::span<const replay::PreparedRun> runs) {
-  const double rate = 1.0 / usual_interval(slowest);
+  const double rate = 1.0 / data::usual_interval(slowest);
   if (rate < pictures_a_period * frequency)
     out.push_back({.run = slowest.name,
                    .text = fmt::format("{:.3g} samples a second are {:.2g} a period of the slowest ringing ({:.3g} "
@@ -96,7 +88,7 @@ void warn_of_ringing(std::vector<data::Warning>& out, const data::Run& slowest, 
 
 // A reported lag or delay that is short beside the time between samples.
 void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagnosis, const data::Run& slowest) {
-  const double interval = usual_interval(slowest);
+  const double interval = data::usual_interval(slowest);
   for (const AddedEffect& effect : diagnosis.effects) {
     const std::string_view id = effect.kind->id();
     if (id != "measurement_delay" && id != "coil_lag" && id != "tracking_lag") continue;

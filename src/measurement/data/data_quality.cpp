@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 
+#include "measurement/data/usual_interval.hpp"
+
 namespace coilwright::measurement::data {
 namespace {
 
@@ -113,16 +115,6 @@ std::optional<std::string> stuck_sensor(const Channel& channel) {
       "saturated, "
       "or the motion ends at a stop",
       channel.name, in_unit(rest.value, channel), rest.extreme, rest.other);
-}
-
-// Time between two samples where nothing is wrong.
-double usual_interval(const Run& run) {
-  std::vector<double> intervals(run.times.size() - 1);
-  std::ranges::transform(run.times.begin() + 1, run.times.end(), run.times.begin(), run.times.end() - 1,
-                         intervals.begin(), std::minus());
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::ranges::nth_element(intervals, middle);
-  return *middle;
 }
 
 std::optional<std::string> implausible_clock(const Run& run) {

@@ -106,4 +106,15 @@ export const ringError = (page) => page.evaluate(() => {
   return Math.hypot(x - left, y - top);
 });
 
+// A page at three widths, light and dark: each without a message or a request, whatever `check(page, said)` looks at.
+export const atThreeWidths = async (browser, file, check) => {
+  for (const [width, scheme] of [[1440, 'light'], [768, 'dark'], [390, 'light']]) {
+    const {page, complaints, close} = await open(browser, file, {viewport: {width, height: 900}, colorScheme: scheme});
+    const said = `${width} px, ${scheme}`;
+    await check(page, said);
+    assert.deepEqual(complaints, [], said);
+    await close();
+  }
+};
+
 export {assert};

@@ -2,6 +2,7 @@
 
 import pathlib
 import shutil
+import signal
 import sqlite3
 import subprocess
 import tempfile
@@ -47,10 +48,14 @@ def end(process):
         pipe.close()
 
 
-def wait_for_designs(test, process, folder, count):
-    """Returns when so many designs are recorded."""
+def stop_with_designs(test, process, folder, count):
+    """Returns when so many designs are recorded, with the process stopped: it goes on only in slices between two looks, so
+    that a run of a second does not end before it is interrupted, however late this program is woken."""
     deadline = time.monotonic() + 60
+    process.send_signal(signal.SIGSTOP)
     while len(designs_of(folder)) < count:
         test.assertLess(time.monotonic(), deadline)
         test.assertIsNone(process.poll())
-        time.sleep(0.05)
+        process.send_signal(signal.SIGCONT)
+        time.sleep(0.01)
+        process.send_signal(signal.SIGSTOP)

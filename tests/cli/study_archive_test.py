@@ -9,7 +9,7 @@ import sqlite3
 import subprocess
 import unittest
 
-from archived_runs import ARCHIVE, designs_of, end, results_of, start, wait_for_designs
+from archived_runs import ARCHIVE, designs_of, end, results_of, start, stop_with_designs
 from program import HANGS, ProgramTest, run
 from study import FRONT, GRID, write_study
 
@@ -32,11 +32,11 @@ class ArchivedStudy(ProgramTest):
             database.execute(sql)
 
     def begun(self, command="pareto", out="out", designs=5, **changes):
-        """A run with designs recorded, which goes on until it is ended."""
+        """A run with designs recorded, stopped on its way."""
         write_study(self, **{"objectives": FRONT, "search": ENDLESS, **changes})
         process = start(command, "study.json", "--out", out, cwd=self.folder)
         self.addCleanup(end, process)
-        wait_for_designs(self, process, self.folder / out, designs)
+        stop_with_designs(self, process, self.folder / out, designs)
         return process
 
     def killed(self, **options):
@@ -148,6 +148,7 @@ class Folders(ArchivedStudy):
 
     def test_a_folder_in_use_is_refused(self):
         process = self.begun()
+        process.send_signal(signal.SIGCONT)
         for option in ("--resume", "--force"):
             result = run("pareto", "study.json", "--out", "out", option, cwd=self.folder)
             self.assertEqual((result.returncode, result.stdout), (2, ""))
@@ -187,6 +188,7 @@ class Signals(ArchivedStudy):
                 out = sent.name
                 process = self.begun(out=out, **study)
                 process.send_signal(sent)
+                process.send_signal(signal.SIGCONT)
                 output, errors = process.communicate(timeout=HANGS)
                 self.assertEqual((process.returncode, errors),
                                  (130, f"coilwright: interrupted: what was evaluated is in {out}/archive.sqlite; --resume "

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "coilwright/actuator/modelling_choices.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/study/convergence_table.hpp"
@@ -63,13 +65,28 @@ void write_results(text::OutputFolder& folder, const DesignProblem& problem, con
   folder.commit();
 }
 
+struct Assumptions {
+  std::vector<sizing::AssumptionEffect> effects{};
+  std::size_t left{};  // choices that were not looked at
+};
+
 // Only of an answer: what keeps no limit anyway rests on more than a choice.
-std::vector<sizing::AssumptionEffect> assumptions_of(const DesignProblem& problem, const sizing::SearchResult& result,
-                                                     const Interruption& interruption) {
+Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchResult& result,
+                           const Interruption& interruption, bool quiet) {
   if (!result.feasible) return {};
-  sizing::SearchOptions search = problem.study().search;
-  search.stop = interruption.token();
-  return sizing::assumption_effects(problem, *result.best, {.search = search});
+  const std::size_t choices = actuator::other_choices(problem.study().base).size();
+  if (interruption.requested()) return {.left = choices};
+  std::atomic<std::size_t> looked_at = 0;
+  const ProgressLine::Place place = progress_place(quiet);
+  const ProgressLine line(std::cerr, place, progress_interval(place), [&] {
+    return fmt::format("the design is found; what it rests on: {} of {} modelling choices", looked_at.load(), choices);
+  });
+  sizing::AssumptionOptions options{.search = problem.study().search,
+                                    .progress = [&](std::size_t done, std::size_t) { looked_at = done; }};
+  options.search.stop = interruption.token();
+  Assumptions out{.effects = sizing::assumption_effects(problem, *result.best, options)};
+  out.left = choices - out.effects.size();
+  return out;
 }
 
 // Where a nameless correction of the actuator is used by the design found; empty without one.
@@ -102,14 +119,15 @@ ExitCode run_size(const StudyOptions& options) {
     throw std::logic_error("the design found gives other numbers when it is evaluated again");
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
-  const std::vector<sizing::AssumptionEffect> assumptions = assumptions_of(problem, result, interruption);
+  const Assumptions assumptions = assumptions_of(problem, result, interruption, options.quiet);
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer{.study = problem.study(),
                                    .result = result,
                                    .best = best ? &*best : nullptr,
                                    .base = base,
                                    .base_seen = base_seen,
-                                   .assumptions = assumptions};
+                                   .assumptions = assumptions.effects,
+                                   .assumptions_left = assumptions.left};
   archive.write_results([&] {
     folder.write(provenance_name, to_json(input.provenance).text());
     write_results(folder, problem, answer);

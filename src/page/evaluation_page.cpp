@@ -39,15 +39,19 @@ std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& l
   std::vector<std::string> figures;
   for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
   std::vector<std::string> broken;
+  std::vector<std::string> conditional;
   for (const PartLimit& each : limits)
     if (each.is_broken())
-      broken.push_back(fmt::format("{} is {}, beyond {}: {}", each.quantity, value_text(each), short_number(each.limit),
-                                   each.consequence));
+      (each.conditional ? conditional : broken)
+          .push_back(fmt::format("{} is {}, beyond {}: {}", each.quantity, value_text(each), short_number(each.limit),
+                                 each.consequence));
   const std::string does =
       fmt::format("With {} A in every coil and a duty of {}: {}.", short_number(design.point.current),
                   short_number(design.point.duty), fmt::join(figures, ", "));
-  if (broken.empty()) return does + " No part is beyond a limit of its own.";
-  return fmt::format("{} The parts do not stand that for long: {}.", does, fmt::join(broken, "; "));
+  if (!broken.empty()) return fmt::format("{} The parts do not stand that for long: {}.", does, fmt::join(broken, "; "));
+  if (!conditional.empty())
+    return fmt::format("{} The parts stand that on a condition, or with a loss: {}.", does, fmt::join(conditional, "; "));
+  return does + " No part is beyond a limit of its own.";
 }
 
 Section limits_section(const std::vector<PartLimit>& limits) {
@@ -66,7 +70,9 @@ Section limits_section(const std::vector<PartLimit>& limits) {
     table.rows.push_back({std::string(each.quantity), value_text(each), limit, std::string(each.consequence)});
     chart.bars.push_back({.label = fmt::format("{} {}", each.quantity, limit),
                           .value = 100.0 * each.margin(),
-                          .group = each.is_broken() ? "broken" : "kept"});
+                          .group = !each.is_broken()  ? "kept"
+                                   : each.conditional ? "on a condition"
+                                                      : "broken"});
   }
   section.blocks.emplace_back(figure_of(chart));
   section.blocks.emplace_back(TableBlock{.caption = "Limits of the parts", .table = std::move(table)});

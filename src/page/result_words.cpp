@@ -60,14 +60,24 @@ std::string ids_text(const Node& list) {
   return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, " and "));
 }
 
+bool is_conditional(const Node& limit) {
+  const auto conditional = limit.find("conditional");
+  return conditional && conditional->boolean();
+}
+
 std::string broken_parts_sentence(const Node& result) {
   const auto limits = result.find("broken_part_limits");
   std::vector<std::string> broken;
+  std::vector<std::string> conditional;
   for (const Node& each : limits ? limits->elements() : std::vector<Node>())
-    broken.push_back(fmt::format("{} of them break {}: {}", cell_of(each.find("designs").value()),
-                                 cell_of(each.find("quantity").value()), cell_of(each.find("consequence").value())));
-  if (broken.empty()) return {};
-  return fmt::format(" BEWARE: the study does not set limits of the parts ({}).", fmt::join(broken, "; "));
+    (is_conditional(each) ? conditional : broken)
+        .push_back(fmt::format("{} of them break {}: {}", cell_of(each.find("designs").value()),
+                               cell_of(each.find("quantity").value()), cell_of(each.find("consequence").value())));
+  std::string out;
+  if (!broken.empty())
+    out += fmt::format(" BEWARE: the study does not set limits of the parts ({}).", fmt::join(broken, "; "));
+  if (!conditional.empty()) out += fmt::format(" MIND: {}.", fmt::join(conditional, "; "));
+  return out;
 }
 
 bool is_feasible(const Node& result) {

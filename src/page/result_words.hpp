@@ -28,6 +28,10 @@ namespace coilwright::page {
 /// "dry_friction and back_emf": the texts of a list; "none" of an empty one.
 [[nodiscard]] std::string ids_text(const text::Node& list);
 
+/// Whether a limit of a part (`part_limits` or `broken_part_limits` of a result) is one that the part stands more than
+/// under a condition; false in results of before there were such.
+[[nodiscard]] bool is_conditional(const text::Node& limit);
+
 /// " BEWARE: ..." of the limits of parts that designs break as their study does not set them (`broken_part_limits` of a
 /// result), as a sentence to follow another one that names the designs; empty where all keep all.
 [[nodiscard]] std::string broken_parts_sentence(const text::Node& result);

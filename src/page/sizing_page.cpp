@@ -27,16 +27,21 @@ using text::Node;
 std::string parts_sentence(const Node& result) {
   const auto limits = result.find("part_limits");
   std::vector<std::string> broken;
+  std::vector<std::string> conditional;
   for (const Node& each : limits ? limits->elements() : std::vector<Node>()) {
     if (!each.find("broken").value().boolean()) continue;
     const char* side = each.find("at_most") ? "at_most" : "at_least";
-    broken.push_back(fmt::format("{} {}, {} {}: {}", cell_of(each.find("quantity").value()),
-                                 cell_of(each.find("value").value()), each.find("at_most") ? "at most" : "at least",
-                                 cell_of(each.find(side).value()), cell_of(each.find("consequence").value())));
+    (is_conditional(each) ? conditional : broken)
+        .push_back(fmt::format("{} {}, {} {}: {}", cell_of(each.find("quantity").value()),
+                               cell_of(each.find("value").value()), each.find("at_most") ? "at most" : "at least",
+                               cell_of(each.find(side).value()), cell_of(each.find("consequence").value())));
   }
-  if (broken.empty()) return {};
-  return fmt::format(" BEWARE: it breaks limits of its parts that the study does not set ({}).",
-                     fmt::join(broken, "; "));
+  std::string out;
+  if (!broken.empty())
+    out += fmt::format(" BEWARE: it breaks limits of its parts that the study does not set ({}).",
+                       fmt::join(broken, "; "));
+  if (broken.empty() && !conditional.empty()) out += fmt::format(" MIND: {}.", fmt::join(conditional, "; "));
+  return out;
 }
 
 std::string verdict_of(const Node& result) {

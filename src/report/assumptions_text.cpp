@@ -21,11 +21,20 @@ std::string objective_change(double value, double promised) {
   return fmt::format("{} ({:+.1f} %)", short_number(value), 100.0 * (value - promised) / std::abs(promised));
 }
 
+std::string limit_phrase(const Limit& limit, double constraint) {
+  return fmt::format("{}: {}", name_of(limit), short_number(formats::value_behind(limit, constraint)));
+}
+
+// Every limit that is broken, in the order of the study; otherwise the nearest.
 std::string margin_phrase(const Study& study, const AssumptionEffect& effect) {
   if (!effect.worst) return "";
-  const double value = formats::value_behind(formats::limit_named(study, effect.worst->limit), -effect.worst->margin);
-  return fmt::format("; {} {}: {}", effect.worst->margin < 0.0 ? "BREAKS" : "keeps every limit, nearest",
-                     effect.worst->limit, short_number(value));
+  std::vector<std::string> broken;
+  for (std::size_t i = 0; i < study.limits.size(); ++i)
+    if (effect.evaluation.constraints[i] > 0.0)
+      broken.push_back(limit_phrase(study.limits[i], effect.evaluation.constraints[i]));
+  if (!broken.empty()) return fmt::format("; BREAKS {}", fmt::join(broken, ", "));
+  return "; keeps every limit, nearest " +
+         limit_phrase(formats::limit_named(study, effect.worst->limit), -effect.worst->margin);
 }
 
 // The variables in which two designs differ.
@@ -59,7 +68,12 @@ std::string effect_text(const formats::SizeReport& report, const AssumptionEffec
 }  // namespace
 
 std::string assumptions_text(const formats::SizeReport& report) {
-  if (report.assumptions.empty()) return {};
+  const std::string left =
+      report.assumptions_left == 0
+          ? ""
+          : fmt::format("{} other modelling choices were not looked at, as the run was interrupted.\n",
+                        report.assumptions_left);
+  if (report.assumptions.empty()) return left.empty() ? "" : '\n' + left;
   std::string text = "\nWhat this answer rests on: modelling choices that no measurement of this design has settled\n";
   std::string_view subject;
   for (const AssumptionEffect& effect : report.assumptions) {
@@ -69,6 +83,7 @@ std::string assumptions_text(const formats::SizeReport& report) {
     subject = effect.choice.subject;
     text += effect_text(report, effect);
   }
+  if (report.assumptions_left > 0) return text + left;
   if (const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions))
     return text + fmt::format("Measure first: {}. The {} decides most about this design.\n", first->choice.settled_by,
                               first->choice.subject);

@@ -41,6 +41,12 @@ std::string range_ends_text(const formats::SizeReport& report) {
 std::string headline(const formats::SizeReport& report) {
   const Study& study = report.study;
   std::string text = fmt::format("{}: {}\n\n", study.name, objective_text(study.objectives.front()));
+  // Nothing of the neighbourhood is known where the search itself was interrupted.
+  if (report.result.stop_reason == StopReason::interrupted)
+    text += report.result.sensitivity.steps.empty()
+                ? fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n\n",
+                              report.result.search_evaluations, study.search.max_evaluations)
+                : "INTERRUPTED when the search was over: what the design rests on is not known; --resume goes on.\n\n";
   if (!report.result.best) return text + "No design was evaluated.\n";
   if (report.result.feasible) return text + "Best design";
   return text + "No design that was found keeps every limit. The least infeasible one";
@@ -70,7 +76,11 @@ std::string objective_lines(const formats::SizeReport& report) {
                           short_number(evaluated->point.duty));
   if (report.base_seen.failure.empty()) {
     const std::string reasons = reasons_for_infeasibility(report.study, report.base_seen);
-    text += fmt::format("for comparison, the study's own actuator with {} A: {}{}\n",
+    const bool varies = std::ranges::any_of(report.study.variables, [](const StudyVariable& each) {
+      return std::holds_alternative<CurrentVariable>(each);
+    });
+    text += fmt::format("for comparison, the study's own actuator{} with {} A: {}{}\n",
+                        varies ? ", at its own best current," : "",
                         short_number(std::get<EvaluatedDesign>(report.base).point.current),
                         short_number(report.base_seen.objectives.front()), reasons.empty() ? "" : " (" + reasons + ")");
   } else {

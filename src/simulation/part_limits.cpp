@@ -1,6 +1,11 @@
 #include "coilwright/simulation/part_limits.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace coilwright::simulation {
 
@@ -10,15 +15,29 @@ double PartLimit::margin() const noexcept {
   return distance / (limit == 0.0 ? 1.0 : std::abs(limit));
 }
 
+namespace {
+
+constexpr std::string_view hot_spot = "coil_hot_spot_degC";
+constexpr std::string_view magnet_temperature = "magnet_temperature_degC";
+constexpr std::string_view still_air = "thermal_load_still_air";
+constexpr std::string_view mean_field = "demagnetisation_margin";
+constexpr std::string_view worst_field = "demagnetisation_margin_worst_point";
+
+// A conditional limit says nothing new where its part is beyond an unconditional one.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> said_by{
+    {{still_air, hot_spot}, {still_air, magnet_temperature}, {worst_field, mean_field}}};
+
+}  // namespace
+
 std::vector<PartLimit> part_limits(const DesignView& design) {
   const auto value = [&](std::string_view name) { return standard_quantities().at(name).value(design); };
   std::vector<PartLimit> limits{
-      {.quantity = "coil_hot_spot_degC",
-       .value = value("coil_hot_spot_degC"),
+      {.quantity = hot_spot,
+       .value = value(hot_spot),
        .limit = design.design.surroundings.coil_limit,
        .consequence = "the enamel of the wire fails"},
-      {.quantity = "magnet_temperature_degC",
-       .value = value("magnet_temperature_degC"),
+      {.quantity = magnet_temperature,
+       .value = value(magnet_temperature),
        .limit = design.design.magnet.temperature_limit,
        .consequence = "the magnets lose magnetisation for good"},
       {.quantity = "current_over_limit",
@@ -26,18 +45,39 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
        .limit = 1.0,
        .consequence = "the wire carries more than its chassis-wiring ampacity; heat decides whether it may"},
   };
-  if (design.design.magnet.grade != nullptr)
-    limits.push_back({.quantity = "demagnetisation_margin",
-                      .value = value("demagnetisation_margin"),
+  if (design.design.magnet.grade != nullptr) {
+    limits.push_back({.quantity = mean_field,
+                      .value = value(mean_field),
                       .limit = 0.0,
                       .at_most = false,
                       .consequence = "the magnets lose most of their magnetisation for good"});
+    limits.push_back({.quantity = worst_field,
+                      .value = value(worst_field),
+                      .limit = 0.0,
+                      .at_most = false,
+                      .consequence = "a rim of a magnet loses magnetisation for good, though not the whole magnet",
+                      .conditional = true});
+  }
+  if (design.design.choices.film == actuator::FilmChoice::calibrated)
+    limits.push_back({.quantity = still_air,
+                      .value = value(still_air),
+                      .limit = 1.0,
+                      .consequence = fmt::format("only moving air, or a mount that conducts, carries this heat away "
+                                                 "({:.0f} W/m2K are taken); in still air coils or magnets overheat",
+                                                 design.design.surroundings.heat_transfer *
+                                                     design.design.calibration.heat_transfer),
+                      .conditional = true});
   return limits;
 }
 
 std::vector<PartLimit> broken_part_limits(const DesignView& design) {
   std::vector<PartLimit> out = part_limits(design);
   std::erase_if(out, [](const PartLimit& limit) { return !limit.is_broken(); });
+  const auto is_broken = [&out](std::string_view name) {
+    return std::ranges::find(out, name, &PartLimit::quantity) != out.end();
+  };
+  for (const auto& [conditional, part] : said_by)
+    if (is_broken(part)) std::erase_if(out, [&](const PartLimit& limit) { return limit.quantity == conditional; });
   return out;
 }
 

@@ -216,8 +216,9 @@ std::vector<ResultQuantity> rows() {
       of_design_cold(HeldCases::gripping, "grasp_force_cold_N", "the same as grasp_force_N with everything at 20 degC",
                      1.0, [](const MotionSummary& motion) { return motion.grasp_force; }),
       of_design(
-          "demagnetisation_margin", "1 - mean field inside the worst magnet / its coercivity, at its temperature", 0.3,
-          [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin); },
+          "demagnetisation_margin",
+          "1 - mean field inside the worst magnet / its coercivity, at its temperature; -10 where hardly any is left",
+          0.3, [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin); },
           no_coercivity),
       of_design(
           "demagnetisation_margin_worst_point", "the same of the worst point of any magnet", 0.3,

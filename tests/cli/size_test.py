@@ -91,7 +91,8 @@ class Size(ProgramTest):
                "constraints": [{"quantity": "mass_g", "at_most": 90}]}
         write_study(self, **hot)
         text = self.size("--report")
-        broken = [each for each in self.result("out/result.json")["part_limits"] if each["broken"]]
+        limits = self.result("out/result.json")["part_limits"]
+        broken = [each for each in limits if each["broken"] and not each["conditional"]]
         self.assertIn("coil_hot_spot_degC", [each["quantity"] for each in broken])
         evaluated = json.loads(run("evaluate", "out/actuator.json", "--json", cwd=self.folder).stdout)
         self.assertEqual(evaluated["part_limits"], self.result("out/result.json")["part_limits"])
@@ -105,6 +106,18 @@ class Size(ProgramTest):
         write_study(self, **{**hot, "operating_point": {"current_A": 0.5, "duty": 1},
                              "constraints": hot["constraints"] + constraints})
         self.assertNotIn("BEWARE", self.size())
+
+    def test_says_what_a_design_needs_and_how_to_do_without(self):
+        cool = {"operating_point": {"current_A": 0.9, "duty": 1}, "variables": {"turns_radial": {"lower": 4, "upper": 12}}}
+        write_study(self, **cool, constraints=[{"quantity": "coil_hot_spot_degC", "at_most": 155}])
+        text = self.size("--report")
+        self.assertNotIn("BEWARE", text)
+        self.assertRegex(text, r"\nMIND what this design needs, or gives up\n(  .*\n)*  thermal_load_still_air +1\.\d+  at most 1: "
+                               r"only moving air, or a mount that conducts, carries this heat away \(156 W/m2K are taken\); in")
+        self.assertIn(" MIND: ", (self.folder / "out/report.html").read_text())
+        line = re.search(r'Where that will not do, add to the study\'s "constraints" and size anew: (.*)\n', text)[1]
+        write_study(self, **cool, constraints=json.loads(f"[{line}]"))
+        self.assertNotIn("MIND", self.size())
 
     def test_compares_with_the_actuator_as_given(self):
         write_study(self)

@@ -1,5 +1,6 @@
 #include "coilwright/simulation/choice_effects.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +27,7 @@ const PartLimit& limit_of(const std::vector<PartLimit>& limits, std::string_view
 TEST(PartLimits, AreKeptBelowTheContinuousCurrentAndBrokenAbove) {
   const actuator::Design design = actuator::paper_finger();
   for (const PartLimit& limit : limits_of(design, {.current = 0.7})) {
+    if (limit.conditional) continue;
     EXPECT_FALSE(limit.is_broken()) << limit.quantity;
     EXPECT_GT(limit.margin(), 0.0) << limit.quantity;
   }
@@ -36,6 +38,33 @@ TEST(PartLimits, AreKeptBelowTheContinuousCurrentAndBrokenAbove) {
   EXPECT_FALSE(limit_of(runaway, "coil_").value);
   EXPECT_TRUE(limit_of(runaway, "coil_").is_broken());
   EXPECT_EQ(limit_of(runaway, "coil_").margin(), -1.0);
+}
+
+// In still air the magnets of the straight finger bear 0.575 A (docs/decisions/0017-heat-network.md), with the film of
+// the paper's remark 0.958 A.
+TEST(PartLimits, OfStillAirAreConditionalWhereTheFilmIsCalibrated) {
+  actuator::Design design = actuator::paper_finger();
+  EXPECT_FALSE(limit_of(limits_of(design, {.current = 0.55}), "thermal_load_still_air").is_broken());
+  const std::vector<PartLimit> warm = limits_of(design, {.current = 0.6});
+  EXPECT_TRUE(limit_of(warm, "thermal_load_still_air").is_broken());
+  EXPECT_TRUE(limit_of(warm, "thermal_load_still_air").conditional);
+  EXPECT_THAT(limit_of(warm, "thermal_load_still_air").consequence, ::testing::HasSubstr("(156 W/m2K are taken)"));
+  design.choices.film = actuator::FilmChoice::still_air;
+  for (const PartLimit& limit : limits_of(design, {.current = 0.6}))
+    EXPECT_NE(limit.quantity, "thermal_load_still_air");
+}
+
+// What overheats with the assumed film needs no word on still air.
+TEST(PartLimits, ThatAreConditionalAreNotSaidOfAPartThatIsBeyondItsLimit) {
+  const auto names = [](double current) {
+    std::vector<std::string> out;
+    const EvaluatedDesign evaluated = evaluate(actuator::paper_finger(), {.current = current});
+    for (const PartLimit& limit : broken_part_limits(evaluated.view())) out.emplace_back(limit.quantity);
+    return out;
+  };
+  EXPECT_THAT(names(0.7), ::testing::Contains("thermal_load_still_air"));
+  EXPECT_THAT(names(1.35), ::testing::Contains("coil_hot_spot_degC"));
+  EXPECT_THAT(names(1.35), ::testing::Not(::testing::Contains("thermal_load_still_air")));
 }
 
 TEST(PartLimits, MeasureTheirMarginOverTheLimit) {

@@ -15,7 +15,8 @@ struct PartLimit {
   std::optional<double> value{};   ///< in the unit of that name; nothing in a thermal runaway
   double limit{};                  ///< in the same unit
   bool at_most = true;             ///< whether the value must not exceed the limit; otherwise it must not fall below it
-  std::string_view consequence{};  ///< what happens beyond it, as the end of a sentence
+  std::string consequence{};       ///< what happens beyond it, as the end of a sentence
+  bool conditional = false;        ///< whether the parts stand more under a condition, which the consequence names
 
   [[nodiscard]] bool is_broken() const noexcept { return !value || (at_most ? *value > limit : *value < limit); }
   /// Distance from the limit over its scale (its magnitude, or 1 where it is 0), negative where it is broken; -1 where
@@ -27,7 +28,8 @@ struct PartLimit {
 /// reason other than a runaway (a magnet without a grade has no coercivity) is left out.
 [[nodiscard]] std::vector<PartLimit> part_limits(const DesignView& design);
 
-/// Those of them that the design breaks.
+/// Those of them that the design breaks; conditional ones only where no other one of the same kind, heat or field, is
+/// broken anyway.
 [[nodiscard]] std::vector<PartLimit> broken_part_limits(const DesignView& design);
 
 }  // namespace coilwright::simulation

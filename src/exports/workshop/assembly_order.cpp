@@ -149,6 +149,15 @@ std::string operation_text(const DesignSubject& subject) {
       "limit. From {:.3g} A on nothing holds its temperature: it burns.",
       subject.design.surroundings.ambient, std::min(limits.coils, limits.magnets),
       limits.coils <= limits.magnets ? "the hottest coil is" : "the hottest magnet is", limits.runaway);
+  const double film = subject.design.surroundings.heat_transfer * subject.design.calibration.heat_transfer;
+  if (subject.design.choices.film == actuator::FilmChoice::calibrated) {
+    const thermal::CurrentLimits still =
+        thermal::current_limits(actuator::still_air_network(subject.design, subject.assembly, straight));
+    text += fmt::format(
+        " That takes {:.0f} W/m2K at its surface, as measured; air that stands still carries less away, and then it "
+        "holds {:.3g} A.",
+        film, std::min(still.coils, still.magnets));
+  }
   if (const auto& point = subject.operating_point)
     text += fmt::format(" It was sized for {:.4g} A{}.", point->current,
                         point->duty < 1.0 ? fmt::format(" during {:.3g} of the time", point->duty) : "");

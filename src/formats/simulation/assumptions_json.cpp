@@ -16,6 +16,7 @@ Json to_json(std::span<const simulation::PartLimit> limits) {
                           {"value", limit.value ? Json(*limit.value) : Json(nullptr)},
                           {limit.at_most ? "at_most" : "at_least", limit.limit},
                           {"broken", limit.is_broken()},
+                          {"conditional", limit.conditional},
                           {"consequence", limit.consequence}}));
   return out;
 }

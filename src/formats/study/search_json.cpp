@@ -22,7 +22,10 @@ Json to_json(const ArchiveCounts& counts) {
 Json to_json(std::span<const sizing::BrokenPartLimit> broken) {
   Json out = Json::array();
   for (const sizing::BrokenPartLimit& each : broken)
-    out.add(Json::object({{"quantity", each.quantity}, {"designs", each.designs}, {"consequence", each.consequence}}));
+    out.add(Json::object({{"quantity", each.quantity},
+                          {"designs", each.designs},
+                          {"conditional", each.conditional},
+                          {"consequence", each.consequence}}));
   return out;
 }
 

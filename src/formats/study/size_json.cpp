@@ -130,7 +130,8 @@ Json assumptions_json(const SizeReport& report) {
 }
 
 Json measure_first(const SizeReport& report) {
-  if (!report.result.best) return nullptr;
+  // Among those that were not looked at may be a larger one.
+  if (!report.result.best || report.assumptions_left > 0) return nullptr;
   const AssumptionEffect* first = decisive(report.study, *report.result.best, report.assumptions);
   return first == nullptr ? Json(nullptr) : Json(first->choice.settled_by);
 }
@@ -155,7 +156,8 @@ Json to_json(const SizeReport& report) {
   out.set("best", best_json(report)).set("violated", std::move(violated)).set("base", base_json(report));
   out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(report));
   out.set("steps", std::move(steps));
-  out.set("assumptions", assumptions_json(report)).set("measure_first", measure_first(report));
+  out.set("assumptions", assumptions_json(report)).set("assumptions_left", report.assumptions_left);
+  out.set("measure_first", measure_first(report));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
   const auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
   out.set("part_limits", to_json(limits));

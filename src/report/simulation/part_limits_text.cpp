@@ -53,7 +53,8 @@ std::string changes_text(const DesignView& taken, const DesignView& other) {
 }
 
 std::string worst_limit_text(const DesignView& design) {
-  const std::vector<PartLimit> limits = simulation::part_limits(design);
+  std::vector<PartLimit> limits = simulation::part_limits(design);
+  std::erase_if(limits, [](const PartLimit& limit) { return limit.conditional; });
   const auto worst = std::ranges::min_element(limits, {}, &PartLimit::margin);
   if (!worst->value) return fmt::format("BROKEN: {} has no steady value", worst->quantity);
   return fmt::format("{}{} {:.4g}, {} {:.4g}", worst->is_broken() ? "BROKEN: " : "least margin: ", worst->quantity,
@@ -68,31 +69,53 @@ std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
   return text + fmt::format("      {}\n      {}\n", changes_text(taken, other.view()), worst_limit_text(other.view()));
 }
 
+std::string value_text(const PartLimit& limit) {
+  return limit.value ? fmt::format("{:.5g}", *limit.value) : "none (thermal runaway)";
+}
+
+std::string state_of(const PartLimit& limit) {
+  if (!limit.is_broken()) return "kept";
+  return fmt::format("{}: {}", limit.conditional ? "MIND" : "BROKEN", limit.consequence);
+}
+
+// A line for each, and the constraints that keep them.
+std::string lines_of(std::span<const PartLimit> broken, std::string_view advice) {
+  std::string text;
+  std::vector<std::string> constraints;
+  for (const PartLimit& limit : broken) {
+    const char* side = limit.at_most ? "at_most" : "at_least";
+    text += fmt::format("  {:<34} {:>10}  {} {:.5g}: {}\n", limit.quantity, value_text(limit),
+                        limit.at_most ? "at most" : "at least", limit.limit, limit.consequence);
+    constraints.push_back(fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", limit.quantity, side, limit.limit));
+  }
+  return text + fmt::format("{} {}\n", advice, fmt::join(constraints, ", "));
+}
+
 }  // namespace
 
 std::string to_text(std::span<const PartLimit> limits) {
-  std::string text = "\nLimits of the parts at this operating point\n";
+  std::string text = "Limits of the parts at this operating point\n";
   for (const PartLimit& limit : limits) {
-    const std::string value = limit.value ? fmt::format("{:.5g}", *limit.value) : "none (thermal runaway)";
-    text +=
-        fmt::format("  {:<28} {:>10}  {} {:.5g}  {}\n", limit.quantity, value, limit.at_most ? "at most" : "at least",
-                    limit.limit, limit.is_broken() ? fmt::format("BROKEN: {}", limit.consequence) : "kept");
+    text += fmt::format("  {:<34} {:>10}  {} {:.5g}  {}\n", limit.quantity, value_text(limit),
+                        limit.at_most ? "at most" : "at least", limit.limit, state_of(limit));
   }
   return text;
 }
 
 std::string warning_of_parts(std::span<const PartLimit> broken) {
-  if (broken.empty()) return {};
-  std::string text = "\nBEWARE: this design breaks limits of its parts that the study does not set\n";
-  std::vector<std::string> constraints;
-  for (const PartLimit& limit : broken) {
-    const std::string value = limit.value ? fmt::format("{:.5g}", *limit.value) : "none (thermal runaway)";
-    text += fmt::format("  {:<28} {:>10}  {} {:.5g}: {}\n", limit.quantity, value,
-                        limit.at_most ? "at most" : "at least", limit.limit, limit.consequence);
-    constraints.push_back(fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", limit.quantity,
-                                      limit.at_most ? "at_most" : "at_least", limit.limit));
-  }
-  return text + fmt::format("Add to the study's \"constraints\" and size anew: {}\n", fmt::join(constraints, ", "));
+  const auto those = [&](bool conditional) {
+    std::vector<PartLimit> out(broken.begin(), broken.end());
+    std::erase_if(out, [conditional](const PartLimit& limit) { return limit.conditional != conditional; });
+    return out;
+  };
+  std::string text;
+  if (const std::vector<PartLimit> fatal = those(false); !fatal.empty())
+    text += "\nBEWARE: this design breaks limits of its parts that the study does not set\n" +
+            lines_of(fatal, "Add to the study's \"constraints\" and size anew:");
+  if (const std::vector<PartLimit> conditional = those(true); !conditional.empty())
+    text += "\nMIND what this design needs, or gives up\n" +
+            lines_of(conditional, "Where that will not do, add to the study's \"constraints\" and size anew:");
+  return text;
 }
 
 std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {

@@ -23,6 +23,9 @@ constexpr std::size_t largest_round = 16;
 constexpr std::size_t round_of_one_objective = 8;
 constexpr std::size_t rounds_between_descents = 4;
 constexpr std::size_t designs_enumerated_together = 1024;
+// Where the budget covers every design, so many are found by models before the others are listed: whoever interrupts a
+// long list then has what a search of that length finds, and not the best of a corner of the grid.
+constexpr std::size_t searched_before_a_list = 1024;
 
 class SurrogateSearch {
  public:
@@ -210,12 +213,12 @@ void SurrogateSearch::enumerate() {
 
 StopReason SurrogateSearch::run() {
   const std::uint64_t designs = space_.design_count();
-  if (designs > 0 && designs <= context_.budget + samples_.size()) {
-    enumerate();
-  } else {
+  const bool lists_all = designs > 0 && designs <= context_.budget + samples_.size();
+  if (!lists_all || designs > searched_before_a_list) {
     evaluate_initial_designs();
-    while (goes_on()) round();
+    while (goes_on() && (!lists_all || made_ < searched_before_a_list)) round();
   }
+  if (lists_all) enumerate();
   if (stopped()) return StopReason::interrupted;
   const bool all = designs > 0 && samples_.size() == designs;
   return all || exploration_.exhausted() ? StopReason::space_exhausted : StopReason::evaluation_limit;

@@ -49,13 +49,15 @@ std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, c
   const Study& study = problem.study();
   const StudyObjective& objective = study.objectives.front();
   std::vector<AssumptionEffect> out;
-  for (actuator::OtherChoice& choice : actuator::other_choices(study.base)) {
-    if (options.search.stop.stop_requested()) break;
+  std::vector<actuator::OtherChoice> choices = actuator::other_choices(study.base);
+  for (actuator::OtherChoice& choice : choices) {
+    if (options.progress) options.progress(out.size(), choices.size());
     const DesignProblem other = under(problem, choice);
     AssumptionEffect effect;
     effect.evaluation = other.assess(other.evaluate(best.point));
     effect.worst = worst_margin(study, effect.evaluation);
     effect.other_best = other_best(other, best, options);
+    if (options.search.stop.stop_requested()) break;
     if (effect.other_best && effect.other_best->point != best.point) {
       const double reached = effect.other_best->evaluation.objectives.front();
       effect.changes_design = !is_feasible(effect.evaluation) ||

@@ -1,6 +1,7 @@
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "coilwright/simulation/part_limits.hpp"
@@ -12,14 +13,16 @@ std::vector<BrokenPartLimit> broken_part_limits(std::span<const DesignResult> de
   for (const DesignResult& result : designs) {
     const auto* evaluated = std::get_if<EvaluatedDesign>(&result);
     if (evaluated == nullptr) continue;
-    for (const simulation::PartLimit& limit : simulation::part_limits(evaluated->view())) {
+    for (simulation::PartLimit& limit : simulation::broken_part_limits(evaluated->view())) {
       auto known = std::ranges::find(out, limit.quantity, &BrokenPartLimit::quantity);
       if (known == out.end())
-        known = out.insert(out.end(), {.quantity = limit.quantity, .consequence = limit.consequence});
-      known->designs += limit.is_broken() ? 1 : 0;
+        known = out.insert(out.end(), {.quantity = limit.quantity,
+                                       .consequence = std::move(limit.consequence),
+                                       .conditional = limit.conditional});
+      ++known->designs;
     }
   }
-  std::erase_if(out, [](const BrokenPartLimit& each) { return each.designs == 0; });
+  std::ranges::stable_sort(out, {}, &BrokenPartLimit::conditional);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <stop_token>
 
 #include "sizing/best_problems.hpp"
 #include "sizing/expect_error.hpp"
@@ -68,6 +69,24 @@ TEST(Search, FindsTheBestOfAllDesignsOfAGrid) {
   double best = 0;
   for (const Objectives& values : testing::enumerate_feasible(problem)) best = std::max(best, -values[0]);
   const SearchResult result = search(problem, {.max_evaluations = 800, .seed = 4, .afterwards = Afterwards::nothing});
+  EXPECT_EQ(result.best->evaluation.objectives[0], best);
+}
+
+// A budget for all designs lists them in the order of the grid, and whoever interrupts that has seen a corner.
+TEST(Search, FindsAsEarlyWithALargeBudgetAsWithASmallOne) {
+  const Problem problem = one_objective(testing::winding_grid(testing::GridObjectives::two));
+  double best = 0;
+  for (const Objectives& values : testing::enumerate_feasible(problem)) best = std::max(best, -values[0]);
+  std::stop_source source;
+  const SearchResult result = search(problem, {.max_evaluations = 100'000'000,
+                                               .seed = 4,
+                                               .afterwards = Afterwards::nothing,
+                                               .stop = source.get_token(),
+                                               .progress = [&](const Progress& progress) {
+                                                 if (progress.evaluations >= 800) source.request_stop();
+                                               }});
+  EXPECT_EQ(result.stop_reason, StopReason::interrupted);
+  EXPECT_LT(result.search_evaluations, 900U);
   EXPECT_EQ(result.best->evaluation.objectives[0], best);
 }
 

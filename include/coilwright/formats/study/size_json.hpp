@@ -19,6 +19,7 @@ struct SizeReport {
   const sizing::DesignResult& base;     ///< the actuator that the study starts from
   const sizing::Evaluation& base_seen;  ///< what the search would be told of it
   std::vector<sizing::AssumptionEffect> assumptions{};  ///< of a feasible answer; empty where none was looked at
+  std::size_t assumptions_left{};  ///< how many other choices were not looked at, as the run was interrupted
 };
 
 /// The limit or variable of a study that a result names; it must be there.

@@ -8,8 +8,8 @@
 
 namespace coilwright::report {
 
-/// A warning of limits that a design breaks as its study does not set them, and how to keep them; empty where there are
-/// none.
+/// A warning of limits that a design breaks as its study does not set them, then of conditional ones, each with how to
+/// keep them; empty where there are none.
 [[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken);
 
 /// One line for each limit of the parts: value, limit, and what happens where it is broken.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,11 +38,13 @@ inline constexpr double gain_of_another_design = 0.01;
 struct AssumptionOptions {
   std::size_t evaluations = 300;  ///< of the search under each other choice; 0 for none
   SearchOptions search{};         ///< its seed, threads and stop token are used
+  /// Called before each choice, on the caller's thread: how many were looked at, of how many. May be empty.
+  std::function<void(std::size_t looked_at, std::size_t of)> progress{};
 };
 
 /// The answer `best` of a study with one objective under every other modelling choice, and whether another design would
 /// then be better: where the answer breaks a limit, or a search that starts from it gains more than
-/// `gain_of_another_design`. Empty entries are left out when the search is stopped. Pure but for the clock of a stop.
+/// `gain_of_another_design`. Choices that a stop left without a whole search are left out. Pure but for the clock of a stop.
 [[nodiscard]] std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, const Record& best,
                                                                const AssumptionOptions& options);
 

@@ -107,8 +107,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     std::cout << out.text();
   } else {
     std::cout << report::to_text(limits) << '\n'
-              << report::to_text(view) << report::to_text(view, effects)
-              << report::to_text(reach);
+              << report::to_text(view) << report::to_text(view, effects) << report::to_text(reach);
   }
 }
 

@@ -16,4 +16,15 @@ void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const 
   }
 }
 
+void add_force_option(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Replace files of the folder that have another content")->disable_flag_override();
+}
+
+void keep_others(text::OutputFolder& folder, bool force) {
+  if (force) return;
+  if (const auto file = folder.first_change())
+    throw text::OutputError(*file, "it holds something else; --force replaces it, another --out keeps it",
+                            text::OutputError::Stage::preparing);
+}
+
 }  // namespace coilwright::cli

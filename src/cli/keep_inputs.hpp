@@ -1,11 +1,21 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <span>
+
+#include "coilwright/text/output/output_folder.hpp"
 
 namespace coilwright::cli {
 
 /// Throws text::OutputError naming the first of `outputs` that is one of `inputs`: writing it would lose it.
 void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
+
+/// An option --force of a command that calls keep_others().
+void add_force_option(CLI::App& command, bool& force);
+
+/// Throws text::OutputError naming the first file of `folder` that has another content than was written for it so far,
+/// unless `force`: records of a laboratory have the names of a data set's, too. The same command again changes nothing.
+void keep_others(text::OutputFolder& folder, bool force);
 
 }  // namespace coilwright::cli

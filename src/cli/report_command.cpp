@@ -50,7 +50,7 @@ void add_report_command(CLI::App& app, Outcome&) {
   CLI::App* command = app.add_subcommand("report", "Make one page of a folder of results, to look at and to pass on");
   command->add_option("DIR", options->folder, "Folder that size, sweep, pareto or diagnose has written")->required();
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
-      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
+      ->check(page_name_complaint);
   command
       ->add_option("--pictures", options->pictures,
                    "Number of designs of a front that are drawn and simulated, evenly along it (default 200)")

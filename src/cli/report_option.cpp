@@ -89,6 +89,12 @@ std::string made_by() {
   return "coilwright " + version();
 }
 
+std::string page_name_complaint(const std::string& name) {
+  if (name.empty()) return "must not be empty";
+  // So that a slip replaces no records and no script.
+  return name.ends_with(".html") ? "" : fmt::format("must end in .html; got \"{}\"", name);
+}
+
 void add_report_option(CLI::App& command, bool& wanted) {
   command.add_flag("--report", wanted, fmt::format("Write a page to look at as well: {} in that folder", report_name))
       ->disable_flag_override()
@@ -98,8 +104,9 @@ void add_report_option(CLI::App& command, bool& wanted) {
 void add_report_file_option(CLI::App& command, std::optional<std::string>& file) {
   command.add_option("--report", file, "HTML file for a page to look at and to pass on, that works without a network")
       ->check([](const std::string& name) {
-        if (name.empty()) return std::string("must not be empty");
-        return name == "-" ? std::string("must be a file: standard output has the answer itself") : why_none();
+        if (name == "-") return std::string("must be a file: standard output has the answer itself");
+        const std::string complaint = page_name_complaint(name);
+        return complaint.empty() ? why_none() : complaint;
       });
 }
 

@@ -13,6 +13,9 @@ namespace coilwright::cli {
 /// The name of the page in a folder of results.
 inline constexpr const char* report_name = "report.html";
 
+/// What is wrong with a name for a page; empty where nothing is.
+[[nodiscard]] std::string page_name_complaint(const std::string& name);
+
 /// --report of a command that writes a folder. Where the program was built without what pages are drawn with, giving it
 /// is an error of usage, before any work.
 void add_report_option(CLI::App& command, bool& wanted);

@@ -54,6 +54,7 @@ void write(const RigOptions& options, const RigActuator& actuator, const RigResu
   const std::string name = fmt::format("{}, {}", actuator.name, result.rig);
   folder.write("dataset.json", formats::dataset_json(name, actuator_name, in_roles).text());
   folder.write(actuator_name, declared_text(options, actuator, result));
+  keep_others(folder, options.force);
   folder.write(provenance_name, to_json(Provenance{.command = "rig " + result.rig,
                                                    .inputs = {record_of(options.actuator.file)},
                                                    .changes = options.actuator.assignments})
@@ -78,6 +79,7 @@ void add_rig_options(CLI::App& rig, RigOptions& options) {
                  "By which force the readings in the data set are: exact or line_of_centres. Default: as the actuator "
                  "says")
       ->check(word_rule({"exact", "line_of_centres"}));
+  add_force_option(rig, options.force);
   rig.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
 

@@ -19,10 +19,11 @@ struct RigOptions {
   ActuatorOptions actuator;
   std::string out;       ///< folder of the data set; empty: none is written
   std::string fidelity;  ///< of the readings in it; empty: the actuator's own
+  bool force{false};     ///< whether files of another content are replaced
   bool json{false};
 };
 
-/// ACTUATOR.json, --set, --out, --fidelity, --json.
+/// ACTUATOR.json, --set, --out, --fidelity, --force, --json.
 void add_rig_options(CLI::App& rig, RigOptions& options);
 
 /// An option that takes several numbers, parted by commas, each of which keeps the rule.

@@ -40,6 +40,7 @@ struct Options {
   ExperimentOptions experiment;
   std::vector<std::string> effects;  // "dry_friction:torque_Nmm=0.6"
   std::string out;
+  bool force{false};
   bool json{false};
 };
 
@@ -117,6 +118,7 @@ void write(const Options& options, const Experiment& experiment, const std::vect
   }
   folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
   folder.write(actuator_name, content_of(options.actuator));
+  keep_others(folder, options.force);
   // Neither effects nor seed, by which they could be found.
   const Provenance provenance{.command = "twin",
                               .inputs = {record_of(options.actuator), record_of(options.experiment.file)}};
@@ -168,6 +170,7 @@ void add_twin_command(CLI::App& app, Outcome&) {
       ->allow_extra_args(false);
   add_noise_and_seed(*command, options->experiment);
   command->add_option("--out", options->out, "Folder for the data set; it is created if it does not exist")->required();
+  add_force_option(*command, options->force);
   command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
   command->footer(
       "Writes a data set (measured-data/1) into the folder: dataset.json, actuator.json as it was given, and one\n"

@@ -132,11 +132,14 @@ class Report(ProgramTest):
                             "rod.json: is a lumped model: --report draws a design with its dimensions (actuator/1)")
         self.assertFalse((self.folder / "one.html").exists())
 
-    def test_a_page_never_takes_the_place_of_what_it_is_made_of(self):
+    def test_a_page_never_takes_the_place_of_what_it_is_made_of_or_of_something_else(self):
         write_study(self)
         before = (self.folder / "finger.json").read_bytes()
+        (self.folder / "finger.html").symlink_to("finger.json")
+        self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "finger.html"),
+                            "finger.html: cannot be written: it is an input of this command")
         self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "finger.json"),
-                            "finger.json: cannot be written: it is an input of this command")
+                            'evaluate: --report: must end in .html; got "finger.json" (see coilwright evaluate --help)')
         self.assertEqual((self.folder / "finger.json").read_bytes(), before)
         self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "-"),
                             "evaluate: --report: must be a file: standard output has the answer itself "
@@ -144,7 +147,7 @@ class Report(ProgramTest):
         self.size()
         result = (self.folder / "out/result.json").read_bytes()
         self.assert_refused(("report", "out", "--out", "out/result.json"),
-                            "out/result.json: cannot be written: it is an input of this command")
+                            'report: --out: must end in .html; got "out/result.json" (see coilwright report --help)')
         self.assertEqual((self.folder / "out/result.json").read_bytes(), result)
 
     def test_every_figure_can_be_had_as_a_file(self):

@@ -56,6 +56,21 @@ class Twin(ProgramTest):
         for name in ("step.csv", "sine.csv"):
             self.assertNotEqual(self.folder_of("a")[name], self.folder_of("c")[name])
 
+    def test_records_of_the_same_names_are_kept(self):
+        self.twin("lab")
+        self.twin("lab")  # the same again loses nothing
+        self.write("lab/step.csv", "time_s,angle_deg,current_A\n0,1,0\n")
+        before = self.folder_of("lab")
+        for command in (["twin", PAPER_FINGER, "--experiment", "plan.json", "--out", "lab"],
+                        ["rig", "torque-bench", PAPER_FINGER, "--out", "lab"]):
+            result = run(*command, cwd=self.folder)
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertRegex(result.stderr, r"^coilwright: lab/(step\.csv|dataset\.json): cannot be written: it holds something "
+                                            r"else; --force replaces it, another --out keeps it\n$")
+            self.assertEqual(self.folder_of("lab"), before)
+        self.twin("lab", "--force")
+        self.assertNotEqual(self.folder_of("lab"), before)
+
     def test_without_effect_and_noise_it_is_what_simulate_gives(self):
         plan = {**EXPERIMENT, "resolution": {}}
         self.write("plan.json", json.dumps(plan))

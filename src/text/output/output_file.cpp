@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -122,6 +124,16 @@ std::ostream& OutputFile::stream() noexcept {
 
 void OutputFile::close() {
   sink_->finish();
+}
+
+bool OutputFile::would_change() {
+  close();
+  std::error_code none;  // not there, or not to be read: nothing is known of it, and commit() says what is wrong
+  if (!fs::is_regular_file(path_, none)) return false;
+  std::ifstream there(path_, std::ios::binary);
+  std::ifstream mine(sibling_, std::ios::binary);
+  using Bytes = std::istreambuf_iterator<char>;
+  return !std::equal(Bytes(there), Bytes(), Bytes(mine), Bytes());
 }
 
 void OutputFile::commit() {

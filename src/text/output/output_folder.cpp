@@ -72,6 +72,12 @@ void OutputFolder::remove(std::string_view name) {
   outdated_.push_back(path_ / plain_name(name));
 }
 
+std::optional<fs::path> OutputFolder::first_change() {
+  for (OutputFile& file : files_)
+    if (file.would_change()) return file.path();
+  return std::nullopt;
+}
+
 void OutputFolder::commit() {
   for (OutputFile& file : files_) file.close();
   made_.clear();  // from here on there is something in them

@@ -40,6 +40,8 @@ class OutputFile {
 
   /// Writes out what is buffered and checks that all was taken. Throws OutputError (writing).
   void close();
+  /// Closes, and tells whether commit() would replace a file of another content. Throws OutputError (writing).
+  [[nodiscard]] bool would_change();
   /// Closes, and gives the file its name in one step, replacing what stood there. Throws OutputError (writing).
   void commit();
 

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,9 @@ class OutputFolder {
   /// Removes at commit() what an earlier run may have left under this name, so that it is not taken for a result of
   /// this one.
   void remove(std::string_view name);
+  /// The first of the files opened so far whose name another content has in the folder, which commit() would lose;
+  /// nothing where none has. Nothing may be written to them any more. Throws OutputError (writing).
+  [[nodiscard]] std::optional<std::filesystem::path> first_change();
   /// Gives all files their names. Throws OutputError (writing); if a file is incomplete, none of them changes.
   void commit();
 

@@ -23,6 +23,7 @@
 #include "coilwright/formats/data/residual_table.hpp"
 #include "coilwright/measurement/corrected_model.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
+#include "coilwright/measurement/record_slip.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/phase_table.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -63,6 +64,7 @@ struct Options {
   std::string out;
   int threads = 0;
   std::uint64_t seed = 1;
+  bool as_written{false};
   bool quiet{false};
   bool json{false};
 };
@@ -95,7 +97,7 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
                    const std::filesystem::path& declared_file) {
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
-  measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed};
+  measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed, .as_written = options.as_written};
   // No progress: without a warning a wrong unit shows by nothing but a long wait.
   if (!options.json)
     how.warn = [](const measurement::data::Warning& each) {
@@ -104,6 +106,8 @@ Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, cons
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   try {
     return measurement::diagnose(set.data, declared.model, how);
+  } catch (const measurement::RecordSlip& slip) {
+    throw text::InputError({.file = set.file, .rule = fmt::format("{}; --as-written takes it as it is", slip.what())});
   } catch (const std::invalid_argument& misfit) {
     throw text::InputError({.file = set.file, .rule = misfit.what()});
   } catch (const std::runtime_error& lost) {
@@ -234,6 +238,11 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_threads_option(*command, options->threads, "Number of fits that run at the same time");
   command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
       ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
+  command
+      ->add_flag(
+          "--as-written", options->as_written,
+          "Fit records also where another unit or sign (radians, an exchanged lead, frame numbers) fits far better")
+      ->disable_flag_override();
   command->add_flag("--quiet", options->quiet, "Show no progress; warnings of the records remain")
       ->disable_flag_override();
   command->add_flag("--json", options->json, "Print diagnosis.json instead of the summary")->disable_flag_override();

@@ -20,6 +20,7 @@
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/localise/localisation.hpp"
+#include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement {
@@ -86,6 +87,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const fit::Hypothesis as_declared(declared, {});
   const actuator::Model nominal = as_declared.model_at(as_declared.start());
   for (const data::Run& run : data.fit) replay::require_fits_model(run, declared, nominal);
+  if (!options.as_written) require_no_slip(data.fit, declared);
   const data::UsableRuns usable = data::usable_runs(data.fit);
   append(out.warnings, usable.warnings);
   std::vector<replay::PreparedRun> runs;
@@ -94,7 +96,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
   }
   FinalErrors::require_fits_model(data.validate, declared, nominal);
-  append(out.warnings, warnings_of_first_poses(runs, declared));
+  out.far_first_pose = far_first_pose(runs, declared);
+  if (out.far_first_pose) out.warnings.push_back(*out.far_first_pose);
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "coilwright/simulation/initial_state.hpp"
 #include "measurement/fit/hypothesis.hpp"
@@ -37,8 +38,8 @@ double first_reading(const data::Channel& channel) {
 
 }  // namespace
 
-std::vector<data::Warning> warnings_of_first_poses(std::span<const replay::PreparedRun> runs,
-                                                   const replay::DeclaredModel& declared) {
+std::optional<data::Warning> far_first_pose(std::span<const replay::PreparedRun> runs,
+                                            const replay::DeclaredModel& declared) {
   const fit::Hypothesis as_declared(declared, {});
   for (const replay::PreparedRun& prepared : runs) {
     const data::Run& run = *prepared.run;
@@ -51,15 +52,15 @@ std::vector<data::Warning> warnings_of_first_poses(std::span<const replay::Prepa
       if (!expected) continue;
       const double seen = first_reading(run.channels[c]);
       if (std::abs(seen - *expected) <= std::max(far, deviations * prepared.noise[c].sigma)) continue;
-      return {
-          {.run = run.name,
-           .text = fmt::format("{} begins at {:.3g} deg, where the declared model rests at {:.3g} deg. If the angle is "
-                               "counted from its rest, add the difference to the record: 0 is a straight finger, and "
-                               "no effect moves the zero of a sensor by more than 10 deg",
-                               run.channels[c].name, degrees * seen, degrees * *expected)}};
+      return data::Warning{
+          .run = run.name,
+          .text = fmt::format("{} begins at {:.3g} deg, where the declared model rests at {:.3g} deg. If the angle is "
+                              "counted from its rest, add {:.3g} deg to the record: 0 is a straight finger, and "
+                              "no effect moves the zero of a sensor by more than 10 deg",
+                              run.channels[c].name, degrees * seen, degrees * *expected, degrees * (*expected - seen))};
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace coilwright::measurement

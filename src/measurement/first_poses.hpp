@@ -1,7 +1,7 @@
 #pragma once
 
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
@@ -11,8 +11,8 @@ namespace coilwright::measurement {
 
 /// Says of the first run that starts at rest far from where the declared model rests (by more than half of what
 /// angle_offset may move an angle) that its angle may be counted from another zero: asked before anything is fitted, as
-/// effects that bend the rest pose would take its place. At most one warning.
-[[nodiscard]] std::vector<data::Warning> warnings_of_first_poses(std::span<const replay::PreparedRun> runs,
-                                                                 const replay::DeclaredModel& declared);
+/// effects that bend the rest pose would take its place. Nothing where none does.
+[[nodiscard]] std::optional<data::Warning> far_first_pose(std::span<const replay::PreparedRun> runs,
+                                                          const replay::DeclaredModel& declared);
 
 }  // namespace coilwright::measurement

@@ -48,9 +48,11 @@ std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& l
   const std::string does =
       fmt::format("With {} A in every coil and a duty of {}: {}.", short_number(design.point.current),
                   short_number(design.point.duty), fmt::join(figures, ", "));
-  if (!broken.empty()) return fmt::format("{} The parts do not stand that for long: {}.", does, fmt::join(broken, "; "));
+  if (!broken.empty())
+    return fmt::format("{} The parts do not stand that for long: {}.", does, fmt::join(broken, "; "));
   if (!conditional.empty())
-    return fmt::format("{} The parts stand that on a condition, or with a loss: {}.", does, fmt::join(conditional, "; "));
+    return fmt::format("{} The parts stand that on a condition, or with a loss: {}.", does,
+                       fmt::join(conditional, "; "));
   return does + " No part is beyond a limit of its own.";
 }
 

@@ -132,6 +132,11 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
 std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_actuator) {
   std::vector<std::string> steps;
   const bool structure = leaves_structure(diagnosis);
+  if (diagnosis.far_first_pose)
+    steps.emplace_back(
+        "Look at a picture of the finger at rest: 0 deg is a straight finger. If the records count from another zero, "
+        "correct them and diagnose again, before anything else; if they do not, what bends the finger at rest is "
+        "real.");
   if (!risen_errors(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");

@@ -224,11 +224,12 @@ std::string residual_text(const Diagnosis& diagnosis) {
 
 // Before all else that follows from the data.
 std::string warnings_text(const Diagnosis& diagnosis) {
-  if (diagnosis.warnings.empty()) return {};
-  std::string text = "\nWarnings\n";
-  for (const data::Warning& each : diagnosis.warnings)
-    text += fmt::format("  {}{}\n", each.run.empty() ? "" : each.run + ": ", each.text);
-  return text;
+  std::string text;
+  for (const data::Warning& each : diagnosis.warnings) {
+    const bool said = diagnosis.far_first_pose && each.text == diagnosis.far_first_pose->text;
+    if (!said) text += fmt::format("  {}{}\n", each.run.empty() ? "" : each.run + ": ", each.text);
+  }
+  return text.empty() ? "" : "\nWarnings\n" + text;
 }
 
 }  // namespace
@@ -237,6 +238,10 @@ std::string to_text(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   std::string head =
       fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis));
+  // Effects that bend the rest pose take the place of a zero: what follows is right only if the zero is.
+  if (diagnosis.far_first_pose)
+    head += fmt::format("CHECK THE ZERO of the angle first. {}: {}.\n", diagnosis.far_first_pose->run,
+                        diagnosis.far_first_pose->text);
   if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
   return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +

@@ -43,10 +43,11 @@ std::string headline(const formats::SizeReport& report) {
   std::string text = fmt::format("{}: {}\n\n", study.name, objective_text(study.objectives.front()));
   // Nothing of the neighbourhood is known where the search itself was interrupted.
   if (report.result.stop_reason == StopReason::interrupted)
-    text += report.result.sensitivity.steps.empty()
-                ? fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n\n",
-                              report.result.search_evaluations, study.search.max_evaluations)
-                : "INTERRUPTED when the search was over: what the design rests on is not known; --resume goes on.\n\n";
+    text +=
+        report.result.sensitivity.steps.empty()
+            ? fmt::format("INTERRUPTED after {} evaluations of {}: the search may find better; --resume goes on.\n\n",
+                          report.result.search_evaluations, study.search.max_evaluations)
+            : "INTERRUPTED when the search was over: what the design rests on is not known; --resume goes on.\n\n";
   if (!report.result.best) return text + "No design was evaluated.\n";
   if (report.result.feasible) return text + "Best design";
   return text + "No design that was found keeps every limit. The least infeasible one";

@@ -85,13 +85,16 @@ struct Diagnosis {
   std::vector<Replay> replays{};
   std::vector<noise::NoiseLevel> noise{};
   std::vector<data::Warning> warnings{};
+  /// Of the first run that begins far from where the declared model rests; also among the warnings.
+  std::optional<data::Warning> far_first_pose{};
   std::vector<Phase> phases{};
 };
 
 /// Options of a diagnosis.
 struct DiagnosisOptions {
-  int threads = 0;         ///< number of threads; 0: as many as the machine has. The result does not depend on it.
-  std::uint64_t seed = 1;  ///< random seed for the additional fit starts
+  int threads = 0;          ///< number of threads; 0: as many as the machine has. The result does not depend on it.
+  std::uint64_t seed = 1;   ///< random seed for the additional fit starts
+  bool as_written = false;  ///< whether records are fitted also where another unit or sign makes far more of them
   std::function<void(const std::string&)>
       progress{};                                    ///< called with one line at a time, never from two threads at once
   std::function<void(const data::Warning&)> warn{};  ///< called with what is wrong with the records, before the work
@@ -101,7 +104,8 @@ struct DiagnosisOptions {
 
 /// Finds the effects that `declared` lacks to explain the fit runs of `data`. The validate runs are read once, at the
 /// end, for the errors. Throws std::invalid_argument naming the run if the data do not fit the model (number of coils
-/// or joints, a voltage without a resistance), std::runtime_error if the declared model cannot be simulated.
+/// or joints, a voltage without a resistance), RecordSlip where they were written in another unit or with another sign
+/// than they say, std::runtime_error if the declared model cannot be simulated.
 [[nodiscard]] Diagnosis diagnose(const data::Dataset& data, const replay::DeclaredModel& declared,
                                  const DiagnosisOptions& options = {});
 

@@ -11,12 +11,12 @@ namespace coilwright::simulation {
 
 /// A limit that a part of the actuator sets by what it is made of, whatever a study asks for, at an operating point.
 struct PartLimit {
-  std::string_view quantity;       ///< its name among the standard quantities: "magnet_temperature_degC"
-  std::optional<double> value{};   ///< in the unit of that name; nothing in a thermal runaway
-  double limit{};                  ///< in the same unit
-  bool at_most = true;             ///< whether the value must not exceed the limit; otherwise it must not fall below it
-  std::string consequence{};       ///< what happens beyond it, as the end of a sentence
-  bool conditional = false;        ///< whether the parts stand more under a condition, which the consequence names
+  std::string_view quantity;      ///< its name among the standard quantities: "magnet_temperature_degC"
+  std::optional<double> value{};  ///< in the unit of that name; nothing in a thermal runaway
+  double limit{};                 ///< in the same unit
+  bool at_most = true;            ///< whether the value must not exceed the limit; otherwise it must not fall below it
+  std::string consequence{};      ///< what happens beyond it, as the end of a sentence
+  bool conditional = false;       ///< whether the parts stand more under a condition, which the consequence names
 
   [[nodiscard]] bool is_broken() const noexcept { return !value || (at_most ? *value > limit : *value < limit); }
   /// Distance from the limit over its scale (its magnitude, or 1 where it is 0), negative where it is broken; -1 where

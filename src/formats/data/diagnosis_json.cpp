@@ -263,6 +263,9 @@ Json to_json(const DiagnosisReport& report) {
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis)).set("candidates", candidates_json(diagnosis));
   out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis));
+  out.set("far_first_pose", diagnosis.far_first_pose ? Json::object({{"run", diagnosis.far_first_pose->run},
+                                                                     {"text", diagnosis.far_first_pose->text}})
+                                                     : Json(nullptr));
   return out;
 }
 

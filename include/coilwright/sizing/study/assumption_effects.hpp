@@ -44,7 +44,8 @@ struct AssumptionOptions {
 
 /// The answer `best` of a study with one objective under every other modelling choice, and whether another design would
 /// then be better: where the answer breaks a limit, or a search that starts from it gains more than
-/// `gain_of_another_design`. Choices that a stop left without a whole search are left out. Pure but for the clock of a stop.
+/// `gain_of_another_design`. Choices that a stop left without a whole search are left out. Pure but for the clock of a
+/// stop.
 [[nodiscard]] std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, const Record& best,
                                                                const AssumptionOptions& options);
 

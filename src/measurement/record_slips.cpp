@@ -1,0 +1,175 @@
+#include "measurement/record_slips.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coilwright/measurement/record_slip.hpp"
+#include "coilwright/simulation/initial_state.hpp"
+#include "measurement/fit/hypothesis.hpp"
+#include "measurement/replay/prediction.hpp"
+#include "measurement/replay/prepared_run.hpp"
+#include "measurement/replay/rig_change.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+// Of the miss as written, and of the variation of the records: far from what any effect changes.
+constexpr double far_better = 0.25;
+constexpr double follows = 0.5;
+// Times that count by whole numbers are a sign by themselves, and levels are followed at any rate.
+constexpr double better = 0.7;
+// More runs make nothing clearer.
+constexpr std::size_t enough_runs = 4;
+constexpr std::array frame_rates = {24.0,  25.0,  30.0,  50.0,  60.0,  90.0,  100.0, 120.0, 200.0,
+                                    240.0, 250.0, 300.0, 400.0, 480.0, 500.0, 960.0, 1000.0};
+
+// What the numbers of a record may have been meant as.
+struct Slip {
+  double angle = 1.0;    // factor of angles and their rates
+  double current = 1.0;  // of the input
+  double time = 1.0;     // of the time, and of rates its inverse
+  std::string column{};  // "time_s"; empty: the angle's own name
+  std::string looks_like{};
+  std::string remedy{};
+};
+
+bool is_angle(const data::Channel& channel) {
+  return channel.kind == data::ChannelKind::bending_angle || channel.kind == data::ChannelKind::joint_angle;
+}
+
+bool is_of_use(const data::Run& run) {
+  return run.kind == data::RunKind::transient && run.start == data::Start::at_rest &&
+         std::ranges::any_of(run.channels, is_angle);
+}
+
+bool counts_frames(const data::Run& run) {
+  for (std::size_t i = 1; i < run.times.size(); ++i)
+    if (run.times[i] - run.times[i - 1] != 1.0) return false;
+  return run.times.size() > 1 && run.times.front() == std::floor(run.times.front());
+}
+
+std::vector<Slip> slips_of(const data::Run& run) {
+  std::vector<Slip> out;
+  out.push_back({.angle = degrees, .looks_like = "an angle in radians", .remedy = "name the column ..._rad"});
+  out.push_back({.angle = -1.0,
+                 .looks_like = "an angle that is counted the other way",
+                 .remedy = "turn its sign: bending that opens the slits is positive"});
+  out.push_back(
+      {.current = -1.0,
+       .column = "the input",
+       .looks_like = "one of the other sign",
+       .remedy = "turn its sign: a positive current makes coil and magnet repel, or the leads are exchanged"});
+  if (run.drive == simulation::Drive::current)
+    out.push_back(
+        {.current = 1e-3, .column = "the input", .looks_like = "milliamperes", .remedy = "divide it by 1000"});
+  if (counts_frames(run))
+    for (const double rate : frame_rates)
+      out.push_back({.time = 1.0 / rate,
+                     .column = "time_s",
+                     .looks_like = fmt::format("frame numbers, at {:.0f} frames a second", rate),
+                     .remedy = "divide it by the frame rate"});
+  return out;
+}
+
+data::Run meant_as(data::Run run, const Slip& slip) {
+  for (data::Channel& channel : run.channels) {
+    const bool rate = channel.kind == data::ChannelKind::joint_rate;
+    if (is_angle(channel) || rate)
+      for (double& value : channel.values) value *= slip.angle / (rate ? slip.time : 1.0);
+  }
+  for (std::vector<double>& row : run.inputs)
+    for (double& value : row) value *= slip.current;
+  for (double& time : run.times) time *= slip.time;
+  for (double& time : run.input_times) time *= slip.time;
+  if (run.window) *run.window *= slip.time;
+  return run;
+}
+
+struct Sums {
+  double missed = 0.0;    // squares of what the model misses, rad^2
+  double varied = 0.0;    // squares of what the records vary about their means
+  std::size_t count = 0;  // of readings
+};
+
+// Adds the first window of a run; false where the model cannot follow it.
+bool add(Sums& sums, const data::Run& run, const replay::DeclaredModel& declared, const fit::Hypothesis& as_declared) {
+  const actuator::ModelSpec spec = as_declared.spec_at(as_declared.start());
+  const replay::PreparedRun prepared = replay::prepare_run(run, declared, actuator::Model(spec));
+  const actuator::Model model(replay::on_changed_rig(spec, run.rig));
+  const replay::Window& window = prepared.windows.front();
+  const auto rest = simulation::equilibrium_at_first_input(model, window.input);
+  if (!rest) return false;
+  const auto predicted = replay::predict_window(model, prepared, window, *rest);
+  if (!predicted) return false;
+  const Eigen::VectorXd measured = replay::measured_values(run, window.range);
+  const auto samples = static_cast<Eigen::Index>(window.samples());
+  for (std::size_t c = 0; c < run.channels.size(); ++c) {
+    if (!is_angle(run.channels[c])) continue;
+    const auto seen = measured.segment(static_cast<Eigen::Index>(c) * samples, samples);
+    sums.missed += (seen - predicted->values.segment(static_cast<Eigen::Index>(c) * samples, samples)).squaredNorm();
+    sums.varied += (seen.array() - seen.mean()).square().sum();
+    sums.count += window.samples();
+  }
+  return true;
+}
+
+// Nothing where the model cannot follow a run.
+std::optional<Sums> sums_of(std::span<const data::Run> runs, const Slip& slip, const replay::DeclaredModel& declared,
+                            const fit::Hypothesis& as_declared) {
+  Sums out;
+  for (const data::Run& run : runs)
+    if (!add(out, meant_as(run, slip), declared, as_declared)) return std::nullopt;
+  return out;
+}
+
+double rms(double squares, std::size_t count) {
+  return degrees * std::sqrt(squares / static_cast<double>(count));
+}
+
+std::string column_of(const data::Run& run, const Slip& slip) {
+  return slip.column.empty() ? std::ranges::find_if(run.channels, is_angle)->name : slip.column;
+}
+
+}  // namespace
+
+void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredModel& declared) {
+  std::vector<data::Run> used;
+  for (const data::Run& run : runs)
+    if (is_of_use(run) && used.size() < enough_runs) used.push_back(run);
+  if (used.empty()) return;
+  const fit::Hypothesis as_declared(declared, {});
+  const std::optional<Sums> written = sums_of(used, {}, declared, as_declared);
+  const double missed = written ? written->missed : std::numeric_limits<double>::infinity();
+  // What follows the records needs no other reading but of the time.
+  const bool follows_as_written = written && missed <= follows * follows * written->varied;
+  std::optional<std::pair<Slip, Sums>> best;
+  for (Slip& slip : slips_of(used.front())) {
+    const bool of_time = slip.time != 1.0;
+    if (follows_as_written && !of_time) continue;
+    const std::optional<Sums> sums = sums_of(used, slip, declared, as_declared);
+    if (!sums || sums->missed > follows * follows * sums->varied) continue;
+    const double ratio = of_time ? better : far_better;
+    if (sums->missed > ratio * ratio * missed) continue;
+    if (!best || sums->missed / sums->varied < best->second.missed / best->second.varied) best = {slip, *sums};
+  }
+  if (!best) return;
+  const auto& [slip, sums] = *best;
+  const std::string as_written =
+      written ? fmt::format("{:.3g} deg", rms(missed, written->count)) : std::string("more than it can simulate");
+  throw RecordSlip(fmt::format(
+      "{}: {}: looks like {}: the declared model then misses the angles by {:.2g} deg (rms), as written by {}; {}",
+      used.front().name, column_of(used.front(), slip), slip.looks_like, rms(sums.missed, sums.count), as_written,
+      slip.remedy));
+}
+
+}  // namespace coilwright::measurement

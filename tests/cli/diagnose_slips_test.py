@@ -1,0 +1,63 @@
+"""`coilwright diagnose`: records in another unit or with another sign than their columns say are refused before any fit."""
+
+import csv
+import io
+import math
+import unittest
+
+from program import ProgramTest, run
+
+COLUMN = "bending_angle_deg"
+
+
+class Slips(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        # Records with a dry friction that nobody declared: what they miss of the declared model is no slip.
+        self.assertEqual(run("init", "dataset", cwd=self.folder).returncode, 0)
+        self.records = {path.name: path.read_text() for path in self.folder.glob("*.csv")}
+
+    def write_as(self, change):
+        """Each record, its rows (time_s, current_A, angle) changed; `change` is given the row's number, too."""
+        for name, text in self.records.items():
+            lines = [line for line in text.splitlines() if not line.startswith("#")]
+            out = io.StringIO()
+            writer = csv.writer(out, lineterminator="\n")
+            writer.writerow(lines[0].split(","))
+            for i, line in enumerate(lines[1:]):
+                writer.writerow([repr(value) for value in change(i, *map(float, line.split(",")))])
+            self.write(name, out.getvalue())
+
+    def refusal(self):
+        result = run("diagnose", ".", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertFalse((self.folder / "out").exists())
+        return result.stderr
+
+    def assert_slip(self, change, column, words, remedy):
+        self.write_as(change)
+        self.assertRegex(self.refusal(), rf"^coilwright: \./dataset\.json: step_1\.4A\.csv: {column}: looks like {words}: the declared "
+                                         rf"model then misses the angles by [\d.]+ deg \(rms\), as written by .*; {remedy}; "
+                                         r"--as-written takes it as it is\n$")
+
+    def test_radians(self):
+        self.assert_slip(lambda i, t, c, a: (t, c, math.radians(a)), COLUMN, "an angle in radians", r"name the column \.\.\._rad")
+
+    def test_an_angle_counted_the_other_way(self):
+        self.assert_slip(lambda i, t, c, a: (t, c, -a), COLUMN, "an angle that is counted the other way",
+                         "turn its sign: bending that opens the slits is positive")
+
+    def test_exchanged_leads(self):
+        self.assert_slip(lambda i, t, c, a: (t, -c, a), "the input", "one of the other sign",
+                         "turn its sign: a positive current makes coil and magnet repel, or the leads are exchanged")
+
+    def test_milliamperes(self):
+        self.assert_slip(lambda i, t, c, a: (t, 1000 * c, a), "the input", "milliamperes", "divide it by 1000")
+
+    def test_frame_numbers(self):
+        self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",
+                         "divide it by the frame rate")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -10,11 +11,13 @@
 #include <utility>
 
 #include "actuator_input.hpp"
+#include "coilwright/actuator/heat.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
 #include "coilwright/systems/gripper/heat_of_hold.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/thermal/steady_state.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
 #include "word_rule.hpp"
@@ -46,7 +49,7 @@ struct Options {
   double friction{};
   double across = 0.0;
   double below = 16.0;
-  double current = 1.4;
+  std::optional<double> current{};  // nothing: the file's own, or the paper's
   double open_current = 0.0;
   double acceleration = 0.0;
   double most_current{};
@@ -54,10 +57,16 @@ struct Options {
   bool json{false};
 };
 
+// In both fingers, unless the command or the file says otherwise: that of the paper's demonstrations, A.
+constexpr double paper_current = 1.4;
+
 // What the command answers.
 struct Answer {
+  double current{};   // A, in every coil
+  bool is_of_file{};  // whether it is that of the file's operating point
   Grasp grasp;
-  std::optional<simulation::Heat> heat{};                                  // of one finger at the pose of the hold
+  double burns_from{};                     // A: from this current on a finger bent like that has no steady temperature
+  std::optional<simulation::Heat> heat{};  // of one finger at the pose of the hold
   std::optional<std::optional<double>> least_current{}, least_friction{};  // where asked for; nothing if there is none
 };
 
@@ -94,11 +103,15 @@ Answer answer_of(const Options& options) {
                             .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite});
   });
   const Object object = object_of(options);
-  const GraspTask task{
-      .current = options.current, .open_current = options.open_current, .acceleration = options.acceleration};
-  Answer out{.grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
+  const bool is_of_file = !options.current && file.operating_point;
+  const double current = is_of_file ? file.operating_point->current : options.current.value_or(paper_current);
+  const GraspTask task{.current = current, .open_current = options.open_current, .acceleration = options.acceleration};
+  Answer out{.current = current,
+             .is_of_file = is_of_file,
+             .grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
                                [&] { return systems::gripper::grasp(gripper, object, task); })};
-  out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = options.current});
+  out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
+  out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
   if (options.most_current > 0.0)
     out.least_current = systems::gripper::least_current(gripper, object, task, options.most_current);
   if (options.most_friction > 0.0)
@@ -106,8 +119,10 @@ Answer answer_of(const Options& options) {
   return out;
 }
 
-std::string verdict_of(const Options& options, const Grasp& grasp) {
-  const std::string what = fmt::format("{:.4g} g at {:.4g} A", options.mass, options.current);
+std::string verdict_of(const Options& options, const Answer& answer) {
+  const Grasp& grasp = answer.grasp;
+  const std::string what = fmt::format("{:.4g} g at {:.4g} A{}", options.mass, answer.current,
+                                       answer.is_of_file ? " (the actuator's operating point)" : "");
   if (!grasp.both_touched) return fmt::format("Not held: {}. A finger does not reach the object.\n", what);
   if (!grasp.holds)
     return fmt::format("Not held: {}. It slips at a load of {:.4g} N; it would need {:.4g} N.\n", what, grasp.capacity,
@@ -132,10 +147,27 @@ std::string least_text(const char* what, const std::optional<double>& least, dou
   return fmt::format("The least {} that holds it: {:.3g}{}.\n", what, *least, unit);
 }
 
+std::string heat_text(const Answer& answer) {
+  const bool burns = std::abs(answer.current) >= answer.burns_from;
+  const std::string burning = fmt::format("at {:.4g} A nothing holds its temperature: it burns (from {:.4g} A on)",
+                                          answer.current, answer.burns_from);
+  if (!answer.heat) return burns ? fmt::format("\nHeat of one finger bent like that: {}.\n", burning) : std::string();
+  const simulation::Heat& heat = *answer.heat;
+  std::string text = fmt::format("\nHeat of one finger bent like that against a wall: {:.4g} A can be held for good; ",
+                                 systems::gripper::held_for_good(heat));
+  text += burns ? burning : fmt::format("at {:.4g} A ", answer.current);
+  if (heat.time_to_limit)
+    return text + fmt::format("{}a part reaches its limit after {:.3g} s, from cold.\n", burns ? "; " : "",
+                              *heat.time_to_limit);
+  return text + (burns ? ".\n" : "no part reaches its limit.\n");
+}
+
 std::string as_text(const Options& options, const Answer& answer) {
   const Grasp& grasp = answer.grasp;
-  std::string text = verdict_of(options, grasp);
-  if (grasp.both_touched) text += fmt::format("Both fingers touch it after {:.3g} ms.\n", grasp.closing_time * 1e3);
+  std::string text = verdict_of(options, answer);
+  if (grasp.both_touched)
+    text += fmt::format("Both fingers touch it after {:.3g} ms{}.\n", grasp.closing_time * 1e3,
+                        grasp.contacts.empty() ? ", and bend past it: in the end neither touches it" : "");
   text += fmt::format("\nFingers {}\n", grasp.holds          ? "while they hold it"
                                         : grasp.both_touched ? "on the object, before its support is taken away"
                                                              : "where they end");
@@ -145,16 +177,7 @@ std::string as_text(const Options& options, const Answer& answer) {
                       options.polarity == "same" ? "repel" : "attract", grasp.magnet_force);
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
-  if (answer.heat) {
-    const simulation::Heat& heat = *answer.heat;
-    text +=
-        fmt::format("\nHeat of one finger bent like that against a wall: {:.4g} A can be held for good; at {:.4g} A ",
-                    systems::gripper::held_for_good(heat), options.current);
-    text += heat.time_to_limit
-                ? fmt::format("a part reaches its limit after {:.3g} s, from cold.\n", *heat.time_to_limit)
-                : std::string("no part reaches its limit.\n");
-  }
-  return text +
+  return text + heat_text(answer) +
          "\nIt rests on: friction and place of the object as given, rigid segments, coils and magnets at 20 degC, an "
          "object "
          "that\nmoves in the plane of the fingers only.\n";
@@ -175,7 +198,8 @@ std::string as_json(const Answer& answer) {
                                {"y_mm", each.position.y() * 1e3},
                                {"normal_N", each.normal},
                                {"friction_N", each.friction}}));
-  Json out = Json::object({{"holds", grasp.holds},
+  Json out = Json::object({{"current_A", answer.current},
+                           {"holds", grasp.holds},
                            {"touches", grasp.both_touched},
                            {"load_N", grasp.load},
                            {"capacity_N", grasp.capacity},
@@ -188,6 +212,7 @@ std::string as_json(const Answer& answer) {
   out.set("closing_time_ms", grasp.both_touched ? Json(grasp.closing_time * 1e3) : Json());
   if (answer.least_current) out.set("least_current_A", optional_number(*answer.least_current));
   if (answer.least_friction) out.set("least_friction", optional_number(*answer.least_friction));
+  out.set("runaway_current_A", answer.burns_from);
   if (answer.heat) {
     out.set("continuous_current_A", systems::gripper::held_for_good(*answer.heat));
     out.set("time_to_limit_s", optional_number(answer.heat->time_to_limit));
@@ -206,7 +231,10 @@ void add_object_options(CLI::App& command, Options& options) {
       ->check(word_rule({"sphere", "cylinder", "box"}));
   up_to(1e3, "--width-mm", options.width, "Diameter, or width of a box between the fingers, mm")->required();
   up_to(1e3, "--height-mm", options.height, "Height of a box, mm");
-  up_to(1e5, "--mass-g", options.mass, "Mass of the object, g")->required();
+  // Contacts are solved to a share of the fingers' impulses: what weighs less than a milligram is lost in that.
+  command.add_option("--mass-g", options.mass, "Mass of the object, g, at least 0.001")
+      ->check(number_rule(text::Rule::between(1e-3, 1e5)))
+      ->required();
   up_to(10.0, "--friction", options.friction, "Coefficient of friction between it and the fingers")->required();
   command.add_option("--centre-x-mm", options.across, "Its centre from the middle between the fingers, mm (default 0)")
       ->check(number_rule(text::Rule::between(-1e3, 1e3)));
@@ -227,7 +255,10 @@ void add_gripper_options(CLI::App& command, Options& options) {
       .add_option("--polarity", options.polarity,
                   "same (identical fingers, whose magnets repel) or opposite (default same)")
       ->check(word_rule({"same", "opposite"}));
-  command.add_option("--current-A", options.current, "In every coil of both fingers, A (default 1.4)")
+  command
+      .add_option(
+          "--current-A", options.current,
+          "In every coil of both fingers, A (default that of the actuator's operating point, or the paper's 1.4)")
       ->check(number_rule(text::Rule::between(-100.0, 100.0)));
   command
       .add_option("--open-current-A", options.open_current,

@@ -34,10 +34,32 @@ class Grip(ProgramTest):
         text = run("grip", FINGER, "--width-mm", "5", "--mass-g", "4", "--friction", "0.8").stdout
         self.assertIn("A finger does not reach the object.", text)
 
+    def test_takes_the_current_that_an_actuator_was_sized_for(self):
+        sized = {**json.loads(FINGER.read_text()), "operating_point": {"current_A": 1.1}}
+        self.write("sized.json", json.dumps(sized))
+        self.assertIn("at 1.1 A (the actuator's operating point). ", run("grip", "sized.json", *BALL, cwd=self.folder).stdout)
+        given = run("grip", "sized.json", *BALL, "--current-A", "1.2", "--json", cwd=self.folder)
+        self.assertEqual(json.loads(given.stdout)["current_A"], 1.2)
+
+    def test_says_what_a_current_does_that_no_coil_survives(self):
+        text = run("grip", FINGER, *BALL, "--current-A", "100").stdout
+        self.assertRegex(text, r"Heat of one finger bent like that: at 100 A nothing holds its temperature: it burns "
+                               r"\(from [12]\.\d+ A on\)\.\n")
+        # Just beyond the runaway everything can still be computed.
+        answer = json.loads(run("grip", FINGER, *BALL, "--json").stdout)
+        beyond = 1.01 * answer["runaway_current_A"]
+        self.assertRegex(run("grip", FINGER, *BALL, "--current-A", beyond).stdout,
+                         r"can be held for good; at [\d.]+ A nothing holds its temperature: it burns \(from ")
+
+    def test_says_that_fingers_bend_past_an_object(self):
+        text = run("grip", FINGER, "--width-mm", "40", "--mass-g", "100", "--friction", "1").stdout
+        self.assertRegex(text, r"Both fingers touch it after [\d.]+ ms, and bend past it: in the end neither touches it\.\n")
+
     def test_refuses_what_makes_no_sense(self):
         for arguments, message in (
             (("--width-mm", "100", "--mass-g", "40", "--friction", "0.8"), "object must leave the open fingers free; got"),
             (("--width-mm", "60", "--mass-g", "40", "--friction", "0"), "--friction"),
+            (("--width-mm", "60", "--mass-g", "1e-9", "--friction", "1"), '--mass-g: must be from 0.001 to 100000; got "1e-9"'),
             (("--shape", "box", "--width-mm", "60", "--mass-g", "40", "--friction", "1"), "--height-mm: is needed for a box"),
             ((*BALL, "--mounting-angle-deg", "90"), "--mounting-angle-deg"),
             ((*BALL, "--polarity", "up"), '--polarity: must be one of "same", "opposite"; got "up"'),

@@ -92,6 +92,11 @@ void CsvHeader::require(std::string_view name) {
       throw error(each, unknown_unit(name));
     }
   }
+  // A name of a column ends in its unit.
+  if (std::none_of(names_.begin(), names_.end(), [](const std::string& each) { return units::split_unit(each); }))
+    throw error(name, fmt::format("is missing; this line must name the columns, and begins with {} (a # in front of it "
+                                  "makes it a comment)",
+                                  in_quotes(one_line(names_.front()))));
   throw error(name, "is missing");
 }
 

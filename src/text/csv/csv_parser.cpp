@@ -15,6 +15,15 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
+// What a file is that is no text in UTF-8, and what to do; empty for text.
+std::string_view no_text(std::string_view start) {
+  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
+    return "must be UTF-8, and is UTF-16: save it anew as UTF-8 (\"CSV UTF-8\" of a spreadsheet)";
+  if (start.starts_with("PK\x03\x04")) return "must be text, and is a spreadsheet or an archive: export it as CSV";
+  if (start.find('\0') != std::string_view::npos) return "must be text, and is binary: export it as CSV";
+  return {};
+}
+
 bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
@@ -61,8 +70,10 @@ CsvParser::~CsvParser() {
 }
 
 void CsvParser::feed(std::string_view text) {
-  if (std::exchange(state_->at_start, false) && text.starts_with(byte_order_mark)) {
-    text.remove_prefix(byte_order_mark.size());
+  if (std::exchange(state_->at_start, false)) {
+    if (const std::string_view rule = no_text(text); !rule.empty())
+      throw InputError({.file = state_->file, .rule = std::string(rule)});
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   }
   // libcsv gets a line at a time, so that we know the number of the line it is in.
   while (!text.empty()) {

@@ -145,6 +145,10 @@ TEST(RunFile, LeavesColumnsAloneThatTheSetNames) {
 
 TEST(RunFile, RefusesMissingColumns) {
   EXPECT_EQ(refusal("current_A,theta1_deg\n1,2\n"), "x.csv: line 1: column time_s: is missing");
+  EXPECT_EQ(
+      refusal("Bench of May,run 3\ntime_s,current_A,theta1_deg\n0,1,2\n"),
+      "x.csv: line 1: column time_s: is missing; this line must name the columns, and begins with \"Bench of May\" "
+      "(a # in front of it makes it a comment)");
   EXPECT_EQ(refusal("time_s,current_A\n1,2\n"),
             "x.csv: line 1: must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
   EXPECT_EQ(refusal("time_s,theta1_deg\n1,2\n"),

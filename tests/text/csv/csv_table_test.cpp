@@ -70,6 +70,19 @@ TEST(CsvTable, IgnoresTheLocale) {
   EXPECT_EQ(table.column("current")[0], 3.5);
 }
 
+// As Windows and spreadsheets write them.
+TEST(CsvTable, SaysWhatAFileIsThatIsNoText) {
+  constexpr std::string_view utf16(
+      "\xff\xfe"
+      "a\0n\0g\0l\0e\0\n\0",
+      14);
+  EXPECT_EQ(refusal(utf16),
+            "x.csv: must be UTF-8, and is UTF-16: save it anew as UTF-8 (\"CSV UTF-8\" of a spreadsheet)");
+  EXPECT_EQ(refusal("PK\x03\x04 xl/worksheets"),
+            "x.csv: must be text, and is a spreadsheet or an archive: export it as CSV");
+  EXPECT_EQ(refusal(std::string_view("\x01\0\x02\n", 4)), "x.csv: must be text, and is binary: export it as CSV");
+}
+
 TEST(CsvTable, RefusesAnEmptyFileAndOneWithoutRows) {
   EXPECT_EQ(refusal(""), "x.csv: is empty: it must have a header");
   EXPECT_EQ(refusal("\n \n"), "x.csv: is empty: it must have a header");

@@ -125,13 +125,15 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.indistinguishable = found.indistinguishable;
   for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
     const replay::CalibrationParameter& number = declared.calibration[i];
-    if (number.calibrated)
+    if (number.calibrated) {
       out.calibration.push_back(estimates[i]);
-    else
+      out.calibration.back().declared = number.declared;
+    } else {
       out.nominal.push_back({.estimate = estimates[i],
                              .declared = number.declared,
                              .tolerance = number.tolerance->deviation,
                              .named = number.tolerance->named});
+    }
   }
   out.probability_of_declared = compare::probability_of_declared_numbers(found.before());
   out.held_exact = declared.held_exact;

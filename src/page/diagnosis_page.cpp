@@ -25,7 +25,14 @@ using text::Node;
 // The paragraph below the title of summary.txt: the verdict as the program words it.
 std::string verdict_of(const std::filesystem::path& folder, const Node& diagnosis) {
   const std::vector<std::string> lines = summary_lines(folder, "");
-  return lines.empty() ? diagnosis.find("verdict").value().text() : fmt::format("{}", fmt::join(lines, " "));
+  return lines.empty() ? diagnosis.find("verdict").value().text() : lines.front();
+}
+
+// The lines below it: numbers that moved far, errors that rose, a zero to check.
+std::vector<std::string> cautions_of(const std::filesystem::path& folder) {
+  std::vector<std::string> lines = summary_lines(folder, "");
+  if (!lines.empty()) lines.erase(lines.begin());
+  return lines;
 }
 
 std::string interval_text(const Node& parameter) {
@@ -210,6 +217,7 @@ Section warnings_section(const Node& diagnosis) {
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
   Page page{.title = fmt::format("{}: diagnosis", diagnosis.find("dataset").value().text()),
             .verdict = verdict_of(folder, diagnosis),
+            .cautions = cautions_of(folder),
             .origin = origin_text(folder, made_by),
             .sections = {}};
   Section warnings = warnings_section(diagnosis);

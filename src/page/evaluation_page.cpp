@@ -35,9 +35,7 @@ std::string value_text(const PartLimit& limit) {
   return limit.value ? short_number(*limit.value) : "no steady value";
 }
 
-std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& limits) {
-  std::vector<std::string> figures;
-  for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
+std::vector<std::string> cautions_of(const std::vector<PartLimit>& limits) {
   std::vector<std::string> broken;
   std::vector<std::string> conditional;
   for (const PartLimit& each : limits)
@@ -45,15 +43,22 @@ std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& l
       (each.conditional ? conditional : broken)
           .push_back(fmt::format("{} is {}, beyond {}: {}", each.quantity, value_text(each), short_number(each.limit),
                                  each.consequence));
+  std::vector<std::string> out;
+  if (!broken.empty())
+    out.push_back(fmt::format("BEWARE: the parts do not stand that for long: {}.", fmt::join(broken, "; ")));
+  if (broken.empty() && !conditional.empty())
+    out.push_back(
+        fmt::format("MIND: the parts stand that on a condition, or with a loss: {}.", fmt::join(conditional, "; ")));
+  return out;
+}
+
+std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& limits) {
+  std::vector<std::string> figures;
+  for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
   const std::string does =
       fmt::format("With {} A in every coil and a duty of {}: {}.", short_number(design.point.current),
                   short_number(design.point.duty), fmt::join(figures, ", "));
-  if (!broken.empty())
-    return fmt::format("{} The parts do not stand that for long: {}.", does, fmt::join(broken, "; "));
-  if (!conditional.empty())
-    return fmt::format("{} The parts stand that on a condition, or with a loss: {}.", does,
-                       fmt::join(conditional, "; "));
-  return does + " No part is beyond a limit of its own.";
+  return cautions_of(limits).empty() ? does + " No part is beyond a limit of its own." : does;
 }
 
 Section limits_section(const std::vector<PartLimit>& limits) {
@@ -119,6 +124,7 @@ Page evaluation_page(const EvaluatedDesign& evaluated, std::span<const ChoiceEff
   const std::vector<PartLimit> limits = simulation::part_limits(design);
   Page page{.title = fmt::format("{} at {} A", name, short_number(design.point.current)),
             .verdict = verdict_of(design, limits),
+            .cautions = cautions_of(limits),
             .origin = fmt::format("Page by {}.", made_by),
             .sections = design_sections(evaluated, {.name = std::string(name), .made_by = std::string(made_by)})};
   page.sections.push_back(limits_section(limits));

@@ -178,18 +178,27 @@ Json parallel_layer(const char* data, Json mark) {
                         {"title", nullptr},
                         {"axis",
                          Json::object(
-                             {{"labelAngle", -35}, {"grid", true}, {"labelLimit", 200}, {"labelOverlap", false}})}})},
+                             {{"labelAngle", -60}, {"grid", true}, {"labelLimit", 200}, {"labelOverlap", false}})}})},
              {"y", Json::object({{"field", "share"},
                                  {"type", "quantitative"},
                                  {"axis", nullptr},
-                                 {"scale", Json::object({{"domain", Json::array({-0.08, 1.08})}, {"nice", false}})}})},
+                                 {"scale", Json::object({{"domain", Json::array({-0.26, 1.14})}, {"nice", false}})}})},
              {"detail", Json::object({{"field", "row"}, {"type", "nominal"}})}})}});
 }
 
-Json end_layer(const char* field, double place, const char* baseline) {
+// Where axes stand close, as on a phone, numbers lean so that they do not run into each other.
+Json where_close(const char* close, const char* otherwise) {
+  return Json::object({{"expr", fmt::format("width < 46 * domain('x').length ? {} : {}", close, otherwise)}});
+}
+
+Json end_layer(const char* field, double place, const char* baseline, const char* align_where_close) {
   return Json::object(
       {{"data", named("ends")},
-       {"mark", Json::object({{"type", "text"}, {"style", "end"}, {"baseline", baseline}})},
+       {"mark", Json::object({{"type", "text"},
+                              {"style", "end"},
+                              {"angle", where_close("-60", "0")},
+                              {"align", where_close(align_where_close, "'center'")},
+                              {"baseline", where_close("'middle'", baseline)}})},
        {"encoding", Json::object({{"x", Json::object({{"field", "axis"}, {"type", "ordinal"}, {"sort", nullptr}})},
                                   {"y", Json::object({{"datum", place}, {"type", "quantitative"}})},
                                   {"text", Json::object({{"field", field}, {"type", "nominal"}})}})}});
@@ -229,14 +238,15 @@ std::optional<Figure> parallel(const FrontTable& front) {
           {{"$schema", schema},
            {"description", description},
            {"width", "container"},
-           {"height", 320},
+           {"height", 380},
            {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
            {"datasets", Json::object({{"lines", std::move(lines)}, {"ends", std::move(ends)}, {"selected", selected}})},
            {"layer",
             Json::array({parallel_layer("lines", Json::object({{"type", "line"}, {"style", "design"}})),
                          parallel_layer("selected",
                                         Json::object({{"type", "line"}, {"style", "selected-line"}, {"point", true}})),
-                         end_layer("least", -0.02, "top"), end_layer("greatest", 1.02, "bottom")})}}),
+                         end_layer("least", -0.02, "'top'", "'right'"),
+                         end_layer("greatest", 1.02, "'bottom'", "'left'")})}}),
       .table = {}};
 }
 

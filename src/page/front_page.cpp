@@ -42,8 +42,8 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
   }
   return fmt::format(
       "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one "
-      "that was found; {}.{}",
-      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search, broken_parts_sentence(result));
+      "that was found; {}.",
+      front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search);
 }
 
 Json names_json(const std::vector<std::string>& names) {
@@ -186,6 +186,7 @@ Page front_page(const std::filesystem::path& folder, const Node& result, const P
   const FrontTable front = read_front(folder, result);
   Page page{.title = fmt::format("{}: front", result.find("study").value().text()),
             .verdict = verdict_of(result, front),
+            .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
             .sections = {}};
   const OtherDesigns others = read_other_designs(folder, front);

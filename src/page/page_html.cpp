@@ -43,8 +43,10 @@ struct Writer {
 
 std::string body_of(const Page& page) {
   std::string out =
-      fmt::format("<header>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"origin\">{}</p>\n</header>\n",
-                  escaped(page.title), escaped(page.verdict), escaped(page.origin));
+      fmt::format("<header>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n", escaped(page.title), escaped(page.verdict));
+  for (const std::string& caution : page.cautions)
+    out += fmt::format("<p class=\"caution\">{}</p>\n", escaped(caution));
+  out += fmt::format("<p class=\"origin\">{}</p>\n</header>\n", escaped(page.origin));
   out += "<nav aria-label=\"Sections\"><ul>\n";
   for (const Section& section : page.sections)
     out += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));

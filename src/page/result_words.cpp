@@ -65,7 +65,12 @@ bool is_conditional(const Node& limit) {
   return conditional && conditional->boolean();
 }
 
-std::string broken_parts_sentence(const Node& result) {
+bool was_interrupted(const Node& result) {
+  const auto reason = result.find("stop_reason");
+  return reason && reason->text() == "interrupted";
+}
+
+std::vector<std::string> cautions_of_parts(const Node& result) {
   const auto limits = result.find("broken_part_limits");
   std::vector<std::string> broken;
   std::vector<std::string> conditional;
@@ -73,10 +78,11 @@ std::string broken_parts_sentence(const Node& result) {
     (is_conditional(each) ? conditional : broken)
         .push_back(fmt::format("{} of them break {}: {}", cell_of(each.find("designs").value()),
                                cell_of(each.find("quantity").value()), cell_of(each.find("consequence").value())));
-  std::string out;
+  std::vector<std::string> out;
+  if (was_interrupted(result)) out.emplace_back(interrupted_caution);
   if (!broken.empty())
-    out += fmt::format(" BEWARE: the study does not set limits of the parts ({}).", fmt::join(broken, "; "));
-  if (!conditional.empty()) out += fmt::format(" MIND: {}.", fmt::join(conditional, "; "));
+    out.push_back(fmt::format("BEWARE: the study does not set limits of the parts. {}.", fmt::join(broken, "; ")));
+  if (!conditional.empty()) out.push_back(fmt::format("MIND: {}.", fmt::join(conditional, "; ")));
   return out;
 }
 

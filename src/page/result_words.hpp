@@ -32,9 +32,15 @@ namespace coilwright::page {
 /// under a condition; false in results of before there were such.
 [[nodiscard]] bool is_conditional(const text::Node& limit);
 
-/// " BEWARE: ..." of the limits of parts that designs break as their study does not set them (`broken_part_limits` of a
-/// result), as a sentence to follow another one that names the designs; empty where all keep all.
-[[nodiscard]] std::string broken_parts_sentence(const text::Node& result);
+/// Whether the search or the sweep of a result was interrupted, and what to say of it.
+[[nodiscard]] bool was_interrupted(const text::Node& result);
+inline constexpr const char* interrupted_caution =
+    "INTERRUPTED: the run may find better designs, and did not look at all that an answer rests on; --resume goes on.";
+
+/// What a reader must know beside an answer of several designs: INTERRUPTED, "BEWARE: ..." of the limits of parts that
+/// designs break as their study does not set them (`broken_part_limits` of a result), and "MIND: ..." of conditional
+/// ones, below a sentence that names the designs; empty where all keep all.
+[[nodiscard]] std::vector<std::string> cautions_of_parts(const text::Node& result);
 
 /// Whether the design of a result of `size` keeps every limit.
 [[nodiscard]] bool is_feasible(const text::Node& result);

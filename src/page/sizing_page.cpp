@@ -23,8 +23,8 @@ namespace {
 
 using text::Node;
 
-// What the design breaks of its parts, as the study does not set it.
-std::string parts_sentence(const Node& result) {
+// Of an interrupted search, and of what the design found breaks of its parts as the study does not set it.
+std::vector<std::string> cautions_of_design(const Node& result) {
   const auto limits = result.find("part_limits");
   std::vector<std::string> broken;
   std::vector<std::string> conditional;
@@ -36,11 +36,13 @@ std::string parts_sentence(const Node& result) {
                                cell_of(each.find("value").value()), each.find("at_most") ? "at most" : "at least",
                                cell_of(each.find(side).value()), cell_of(each.find("consequence").value())));
   }
-  std::string out;
+  std::vector<std::string> out;
+  if (was_interrupted(result)) out.emplace_back(interrupted_caution);
+  if (!is_feasible(result)) return out;
   if (!broken.empty())
-    out += fmt::format(" BEWARE: it breaks limits of its parts that the study does not set ({}).",
-                       fmt::join(broken, "; "));
-  if (broken.empty() && !conditional.empty()) out += fmt::format(" MIND: {}.", fmt::join(conditional, "; "));
+    out.push_back(fmt::format("BEWARE: it breaks limits of its parts that the study does not set ({}).",
+                              fmt::join(broken, "; ")));
+  if (broken.empty() && !conditional.empty()) out.push_back(fmt::format("MIND: {}.", fmt::join(conditional, "; ")));
   return out;
 }
 
@@ -74,7 +76,7 @@ std::string verdict_of(const Node& result) {
     out += fmt::format("; {} of {} other modelling choices would lead to another design", changes, assumptions.size());
   const auto first = result.find("measure_first");
   if (first && !first->is_null()) out += fmt::format(". Measure first: {}", first->text());
-  return out + "." + parts_sentence(result);
+  return out + ".";
 }
 
 TableBlock variables_table(const Node& result) {
@@ -215,6 +217,7 @@ Section quantities_section(const Node& result) {
 Page sizing_page(const std::filesystem::path& folder, const Node& result, std::string_view made_by) {
   Page page{.title = fmt::format("{}: sizing", result.find("study").value().text()),
             .verdict = verdict_of(result),
+            .cautions = cautions_of_design(result),
             .origin = origin_text(folder, made_by),
             .sections = {}};
   const Node best = result.find("best").value();

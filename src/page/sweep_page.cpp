@@ -61,7 +61,7 @@ std::string verdict_of(const Node& result, const FrontTable& leaders) {
           "The {} {} is {}: {}.", leaders.largest[i] ? "largest" : "smallest", leaders.objectives[i],
           short_number(leaders.texts.number(leaders.objectives[i], *row).value()), variables_text(leaders, *row)));
   if (sentences.empty()) return counts + ".";
-  return fmt::format("{} {}.{}", fmt::join(sentences, " "), counts, broken_parts_sentence(result));
+  return fmt::format("{} {}.", fmt::join(sentences, " "), counts);
 }
 
 Section leaders_section(const FrontTable& leaders) {
@@ -229,6 +229,7 @@ Page sweep_page(const std::filesystem::path& folder, const Node& result, const P
   const FrontTable leaders = read_leaders(folder, result);
   Page page{.title = fmt::format("{}: sweep", result.find("study").value().text()),
             .verdict = verdict_of(result, leaders),
+            .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
             .sections = {}};
   const auto evaluated = static_cast<std::size_t>(result.find("evaluated").value().number());

@@ -46,8 +46,13 @@ std::string runs_text(const formats::DiagnosisReport& report) {
 std::string calibration_text(const Diagnosis& diagnosis) {
   if (diagnosis.calibration.empty()) return {};
   TextTable table;
-  for (const compare::Estimate& each : diagnosis.calibration) table.row(estimate_row(each));
-  return "  Numbers fitted freely:\n" + table.text(4, {left, right, left});
+  for (const compare::Estimate& each : diagnosis.calibration) {
+    std::vector<std::string> row = estimate_row(each);
+    const std::optional<double> declared = formats::in_unit(each).declared;
+    row.push_back(declared ? fmt::format("declared {}", number_text(*declared)) : "");
+    table.row(std::move(row));
+  }
+  return "  Numbers fitted freely:\n" + table.text(4, {left, right, left, left});
 }
 
 // The declared numbers, those first that moved furthest.

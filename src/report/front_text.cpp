@@ -1,8 +1,12 @@
 #include "coilwright/report/front_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "coilwright/formats/study/front_json.hpp"
@@ -34,6 +38,23 @@ std::string table_of(const Study& study, const ParetoResult& result) {
   return table.text(0, {TextTable::Align::left});
 }
 
+// A reader who let four configurations vary looks for all of them.
+std::string absent_configurations(const Study& study, const ParetoResult& result) {
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    const auto* variable = std::get_if<ConfigurationVariable>(&study.variables[i]);
+    if (variable == nullptr) continue;
+    std::vector<std::string_view> absent;
+    for (std::size_t k = 0; k < variable->values.size(); ++k) {
+      const auto is_that = [&](const Record& record) { return record.point[i] == static_cast<double>(k); };
+      if (std::ranges::none_of(result.front, is_that)) absent.push_back(actuator::name_of(variable->values[k]));
+    }
+    if (!absent.empty() && !result.front.empty())
+      return fmt::format("No design of configuration {} is on it: each that was found is beaten or breaks a limit.\n",
+                         fmt::join(absent, ", "));
+  }
+  return {};
+}
+
 std::string nearest_text(const Study& study, const ParetoResult& result) {
   if (!result.least_infeasible) return "No design was evaluated.\n";
   TextTable table;
@@ -55,7 +76,7 @@ std::string to_text(const Study& study, const ParetoResult& result, std::span<co
          fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.\n",
                      result.front.size(), meaning_of(result.stop_reason), result.evaluations,
                      to_text(formats::counts_of(result.archive))) +
-         warning_of_parts(broken, "designs of this front", result.front.size());
+         absent_configurations(study, result) + warning_of_parts(broken, "designs of this front", result.front.size());
 }
 
 }  // namespace coilwright::report

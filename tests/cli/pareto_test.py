@@ -74,6 +74,15 @@ class Pareto(ProgramTest):
             self.assertIn("best " + name, text)
         self.assertIn("\nmiddle ", text)
 
+    def test_names_configurations_that_are_not_on_the_front(self):
+        # D has the parts of A twice and more: it is heavier and dearer.
+        write_study(self, objectives=[{"minimise": "mass_g"}, {"minimise": "cost_USD"}],
+                    variables={"configuration": {"values": ["A", "D"]}, "turns_radial": {"lower": 12, "upper": 13}},
+                    constraints=None)
+        text = self.pareto()
+        self.assertEqual({row["configuration"] for row in self.table("out/front.csv")}, {"A"})
+        self.assertIn("No design of configuration D is on it: each that was found is beaten or breaks a limit.\n", text)
+
     def test_counts_designs_that_break_limits_of_their_parts(self):
         write_study(self, objectives=FRONT, operating_point={"current_A": 1.4, "duty": 1}, constraints=None)
         result = run("pareto", "study.json", "--out", "out", "--report", cwd=self.folder)

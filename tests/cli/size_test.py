@@ -114,7 +114,7 @@ class Size(ProgramTest):
         self.assertNotIn("BEWARE", text)
         self.assertRegex(text, r"\nMIND what this design needs, or gives up\n(  .*\n)*  thermal_load_still_air +1\.\d+  at most 1: "
                                r"only moving air, or a mount that conducts, carries this heat away \(156 W/m2K are taken\); in")
-        self.assertIn(" MIND: ", (self.folder / "out/report.html").read_text())
+        self.assertIn(">MIND: ", (self.folder / "out/report.html").read_text())
         line = re.search(r'Where that will not do, add to the study\'s "constraints" and size anew: (.*)\n', text)[1]
         write_study(self, **cool, constraints=json.loads(f"[{line}]"))
         self.assertNotIn("MIND", self.size())

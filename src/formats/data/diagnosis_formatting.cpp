@@ -42,7 +42,8 @@ EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
   const std::string_view key = key_with_unit(estimate.key);
   return {.value = units::from_memory(estimate.value, key),
           .lower = units::from_memory(estimate.lower, key),
-          .upper = units::from_memory(estimate.upper, key)};
+          .upper = units::from_memory(estimate.upper, key),
+          .declared = estimate.declared ? std::optional(units::from_memory(*estimate.declared, key)) : std::nullopt};
 }
 
 MovedNumberInUnit in_unit(const measurement::MovedNumber& number) {

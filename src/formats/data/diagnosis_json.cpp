@@ -41,6 +41,7 @@ Json estimate_json(const compare::Estimate& estimate) {
   Json interval = Json::array();
   interval.add(number_or_null(shown.lower)).add(number_or_null(shown.upper));
   Json out = Json::object({{"value", number_or_null(shown.value)}, {"ci95", std::move(interval)}});
+  if (shown.declared) out.set("declared", *shown.declared);
   if (!estimate.determined) out.set("determined", false);
   if (estimate.chosen) out.set("choice", true);
   return out;

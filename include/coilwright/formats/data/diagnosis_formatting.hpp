@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ namespace coilwright::formats {
 /// An estimate's numbers in the unit of its key.
 struct EstimateInUnit {
   double value{}, lower{}, upper{};
+  std::optional<double> declared{};
 };
 [[nodiscard]] EstimateInUnit in_unit(const measurement::compare::Estimate& estimate);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace coilwright::measurement::compare {
@@ -11,6 +12,8 @@ struct Estimate {
   double lower{};          ///< lower end of the 95 % interval, SI; -infinity if the data set no bound
   double upper{};          ///< upper end, SI; infinity if the data set no bound
   bool determined = true;  ///< false if the interval reaches a physical bound on both sides, or there is no interval
+  /// What the declared model has, SI, of a number that was fitted freely; nothing of others.
+  std::optional<double> declared{};
   bool chosen = false;     ///< whether it is one of a few choices: each was tried, and the interval is the value alone
 };
 

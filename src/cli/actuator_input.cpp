@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <new>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -25,6 +27,12 @@ void add_actuator_options(CLI::App& command, ActuatorOptions& options) {
 }
 
 formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
+  // What size, diagnose and pick write is named by its folder as readily as by its file.
+  std::error_code none;
+  const std::filesystem::path inside = std::filesystem::path(options.file) / "actuator.json";
+  if (std::filesystem::is_directory(options.file, none) && std::filesystem::is_regular_file(inside, none))
+    throw text::InputError(
+        {.file = options.file, .rule = fmt::format("must be a file, and is a folder; is {} meant?", inside.string())});
   formats::ActuatorFile file = formats::read_actuator(options.file);
   if (options.assignments.empty()) return file;
   auto* design = std::get_if<actuator::Design>(&file.content);

@@ -106,7 +106,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
     std::cout << out.text();
   } else {
-    std::cout << report::to_text(limits) << '\n'
+    std::cout << report::to_text(limits) << report::doubts_text(design.calibration) << '\n'
               << report::to_text(view) << report::to_text(view, effects) << report::to_text(reach);
   }
 }

@@ -121,7 +121,7 @@ Answer answer_of(const Options& options) {
 
 std::string verdict_of(const Options& options, const Answer& answer) {
   const Grasp& grasp = answer.grasp;
-  const std::string what = fmt::format("{:.4g} g at {:.4g} A{}", options.mass, answer.current,
+  const std::string what = fmt::format("{:.6g} g at {:.4g} A{}", options.mass, answer.current,
                                        answer.is_of_file ? " (the actuator's operating point)" : "");
   if (!grasp.both_touched) return fmt::format("Not held: {}. A finger does not reach the object.\n", what);
   if (!grasp.holds)

@@ -63,9 +63,9 @@ std::string as_table(const LinearModel& model) {
     text += row(fmt::format("theta{}_deg", j + 1), model.angles[j] * degrees);
   for (Eigen::Index i = 0; model.dc_gain && i < model.b.cols(); ++i)
     text += row(one_input ? "dc_gain_deg_A" : fmt::format("dc_gain{}_deg_A", i + 1), (*model.dc_gain)(0, i) * degrees);
-  for (const simulation::Mode& mode : model.modes)
-    text += fmt::format("{:<26} {:>12.5g}\n{:<26} {:>12.5g}\n", "natural_frequency_Hz", mode.natural_frequency,
-                        "damping_ratio", mode.damping_ratio);
+  for (std::size_t i = 0; i < model.modes.size(); ++i)
+    text += row(fmt::format("natural_frequency{}_Hz", i + 1), model.modes[i].natural_frequency) +
+            row(fmt::format("damping_ratio{}", i + 1), model.modes[i].damping_ratio);
   return text;
 }
 

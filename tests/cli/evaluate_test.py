@@ -4,7 +4,7 @@ import json
 import math
 import unittest
 
-from program import PAPER_FINGER, ProgramTest, run
+from program import CONFIGS, PAPER_FINGER, ProgramTest, run
 
 PROMISED = ["axial_force_N", "rest_angle_deg", "steady_angle_deg", "joint_angles_deg", "peak_bending_speed_deg_s",
             "overshoot_pct", "settling_time_s", "damping_ratio", "natural_frequency_Hz", "grasp_force_N",
@@ -85,6 +85,24 @@ class Evaluate(ProgramTest):
         for key in PROMISED:
             if key != "joint_angles_deg":
                 self.assertAlmostEqual(float(printed[key]), got[key], delta=1e-5 * abs(got[key]), msg=key)  # six digits
+
+    def test_a_measured_value_of_another_actuator_is_told(self):
+        finger = json.loads((CONFIGS / "actuators/finger.json").read_text())
+        finger["body"]["bottom_layer_mm"] /= 2  # and with it a slit's stiffness by 4, which the measured one keeps
+        self.write("thin.json", json.dumps(finger))
+        text = run("evaluate", "thin.json", "--current", "1", cwd=self.folder).stdout
+        self.assertRegex(text, r"\nMIND: the joint stiffness that was measured is 4\.\d* times what the dimensions give: was it "
+                               r"measured on this actuator\?\n")
+        finger["measured"].pop("joint_stiffness_Nmm_rad")
+        finger["measured"].pop("joint_damping_Nmms_rad")
+        self.write("thin.json", json.dumps(finger))
+        self.assertNotIn("MIND: the", run("evaluate", "thin.json", "--current", "1", cwd=self.folder).stdout)
+
+    def test_a_folder_of_results_is_told_from_its_actuator(self):
+        (self.folder / "results").mkdir()
+        self.write("results/actuator.json", "{}")
+        self.assert_refused(["evaluate", "results", "--current", "1"],
+                            "results: must be a file, and is a folder; is results/actuator.json meant?")
 
     def test_a_grasp_has_an_opening_and_a_height(self):
         # The audit's 0.56 N at 30 degrees; the errata's 1.18 N for a contact 20 mm beyond the joint, not 21.2.

@@ -53,7 +53,7 @@ class Linearise(ProgramTest):
         table = run("linearise", PAPER_FINGER, "--current", "1.4", "-0.3").stdout
         self.assertEqual([line.split()[0] for line in table.splitlines()],
                          ["current1_A", "current2_A", "bending_angle_deg", "theta1_deg", "theta2_deg", "dc_gain1_deg_A",
-                          "dc_gain2_deg_A", "natural_frequency_Hz", "damping_ratio", "natural_frequency_Hz", "damping_ratio"])
+                          "dc_gain2_deg_A", "natural_frequency1_Hz", "damping_ratio1", "natural_frequency2_Hz", "damping_ratio2"])
         self.assert_refused(["linearise", PAPER_FINGER, "--current", "1", "2", "3"],
                             f"{PAPER_FINGER}: has 2 coils; a current for each is needed, got 3")
 
@@ -74,7 +74,7 @@ class Linearise(ProgramTest):
         lines = [line.split() for line in result.stdout.splitlines()]
         self.assertEqual([key for key, _ in lines],
                          ["current_A", "bending_angle_deg", "theta1_deg", "theta2_deg", "dc_gain_deg_A",
-                          *["natural_frequency_Hz", "damping_ratio"] * 2])
+                          "natural_frequency1_Hz", "damping_ratio1", "natural_frequency2_Hz", "damping_ratio2"])
         printed = {key: float(value) for key, value in lines}
         for key in ("current_A", "bending_angle_deg", "dc_gain_deg_A"):
             self.assertAlmostEqual(printed[key], model[key], delta=1e-4 * model[key])  # five digits

@@ -71,9 +71,9 @@ struct DataBlock {
 /// A report, before it is a file.
 struct Page {
   std::string title;
-  std::string verdict;  ///< one sentence, or a few: what comes first
+  std::string verdict;                  ///< one sentence, or a few: what comes first
   std::vector<std::string> cautions{};  ///< what a reader must know beside it: "BEWARE: ...", each a paragraph
-  std::string origin;   ///< program, version, command, inputs: one line
+  std::string origin;                   ///< program, version, command, inputs: one line
   std::vector<Section> sections;
   std::vector<DataBlock> data{};
 };

@@ -118,6 +118,16 @@ std::string warning_of_parts(std::span<const PartLimit> broken) {
   return text;
 }
 
+std::string doubts_text(const actuator::Calibration& calibration) {
+  std::string text;
+  for (const actuator::CalibrationDoubt& each : actuator::calibration_doubts(calibration))
+    text += fmt::format(
+        "\nMIND: the {} that was measured is {:.3g} times what the dimensions give: was it measured on "
+        "this actuator?\n",
+        each.quantity, each.factor);
+  return text;
+}
+
 std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
   std::string text = "\nWhat these figures rest on: modelling choices that no measurement of this design has settled\n";
   std::string_view subject;

@@ -14,7 +14,7 @@ struct Estimate {
   bool determined = true;  ///< false if the interval reaches a physical bound on both sides, or there is no interval
   /// What the declared model has, SI, of a number that was fitted freely; nothing of others.
   std::optional<double> declared{};
-  bool chosen = false;     ///< whether it is one of a few choices: each was tried, and the interval is the value alone
+  bool chosen = false;  ///< whether it is one of a few choices: each was tried, and the interval is the value alone
 };
 
 }  // namespace coilwright::measurement::compare

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "coilwright/actuator/calibration_doubts.hpp"
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 
@@ -11,6 +12,9 @@ namespace coilwright::report {
 /// A warning of limits that a design breaks as its study does not set them, then of conditional ones, each with how to
 /// keep them; empty where there are none.
 [[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken);
+
+/// Measured values that lie far from what the dimensions of the same file give; empty where none does.
+[[nodiscard]] std::string doubts_text(const actuator::Calibration& calibration);
 
 /// One line for each limit of the parts: value, limit, and what happens where it is broken.
 [[nodiscard]] std::string to_text(std::span<const simulation::PartLimit> limits);

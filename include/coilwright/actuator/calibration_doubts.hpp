@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "coilwright/actuator/design/design.hpp"
+
+namespace coilwright::actuator {
+
+/// A factor, measured over derived, that says that the measured value may be of another actuator than the dimensions.
+struct CalibrationDoubt {
+  std::string_view quantity;  ///< "joint stiffness"
+  double factor{};
+};
+
+/// Factors beyond a ratio of 1.5 either way; that of the heat transfer, which nothing derives, is not among them. The
+/// prototype's lie between 1.0 and 1.04; slits cut by hand, silicones and winders differ by tens of per cent.
+[[nodiscard]] std::vector<CalibrationDoubt> calibration_doubts(const Calibration& calibration);
+
+}  // namespace coilwright::actuator

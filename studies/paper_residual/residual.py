@@ -120,7 +120,7 @@ class Tool:
                 continue
             numbers = ",".join(f"{key}={value!r}" for key, value in effect["parameters"].items())
             arguments += ["--effect", f"{effect['id']}:{numbers}" if numbers else effect["id"]]
-        self.call("twin", self.write(there), "--experiment", str(experiment), *arguments, "--out",
+        self.call("twin", self.write(there), "--force", "--experiment", str(experiment), *arguments, "--out",
                   str(self.folder / "bench"))
         with open(self.folder / "bench" / "bench.csv", newline="", encoding="utf-8") as file:
             return [float(row["torque_Nmm"]) for row in csv.DictReader(file)]

@@ -26,6 +26,7 @@
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
 #include "word_rule.hpp"
+#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -45,6 +46,7 @@ struct Options {
   std::string out;
   std::deque<std::optional<double>> settings;  // one per row of export_settings(), in the unit of its name
   bool incomplete{false};
+  bool json{false};
 };
 
 // "lead_mm" on the command line.
@@ -125,6 +127,14 @@ void run_export(const Options& options) {
   text::OutputFolder folder(out.has_filename() ? out : out.parent_path());
   for (const ExportedFile& file : files) folder.write(file.name, file.text);
   folder.commit();
+  if (options.json) {
+    text::Json left_out = text::Json::array();
+    for (const ExportedFile& file : files)
+      for (const std::string& line : file.left_out)
+        left_out.add(text::Json::object({{"file", file.name}, {"what", line}}));
+    std::cout << written_json(outputs).set("use", kind.use).set("left_out", std::move(left_out)).text();
+    return;
+  }
   for (const std::filesystem::path& output : outputs) std::cout << output.string() << '\n';
   std::cout << kind.use << '\n';
   for (const ExportedFile& file : files)
@@ -149,6 +159,7 @@ void add_export_command(CLI::App& app, Outcome&) {
   for (const ExportSetting& setting : exports::export_settings())
     command->add_option(option_name(setting), options->settings.emplace_back(), std::string(setting.text))
         ->check(number_rule(text::Rule::between(setting.lowest, setting.highest)));
+  add_written_json_option(*command, options->json);
   command->footer(list_of_kinds() +
                   "\nExample:\n"
                   "  coilwright export configs/actuators/finger.json --as workshop --out results/workshop");

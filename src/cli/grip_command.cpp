@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "actuator_input.hpp"
+#include "coilwright/actuator/cost.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
@@ -65,6 +66,7 @@ struct Answer {
   double current{};   // A, in every coil
   bool is_of_file{};  // whether it is that of the file's operating point
   Grasp grasp;
+  double cost{};                           // US$, of the gripper with driver and supply
   double burns_from{};                     // A: from this current on a finger bent like that has no steady temperature
   std::optional<simulation::Heat> heat{};  // of one finger at the pose of the hold
   std::optional<std::optional<double>> least_current{}, least_friction{};  // where asked for; nothing if there is none
@@ -111,6 +113,7 @@ Answer answer_of(const Options& options) {
              .grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
                                [&] { return systems::gripper::grasp(gripper, object, task); })};
   out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
+  out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total());
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
   if (options.most_current > 0.0)
     out.least_current = systems::gripper::least_current(gripper, object, task, options.most_current);
@@ -178,6 +181,11 @@ std::string as_text(const Options& options, const Answer& answer) {
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
   return text + heat_text(answer) +
+         fmt::format(
+             "\nTwo such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table "
+             "III "
+             "{:.0f} USD.\n",
+             answer.cost, actuator::PneumaticGripperCost{}.total()) +
          "\nIt rests on: friction and place of the object as given, rigid segments, coils and magnets at 20 degC, an "
          "object "
          "that\nmoves in the plane of the fingers only.\n";
@@ -213,6 +221,7 @@ std::string as_json(const Answer& answer) {
   if (answer.least_current) out.set("least_current_A", optional_number(*answer.least_current));
   if (answer.least_friction) out.set("least_friction", optional_number(*answer.least_friction));
   out.set("runaway_current_A", answer.burns_from);
+  out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
   if (answer.heat) {
     out.set("continuous_current_A", systems::gripper::held_for_good(*answer.heat));
     out.set("time_to_limit_s", optional_number(answer.heat->time_to_limit));

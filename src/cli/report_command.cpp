@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -13,6 +14,7 @@
 #include "number_rule.hpp"
 #include "outcome.hpp"
 #include "report_option.hpp"
+#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -22,6 +24,7 @@ struct Options {
   std::optional<std::string> out;
   std::optional<std::size_t> pictures;
   std::optional<std::string> figures;
+  bool json{false};
 };
 
 // All that a page is made of: what a folder of results has beside its pages.
@@ -40,7 +43,10 @@ void run_report(const Options& options) {
   keep_inputs(results_in(folder), {{file}});
   if (options.figures) how.figures = *options.figures;
   write_report(folder, file, how);
-  std::cout << file.string() << '\n';
+  if (options.json)
+    std::cout << written_json(std::array<std::filesystem::path, 1>{file}).text();
+  else
+    std::cout << file.string() << '\n';
 }
 
 }  // namespace
@@ -51,6 +57,7 @@ void add_report_command(CLI::App& app, Outcome&) {
   command->add_option("DIR", options->folder, "Folder that size, sweep, pareto or diagnose has written")->required();
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
       ->check(page_name_complaint);
+  add_written_json_option(*command, options->json);
   command
       ->add_option("--pictures", options->pictures,
                    "Number of designs of a front that are drawn and simulated, evenly along it (default 200)")

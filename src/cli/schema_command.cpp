@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@
 #include "outcome.hpp"
 #include "packed_files.hpp"
 #include "word_rule.hpp"
+#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -28,6 +30,7 @@ std::vector<std::string> schema_names() {
 struct Options {
   std::string name;
   std::string out;
+  bool json{false};
 };
 
 void run_schema(const Options& options) {
@@ -39,6 +42,12 @@ void run_schema(const Options& options) {
   text::OutputFolder folder(options.out);
   for (const PackedFile& file : schemas()) folder.write(file.name, file.text);
   folder.commit();
+  if (options.json) {
+    std::vector<std::filesystem::path> files;
+    for (const PackedFile& file : schemas()) files.push_back(folder.path() / file.name);
+    std::cout << written_json(files).text();
+    return;
+  }
   std::cout << fmt::format("{}/{}{}, and the schemas that it refers to\n", folder.path().string(), options.name,
                            ending);
 }
@@ -53,6 +62,7 @@ void add_schema_command(CLI::App& app, Outcome&) {
       ->required()
       ->check(word_rule(names));
   command->add_option("--out", options->out, "Folder to write all schemas to instead: some refer to others");
+  add_written_json_option(*command, options->json);
   command->footer(
       "An editor completes and checks a file whose first key is \"$schema\" with the path of its schema.\n\n"
       "Example:\n"

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -28,6 +30,7 @@
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -45,6 +48,7 @@ struct Options {
   std::string input;
   double duration = 1.0;
   double interval = 0.002;
+  bool json{false};
 };
 
 CommandedInput read_command(const Options& options, const actuator::Model& model) {
@@ -137,6 +141,7 @@ void check_output(const Options& options) {
 }
 
 void run_simulate(const Options& options) {
+  require_file_for_json(options.json, options.out);
   check_output(options);
   const actuator::Model model = read_model(options.actuator);
   const CommandedInput command = read_command(options, model);
@@ -145,6 +150,19 @@ void run_simulate(const Options& options) {
   const Recording recording = record(model, input, start_of(options, model, input));
   write(file.stream(), command, recording);
   file.commit();
+  if (options.json) {
+    constexpr double degrees = 180.0 / std::numbers::pi;
+    const auto [least, greatest] = std::ranges::minmax(recording.bending);
+    double fastest = 0.0;
+    for (const State& state : recording.states) fastest = std::max(fastest, std::abs(state.rates.sum()));
+    std::cout << written_json(std::array<std::filesystem::path, 1>{options.out})
+                     .set("samples", recording.states.size())
+                     .set("least_bending_angle_deg", least * degrees)
+                     .set("greatest_bending_angle_deg", greatest * degrees)
+                     .set("last_bending_angle_deg", recording.bending.back() * degrees)
+                     .set("greatest_bending_speed_deg_s", fastest * degrees)
+                     .text();
+  }
   std::cerr << report::to_text(simulation::correction_reach(model, recording.states, input.currents));
 }
 
@@ -174,6 +192,7 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   command->add_option("--interval-s", options->interval, "Time between samples of --step or --sine, s (default 0.002)")
       ->check(number_rule(text::positive));
   command->add_option("--out", options->out, "CSV file to write")->required();
+  add_written_json_option(*command, options->json);
   command->footer(
       "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample.\n"
       "bending_angle_deg includes the sensor's offset, scale and delay if the actuator declares them; joint\n"

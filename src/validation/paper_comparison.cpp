@@ -95,9 +95,12 @@ void add_geometry(Table& table) {
   table.add("coil resistance Ohm", "section V.C, 4.2 V / 1.05 A", 4.0, assembly.coil.resistance, {0.9, 1.0},
             "at 20 degC; leads, transistor and warm copper not counted");
   table.add("current limit A", "section II", 1.4, assembly.coil.table_limit, to_rounding, "chassis-wiring table");
-  const double finger = actuator::cost_of(design, assembly).total();
-  table.add("gripper of two fingers USD", "Table III", 44.0, 2.0 * finger + actuator::driver_and_supply_cost,
-            to_rounding, "its prices");
+  const double gripper = actuator::gripper_cost(actuator::cost_of(design, assembly).total());
+  const double pneumatic = actuator::PneumaticGripperCost{}.total();
+  table.add("gripper of two fingers USD", "Table III", 44.0, gripper, to_rounding, "its prices");
+  table.add("pneumatic gripper USD", "Table III", 607.0, pneumatic, to_rounding, "its prices");
+  table.add("gripper over pneumatic one %", "section VI", 7.2, 100.0 * gripper / pneumatic, {0.99, 1.01},
+            "two digits printed");
 }
 
 void add_forces(Table& table) {

@@ -19,6 +19,10 @@ class Grip(ProgramTest):
         self.assertAlmostEqual(answer["load_N"], 0.04 * 9.81, places=9)
         self.assertGreater(answer["capacity_N"], answer["load_N"])
         self.assertEqual([each["finger"] for each in answer["contacts"]], ["left", "right"])
+        # The paper's Table III; its fingers have prices of their own.
+        self.assertAlmostEqual(answer["cost_USD"], 44, delta=0.02)
+        self.assertEqual(answer["pneumatic_cost_USD"], 607)
+        self.assertIn("cost 44 USD; the pneumatic gripper of the paper's Table III 607 USD.\n", text)
 
     def test_finds_the_least_current_and_friction(self):
         answer = json.loads(

@@ -3,7 +3,8 @@
 import json
 import unittest
 
-from program import ProgramTest, run
+from program import PAPER_FINGER, ProgramTest, run
+from study import write_study
 
 
 class Usage(ProgramTest):
@@ -52,6 +53,51 @@ class Usage(ProgramTest):
             name = " ".join(word for word in command.split()[:2] if not word.startswith("x"))
             self.assert_refused([*command.split(), option + "=" + text],
                                 f'{name}: {option}: must be {rule}; got "{text}" (see coilwright {name} --help)')
+
+    def test_what_was_written_can_be_had_as_json(self):
+        for command, files in (
+            (["export", PAPER_FINGER, "--as", "drawing", "--out", "drawing"], ["drawing/drawing.svg", "drawing/drawing.dxf"]),
+            (["simulate", PAPER_FINGER, "--step", "1.4", "--out", "step.csv"], ["step.csv"]),
+            (["schema", "study", "--out", "schemas"], None),
+            (["size", "study.json", "--out", "out"], False),
+            (["archive", "csv", "out", "--out", "designs.csv"], ["designs.csv"]),
+            (["archive", "pick", "out", "--row", "1", "--out", "one.json"], ["one.json"]),
+        ):
+            with self.subTest(" ".join(map(str, command))):
+                write_study(self, search={"max_evaluations": 20})
+                done = run(*command, "--json", cwd=self.folder)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                answer = json.loads(done.stdout)
+                if files is not False:
+                    self.assertEqual(answer["files"], files or answer["files"])
+                    self.assertGreater(len(answer["files"]), 0)
+                    for name in answer["files"]:
+                        self.assertTrue((self.folder / name).is_file(), name)
+        motion = json.loads(run("simulate", PAPER_FINGER, "--step", "1.4", "--out", "step.csv", "--json", cwd=self.folder).stdout)
+        rows = self.table("step.csv")
+        self.assertEqual((motion["samples"], motion["last_bending_angle_deg"]), (len(rows), float(rows[-1]["bending_angle_deg"])))
+        self.assertEqual(motion["greatest_bending_speed_deg_s"], max(abs(float(row["bending_speed_deg_s"])) for row in rows))
+        designs = json.loads(run("archive", "csv", "out", "--json", cwd=self.folder).stdout)
+        self.assertEqual(designs, json.loads(run("archive", "filter", "out", "--where", "1", "--json", cwd=self.folder).stdout))
+        self.assertEqual(json.loads(run("archive", "pick", "out", "--row", "1", "--out", "-", "--json", cwd=self.folder).stdout),
+                         self.result("one.json"))
+        result = run("simulate", PAPER_FINGER, "--step", "1.4", "--out", "-", "--json", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(json.loads(result.stderr)["error"]["message"], "simulate: --json: needs a file for --out: standard output has "
+                                                                       "the result itself (see coilwright simulate --help)")
+
+    def test_every_command_that_answers_can_answer_in_json(self):
+        text = run("--help").stdout
+        commands = [line.split()[0] for line in text.splitlines() if line.startswith("  ") and line[2:3].islower()]
+        self.assertGreater(len(commands), 20)
+        for command in commands:
+            further = {"archive": ["list", "filter", "top", "csv", "pick", "replay"],
+                       "rig": ["torque-bench", "stiffness-gauge", "grasp-bench", "camera"]}.get(command, [None])
+            for each in further:
+                words = [command] + ([each] if each else [])
+                # What these print is for a terminal, a shell or man, and has a form of its own.
+                if command not in ("help", "man", "completion"):
+                    self.assertIn("--json", run(*words, "--help").stdout, " ".join(words))
 
     def test_missing_and_superfluous_arguments_are_refused(self):
         self.assert_refused(["force"], "force: PAIR.json is required (see coilwright force --help)")

@@ -19,6 +19,21 @@ struct Cost {
 /// Driver board (8) and power supply (20), US$, bought once for all fingers.
 inline constexpr double driver_and_supply_cost = 28.0;
 
+/// Price of the pneumatic gripper of two fingers that the paper holds against its own, US$: the other column of its
+/// Table III. Nothing of it follows the design; a compressor and a regulator serve more fingers, too.
+struct PneumaticGripperCost {
+  double silicone_and_moulds = 5.0;
+  double hoses = 2.0;
+  double pressure_regulator = 450.0;  ///< FESTO VEAB
+  double compressor = 150.0;          ///< 4 l
+
+  /// Sum of all parts, US$.
+  [[nodiscard]] double total() const { return silicone_and_moulds + hoses + pressure_regulator + compressor; }
+};
+
+/// Price of a gripper of two such fingers with driver and supply, US$.
+[[nodiscard]] double gripper_cost(double finger_cost);
+
 [[nodiscard]] Cost cost_of(const Design& design, const Assembly& assembly);
 
 }  // namespace coilwright::actuator

@@ -1,8 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <array>
+#include <iostream>
 #include <memory>
 
 #include "archive_commands.hpp"
 #include "cli/design_text.hpp"
+#include "cli/written_files.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "opened_archive.hpp"
 
@@ -13,6 +16,7 @@ struct Options {
   std::string folder;
   std::int64_t row{};
   std::string out;
+  bool json{false};
 };
 
 }  // namespace
@@ -23,6 +27,7 @@ void add_archive_pick(CLI::App& command) {
   add_archive_folder(*pick, options->folder);
   add_row_option(*pick, options->row);
   pick->add_option("--out", options->out, "File for the actuator (actuator/1); - is standard output")->required();
+  add_written_json_option(*pick, options->json);
   pick->footer("Example:\n  coilwright archive pick results/fastest_finger --row 17 --out actuator.json");
   pick->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);
@@ -33,6 +38,9 @@ void add_archive_pick(CLI::App& command) {
     const std::string& study = archive.contents().study;
     file.stream() << design_text(problem, point, sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
     file.commit();
+    // Standard output has the actuator itself, which is JSON.
+    if (options->json && options->out != "-")
+      std::cout << written_json(std::array<std::filesystem::path, 1>{options->out}).text();
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "archive_commands.hpp"
 #include "cli/number_rule.hpp"
+#include "cli/written_files.hpp"
 #include "coilwright/formats/study/archive_json.hpp"
 #include "coilwright/formats/study/archive_table.hpp"
 #include "coilwright/report/archive_text.hpp"
@@ -132,14 +134,22 @@ void add_archive_csv(CLI::App& command) {
   add_archive_folder(*csv, options->folder);
   csv->add_option("--out", options->out, "File for the table; - is standard output (default -)")->default_str("-");
   add_where(*csv, *options, false);
+  csv->add_flag("--json", options->json, "Print the designs as JSON, or with --out what was written")
+      ->disable_flag_override();
   csv->footer("Example:\n  coilwright archive csv results/fastest_finger --out designs.csv");
   csv->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);
     if (!options->where.empty()) (void)rows_of(archive, {.where = options->where, .most = 0}, "--where");
+    const bool to_file = !options->out.empty() && options->out != "-";
+    if (options->json && !to_file) {
+      print(archive, rows_of(archive, {.where = options->where}, "--where"), *options, "");
+      return;
+    }
     text::OutputFile file(options->out.empty() ? "-" : options->out);
     formats::ArchiveTable table(file.stream(), archive.contents());
     archive.each({.where = options->where}, [&](const archive::Row& row) { table.row(row); });
     file.commit();
+    if (options->json) std::cout << written_json(std::array<std::filesystem::path, 1>{options->out}).text();
   });
 }
 

@@ -169,9 +169,8 @@ std::vector<ResultQuantity> gripper_quantities(const TaskOf& task) {
   return {
       of_design("gripper_mass_g", "mass of both fingers without palm and wires", 140.0,
                 [](const DesignView& d) -> Value { return 2e3 * d.performance.mass; }),
-      of_design(
-          "gripper_cost_USD", "cost of both fingers, driver and supply", 44.0,
-          [](const DesignView& d) -> Value { return 2.0 * d.performance.cost + actuator::driver_and_supply_cost; }),
+      of_design("gripper_cost_USD", "cost of both fingers, driver and supply", 44.0,
+                [](const DesignView& d) -> Value { return actuator::gripper_cost(d.performance.cost); }),
       of_design("gripper_friction", "coefficient of friction between object and fingers that is assumed", 1.0,
                 [task](const DesignView& d) -> Value { return task(simulation::settings_of(d)).object.friction; }),
       results.of_grasp("grip_margin",

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace coilwright::simulation {
 
@@ -24,8 +23,13 @@ constexpr std::string_view mean_field = "demagnetisation_margin";
 constexpr std::string_view worst_field = "demagnetisation_margin_worst_point";
 
 // A conditional limit says nothing new where its part is beyond an unconditional one.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> said_by{
-    {{still_air, hot_spot}, {still_air, magnet_temperature}, {worst_field, mean_field}}};
+struct SaidBy {
+  std::string_view conditional;
+  std::string_view part;
+};
+constexpr std::array said_by{SaidBy{.conditional = still_air, .part = hot_spot},
+                             SaidBy{.conditional = still_air, .part = magnet_temperature},
+                             SaidBy{.conditional = worst_field, .part = mean_field}};
 
 }  // namespace
 
@@ -76,8 +80,9 @@ std::vector<PartLimit> broken_part_limits(const DesignView& design) {
   const auto is_broken = [&out](std::string_view name) {
     return std::ranges::find(out, name, &PartLimit::quantity) != out.end();
   };
-  for (const auto& [conditional, part] : said_by)
-    if (is_broken(part)) std::erase_if(out, [&](const PartLimit& limit) { return limit.quantity == conditional; });
+  for (const SaidBy& each : said_by)
+    if (is_broken(each.part))
+      std::erase_if(out, [&each](const PartLimit& limit) { return limit.quantity == each.conditional; });
   return out;
 }
 

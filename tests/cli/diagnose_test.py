@@ -33,7 +33,7 @@ class Diagnose(ProgramTest):
         self.write("plan.json", json.dumps(PLAN))
 
     def twin(self, *arguments):
-        result = run("twin", "rod.json", "--experiment", "plan.json", "--out", "set", *arguments, cwd=self.folder)
+        result = run("twin", "--force", "rod.json", "--experiment", "plan.json", "--out", "set", *arguments, cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def diagnose(self, out, *arguments):

@@ -5,7 +5,7 @@
 namespace coilwright::actuator {
 namespace {
 
-constexpr double plausible = 1.5;
+constexpr double plausible = 1.25;
 
 }  // namespace
 

@@ -83,8 +83,8 @@ double holding_current(const Model& model, const ReachTask& task) {
     const double a = (low + task.angle) * degrees;
     const double b = (high + task.angle) * degrees;
     throw std::invalid_argument(
-        fmt::format("angle must be from {:.4g} to {:.4g} deg, which {} to {} A hold; got {:.6g} deg", std::min(a, b),
-                    std::max(a, b), task.lowest_current, task.highest_current, task.angle * degrees));
+        fmt::format("angle must be from {:.4g} to {:.4g} deg, which {:.4g} to {:.4g} A hold; got {:.6g} deg",
+                    std::min(a, b), std::max(a, b), task.lowest_current, task.highest_current, task.angle * degrees));
   }
   if (low == 0.0) return task.lowest_current;
   if (high == 0.0) return task.highest_current;

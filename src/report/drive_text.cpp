@@ -85,7 +85,9 @@ std::string circuit_text(const DrivenActuator& driven) {
       "damping to {} of the joints.\n",
       number(motion.emf_per_rate * 1e3), number(units::from_memory(motion.damping, "damping_Nmms_rad")),
       number(units::from_memory(motion.joint_damping, "damping_Nmms_rad")));
-  const std::string held = fmt::format("{} A rms in a coil can be held for good", number(driven.continuous_current));
+  const std::string held = fmt::format(
+      "{} A rms in a coil can be held for good with every joint at 30 deg, {} A where the actuator is straight",
+      number(driven.continuous_current), number(driven.straight_continuous_current));
   out += driven.steady_hot_spot ? fmt::format("{}; these {} A bring the hottest turn to {} degC.\n", held,
                                               number(driven.coil.rms), number(*driven.steady_hot_spot))
                                 : held + ".\n";

@@ -213,6 +213,8 @@ DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, co
   const Solved solved = question.coil_temperature ? solve(bank_of(design, assembly, question, temperatures), question)
                                                   : solve_warm(design, assembly, network, question, temperatures);
   const thermal::CurrentLimits limits = current_limits(network);
+  const mechanics::JointVector straight = mechanics::JointVector::Zero(assembly.model.joints());
+  const thermal::CurrentLimits nearest = current_limits(heat_network(design, assembly, straight));
   const thermal::SteadyState heat = heated(design, network, solved);
   DrivenActuator out{
       .duty = solved.duty,
@@ -224,6 +226,7 @@ DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, co
       .coil = shared(solved.current, solved.bank.shares.maxCoeff()),
       .heat_by_mean = solved.bank.circuit.resistance * solved.current.mean * solved.current.mean,
       .continuous_current = std::min(limits.coils, limits.magnets),
+      .straight_continuous_current = std::min(nearest.coils, nearest.magnets),
       .ampacity = assembly.coil.current_limit,
       .coil_temperatures = temperatures,
       .motion = motional_effect(assembly, bank_of(design, assembly, question, temperatures), solved.driver)};

@@ -54,6 +54,13 @@ class Slips(ProgramTest):
     def test_milliamperes(self):
         self.assert_slip(lambda i, t, c, a: (t, 1000 * c, a), "the input", "milliamperes", "divide it by 1000")
 
+    def test_one_record_of_several(self):
+        self.write_as(lambda i, t, c, a: (t, c, -a))
+        for name, whole in self.records.items():
+            if name != "sine_2Hz.csv":
+                self.write(name, whole)
+        self.assertRegex(self.refusal(), r"sine_2Hz\.csv: bending_angle_deg: looks like an angle that is counted the other way: ")
+
     def test_frame_numbers(self):
         self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",
                          "divide it by the frame rate")

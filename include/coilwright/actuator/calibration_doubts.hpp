@@ -13,8 +13,8 @@ struct CalibrationDoubt {
   double factor{};
 };
 
-/// Factors beyond a ratio of 1.5 either way; that of the heat transfer, which nothing derives, is not among them. The
-/// prototype's lie between 1.0 and 1.04; slits cut by hand, silicones and winders differ by tens of per cent.
+/// Factors beyond a ratio of 1.25 either way; that of the heat transfer, which nothing derives, is not among them. The
+/// prototype's lie between 1.0 and 1.04; slits cut by hand and silicones may differ by more, and it is worth a look.
 [[nodiscard]] std::vector<CalibrationDoubt> calibration_doubts(const Calibration& calibration);
 
 }  // namespace coilwright::actuator

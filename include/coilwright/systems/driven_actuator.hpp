@@ -63,16 +63,17 @@ struct MotionalEffect {
 /// The answer.
 struct DrivenActuator {
   double duty{};
-  double supply_voltage{};              ///< of the open circuit, V
-  drive::ReducedBank bank{};            ///< of all actuators
-  drive::Driver phases{};               ///< what drives them, at that voltage
-  double driver_resistance{};           ///< of switches and supply while on, ohm
-  drive::SteadyCurrent driver{};        ///< of the driver; powers are those of all actuators
-  drive::SteadyCurrent coil{};          ///< of the coil that carries most; without powers
-  double heat_by_mean{};                ///< what the coils' mean current alone would make in them, W
-  double continuous_current{};          ///< rms that coils and magnets bear for good, A
-  double ampacity{};                    ///< of the wire, A
-  Eigen::VectorXd coil_temperatures{};  ///< mean of each coil of an actuator, for which all this holds, degC
+  double supply_voltage{};               ///< of the open circuit, V
+  drive::ReducedBank bank{};             ///< of all actuators
+  drive::Driver phases{};                ///< what drives them, at that voltage
+  double driver_resistance{};            ///< of switches and supply while on, ohm
+  drive::SteadyCurrent driver{};         ///< of the driver; powers are those of all actuators
+  drive::SteadyCurrent coil{};           ///< of the coil that carries most; without powers
+  double heat_by_mean{};                 ///< what the coils' mean current alone would make in them, W
+  double continuous_current{};           ///< rms that coils and magnets bear for good, joints at thermal_joint_angle, A
+  double straight_continuous_current{};  ///< the same of the straight actuator, where they are nearest to each other, A
+  double ampacity{};                     ///< of the wire, A
+  Eigen::VectorXd coil_temperatures{};   ///< mean of each coil of an actuator, for which all this holds, degC
   /// Of the coils, when this rms current is held for good, degC; nothing in a runaway. A coil that warms takes less of
   /// a voltage: there it is an upper bound, unless coil_temperature asks for the coils' own.
   std::optional<double> steady_hot_spot{};

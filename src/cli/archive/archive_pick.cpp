@@ -16,6 +16,7 @@ struct Options {
   std::string folder;
   std::int64_t row{};
   std::string out;
+  bool force{false};
   bool json{false};
 };
 
@@ -27,8 +28,9 @@ void add_archive_pick(CLI::App& command) {
   add_archive_folder(*pick, options->folder);
   add_row_option(*pick, options->row);
   pick->add_option("--out", options->out, "File for the actuator (actuator/1); - is standard output")->required();
+  pick->add_flag("--force", options->force, "Replace a file that has another content")->disable_flag_override();
   add_written_json_option(*pick, options->json);
-  pick->footer("Example:\n  coilwright archive pick results/fastest_finger --row 17 --out actuator.json");
+  pick->footer("Example:\n  coilwright archive pick results/fastest_finger --row 17 --out design_17.json");
   pick->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);
     const archive::Row row = row_of(archive, options->row);
@@ -37,6 +39,9 @@ void add_archive_pick(CLI::App& command) {
     text::OutputFile file(options->out);
     const std::string& study = archive.contents().study;
     file.stream() << design_text(problem, point, sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
+    if (!options->force && options->out != "-" && file.would_change())
+      throw text::OutputError(options->out, "it holds something else; --force replaces it, another --out keeps it",
+                              text::OutputError::Stage::preparing);
     file.commit();
     // Standard output has the actuator itself, which is JSON.
     if (options->json && options->out != "-")

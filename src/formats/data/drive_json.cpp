@@ -56,6 +56,7 @@ Json to_json(const systems::DrivenActuator& driven) {
                            {"inductance_spread", driven.bank.inductance_spread},
                            in_unit("driver_resistance_Ohm", driven.driver_resistance),
                            in_unit("continuous_current_A", driven.continuous_current),
+                           in_unit("straight_continuous_current_A", driven.straight_continuous_current),
                            in_unit("ampacity_A", driven.ampacity),
                            {"steady_hot_spot_degC", number_or_null(driven.steady_hot_spot)},
                            {"emf_per_rate_mVs_rad", driven.motion.emf_per_rate * 1e3},

@@ -75,6 +75,7 @@ std::string value_text(const PartLimit& limit) {
 
 std::string state_of(const PartLimit& limit) {
   if (!limit.is_broken()) return "kept";
+  if (limit.conditional && !limit.value) return "-";
   return fmt::format("{}: {}", limit.conditional ? "MIND" : "BROKEN", limit.consequence);
 }
 
@@ -86,7 +87,13 @@ std::string lines_of(std::span<const PartLimit> broken, std::string_view advice)
     const char* side = limit.at_most ? "at_most" : "at_least";
     text += fmt::format("  {:<34} {:>10}  {} {:.5g}: {}\n", limit.quantity, value_text(limit),
                         limit.at_most ? "at most" : "at least", limit.limit, limit.consequence);
-    constraints.push_back(fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", limit.quantity, side, limit.limit));
+    // The limits of temperature are those of one wire and one grade of magnet, which the study may vary: the load is
+    // over whichever the design has.
+    const bool of_heat = limit.quantity.ends_with("_degC");
+    std::string constraint =
+        of_heat ? R"({"quantity": "thermal_load", "at_most": 1})"
+                : fmt::format(R"({{"quantity": "{}", "{}": {:.5g}}})", limit.quantity, side, limit.limit);
+    if (std::ranges::find(constraints, constraint) == constraints.end()) constraints.push_back(std::move(constraint));
   }
   return text + fmt::format("{} {}\n", advice, fmt::join(constraints, ", "));
 }

@@ -17,14 +17,25 @@ void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const 
 }
 
 void add_force_option(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "Replace files of the folder that have another content")->disable_flag_override();
+  command.add_flag("--force", force, "Replace files that have another content")->disable_flag_override();
 }
+
+namespace {
+
+text::OutputError other_content(const std::filesystem::path& file) {
+  return {file, "it holds something else; --force replaces it, another --out keeps it",
+          text::OutputError::Stage::preparing};
+}
+
+}  // namespace
 
 void keep_others(text::OutputFolder& folder, bool force) {
   if (force) return;
-  if (const auto file = folder.first_change())
-    throw text::OutputError(*file, "it holds something else; --force replaces it, another --out keeps it",
-                            text::OutputError::Stage::preparing);
+  if (const auto file = folder.first_change()) throw other_content(*file);
+}
+
+void keep_other(text::OutputFile& file, bool force) {
+  if (!force && file.would_change()) throw other_content(file.path());
 }
 
 }  // namespace coilwright::cli

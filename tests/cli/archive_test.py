@@ -94,6 +94,14 @@ class Archive(ProgramTest):
         self.assertEqual((self.folder / "picked.json").read_text(), (self.folder / "out/actuator.json").read_text())
         (other,) = self.designs("top", "--least", "mass_g", "--count", "1")
         self.archive("pick", "--row", other["row"], "--out", "light.json")
+        before = (self.folder / "light.json").read_bytes()
+        self.archive("pick", "--row", other["row"], "--out", "light.json")  # the same again loses nothing
+        self.assert_refused(["archive", "pick", "out", "--row", str(best["row"]), "--out", "light.json"],
+                            "light.json: cannot be written: it holds something else; --force replaces it, another --out keeps it")
+        self.assertEqual((self.folder / "light.json").read_bytes(), before)
+        self.archive("pick", "--row", best["row"], "--out", "light.json", "--force")
+        self.assertEqual((self.folder / "light.json").read_bytes(), (self.folder / "picked.json").read_bytes())
+        self.archive("pick", "--row", other["row"], "--out", "light.json", "--force")
         result = run("evaluate", "light.json", "--json", cwd=self.folder)
         self.assertEqual(json.loads(result.stdout)["mass_g"], other["quantities"]["mass_g"])
 

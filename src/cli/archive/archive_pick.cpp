@@ -5,6 +5,7 @@
 
 #include "archive_commands.hpp"
 #include "cli/design_text.hpp"
+#include "cli/keep_inputs.hpp"
 #include "cli/written_files.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "opened_archive.hpp"
@@ -28,7 +29,7 @@ void add_archive_pick(CLI::App& command) {
   add_archive_folder(*pick, options->folder);
   add_row_option(*pick, options->row);
   pick->add_option("--out", options->out, "File for the actuator (actuator/1); - is standard output")->required();
-  pick->add_flag("--force", options->force, "Replace a file that has another content")->disable_flag_override();
+  add_force_option(*pick, options->force);
   add_written_json_option(*pick, options->json);
   pick->footer("Example:\n  coilwright archive pick results/fastest_finger --row 17 --out design_17.json");
   pick->callback([options] {
@@ -39,9 +40,7 @@ void add_archive_pick(CLI::App& command) {
     text::OutputFile file(options->out);
     const std::string& study = archive.contents().study;
     file.stream() << design_text(problem, point, sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
-    if (!options->force && options->out != "-" && file.would_change())
-      throw text::OutputError(options->out, "it holds something else; --force replaces it, another --out keeps it",
-                              text::OutputError::Stage::preparing);
+    keep_other(file, options->force);
     file.commit();
     // Standard output has the actuator itself, which is JSON.
     if (options->json && options->out != "-")

@@ -128,6 +128,7 @@ void OutputFile::close() {
 
 bool OutputFile::would_change() {
   close();
+  if (path_ == standard_stream) return false;
   std::error_code none;  // not there, or not to be read: nothing is known of it, and commit() says what is wrong
   if (!fs::is_regular_file(path_, none)) return false;
   std::ifstream there(path_, std::ios::binary);

@@ -37,7 +37,7 @@ done
 run undeclared_before size
 run undeclared_after size
 # the design found before, with what is known after
-"$program" evaluate results/reference/undeclared_effect/actuator.json --current 1.2 --duty 0.6 \
+"$program" evaluate results/reference/undeclared_effect/actuator.json --current-A 1.2 --duty 0.6 \
   --set turns_radial=18 --set turns_axial=13 --set wire_gauge_AWG=29 --set magnet_radius_mm=10 \
   --set magnet_length_mm=14 --set gap_mm=0.6 --set bottom_layer_mm=1.8 \
   >results/reference/undeclared_effect/uncorrected_design.txt

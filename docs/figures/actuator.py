@@ -15,7 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 DESIGN = json.loads((HERE.parents[1] / "configs/actuators/paper_finger.json").read_text(encoding="utf-8"))
 COIL, MAGNET, BODY, MEASURED = (DESIGN[key] for key in ("coil", "magnet", "body", "measured"))
 
-# `coilwright evaluate configs/actuators/paper_finger.json --current 1.4`, joint_angles_deg, to one digit.
+# `coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4`, joint_angles_deg, to one digit.
 CURRENT_A = 1.4
 JOINT_ANGLES_DEG = (32.2, 31.4)
 

@@ -80,7 +80,7 @@ thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly,
   thermal::HeatChain chain;
   chain.width = size.width;
   chain.height = size.height;
-  chain.heat_transfer = design.surroundings.heat_transfer * design.calibration.heat_transfer;
+  chain.heat_transfer = calibrated_film(design);
   chain.silicone_conductivity = design.body.conductivity;
   chain.ambient = design.surroundings.ambient;
   chain.temperature_coefficient = winding::copper_temperature_coefficient;
@@ -108,6 +108,10 @@ thermal::Network heat_network(const Design& design, const Assembly& assembly,
                               const mechanics::JointVector& joint_angles) {
   if (design.choices.film == FilmChoice::still_air) return still_air_network(design, assembly, joint_angles);
   return thermal::build_network(heat_chain(design, assembly, joint_angles));
+}
+
+double calibrated_film(const Design& design) {
+  return design.surroundings.heat_transfer * design.calibration.heat_transfer;
 }
 
 double still_air_film(const Design& design, const Assembly& assembly) {

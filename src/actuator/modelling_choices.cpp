@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "coilwright/actuator/heat.hpp"
 #include "coilwright/actuator/hinges.hpp"
 
 namespace coilwright::actuator {
@@ -84,8 +85,7 @@ std::string name_of(const Design&, magnetics::CurrentDistribution winding) {
 
 std::string name_of(const Design& design, FilmChoice film) {
   if (film == FilmChoice::still_air) return "still air with radiation";
-  return fmt::format("{:.3g} W/m2K, from a continuous current",
-                     design.surroundings.heat_transfer * design.calibration.heat_transfer);
+  return fmt::format("{:.3g} W/m2K, from a continuous current", calibrated_film(design));
 }
 
 struct Question {

@@ -16,6 +16,10 @@ struct ActuatorOptions {
   std::vector<std::string> assignments;  ///< "gap_mm=1.2"
 };
 
+/// What an answer rests on that knows no temperature, as a last line of text.
+inline constexpr std::string_view cold_note =
+    "A design's coils and magnets are taken at 20 degC; warm, its magnets push less (evaluate says by how much).\n";
+
 /// ACTUATOR.json and --set.
 void add_actuator_options(CLI::App& command, ActuatorOptions& options);
 

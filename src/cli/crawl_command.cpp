@@ -1,17 +1,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "actuator_input.hpp"
+#include "coilwright/actuator/heat.hpp"
 #include "coilwright/systems/crawl.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/thermal/steady_state.hpp"
+#include "coilwright/thermal/transient.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
@@ -49,15 +54,57 @@ systems::CrawlerParts parts_of(const Options& options) {
           .drive = {.frequency = options.frequency, .duty = options.duty, .lead_resistance = options.lead_resistance}};
 }
 
-systems::Crawler crawler_of(const Options& options) {
+// What a film lets the robot bear.
+struct Bearing {
+  double for_good{};              // A rms in every coil, while neither coil nor magnet passes its limit
+  std::optional<double> until{};  // s from a cold start until one does at the rms current; nothing if none ever does
+};
+
+// Heat of the coils while it crawls, as if it lay straight: there coils and magnets are nearest to each other.
+struct CrawlHeat {
+  double rms_current{};  // A, of a coil
+  Bearing taken{};       // by the film of the actuator's file
+  Bearing still_air{};
+};
+
+struct Answer {
+  double mass{};  // kg
+  systems::Crawl crawl;
+  CrawlHeat heat;
+};
+
+Bearing bearing_of(const thermal::Network& network, double rms_current) {
+  Bearing out{.for_good = thermal::current_limits(network).for_good()};
+  if (rms_current <= out.for_good) return out;
+  const auto reached = thermal::time_to_limit(network, {.holding_current = 0.0, .overload_current = rms_current});
+  if (reached) out.until = reached->time;
+  return out;
+}
+
+CrawlHeat heat_of(const actuator::Design& design, const actuator::Assembly& assembly, const systems::Crawler& crawler,
+                  const systems::Crawl& crawl) {
+  const double resistance = assembly.coils * crawler.coil_resistance();
+  const auto straight = mechanics::JointVector::Zero(assembly.model.joints());
+  CrawlHeat out{.rms_current = std::sqrt(crawl.powers.copper / resistance)};
+  out.taken = bearing_of(actuator::heat_network(design, assembly, straight), out.rms_current);
+  out.still_air = bearing_of(actuator::still_air_network(design, assembly, straight), out.rms_current);
+  return out;
+}
+
+Answer answer_of(const Options& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   const actuator::Design design = design_in(file, options.actuator, "a crawler needs a design (actuator/1)");
   const actuator::Assembly assembly = assemble(design, options.actuator);
-  try {
-    return systems::Crawler(design, assembly, parts_of(options));
-  } catch (const std::invalid_argument& rule) {
-    throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
-  }
+  const systems::Crawler crawler = [&] {
+    try {
+      return systems::Crawler(design, assembly, parts_of(options));
+    } catch (const std::invalid_argument& rule) {
+      throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
+    }
+  }();
+  const systems::Crawl crawl = systems::crawl(
+      crawler, {.settling_periods = options.settling_periods, .periods = options.periods, .step = options.step * 1e-3});
+  return {.mass = crawler.mass(), .crawl = crawl, .heat = heat_of(design, assembly, crawler, crawl)};
 }
 
 std::string point_name(std::size_t i, std::size_t count) {
@@ -65,20 +112,24 @@ std::string point_name(std::size_t i, std::size_t count) {
   return i + 1 == count ? "front_end" : fmt::format("joint{}", i);
 }
 
+// Nothing: a time that never comes.
+using Rows = std::vector<std::pair<std::string, std::optional<double>>>;
+
 // Every number by its key; the table prints the same rows.
-std::vector<std::pair<std::string, double>> rows_of(const systems::Crawler& crawler, const systems::Crawl& crawl) {
+Rows rows_of(const Answer& answer) {
   constexpr double degrees = 57.29577951308232;
+  const systems::Crawl& crawl = answer.crawl;
   const systems::CrawlPowers& powers = crawl.powers;
-  std::vector<std::pair<std::string, double>> rows{{"mass_g", crawler.mass() * 1e3},
-                                                   {"speed_mm_s", crawl.speed * 1e3},
-                                                   {"speed_scatter_mm_s", crawl.speed_scatter * 1e3},
-                                                   {"coil_current_A", crawl.pulse_current},
-                                                   {"mean_cell_current_A", crawl.mean_current},
-                                                   {"power_W", powers.electrical},
-                                                   {"run_time_s", crawl.run_time},
-                                                   {"distance_per_charge_m", crawl.distance_per_charge},
-                                                   {"largest_bending_deg", crawl.largest_bending * degrees},
-                                                   {"smallest_bending_deg", crawl.smallest_bending * degrees}};
+  Rows rows{{"mass_g", answer.mass * 1e3},
+            {"speed_mm_s", crawl.speed * 1e3},
+            {"speed_scatter_mm_s", crawl.speed_scatter * 1e3},
+            {"coil_current_A", crawl.pulse_current},
+            {"mean_cell_current_A", crawl.mean_current},
+            {"power_W", powers.electrical},
+            {"run_time_s", crawl.run_time},
+            {"distance_per_charge_m", crawl.distance_per_charge},
+            {"largest_bending_deg", crawl.largest_bending * degrees},
+            {"smallest_bending_deg", crawl.smallest_bending * degrees}};
   for (std::size_t i = 0; i < crawl.lifts.size(); ++i)
     rows.emplace_back(fmt::format("lift_{}_mm", point_name(i, crawl.lifts.size())), crawl.lifts[i] * 1e3);
   for (const auto& [key, watts] : {std::pair{"copper_heat_mW", powers.copper},
@@ -90,27 +141,47 @@ std::vector<std::pair<std::string, double>> rows_of(const systems::Crawler& craw
                                    {"stored_mW", powers.stored},
                                    {"unbalanced_mW", powers.unbalanced}})
     rows.emplace_back(key, watts * 1e3);
+  rows.insert(rows.end(), {{"coil_rms_current_A", answer.heat.rms_current},
+                           {"continuous_current_A", answer.heat.taken.for_good},
+                           {"time_to_limit_s", answer.heat.taken.until},
+                           {"still_air_continuous_current_A", answer.heat.still_air.for_good},
+                           {"still_air_time_to_limit_s", answer.heat.still_air.until}});
   return rows;
 }
 
-std::string as_table(const std::vector<std::pair<std::string, double>>& rows) {
+std::string as_table(const Rows& rows) {
   std::string text;
-  for (const auto& [key, value] : rows) text += fmt::format("{:<26} {:>12.5g}\n", key, value);
+  for (const auto& [key, value] : rows)
+    text += fmt::format("{:<30} {:>12}\n", key, value ? fmt::format("{:.5g}", *value) : "never");
   return text;
 }
 
-std::string as_json(const std::vector<std::pair<std::string, double>>& rows) {
+std::string as_json(const Rows& rows) {
   Json out = Json::object({});
-  for (const auto& [key, value] : rows) out.set(key, value);
+  for (const auto& [key, value] : rows) out.set(key, value ? Json(*value) : Json());
   return out.text();
 }
 
+// A part that is at its limit only after the cell is empty is none to speak of.
+std::string remarks(const Answer& answer) {
+  const double run_time = answer.crawl.run_time;
+  const auto sentence = [&](const Bearing& bearing, const char* where) {
+    return fmt::format(
+        "MIND: {}coils of {:.3g} A rms bring a coil or a magnet to its limit {:.3g} s after a cold start, before the "
+        "cell is empty ({:.3g} s); for good they bear {:.3g} A.\n",
+        where, answer.heat.rms_current, *bearing.until, run_time, bearing.for_good);
+  };
+  if (answer.heat.taken.until && *answer.heat.taken.until < run_time) return sentence(answer.heat.taken, "");
+  if (answer.heat.still_air.until && *answer.heat.still_air.until < run_time)
+    return sentence(answer.heat.still_air, "in air that stands still, ");
+  return {};
+}
+
 void run_crawl(const Options& options) {
-  const systems::Crawler crawler = crawler_of(options);
-  const systems::Crawl crawl = systems::crawl(
-      crawler, {.settling_periods = options.settling_periods, .periods = options.periods, .step = options.step * 1e-3});
-  const auto rows = rows_of(crawler, crawl);
+  const Answer answer = answer_of(options);
+  const Rows rows = rows_of(answer);
   std::cout << (options.json ? as_json(rows) : as_table(rows));
+  std::cerr << remarks(answer);
 }
 
 void add_numbers(CLI::App& command, Options& options) {
@@ -156,7 +227,10 @@ void add_crawl_command(CLI::App& app, Outcome&) {
       "cell through one switch. Speed is positive towards the fingertip and the mean over the measured periods;\n"
       "speed_scatter_mm_s is the standard deviation of single periods. What the coils take beyond heat, "
       "mechanical_mW,\n"
-      "is lost in hinges, friction and landing feet; unbalanced_mW is what the time steps make or lose.\n\n"
+      "is lost in hinges, friction and landing feet; unbalanced_mW is what the time steps make or lose.\n"
+      "Heat is that of the rms current of cold coils in a robot that lies straight: continuous_current_A can be held\n"
+      "for good, and a coil or magnet is at its limit time_to_limit_s after a cold start, with the film of the\n"
+      "actuator's file and in still air.\n\n"
       "Example:\n"
       "  coilwright crawl configs/actuators/paper_finger.json --friction-forwards 0.3 --friction-backwards 0.6");
   command->callback([options] { run_crawl(*options); });

@@ -52,7 +52,7 @@ std::runtime_error no_performance(const std::string& file, const simulation::NoP
 
 text::InputError no_current(const Options& options) {
   return text::InputError(
-      {.file = options.actuator.file, .rule = "has no operating_point: give a current with --current"});
+      {.file = options.actuator.file, .rule = "has no operating_point: give a current with --current-A"});
 }
 
 actuator::GraspPoint grasp_point(const actuator::GraspPoint& usual, const Options& options) {
@@ -137,7 +137,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   CLI::App* command = app.add_subcommand("evaluate", "Compute what an actuator does at one current");
   add_actuator_options(*command, options->actuator);
   command
-      ->add_option("--current", options->current,
+      ->add_option("--current-A,--current", options->current,
                    "Current in every coil, A; a positive current bends the actuator. Default: that of the\n"
                    "operating_point of ACTUATOR.json, which size writes")
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
@@ -162,11 +162,11 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
                    "How the coils hang on the supply: parallel or series. Default: likewise, or parallel")
       ->check(word_rule({"parallel", "series"}));
   command
-      ->add_option("--supply-resistance", options->supply_resistance,
+      ->add_option("--supply-resistance-Ohm,--supply-resistance", options->supply_resistance,
                    "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0")
       ->check(number_rule(text::Rule::between(0.0, 1e6)));
   command
-      ->add_option("--supply-voltage", options->supply_voltage,
+      ->add_option("--supply-voltage-V,--supply-voltage", options->supply_voltage,
                    "Voltage of the supply without load, V; asks for the current that it drives at most")
       ->check(number_rule(text::Rule::between(1e-6, 1e6)));
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
@@ -175,8 +175,8 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"
       "steady-state values for this current and duty.\n\n"
       "Examples:\n"
-      "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --json\n"
-      "  coilwright evaluate configs/actuators/paper_finger.json --current 1.4 --set gap_mm=1.2 --set turns_axial=26");
+      "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --json\n"
+      "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --set gap_mm=1.2 --set turns_axial=26");
   command->callback([options] {
     if (options->page) keep_inputs({{options->actuator.file}}, {{*options->page}});
     const formats::ActuatorFile file = read_actuator(options->actuator);

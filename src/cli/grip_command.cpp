@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "actuator_input.hpp"
 #include "coilwright/actuator/cost.hpp"
+#include "coilwright/actuator/demagnetisation.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
@@ -61,6 +63,9 @@ struct Options {
 // In both fingers, unless the command or the file says otherwise: that of the paper's demonstrations, A.
 constexpr double paper_current = 1.4;
 
+// Of coils and magnets while they grip, degC.
+constexpr double cold = 20.0;
+
 // What the command answers.
 struct Answer {
   double current{};   // A, in every coil
@@ -69,6 +74,7 @@ struct Answer {
   double cost{};                           // US$, of the gripper with driver and supply
   double burns_from{};                     // A: from this current on a finger bent like that has no steady temperature
   std::optional<simulation::Heat> heat{};  // of one finger at the pose of the hold
+  std::optional<double> demagnetisation_margin{};  // of the worst magnet of a straight finger at 20 degC
   std::optional<std::optional<double>> least_current{}, least_friction{};  // where asked for; nothing if there is none
 };
 
@@ -115,11 +121,31 @@ Answer answer_of(const Options& options) {
   out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
   out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total());
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
+  if (design.magnet.grade != nullptr)
+    out.demagnetisation_margin = actuator::InnerFields(design, gripper.assembly())
+                                     .demagnetisation(std::vector<double>(design.layout.size(), cold), current)
+                                     .margin;
   if (options.most_current > 0.0)
     out.least_current = systems::gripper::least_current(gripper, object, task, options.most_current);
   if (options.most_friction > 0.0)
     out.least_friction = systems::gripper::least_friction(gripper, object, task, options.most_friction);
   return out;
+}
+
+bool burns(const Answer& answer) {
+  return std::abs(answer.current) >= answer.burns_from;
+}
+
+bool is_demagnetised(const Answer& answer) {
+  return answer.demagnetisation_margin && *answer.demagnetisation_margin < 0.0;
+}
+
+// A hold that the fingers do not survive is none.
+std::string held_text(const Answer& answer) {
+  if (is_demagnetised(answer)) return "Not for long: the magnets are lost (see below). Until then held";
+  if (answer.heat && answer.heat->time_to_limit)
+    return fmt::format("Held for {:.3g} s from cold, not for good (see below)", *answer.heat->time_to_limit);
+  return burns(answer) ? "Held for moments, until it burns (see below)" : "Held";
 }
 
 std::string verdict_of(const Options& options, const Answer& answer) {
@@ -130,8 +156,8 @@ std::string verdict_of(const Options& options, const Answer& answer) {
   if (!grasp.holds)
     return fmt::format("Not held: {}. It slips at a load of {:.4g} N; it would need {:.4g} N.\n", what, grasp.capacity,
                        grasp.load);
-  return fmt::format("Held: {}. The load is {:.4g} N; it slips at {}{:.4g} N, {:.3g} times that.\n", what, grasp.load,
-                     grasp.capacity_is_bound ? "more than " : "", grasp.capacity, grasp.margin());
+  return fmt::format("{}: {}. The load is {:.4g} N; it slips at {}{:.4g} N, {:.3g} times that.\n", held_text(answer),
+                     what, grasp.load, grasp.capacity_is_bound ? "more than " : "", grasp.capacity, grasp.margin());
 }
 
 std::string contacts_text(const Grasp& grasp) {
@@ -151,18 +177,26 @@ std::string least_text(const char* what, const std::optional<double>& least, dou
 }
 
 std::string heat_text(const Answer& answer) {
-  const bool burns = std::abs(answer.current) >= answer.burns_from;
+  const bool no_end = burns(answer);
   const std::string burning = fmt::format("at {:.4g} A nothing holds its temperature: it burns (from {:.4g} A on)",
                                           answer.current, answer.burns_from);
-  if (!answer.heat) return burns ? fmt::format("\nHeat of one finger bent like that: {}.\n", burning) : std::string();
+  if (!answer.heat) return no_end ? fmt::format("\nHeat of one finger bent like that: {}.\n", burning) : std::string();
   const simulation::Heat& heat = *answer.heat;
   std::string text = fmt::format("\nHeat of one finger bent like that against a wall: {:.4g} A can be held for good; ",
-                                 systems::gripper::held_for_good(heat));
-  text += burns ? burning : fmt::format("at {:.4g} A ", answer.current);
+                                 heat.current_for_good());
+  text += no_end ? burning : fmt::format("at {:.4g} A ", answer.current);
   if (heat.time_to_limit)
-    return text + fmt::format("{}a part reaches its limit after {:.3g} s, from cold.\n", burns ? "; " : "",
+    return text + fmt::format("{}a part reaches its limit after {:.3g} s, from cold.\n", no_end ? "; " : "",
                               *heat.time_to_limit);
-  return text + (burns ? ".\n" : "no part reaches its limit.\n");
+  return text + (no_end ? ".\n" : "no part reaches its limit.\n");
+}
+
+std::string magnets_text(const Answer& answer) {
+  if (!is_demagnetised(answer)) return {};
+  return fmt::format(
+      "The coils' field at {:.4g} A demagnetises the magnets for good, even at 20 degC (margin {:.3g}, at least 0): "
+      "these forces are there once at most.\n",
+      answer.current, *answer.demagnetisation_margin);
 }
 
 std::string as_text(const Options& options, const Answer& answer) {
@@ -180,7 +214,7 @@ std::string as_text(const Options& options, const Answer& answer) {
                       options.polarity == "same" ? "repel" : "attract", grasp.magnet_force);
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
-  return text + heat_text(answer) +
+  return text + heat_text(answer) + magnets_text(answer) +
          fmt::format(
              "\nTwo such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table "
              "III "
@@ -221,9 +255,10 @@ std::string as_json(const Answer& answer) {
   if (answer.least_current) out.set("least_current_A", optional_number(*answer.least_current));
   if (answer.least_friction) out.set("least_friction", optional_number(*answer.least_friction));
   out.set("runaway_current_A", answer.burns_from);
+  if (answer.demagnetisation_margin) out.set("demagnetisation_margin", *answer.demagnetisation_margin);
   out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
   if (answer.heat) {
-    out.set("continuous_current_A", systems::gripper::held_for_good(*answer.heat));
+    out.set("continuous_current_A", answer.heat->current_for_good());
     out.set("time_to_limit_s", optional_number(answer.heat->time_to_limit));
   }
   return out.text();

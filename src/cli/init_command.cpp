@@ -34,7 +34,7 @@ struct Start {
 
 std::vector<Start> kinds_of_start() {
   return {{.word = "study", .files = {"study.json", actuator_file}, .next = "coilwright size study.json --out results"},
-          {.word = "actuator", .files = {actuator_file}, .next = "coilwright evaluate actuator.json --current 1"},
+          {.word = "actuator", .files = {actuator_file}, .next = "coilwright evaluate actuator.json --current-A 1"},
           {.word = "dataset",
            .files = {"dataset.json", "step_0.7A.csv", "step_1.4A.csv", "sine_2Hz.csv", actuator_file},
            .next = "coilwright diagnose . --out results"}};

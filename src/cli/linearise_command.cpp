@@ -91,7 +91,7 @@ void run_linearise(const Options& options) {
     file.stream() << json;
     file.commit();
   }
-  report_stream(options.out) << (options.json ? json : as_table(model));
+  report_stream(options.out) << (options.json ? json : as_table(model) + "\n" + std::string(cold_note));
   std::cerr << remarks(model);
 }
 
@@ -102,7 +102,7 @@ void add_linearise_command(CLI::App& app, Outcome&) {
   CLI::App* command = app.add_subcommand("linearise", "Give the linear model of small motions about a steady pose");
   add_actuator_options(*command, options->actuator);
   command
-      ->add_option("--current", options->currents,
+      ->add_option("--current-A,--current", options->currents,
                    "Current that holds the pose, A: one in every coil, or one for each, base to tip")
       ->required()
       ->expected(1, static_cast<int>(mechanics::max_joints) + 1)
@@ -117,10 +117,10 @@ void add_linearise_command(CLI::App& app, Outcome&) {
       "with states that come back by themselves (a lag, creep) bring these along; camera effects are left out of the\n"
       "outputs. What sticks, and faces that are pressed, are told on standard error. Whether the parts bear the "
       "current:\n"
-      "evaluate.\n\n"
+      "evaluate. Coils and magnets are at 20 degC.\n\n"
       "Example:\n"
-      "  coilwright linearise configs/actuators/paper_finger.json --current 1.4 --out linear.json\n"
-      "  coilwright linearise configs/actuators/paper_finger.json --current 1.4 -0.3");
+      "  coilwright linearise configs/actuators/paper_finger.json --current-A 1.4 --out linear.json\n"
+      "  coilwright linearise configs/actuators/paper_finger.json --current-A 1.4 -0.3");
   command->callback([options] { run_linearise(*options); });
 }
 

@@ -63,8 +63,7 @@ Asked read(const Options& options) {
   const actuator::Assembly assembly = assemble(design, options.actuator);
   const thermal::CurrentLimits limits = thermal::current_limits(actuator::heat_network(design, assembly));
   return {.model = assembly.model,
-          .bearable =
-              Bearable{.continuous = std::min(limits.coils, limits.magnets), .ampacity = assembly.coil.current_limit}};
+          .bearable = Bearable{.continuous = limits.for_good(), .ampacity = assembly.coil.current_limit}};
 }
 
 control::ReachTask task_of(const Options& options, const Asked& asked) {
@@ -135,7 +134,7 @@ void run_reach(const Options& options) {
   const control::ProfileQuality& best = control::best_profile(reach);
   write(options, asked, reach, best);
   report_stream(options.out, options.header)
-      << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task));
+      << (options.json ? formats::to_json(reach).text() : report::to_text(reach, task) + std::string(cold_note));
   std::cerr << remarks(reach, task, asked);
 }
 

@@ -49,16 +49,17 @@ void add_camera(CLI::App& command) {
   CLI::App* rig =
       command.add_subcommand("camera", "Bending angle under steps and sines of the current (Figs 12 to 14)");
   add_rig_options(*rig, options->rig);
-  add_list(*rig, "--steps", options->steps,
+  add_list(*rig, "--steps-A,--steps", options->steps,
            "I1,I2,..: currents in every coil after the step, A. Default: 0.35,0.7,1.05,1.4", current);
   add_list(*rig, "--frequencies-Hz", options->frequencies,
            "F1,F2,..: frequencies of the sines, at most a tenth of the frame rate. Default: 0.5,1,2,10",
            up_to_a_million);
   rig->add_option("--only", options->only, "Film the steps or the sines alone: steps or sines")
       ->check(word_rule({"steps", "sines"}));
-  rig->add_option("--amplitude", options->amplitude, "Amplitude of the sines, A (default 0.7, as the paper's (23))")
+  rig->add_option("--amplitude-A,--amplitude", options->amplitude,
+                  "Amplitude of the sines, A (default 0.7, as the paper's (23))")
       ->check(number_rule(current));
-  rig->add_option("--offset", options->offset, "Mean current of the sines, A (default 0.7)")
+  rig->add_option("--offset-A,--offset", options->offset, "Mean current of the sines, A (default 0.7)")
       ->check(number_rule(current));
   rig->add_option("--frame-rate-Hz", options->frame_rate, "Frames a second (default 2000)")
       ->check(number_rule(up_to_a_million));

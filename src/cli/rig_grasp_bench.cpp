@@ -36,8 +36,8 @@ void add_grasp_bench(CLI::App& command) {
   auto options = std::make_shared<Options>();
   CLI::App* rig = command.add_subcommand("grasp-bench", "Force of the finger on a wall over the current (Fig. 9b)");
   add_rig_options(*rig, options->rig);
-  add_list(*rig, "--currents", options->currents, "I1,I2,..: currents in every coil, A. Default: 0,0.35,0.7,1.05,1.4",
-           text::Rule::between(-1e6, 1e6));
+  add_list(*rig, "--currents-A,--currents", options->currents,
+           "I1,I2,..: currents in every coil, A. Default: 0,0.35,0.7,1.05,1.4", text::Rule::between(-1e6, 1e6));
   rig->add_option(
          "--grasp-opening-deg", options->grasp_opening,
          "Bending angle at which the free actuator would just touch the wall (default 0: the straight actuator\n"
@@ -48,7 +48,7 @@ void add_grasp_bench(CLI::App& command) {
       ->check(number_rule(text::Rule::between(0.0, 1e6)));
   rig->footer(
       "Example:\n"
-      "  coilwright rig grasp-bench configs/actuators/paper_finger.json --currents 0.7,1.4 --grasp-opening-deg 30");
+      "  coilwright rig grasp-bench configs/actuators/paper_finger.json --currents-A 0.7,1.4 --grasp-opening-deg 30");
   rig->callback([options] {
     run_rig(options->rig, [&](const actuator::Design& design, magnetics::Fidelity fidelity) {
       const GraspBench bench = bench_of(*options);

@@ -47,7 +47,7 @@ void add_torque_bench(CLI::App& command) {
   rig->add_option("--gauge-distance-mm", options->gauge_distance,
                   "Distance from the hinge at which the force gauge holds the joint (default 30)")
       ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1000.0))));
-  rig->add_option("--current", options->current, "Current in the coil, A; not 0 (default 1.4)")
+  rig->add_option("--current-A,--current", options->current, "Current in the coil, A; not 0 (default 1.4)")
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   add_list(*rig, "--angles-deg", options->angles,
            "A1,A2,..: angles of the joint, 0 to 120. Default: 0 to 82.5 in steps of 7.5",
@@ -55,7 +55,7 @@ void add_torque_bench(CLI::App& command) {
   rig->footer(
       "The data set declares the joint on the bench, not the finger: one coil, one magnet, the bench's hinge.\n\n"
       "Example:\n"
-      "  coilwright rig torque-bench configs/actuators/paper_finger.json --current 0.7 --angles-deg 0,30,60");
+      "  coilwright rig torque-bench configs/actuators/paper_finger.json --current-A 0.7 --angles-deg 0,30,60");
   rig->callback([options] {
     run_rig(options->rig, [&](const actuator::Design& design, magnetics::Fidelity fidelity) {
       const TorqueBench bench = bench_of(*options, design);

@@ -174,7 +174,7 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   add_actuator_options(*command, options->actuator);
   CLI::Option_group* input = command->add_option_group("input", "Input of the simulation; one of");
   input
-      ->add_option("--step", options->step,
+      ->add_option("--step-A,--step", options->step,
                    "Current in every coil from time 0 on, A; the actuator starts from rest without current")
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   input
@@ -187,9 +187,9 @@ void add_simulate_command(CLI::App& app, Outcome&) {
       "CSV file with time_s and one input: current_A, current1_A.., voltage_V or torque1_Nm..; values are held "
       "between samples");
   input->require_option(1);
-  command->add_option("--duration-s", options->duration, "Duration of --step or --sine, s (default 1)")
+  command->add_option("--duration-s", options->duration, "Duration of --step-A or --sine, s (default 1)")
       ->check(number_rule(text::positive));
-  command->add_option("--interval-s", options->interval, "Time between samples of --step or --sine, s (default 0.002)")
+  command->add_option("--interval-s", options->interval, "Time between samples of --step-A or --sine, s (default 0.002)")
       ->check(number_rule(text::positive));
   command->add_option("--out", options->out, "CSV file to write")->required();
   add_written_json_option(*command, options->json);
@@ -198,7 +198,7 @@ void add_simulate_command(CLI::App& app, Outcome&) {
       "bending_angle_deg includes the sensor's offset, scale and delay if the actuator declares them; joint\n"
       "angles and bending speed are the true ones. A step starts at rest without current, every other input at\n"
       "rest under its first sample, as a measured run with \"start\": \"at_rest\" does. A model without coils and\n"
-      "without a stable pose starts straight.\n\n"
+      "without a stable pose starts straight. Coils and magnets are at 20 degC.\n\n"
       "Example:\n"
       "  coilwright simulate configs/actuators/paper_finger.json --sine 0.7 0.7 2 --duration-s 2 --out sine.csv");
   command->callback([options] { run_simulate(*options); });

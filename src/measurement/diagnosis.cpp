@@ -87,7 +87,10 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const fit::Hypothesis as_declared(declared, {});
   const actuator::Model nominal = as_declared.model_at(as_declared.start());
   for (const data::Run& run : data.fit) replay::require_fits_model(run, declared, nominal);
-  if (!options.as_written) require_no_slip(data.fit, declared);
+  if (!options.as_written) {
+    require_no_slip(data.fit, declared);
+    FinalErrors::require_no_slip(data.validate, declared);
+  }
   const data::UsableRuns usable = data::usable_runs(data.fit);
   append(out.warnings, usable.warnings);
   std::vector<replay::PreparedRun> runs;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "measurement/fit/outliers.hpp"
+#include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement {
@@ -158,6 +159,10 @@ std::vector<double> abscissa(const PreparedRun& prepared) {
 void FinalErrors::require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
                                      const actuator::Model& nominal) {
   for (const data::Run& run : runs.runs_) (void)replay::prepare_run(run, declared, nominal);
+}
+
+void FinalErrors::require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared) {
+  measurement::require_no_slip(runs.runs_, declared);
 }
 
 FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,

@@ -26,6 +26,8 @@ class FinalErrors {
   /// set is refused at once. Reveals nothing else about the runs.
   static void require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
                                  const actuator::Model& nominal);
+  /// Throws RecordSlip as require_no_slip() does of other runs. Reveals nothing else.
+  static void require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared);
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
   /// which one of the models cannot be simulated is left out with a warning, and so are samples that no motion can
   /// show. The clocks, edges and hum of each run are fitted to it for each model. `still` are the records of the noise.

@@ -5,8 +5,10 @@
 namespace coilwright::report {
 
 std::string to_text(const formats::ArchiveCounts& counts) {
-  return fmt::format("{} keep every limit, {} do not, and {} could not be evaluated", counts.ok, counts.infeasible,
-                     counts.failed);
+  std::string text = fmt::format("{} keep every limit, {} do not, and {} could not be evaluated", counts.ok,
+                                 counts.infeasible, counts.failed);
+  if (counts.failed > 0) text += fmt::format(" (most often: {})", counts.usual_failure);
+  return text;
 }
 
 std::string_view meaning_of(sizing::StopReason reason) {

@@ -29,7 +29,7 @@ thermal::NodeVector of_coils(const thermal::Network& network, const thermal::Nod
 // From the steady state of `holding` until a part is at its limit under `current`, A; nothing if it never is.
 std::optional<double> time_until_limit(const thermal::Network& network, const thermal::CurrentLimits& limits,
                                        double holding, double current) {
-  const double allowed = std::min(limits.coils, limits.magnets);
+  const double allowed = limits.for_good();
   if (current <= allowed) return std::nullopt;
   if (holding >= allowed) return 0.0;
   const auto reached = thermal::time_to_limit(network, {.holding_current = holding, .overload_current = current});
@@ -71,7 +71,7 @@ Heat heat_of(const actuator::Design& design, const actuator::Assembly& assembly,
   Heat heat{.continuous_current = limits.coils,
             .magnet_continuous_current = limits.magnets,
             .runaway_current = limits.runaway,
-            .still_air_current = std::min(still.coils, still.magnets)};
+            .still_air_current = still.for_good()};
   const double current = std::abs(point.current);
   heat.time_to_limit = time_until_limit(network, limits, 0.0, current);
   heat.time_to_limit_warm = time_until_limit(network, limits, std::sqrt(mean_square), current);

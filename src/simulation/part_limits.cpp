@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "coilwright/actuator/heat.hpp"
+
 namespace coilwright::simulation {
 
 double PartLimit::margin() const noexcept {
@@ -63,14 +65,13 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
                       .conditional = true});
   }
   if (design.design.choices.film == actuator::FilmChoice::calibrated)
-    limits.push_back(
-        {.quantity = still_air,
-         .value = value(still_air),
-         .limit = 1.0,
-         .consequence = fmt::format("only moving air, or a mount that conducts, carries this heat away "
-                                    "({:.0f} W/m2K are taken); in still air coils or magnets overheat",
-                                    design.design.surroundings.heat_transfer * design.design.calibration.heat_transfer),
-         .conditional = true});
+    limits.push_back({.quantity = still_air,
+                      .value = value(still_air),
+                      .limit = 1.0,
+                      .consequence = fmt::format("only moving air, or a mount that conducts, carries this heat away "
+                                                 "({:.0f} W/m2K are taken); in still air coils or magnets overheat",
+                                                 actuator::calibrated_film(design.design)),
+                      .conditional = true});
   return limits;
 }
 

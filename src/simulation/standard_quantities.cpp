@@ -149,7 +149,7 @@ Value load(const OperatingPoint& point, double allowed) {
 }
 
 Value load(const OperatingPoint& point, const Heat& heat) {
-  return load(point, std::min(heat.continuous_current, heat.magnet_continuous_current));
+  return load(point, heat.current_for_good());
 }
 
 // Of the whole finger at the temperatures of its operating point.

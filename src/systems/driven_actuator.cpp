@@ -225,8 +225,8 @@ DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, co
       .driver = solved.current,
       .coil = shared(solved.current, solved.bank.shares.maxCoeff()),
       .heat_by_mean = solved.bank.circuit.resistance * solved.current.mean * solved.current.mean,
-      .continuous_current = std::min(limits.coils, limits.magnets),
-      .straight_continuous_current = std::min(nearest.coils, nearest.magnets),
+      .continuous_current = limits.for_good(),
+      .straight_continuous_current = nearest.for_good(),
       .ampacity = assembly.coil.current_limit,
       .coil_temperatures = temperatures,
       .motion = motional_effect(assembly, bank_of(design, assembly, question, temperatures), solved.driver)};

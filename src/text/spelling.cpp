@@ -64,6 +64,14 @@ std::vector<std::string> matching_words(std::string_view word, std::span<const s
   return words;
 }
 
+// "_supply_voltage_V_" of "--supply-voltage-V": each of its words is whole between two of these.
+std::string between_underscores(std::string_view name) {
+  const std::size_t first = name.find_first_not_of('-');
+  std::string out = fmt::format("_{}_", first == std::string_view::npos ? "" : name.substr(first));
+  std::ranges::replace(out, '-', '_');
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> words_beginning_with(std::string_view word, std::span<const std::string> candidates) {
@@ -71,10 +79,9 @@ std::vector<std::string> words_beginning_with(std::string_view word, std::span<c
 }
 
 std::vector<std::string> words_with(std::string_view word, std::span<const std::string> candidates) {
-  // Whole words between underscores.
-  const std::string inside = fmt::format("_{}_", word);
+  const std::string inside = between_underscores(word);
   return matching_words(word, candidates, [&](const std::string& each) {
-    return each.starts_with(word) || fmt::format("{}_", each).find(inside) != std::string::npos;
+    return each.starts_with(word) || between_underscores(each).find(inside) != std::string::npos;
   });
 }
 

@@ -41,4 +41,4 @@ class Program:
     def recoiling(self, gap: float) -> float:
         """How hard 1.4 A repel the prototype's magnet of N52, N: as an actuator has it."""
         finger = ROOT / "configs/actuators/finger.json"
-        return self.call("evaluate", str(finger), "--current", "1.4", "--set", f"gap_mm={gap!r}")["axial_force_N"]
+        return self.call("evaluate", str(finger), "--current-A", "1.4", "--set", f"gap_mm={gap!r}")["axial_force_N"]

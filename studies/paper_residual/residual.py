@@ -87,7 +87,7 @@ class Tool:
         return str(file)
 
     def evaluate(self, actuator: dict) -> dict:
-        return json.loads(self.call("evaluate", self.write(actuator), "--current", "1.4", "--json"))
+        return json.loads(self.call("evaluate", self.write(actuator), "--current-A", "1.4", "--json"))
 
     def speed(self, actuator: dict) -> float:
         return self.evaluate(actuator)["peak_bending_speed_cold_deg_s"]
@@ -132,7 +132,7 @@ def mean_gap(a: list[float], b: list[float]) -> float:
 
 def records(tool: Tool, actuator: dict) -> tuple[list[float], list[float]]:
     """Bending angles in the paper's steps (2 s each) and sines (one second, 0.5 Hz two), in a row."""
-    steps = [x for a in STEPS for x in tool.motion(actuator, "--step", str(a), "--duration-s", "2")]
+    steps = [x for a in STEPS for x in tool.motion(actuator, "--step-A", str(a), "--duration-s", "2")]
     sines = [x for f in SINES
              for x in tool.motion(actuator, "--sine", "0.7", "0.7", str(f), "--duration-s", str(2 if f < 1 else 1))]
     return steps, sines
@@ -365,7 +365,7 @@ def releases(tool: Tool, base: dict) -> None:
 
 def camera(tool: Tool, actuator: dict, name: str) -> None:
     """Largest slope over whole frames of the paper's 2 kHz camera."""
-    angles = tool.motion(actuator, "--step", "1.4", "--duration-s", "0.1", "--interval-s", "0.0005")
+    angles = tool.motion(actuator, "--step-A", "1.4", "--duration-s", "0.1", "--interval-s", "0.0005")
     print(f"{name}: peak speed, deg/s, as a slope over ..")
 
     def slope(frames: int) -> float:

@@ -122,7 +122,9 @@ class Archive(ProgramTest):
     def test_mistakes_are_one_line(self):
         for arguments, message in (
                 (["filter", "out", "--where", "mas_g < 60"], '--where: no such column: mas_g; did you mean "mass_g"?'),
-                (["filter", "out", "--where", "mass_g <"], '--where: near ")": syntax error'),
+                (["filter", "out", "--where", "mass_g <"], '--where: near ")": syntax error; a condition is written as '
+                 "mass_g < 60 and status = 'ok'"),
+                (["top", "out", "--most", "nosuch"], "--most: no such column: nosuch; coilwright archive csv DIR has every column"),
                 (["top", "out", "--most", "mas_g"], '--most: no such column: mas_g; did you mean "mass_g"?'),
                 (["top", "out"], "top: needs --most or --least, one of the two"),
                 (["replay", "out", "--row", "99999"],

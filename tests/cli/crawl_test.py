@@ -34,10 +34,32 @@ class Crawl(ProgramTest):
         self.assertEqual([line.split()[0] for line in table], list(answer))
         for line in table:
             key, printed = line.split()
+            if answer[key] is None:
+                self.assertEqual((printed, key.endswith("time_to_limit_s")), ("never", True))
+                continue
             self.assertAlmostEqual(float(printed), answer[key], delta=1e-4 * abs(answer[key]))  # five digits
 
+    def test_heat_of_the_coils(self):
+        answer = self.crawl()
+        # Power of two coils in parallel at 20 degC, by the resistance of evaluate.
+        coil = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1", "--json").stdout)["coil_resistance_Ohm"]
+        self.assertAlmostEqual(answer["coil_rms_current_A"], (answer["copper_heat_mW"] / 2000 / coil) ** 0.5, places=6)
+        # Straight, as drive says it of the same finger.
+        drive = json.loads(run("drive", PAPER_FINGER, "--duty", "0.1", "--json").stdout)
+        self.assertAlmostEqual(answer["continuous_current_A"], drive["straight_continuous_current_A"], places=9)
+        self.assertLess(answer["coil_rms_current_A"], answer["continuous_current_A"])
+        self.assertIsNone(answer["time_to_limit_s"])
+
+    def test_says_when_a_part_is_too_hot_before_the_cell_is_empty(self):
+        hot = run("crawl", PAPER_FINGER, *FEET, "--cell-voltage-V", "8", "--cell-limit-A", "30", "--settling-periods", "2",
+                  "--periods", "2")
+        self.assertRegex(hot.stderr, r"\AMIND: coils of 1\.\d+ A rms bring a coil or a magnet to its limit \d+ s after a cold "
+                                     r"start, before the cell is empty \(\d+ s\); for good they bear 0\.958 A\.\n\Z")
+        fan = run("crawl", PAPER_FINGER, *FEET, "--cell-capacity-mAh", "1000", "--settling-periods", "2", "--periods", "2")
+        self.assertTrue(fan.stderr.startswith("MIND: in air that stands still, coils of 0.7"), fan.stderr)
+
     def test_twice_the_capacity_is_twice_the_way(self):
-        one, two = self.crawl(), self.crawl("--cell-capacity-mAh", "300")
+        one, two = self.crawl("--cell-capacity-mAh", "75"), self.crawl()
         self.assertAlmostEqual(two["distance_per_charge_m"], 2 * one["distance_per_charge_m"], places=9)
 
     def test_bad_input_is_one_line(self):

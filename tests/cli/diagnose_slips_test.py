@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 import unittest
 
@@ -55,6 +56,18 @@ class Slips(ProgramTest):
         self.assert_slip(lambda i, t, c, a: (t, 1000 * c, a), "the input", "milliamperes", "divide it by 1000")
 
     def test_one_record_of_several(self):
+        self.write_as(lambda i, t, c, a: (t, c, -a))
+        for name, whole in self.records.items():
+            if name != "sine_2Hz.csv":
+                self.write(name, whole)
+        self.assertRegex(self.refusal(), r"sine_2Hz\.csv: bending_angle_deg: looks like an angle that is counted the other way: ")
+
+    def test_a_record_that_is_only_judged_by(self):
+        set_file = json.loads((self.folder / "dataset.json").read_text())
+        self.assertIn("sine_2Hz.csv", [each["file"] for each in set_file["runs"]])
+        for each in set_file["runs"]:
+            each["role"] = "validate" if each["file"] == "sine_2Hz.csv" else "fit"
+        self.write("dataset.json", json.dumps(set_file))
         self.write_as(lambda i, t, c, a: (t, c, -a))
         for name, whole in self.records.items():
             if name != "sine_2Hz.csv":

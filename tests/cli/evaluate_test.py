@@ -31,34 +31,34 @@ class Evaluate(ProgramTest):
         return got
 
     def test_marks_the_limits_that_are_broken_and_says_what_the_figures_rest_on(self):
-        result = run("evaluate", PAPER_FINGER, "--current", "1.4", "--json", cwd=self.folder)
+        result = run("evaluate", PAPER_FINGER, "--current-A", "1.4", "--json", cwd=self.folder)
         limits = {limit["quantity"]: limit for limit in json.loads(result.stdout)["part_limits"]}
         coil = next(limit for name, limit in limits.items() if name.startswith("coil_"))
         self.assertTrue(coil["broken"])
         self.assertGreater(coil["value"], coil["at_most"])
-        text = run("evaluate", PAPER_FINGER, "--current", "1.4", cwd=self.folder).stdout
+        text = run("evaluate", PAPER_FINGER, "--current-A", "1.4", cwd=self.folder).stdout
         self.assertRegex(text, r"\n  coil_\w+ +[0-9.]+  at most 155  BROKEN: the enamel of the wire fails\n")
         assumptions = json.loads(result.stdout)["assumptions"]
         for each in assumptions:
             self.assertIn(f"  {each['subject']}, taken as: {each['taken']}\n", text)
             self.assertIn(f"    if it is: {each['otherwise']}\n", text)
         self.assertGreaterEqual(len(assumptions), 1)
-        cool = run("evaluate", PAPER_FINGER, "--current", "0.5", cwd=self.folder).stdout
+        cool = run("evaluate", PAPER_FINGER, "--current-A", "0.5", cwd=self.folder).stdout
         self.assertNotIn("BROKEN", cool.split("What these figures rest on")[0])
 
     def test_takes_the_operating_point_of_the_file_where_it_is_told_none(self):
         sized = json.loads(PAPER_FINGER.read_text())
         sized["operating_point"] = {"current_A": 0.8, "duty": 0.5}
         self.write("sized.json", json.dumps(sized))
-        self.assertEqual(self.evaluate("sized.json"), self.evaluate(PAPER_FINGER, "--current", "0.8", "--duty", "0.5"))
-        self.assertEqual(self.evaluate("sized.json", "--current", "0.6"),
-                         self.evaluate(PAPER_FINGER, "--current", "0.6", "--duty", "0.5"))
+        self.assertEqual(self.evaluate("sized.json"), self.evaluate(PAPER_FINGER, "--current-A", "0.8", "--duty", "0.5"))
+        self.assertEqual(self.evaluate("sized.json", "--current-A", "0.6"),
+                         self.evaluate(PAPER_FINGER, "--current-A", "0.6", "--duty", "0.5"))
         self.write("plain.json", PAPER_FINGER.read_text())
         self.assert_refused(["evaluate", "plain.json"],
-                            "plain.json: has no operating_point: give a current with --current")
+                            "plain.json: has no operating_point: give a current with --current-A")
 
     def test_gives_every_key_that_is_promised(self):
-        got = self.evaluate(PAPER_FINGER, "--current", "1.4")
+        got = self.evaluate(PAPER_FINGER, "--current-A", "1.4")
         self.assertEqual([key for key in PROMISED if key not in got], [])
         # Nothing without a period, a supply's voltage or a grade.
         absent = {"temperature_ripple_K", "supply_driven_current_A", "demagnetisation_margin",
@@ -73,14 +73,14 @@ class Evaluate(ProgramTest):
 
     def test_gives_the_model_column_of_the_paper_s_finger(self):
         # Computed by an independent program from the paper's corrected equations; deltas are half the last digit given.
-        got = self.evaluate(PAPER_FINGER, "--current", "1.4")
+        got = self.evaluate(PAPER_FINGER, "--current-A", "1.4")
         for key, value, delta in (("axial_force_N", 2.147, 0.0005), ("rest_angle_deg", 21.07, 0.005),
                                   ("steady_angle_deg", 63.62, 0.005), ("peak_bending_speed_deg_s", 1708, 0.5),
                                   ("grasp_force_N", 1.12, 0.005), ("contact_force_no_current_N", 0.142, 0.0005),
                                   ("mass_g", 68, 0.5), ("current_limit_A", 1.4, 1e-12)):
             self.assertAlmostEqual(got[key], value, delta=delta, msg=key)
         # The table says so in words, with fewer digits.
-        lines = run("evaluate", PAPER_FINGER, "--current", "1.4").stdout.splitlines()
+        lines = run("evaluate", PAPER_FINGER, "--current-A", "1.4").stdout.splitlines()
         printed = {line.split()[0]: line.split()[1] for line in lines[lines.index("") + 1:] if line[:1].islower()}
         for key in PROMISED:
             if key != "joint_angles_deg":
@@ -90,36 +90,36 @@ class Evaluate(ProgramTest):
         finger = json.loads((CONFIGS / "actuators/finger.json").read_text())
         finger["body"]["bottom_layer_mm"] /= 2  # and with it a slit's stiffness by 4, which the measured one keeps
         self.write("thin.json", json.dumps(finger))
-        text = run("evaluate", "thin.json", "--current", "1", cwd=self.folder).stdout
+        text = run("evaluate", "thin.json", "--current-A", "1", cwd=self.folder).stdout
         self.assertRegex(text, r"\nMIND: the joint stiffness that was measured is 4\.\d* times what the dimensions give: was it "
                                r"measured on this actuator\?\n")
         finger["measured"].pop("joint_stiffness_Nmm_rad")
         finger["measured"].pop("joint_damping_Nmms_rad")
         self.write("thin.json", json.dumps(finger))
-        self.assertNotIn("MIND: the", run("evaluate", "thin.json", "--current", "1", cwd=self.folder).stdout)
+        self.assertNotIn("MIND: the", run("evaluate", "thin.json", "--current-A", "1", cwd=self.folder).stdout)
 
     def test_a_folder_of_results_is_told_from_its_actuator(self):
         (self.folder / "results").mkdir()
         self.write("results/actuator.json", "{}")
-        self.assert_refused(["evaluate", "results", "--current", "1"],
+        self.assert_refused(["evaluate", "results", "--current-A", "1"],
                             "results: must be a file, and is a folder; is results/actuator.json meant?")
 
     def test_a_grasp_has_an_opening_and_a_height(self):
         # The audit's 0.56 N at 30 degrees; the errata's 1.18 N for a contact 20 mm beyond the joint, not 21.2.
         for options, force in ((["--grasp-opening-deg", "30"], 0.56), (["--grasp-height-mm", "20"], 1.18)):
-            got = self.evaluate(PAPER_FINGER, "--current", "1.4", *options)
+            got = self.evaluate(PAPER_FINGER, "--current-A", "1.4", *options)
             self.assertAlmostEqual(got["grasp_force_N"], force, delta=0.005)
         # A file's own operating point says the same.
         actuator = json.loads(PAPER_FINGER.read_text())
         actuator["operating_point"] = {"current_A": 1.4, "grasp_opening_deg": 30, "grasp_height_mm": 19}
         self.write("gripping.json", json.dumps(actuator))
         self.assertEqual(self.evaluate("gripping.json"),
-                         self.evaluate(PAPER_FINGER, "--current", "1.4", "--grasp-opening-deg", "30",
+                         self.evaluate(PAPER_FINGER, "--current-A", "1.4", "--grasp-opening-deg", "30",
                                        "--grasp-height-mm", "19"))
 
     def test_duty_changes_temperatures_only(self):
-        held = self.evaluate(PAPER_FINGER, "--current", "1.05")
-        pulsed = self.evaluate(PAPER_FINGER, "--current", "1.05", "--duty", "0.36")
+        held = self.evaluate(PAPER_FINGER, "--current-A", "1.05")
+        pulsed = self.evaluate(PAPER_FINGER, "--current-A", "1.05", "--duty", "0.36")
         changed = {key for key in held if held[key] != pulsed[key]} - {"time_to_limit_warm_s"}
         self.assertEqual(sorted(changed),
                          ["coil_hot_spot_degC", "coil_resistance_hot_Ohm", "coil_temperature_degC",
@@ -129,7 +129,7 @@ class Evaluate(ProgramTest):
         self.assertAlmostEqual(pulsed["thermal_load"], 0.6 * held["thermal_load"], places=12)  # the square root of 0.36
 
     def test_a_supply_drives_coils_in_series_or_in_parallel(self):
-        current = ("--current", "1.05", "--duty", "0.36", "--supply-resistance", "0.3", "--supply-voltage", "12")
+        current = ("--current-A", "1.05", "--duty", "0.36", "--supply-resistance-Ohm", "0.3", "--supply-voltage-V", "12")
         series = self.evaluate(PAPER_FINGER, *current, "--wiring", "series")
         parallel = self.evaluate(PAPER_FINGER, *current)
         self.assertAlmostEqual(series["supply_voltage_cold_V"], 1.05 * (2 * series["coil_resistance_Ohm"] + 0.3), places=9)
@@ -142,8 +142,8 @@ class Evaluate(ProgramTest):
             self.assertAlmostEqual(got["supply_driven_current_A"], 1.05 * 12 / got["supply_voltage_V"], places=9)
 
     def test_beyond_thermal_runaway_there_is_no_temperature(self):
-        runaway = self.evaluate(PAPER_FINGER, "--current", "1.4")["runaway_current_A"]
-        got = self.evaluate(PAPER_FINGER, "--current", str(runaway + 0.1))
+        runaway = self.evaluate(PAPER_FINGER, "--current-A", "1.4")["runaway_current_A"]
+        got = self.evaluate(PAPER_FINGER, "--current-A", str(runaway + 0.1))
         for key in ("coil_temperature_degC", "coil_hot_spot_degC", "voltage_V", "power_W", "supply_voltage_V"):
             self.assertIsNone(got[key], key)
         self.assertGreater(got["voltage_cold_V"], 1)
@@ -151,23 +151,23 @@ class Evaluate(ProgramTest):
 
     def test_a_lumped_model_gives_its_motion(self):
         self.write("model.json", json.dumps(LUMPED))
-        got = self.evaluate("model.json", "--current", "0.8")
+        got = self.evaluate("model.json", "--current-A", "0.8")
         self.assertEqual(len(got["joint_angles_deg"]), 2)
         self.assertGreater(got["steady_angle_deg"], got["rest_angle_deg"])
         self.assertNotIn("mass_g", got)
 
     def test_set_changes_one_number_as_the_file_would(self):
         changed = json.loads(PAPER_FINGER.read_text())
-        factors = self.evaluate(PAPER_FINGER, "--current", "1.4")
+        factors = self.evaluate(PAPER_FINGER, "--current-A", "1.4")
         del changed["measured"]
         self.write("plain.json", json.dumps(changed))
         changed["body"]["gap_mm"] = 1.3
         changed["configuration"] = "A"
         self.write("changed.json", json.dumps(changed))
-        self.assertEqual(self.evaluate("plain.json", "--current", "1.4", "--set", "gap_mm=1.3", "--set",
+        self.assertEqual(self.evaluate("plain.json", "--current-A", "1.4", "--set", "gap_mm=1.3", "--set",
                                        "configuration=A"),
-                         self.evaluate("changed.json", "--current", "1.4"))
-        self.assertEqual(self.evaluate("--set", "gap_mm=0.9", PAPER_FINGER, "--current", "1.4"), factors)
+                         self.evaluate("changed.json", "--current-A", "1.4"))
+        self.assertEqual(self.evaluate("--set", "gap_mm=0.9", PAPER_FINGER, "--current-A", "1.4"), factors)
 
     def test_bad_assignments_are_refused(self):
         self.write("model.json", json.dumps(LUMPED))
@@ -186,19 +186,19 @@ class Evaluate(ProgramTest):
              "0.2 mm (with coil_inner_radius_mm=0.2)"),
         ):
             with self.subTest(assignment):
-                self.assert_refused(["evaluate", "finger.json", "--current", "1", "--set", assignment], message)
-        for command in (["evaluate", "finger.json", "--current", "1"], ["simulate", "finger.json", "--step", "1", "--out", "out.csv"]):
+                self.assert_refused(["evaluate", "finger.json", "--current-A", "1", "--set", assignment], message)
+        for command in (["evaluate", "finger.json", "--current-A", "1"], ["simulate", "finger.json", "--step-A", "1", "--out", "out.csv"]):
             self.assert_refused([*command, "--set", "gap_mm=1.2", "--set", "turns_axial=20", "--set", "gap_mm=1.3"],
                                 "gap_mm=1.3: must not be there twice: gap_mm=1.2 sets it too")
-        self.assert_refused(["evaluate", "model.json", "--current", "1", "--set", "gap_mm=1"],
+        self.assert_refused(["evaluate", "model.json", "--current-A", "1", "--set", "gap_mm=1"],
                             "model.json: is a lumped model: --set changes designs only")
 
     def test_a_bad_current_or_duty_is_refused(self):
         for arguments, message in (
-            (["--current", "nan"], '--current: must be a finite number; got "nan"'),
-            (["--current", "1e999"], '--current: must be a finite number; got "1e999"'),
-            (["--current", "1.4A"], '--current: must be a finite number; got "1.4A"'),
-            (["--current", "1", "--duty", "1.5"], '--duty: must be from 0 to 1; got "1.5"'),
+            (["--current-A", "nan"], '--current-A: must be a finite number; got "nan"'),
+            (["--current-A", "1e999"], '--current-A: must be a finite number; got "1e999"'),
+            (["--current-A", "1.4A"], '--current-A: must be a finite number; got "1.4A"'),
+            (["--current-A", "1", "--duty", "1.5"], '--duty: must be from 0 to 1; got "1.5"'),
         ):
             with self.subTest(message):
                 self.assert_refused(["evaluate", PAPER_FINGER, *arguments],
@@ -247,12 +247,12 @@ class Evaluate(ProgramTest):
         ):
             self.write("finger.json", text)
             with self.subTest(message):
-                self.assert_refused(["evaluate", "finger.json", "--current", "1.4"], "finger.json: " + message)
+                self.assert_refused(["evaluate", "finger.json", "--current-A", "1.4"], "finger.json: " + message)
 
     def test_an_actuator_of_100_mb_is_refused_at_once(self):
         with open(self.folder / "large.json", "wb") as file:
             file.truncate(100_000_000)
-        self.assertEqual(run("evaluate", "large.json", "--current", "1", cwd=self.folder).stderr,
+        self.assertEqual(run("evaluate", "large.json", "--current-A", "1", cwd=self.folder).stderr,
                          "coilwright: large.json: must not be larger than 16 MB\n")
 
 

@@ -53,7 +53,7 @@ class Export(ProgramTest):
         self.write("finger.json", '{"format": "actuator/1", "configuration": "C", "magnet": {"radius_mm": 8.5}, '
                                   '"coil": {"turns_radial": 12}}')
         run("export", "finger.json", "--as", "workshop", "--out", "out", cwd=self.folder)
-        result = json.loads(run("evaluate", "finger.json", "--current", "1", "--json", cwd=self.folder).stdout)
+        result = json.loads(run("evaluate", "finger.json", "--current-A", "1", "--json", cwd=self.folder).stdout)
         silicone = sum(float(row["in_actuator_cm3"]) for row in self.table("out/casting.csv")
                        if row["what"].startswith("segment")) * 1.13
         winding = {row["quantity"]: float(row["value"]) for row in self.table("out/winding.csv")}

@@ -31,7 +31,7 @@ def rows_of(section):
 
 class FormatsDocument(ProgramTest):
     def test_the_examples_run(self):
-        for kind, arguments in (("actuator", ["evaluate", "example.json", "--current", "0.5"]),
+        for kind, arguments in (("actuator", ["evaluate", "example.json", "--current-A", "0.5"]),
                                 ("pair", ["force", "example.json"])):
             for text in examples(kind):
                 self.write("example.json", text)
@@ -51,7 +51,7 @@ class FormatsDocument(ProgramTest):
             self.assertEqual({key: value_of(default) for key, default, *_ in rows}, written[section])
             for key, _, name, _ in rows:
                 with self.subTest(name):
-                    result = run("evaluate", "plain.json", "--current", "0.5", "--set",
+                    result = run("evaluate", "plain.json", "--current-A", "0.5", "--set",
                                  f"{name}={written[section][key]}", cwd=self.folder)
                     self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual({key: default for key, default, _ in rows_of("model")}, written["model"])

@@ -3,6 +3,7 @@
 import json
 import unittest
 
+from program import CONFIGS
 from program import PAPER_FINGER as FINGER
 from program import ProgramTest, run
 
@@ -12,7 +13,7 @@ BALL = ("--width-mm", "60", "--mass-g", "40", "--friction", "0.8")
 class Grip(ProgramTest):
     def test_holds_a_ball_and_says_by_how_much(self):
         text = run("grip", FINGER, *BALL).stdout
-        self.assertIn("Held: 40 g at 1.4 A.", text)
+        self.assertIn(": 40 g at 1.4 A.", text)
         self.assertIn("their magnets repel each other", text)
         answer = json.loads(run("grip", FINGER, *BALL, "--json").stdout)
         self.assertTrue(answer["holds"])
@@ -49,11 +50,28 @@ class Grip(ProgramTest):
         text = run("grip", FINGER, *BALL, "--current-A", "100").stdout
         self.assertRegex(text, r"Heat of one finger bent like that: at 100 A nothing holds its temperature: it burns "
                                r"\(from [12]\.\d+ A on\)\.\n")
+        self.assertTrue(text.startswith("Held for moments, until it burns (see below): 40 g at 100 A."), text)
         # Just beyond the runaway everything can still be computed.
         answer = json.loads(run("grip", FINGER, *BALL, "--json").stdout)
         beyond = 1.01 * answer["runaway_current_A"]
         self.assertRegex(run("grip", FINGER, *BALL, "--current-A", beyond).stdout,
                          r"can be held for good; at [\d.]+ A nothing holds its temperature: it burns \(from ")
+
+    def test_a_hold_that_parts_do_not_survive_is_none(self):
+        # The prototype's current is above what it holds for good.
+        self.assertRegex(run("grip", FINGER, *BALL).stdout,
+                         r"\AHeld for \d+ s from cold, not for good \(see below\): 40 g at 1\.4 A\.")
+        self.assertTrue(run("grip", FINGER, *BALL, "--current-A", "1").stdout.startswith("Held: 40 g at 1 A."))
+        # Magnets of a grade are lost in a field that grows with the current; flat ones near coils first.
+        graded = CONFIGS / "actuators" / "finger.json"
+        margins = {current: json.loads(run("grip", graded, *BALL, "--current-A", current, "--json").stdout)["demagnetisation_margin"]
+                   for current in ("1", "2", "30")}
+        self.assertGreater(margins["1"], 0)
+        # Linear in the current as long as it is finite.
+        self.assertAlmostEqual(margins["30"] - margins["1"], 29 * (margins["2"] - margins["1"]), places=9)
+        text = run("grip", graded, *BALL, "--current-A", "100").stdout
+        self.assertRegex(text, r"\ANot for long: the magnets are lost \(see below\)\. Until then held: 40 g at 100 A\.")
+        self.assertRegex(text, r"\nThe coils' field at 100 A demagnetises the magnets for good, even at 20 degC \(margin -[\d.]+, at least 0\)")
 
     def test_says_that_fingers_bend_past_an_object(self):
         text = run("grip", FINGER, "--width-mm", "40", "--mass-g", "100", "--friction", "1").stdout

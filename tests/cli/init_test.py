@@ -28,8 +28,8 @@ class Init(ProgramTest):
 
     def test_an_actuator_is_evaluated(self):
         self.assertEqual(self.init("actuator", "--out", "mine"),
-                         "mine/actuator.json\nNext in mine: coilwright evaluate actuator.json --current 1\n")
-        figures = json.loads(self.run_well("evaluate", "mine/actuator.json", "--current", "1", "--json"))
+                         "mine/actuator.json\nNext in mine: coilwright evaluate actuator.json --current-A 1\n")
+        figures = json.loads(self.run_well("evaluate", "mine/actuator.json", "--current-A", "1", "--json"))
         self.assertTrue(40 < figures["steady_angle_deg"] < 70)
         self.assertTrue(60 < figures["mass_g"] < 75)
 

@@ -15,7 +15,7 @@ def rows(what):
 
 class List(ProgramTest):
     def test_quantities_are_those_that_evaluate_prints_and_a_study_takes(self):
-        printed = json.loads(run("evaluate", PAPER_FINGER, "--current", "1", "--json").stdout)
+        printed = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1", "--json").stdout)
         names = [key for key, value in printed.items() if not isinstance(value, (list, dict))]
         listed = rows("quantities")
         self.assertEqual([row["key"] for row in listed if row["of"] == "evaluate"], names)
@@ -39,7 +39,7 @@ class List(ProgramTest):
             if key == "magnet_grade":
                 continue
             with self.subTest(key):
-                result = run("evaluate", "finger.json", "--current", "1", "--set", f"{key}=-1e9", cwd=self.folder)
+                result = run("evaluate", "finger.json", "--current-A", "1", "--set", f"{key}=-1e9", cwd=self.folder)
                 rule = row["range"].removeprefix("whole, ")
                 self.assertEqual(result.stderr, f"coilwright: {key}=-1e9: must be {rule}\n")
 

@@ -69,7 +69,7 @@ class StudyProvenance(ProgramTest):
         # The same numbers by evaluating the row's design as another command does.
         row = front[len(front) // 2]
         design = [f"--set={name}={row[name]}" for name in ("turns_radial", "wire_gauge_AWG", "gap_mm")]
-        result = run("evaluate", "finger.json", "--current", row["current_A"], "--duty", "0.5", "--json", *design,
+        result = run("evaluate", "finger.json", "--current-A", row["current_A"], "--duty", "0.5", "--json", *design,
                      cwd=self.folder)
         figures = json.loads(result.stdout)
         # Of a study that asks for no grasp, heat is that of the free finger; evaluate takes both poses.
@@ -114,7 +114,7 @@ class SetOfAStudy(ProgramTest):
         self.search("--set", "front_length_mm=12")
         row = self.table("out/front.csv")[0]
         design = [f"--set={name}={row[name]}" for name in ("turns_radial", "wire_gauge_AWG", "gap_mm")]
-        figures = json.loads(run("evaluate", "finger.json", "--current", "1", "--json", "--set=front_length_mm=12", *design,
+        figures = json.loads(run("evaluate", "finger.json", "--current-A", "1", "--json", "--set=front_length_mm=12", *design,
                                  cwd=self.folder).stdout)
         self.assertAlmostEqual(float(row["mass_g"]), figures["mass_g"], places=9)
 

@@ -115,7 +115,7 @@ class Reach(ProgramTest):
         result = run("reach", PAPER_FINGER, "--angle-deg", "50", "--out", "profile.csv", "--c-header", "finger.h",
                      cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        start = run("simulate", PAPER_FINGER, "--step", "0", "--duration-s", "0.01", "--out", "rest.csv", cwd=self.folder)
+        start = run("simulate", PAPER_FINGER, "--step-A", "0", "--duration-s", "0.01", "--out", "rest.csv", cwd=self.folder)
         self.assertEqual(start.returncode, 0)
         with open(self.folder / "rest.csv", newline="") as file:
             rest = next(csv.DictReader(file))

@@ -107,7 +107,7 @@ class Report(ProgramTest):
 
     def test_evaluate_and_validate_make_a_page_of_what_they_print(self):
         write_study(self)
-        done = run("evaluate", "finger.json", "--current", "1", "--json", "--report", "one.html", cwd=self.folder)
+        done = run("evaluate", "finger.json", "--current-A", "1", "--json", "--report", "one.html", cwd=self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         printed = json.loads(done.stdout)
         page = (self.folder / "one.html").read_text()
@@ -128,7 +128,7 @@ class Report(ProgramTest):
             "format": "lumped-model/1", "name": "rod", "gravity_m_s2": 9.81, "magnetics": None,
             "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0, "mass_kg": 0.5, "inertia_kgm2": 0}],
             "joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 0.005}]}))
-        self.assert_refused(("evaluate", "rod.json", "--current", "1", "--report", "one.html"),
+        self.assert_refused(("evaluate", "rod.json", "--current-A", "1", "--report", "one.html"),
                             "rod.json: is a lumped model: --report draws a design with its dimensions (actuator/1)")
         self.assertFalse((self.folder / "one.html").exists())
 
@@ -136,12 +136,12 @@ class Report(ProgramTest):
         write_study(self)
         before = (self.folder / "finger.json").read_bytes()
         (self.folder / "finger.html").symlink_to("finger.json")
-        self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "finger.html"),
+        self.assert_refused(("evaluate", "finger.json", "--current-A", "1", "--report", "finger.html"),
                             "finger.html: cannot be written: it is an input of this command")
-        self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "finger.json"),
+        self.assert_refused(("evaluate", "finger.json", "--current-A", "1", "--report", "finger.json"),
                             'evaluate: --report: must end in .html; got "finger.json" (see coilwright evaluate --help)')
         self.assertEqual((self.folder / "finger.json").read_bytes(), before)
-        self.assert_refused(("evaluate", "finger.json", "--current", "1", "--report", "-"),
+        self.assert_refused(("evaluate", "finger.json", "--current-A", "1", "--report", "-"),
                             "evaluate: --report: must be a file: standard output has the answer itself "
                             "(see coilwright evaluate --help)")
         self.size()

@@ -54,7 +54,7 @@ class TorqueBench(Rig):
         self.assertEqual(list(rows[0]), ["angle_deg", "current_A", "torque_Nmm"])
         self.assertEqual(len(rows), 12)
         # The joint on the bench: one coil, one magnet, a hinge that is further away.
-        joint = run("evaluate", "set/actuator.json", "--current", "1", "--json", cwd=self.folder)
+        joint = run("evaluate", "set/actuator.json", "--current-A", "1", "--json", cwd=self.folder)
         self.assertEqual((joint.returncode, joint.stderr), (0, ""))
         self.assertEqual(self.diagnosis("set")["verdict"], "no_missing_effect")
 
@@ -74,7 +74,7 @@ class TorqueBench(Rig):
         refused('rig torque-bench: --angles-deg: must be a finite number; got "x"' + see, "--angles-deg", "0,x")
         refused('rig torque-bench: --gauge-distance-mm: must be > 0 and <= 1000; got "0"' + see,
                 "--gauge-distance-mm", "0")
-        refused(f"{PAPER_FINGER}: current must be finite and not 0; got 0 A", "--current", "0")
+        refused(f"{PAPER_FINGER}: current must be finite and not 0; got 0 A", "--current-A", "0")
         refused(f"{PAPER_FINGER}: hinge axis must lie below the parts, more than 10 mm from their centre; got 9 mm",
                 "--axis-offset-mm", "9")
         refused('rig torque-bench: unknown option "--angle-deg"; did you mean "--angles-deg"?' + see,
@@ -130,13 +130,13 @@ class StiffnessGauge(Rig):
 class GraspBench(Rig):
     # The errata: 0.142 N without current and 1.12 N at 1.4 A; 1.18 N at 20 mm. Measured: 0.14 and 1.19 N.
     def test_it_reads_what_the_errata_have_and_evaluate_too(self):
-        answer = self.json("grasp-bench", "--currents", "0,1.4")
+        answer = self.json("grasp-bench", "--currents-A", "0,1.4")
         forces = [each["line_of_centres"]["force_N"] for each in answer["readings"]]
         self.assertAlmostEqual(forces[0], 0.142, delta=5e-4)
         self.assertAlmostEqual(forces[1], 1.12, delta=5e-3)
-        evaluated = json.loads(run("evaluate", PAPER_FINGER, "--current", "1.4", "--json").stdout)
+        evaluated = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1.4", "--json").stdout)
         self.assertAlmostEqual(forces[1], evaluated["grasp_force_cold_N"], places=9)
-        lower = self.json("grasp-bench", "--currents", "1.4", "--grasp-height-mm", "20")
+        lower = self.json("grasp-bench", "--currents-A", "1.4", "--grasp-height-mm", "20")
         self.assertAlmostEqual(lower["readings"][0]["line_of_centres"]["force_N"], 1.18, delta=5e-3)
 
     def test_the_set_is_one_that_the_actuator_explains_wherever_the_wall_stands(self):
@@ -155,7 +155,7 @@ class GraspBench(Rig):
 
 class Camera(Rig):
     def test_it_shows_what_simulate_gives(self):
-        self.rig("camera", "--steps", "1.05", "--frequencies-Hz", "2", "--frame-rate-Hz", "500", "--duration-s", "0.5",
+        self.rig("camera", "--steps-A", "1.05", "--frequencies-Hz", "2", "--frame-rate-Hz", "500", "--duration-s", "0.5",
                  "--out", "set")
         for name in ("step_1.05A", "sine_2Hz"):
             rows = self.table(f"set/{name}.csv")
@@ -183,14 +183,14 @@ class Camera(Rig):
                                    "start": "at_rest", "sigma": 0.3})
 
     def test_the_set_is_one_that_the_actuator_explains(self):
-        self.rig("camera", "--frame-rate-Hz", "100", "--duration-s", "0.8", "--steps", "0.7,1.4",
+        self.rig("camera", "--frame-rate-Hz", "100", "--duration-s", "0.8", "--steps-A", "0.7,1.4",
                  "--frequencies-Hz", "2,5", "--out", "set")
         self.assertEqual(self.diagnosis("set")["verdict"], "no_missing_effect")
 
     def test_what_no_camera_can_film_is_refused(self):
         self.assert_refused(["rig", "camera", PAPER_FINGER, "--frame-rate-Hz", "50", "--out", "set"],
                             f"{PAPER_FINGER}: frequency must be > 0 and at most a tenth of the frame rate; got 10 Hz")
-        self.assert_refused(["rig", "camera", PAPER_FINGER, "--steps", "1.4,1.4", "--out", "set"],
+        self.assert_refused(["rig", "camera", PAPER_FINGER, "--steps-A", "1.4,1.4", "--out", "set"],
                             f"{PAPER_FINGER}: step must not be there twice; got 1.4 A")
 
 

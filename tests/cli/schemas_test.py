@@ -18,7 +18,7 @@ SCHEMAS = {path.name: json.loads(path.read_text()) for path in sorted((CONFIGS /
 FORMATS = {"actuator/1": "actuator", "lumped-model/1": "lumped-model", "study/1": "study",
            "measured-data/1": "measured-data", "experiment/1": "experiment"}
 # An unknown name after --set is told once the file has been read, and before anything is computed.
-READ_ONLY = ["--current", "0.5", "--set", "nothing=1"]
+READ_ONLY = ["--current-A", "0.5", "--set", "nothing=1"]
 NOTHING_FEASIBLE = 3
 WAS_READ = re.compile(r"nothing=1: is not a number of a design|is a lumped model: --set changes designs only")
 
@@ -394,7 +394,7 @@ class SchemasAndProgram(ProgramTest):
         self.assertEqual([effect["title"] for effect in SCHEMAS["effects.schema.json"]["items"]["oneOf"]], listed)
 
     def test_know_every_quantity(self):
-        result = run("evaluate", PAPER_FINGER, "--current", "1", "--json")
+        result = run("evaluate", PAPER_FINGER, "--current-A", "1", "--json")
         printed = [key for key, value in json.loads(result.stdout).items() if not isinstance(value, (list, dict))]
         self.assertEqual(SCHEMAS["study.schema.json"]["$defs"]["quantity"]["enum"], printed)
 

@@ -15,10 +15,10 @@ class Simulate(ProgramTest):
 
     def setUp(self):
         super().setUp()
-        self.performance = json.loads(run("evaluate", PAPER_FINGER, "--current", "1.4", "--json").stdout)
+        self.performance = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1.4", "--json").stdout)
 
     def test_a_step_starts_at_rest_and_ends_at_the_steady_angle(self):
-        rows = self.simulate("--step", "1.4", "--duration-s", "3", "--interval-s", "0.001")
+        rows = self.simulate("--step-A", "1.4", "--duration-s", "3", "--interval-s", "0.001")
         self.assertEqual(list(rows[0]), ["time_s", "current_A", "theta1_deg", "theta2_deg", "bending_angle_deg",
                                          "bending_speed_deg_s"])
         self.assertAlmostEqual(rows[0]["bending_angle_deg"], self.performance["rest_angle_deg"], places=6)
@@ -60,7 +60,7 @@ class Simulate(ProgramTest):
         self.write("plan.json", json.dumps(plan))
         self.write("plain.json", json.dumps({"format": "actuator/1", "configuration": "B"}))
         for warm, current in ((0, 1.0), (1, 2 / (1 + math.sqrt(1.8)))):
-            held = run("evaluate", "plain.json", "--current", repr(current), "--json", cwd=self.folder)
+            held = run("evaluate", "plain.json", "--current-A", repr(current), "--json", cwd=self.folder)
             start = json.loads(held.stdout)["steady_angle_deg"]
             heating = {"id": "coil_heating", "parameters": {"fade_1_A2": 0.2, "time_constant_s": 4, "warm_start": warm}}
             self.write("warming.json", json.dumps({"format": "actuator/1", "configuration": "B", "effects": [heating]}))
@@ -115,7 +115,7 @@ class Simulate(ProgramTest):
                 self.assertEqual(self.files()["out.csv"], b"precious")
 
     def test_exactly_one_input_is_asked_for(self):
-        for arguments in ([], ["--step", "1", "--input", "x.csv"]):
+        for arguments in ([], ["--step-A", "1", "--input", "x.csv"]):
             result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", cwd=self.folder)
             self.assertEqual(result.returncode, 2)
             self.assertEqual(result.stderr.count("\n"), 1)
@@ -123,7 +123,7 @@ class Simulate(ProgramTest):
 
     def test_a_result_that_cannot_be_written_is_refused(self):
         self.write("file", "")
-        self.assert_refused(["simulate", PAPER_FINGER, "--step", "1", "--out", "file/out.csv"],
+        self.assert_refused(["simulate", PAPER_FINGER, "--step-A", "1", "--out", "file/out.csv"],
                             "file/out.csv: cannot be written: Not a directory")
 
 

@@ -126,7 +126,7 @@ class Size(ProgramTest):
         write_study(self)
         text = self.size()
         base = self.result("out/result.json")["base"]
-        given = run("evaluate", "finger.json", "--current", repr(0.9 * 1.4), "--duty", "0.5", "--json", cwd=self.folder)
+        given = run("evaluate", "finger.json", "--current-A", repr(0.9 * 1.4), "--duty", "0.5", "--json", cwd=self.folder)
         self.assertEqual(base["objectives"]["peak_bending_speed_deg_s"],
                          json.loads(given.stdout)["peak_bending_speed_deg_s"])
         self.assertIn("mass_g <= 66 violated by", text.split("the study's own actuator with")[1].splitlines()[0])

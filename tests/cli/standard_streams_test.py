@@ -16,7 +16,7 @@ def feed(text, *arguments, cwd=None):
 class StandardInput(ProgramTest):
     def test_it_is_the_file_of_a_command(self):
         finger = PAPER_FINGER.read_text()
-        arguments = ["--current", "1", "--json"]
+        arguments = ["--current-A", "1", "--json"]
         self.assertEqual(feed(finger, "evaluate", "-", *arguments).stdout,
                          run("evaluate", PAPER_FINGER, *arguments).stdout)
         changed = feed(finger, "evaluate", "-", "--set", "gap_mm=1.1", *arguments)
@@ -24,10 +24,10 @@ class StandardInput(ProgramTest):
         self.assertEqual(changed.stdout, run("evaluate", PAPER_FINGER, "--set", "gap_mm=1.1", *arguments).stdout)
 
     def test_its_errors_name_it(self):
-        result = feed('{"format": "actuator/1", "configuraton": "B"}', "evaluate", "-", "--current", "1")
+        result = feed('{"format": "actuator/1", "configuraton": "B"}', "evaluate", "-", "--current-A", "1")
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertTrue(result.stderr.startswith("coilwright: standard input: "), result.stderr)
-        result = feed("", "evaluate", "-", "--current", "1")
+        result = feed("", "evaluate", "-", "--current-A", "1")
         self.assertEqual((result.returncode, result.stdout), (2, ""))
 
     def test_a_study_s_actuator_counts_from_where_the_command_runs(self):
@@ -61,8 +61,8 @@ class StandardInput(ProgramTest):
 
 class StandardOutput(ProgramTest):
     def test_it_gets_the_bytes_of_the_file(self):
-        for command in (["simulate", PAPER_FINGER, "--step", "1.2"],
-                        ["linearise", PAPER_FINGER, "--current", "1"],
+        for command in (["simulate", PAPER_FINGER, "--step-A", "1.2"],
+                        ["linearise", PAPER_FINGER, "--current-A", "1"],
                         ["drive", PAPER_FINGER, "--mean-A", "1", "--motion-s", "0.1"]):
             with self.subTest(command[0]):
                 to_file = run(*command, "--out", "file", cwd=self.folder)
@@ -74,7 +74,7 @@ class StandardOutput(ProgramTest):
         self.assertEqual(list(self.files()), ["file"])
 
     def test_nothing_comes_out_of_a_command_that_fails(self):
-        result = run("simulate", PAPER_FINGER, "--step", "1.2", "--duration-s", "1e9", "--out", "-")
+        result = run("simulate", PAPER_FINGER, "--step-A", "1.2", "--duration-s", "1e9", "--out", "-")
         self.assertNotEqual(result.returncode, 0)
         self.assertEqual(result.stdout, "")
 
@@ -94,7 +94,7 @@ class JsonErrors(ProgramTest):
 
     def test_a_mistake_in_a_file_comes_apart(self):
         self.write("finger.json", PAPER_FINGER.read_text().replace('"gap_mm": 0.9', '"gap_mm": -1'))
-        arguments = ["evaluate", "finger.json", "--current", "1"]
+        arguments = ["evaluate", "finger.json", "--current-A", "1"]
         told = self.error(*arguments, "--json")
         self.assertEqual(told, {"exit_code": 2, "message": "finger.json: /body/gap_mm: must be from 0.01 to 1000; got -1",
                                 "file": "finger.json", "place": "/body/gap_mm", "rule": "must be from 0.01 to 1000",

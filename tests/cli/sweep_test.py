@@ -32,7 +32,7 @@ class Sweep(ProgramTest):
         self.sweep()
         row = next(row for row in self.table("out/designs.csv")
                    if (row["configuration"], row["turns_radial"], row["gap_mm"]) == ("A", "13", "0.9"))
-        result = run("evaluate", "finger.json", "--current", row["current_A"], "--duty", "0.5", "--json", "--set",
+        result = run("evaluate", "finger.json", "--current-A", row["current_A"], "--duty", "0.5", "--json", "--set",
                      "configuration=A", "--set", "turns_radial=13", "--set", "gap_mm=0.9", cwd=self.folder)
         performance = json.loads(result.stdout)
         compared = 0

@@ -21,8 +21,8 @@ class TorqueCorrection(ProgramTest):
         return json.loads(result.stdout)
 
     def test_evaluate_honours_and_marks_it(self):
-        plain = self.evaluated(PAPER_FINGER, "--current", "0.6")
-        corrected = self.evaluated("corrected.json", "--current", "0.6")
+        plain = self.evaluated(PAPER_FINGER, "--current-A", "0.6")
+        corrected = self.evaluated("corrected.json", "--current-A", "0.6")
         self.assertNotIn("torque_correction", plain)
         reach = corrected["torque_correction"]
         self.assertEqual([each["variable"] for each in reach], ["angle"])
@@ -30,7 +30,7 @@ class TorqueCorrection(ProgramTest):
         self.assertAlmostEqual(reach[0]["measured_to_deg"], 40, places=9)
         self.assertIs(reach[0]["beyond"], False)
         self.assertNotEqual(plain["motion"] if "motion" in plain else plain, corrected)
-        text = run("evaluate", "corrected.json", "--current", "0.6", cwd=self.folder).stdout
+        text = run("evaluate", "corrected.json", "--current-A", "0.6", cwd=self.folder).stdout
         self.assertIn("With a nameless correction of the torque: what records showed and no known effect explains.\n"
                       "It was measured at joint angles of -10 to 40 deg.\n", text)
         self.assertNotIn("WARNING: used at", text)
@@ -39,14 +39,14 @@ class TorqueCorrection(ProgramTest):
         finger = json.loads((self.folder / "corrected.json").read_text())
         finger["torque_correction"] = {"angle_deg": [0, 4, 8], "torque_Nmm": [0.1, -0.3, -0.2]}
         self.write("corrected.json", json.dumps(finger))
-        text = run("evaluate", "corrected.json", "--current", "1.4", cwd=self.folder).stdout
+        text = run("evaluate", "corrected.json", "--current-A", "1.4", cwd=self.folder).stdout
         self.assertRegex(text, r"WARNING: used at joint angles of \S+ to \S+ deg: beyond what was measured it fades to "
                                r"nothing\.\n")
-        self.assertIs(self.evaluated("corrected.json", "--current", "1.4")["torque_correction"][0]["beyond"], True)
+        self.assertIs(self.evaluated("corrected.json", "--current-A", "1.4")["torque_correction"][0]["beyond"], True)
 
     def test_simulate_honours_and_marks_it(self):
         for name, file in (("plain", PAPER_FINGER), ("corrected", "corrected.json")):
-            result = run("simulate", file, "--step", "0.6", "--duration-s", "0.3", "--out", name + ".csv",
+            result = run("simulate", file, "--step-A", "0.6", "--duration-s", "0.3", "--out", name + ".csv",
                          cwd=self.folder)
             self.assertEqual(result.returncode, 0)
             if name == "plain":
@@ -82,7 +82,7 @@ class TorqueCorrection(ProgramTest):
                     "study.json: /actuator: has a nameless torque correction, which holds for the finger that was "
                     f"measured alone: {name} must not vary")
         self.assert_refused(
-            ["evaluate", "corrected.json", "--current", "1", "--set", "gap_mm=1.2"],
+            ["evaluate", "corrected.json", "--current-A", "1", "--set", "gap_mm=1.2"],
             "gap_mm=1.2: must not change: the actuator has a nameless torque correction, which holds for the finger "
             "that was measured alone")
 

@@ -57,7 +57,7 @@ class Usage(ProgramTest):
     def test_what_was_written_can_be_had_as_json(self):
         for command, files in (
             (["export", PAPER_FINGER, "--as", "drawing", "--out", "drawing"], ["drawing/drawing.svg", "drawing/drawing.dxf"]),
-            (["simulate", PAPER_FINGER, "--step", "1.4", "--out", "step.csv"], ["step.csv"]),
+            (["simulate", PAPER_FINGER, "--step-A", "1.4", "--out", "step.csv"], ["step.csv"]),
             (["schema", "study", "--out", "schemas"], None),
             (["size", "study.json", "--out", "out"], False),
             (["archive", "csv", "out", "--out", "designs.csv"], ["designs.csv"]),
@@ -73,7 +73,7 @@ class Usage(ProgramTest):
                     self.assertGreater(len(answer["files"]), 0)
                     for name in answer["files"]:
                         self.assertTrue((self.folder / name).is_file(), name)
-        motion = json.loads(run("simulate", PAPER_FINGER, "--step", "1.4", "--out", "step.csv", "--json", cwd=self.folder).stdout)
+        motion = json.loads(run("simulate", PAPER_FINGER, "--step-A", "1.4", "--out", "step.csv", "--json", cwd=self.folder).stdout)
         rows = self.table("step.csv")
         self.assertEqual((motion["samples"], motion["last_bending_angle_deg"]), (len(rows), float(rows[-1]["bending_angle_deg"])))
         self.assertEqual(motion["greatest_bending_speed_deg_s"], max(abs(float(row["bending_speed_deg_s"])) for row in rows))
@@ -81,7 +81,7 @@ class Usage(ProgramTest):
         self.assertEqual(designs, json.loads(run("archive", "filter", "out", "--where", "1", "--json", cwd=self.folder).stdout))
         self.assertEqual(json.loads(run("archive", "pick", "out", "--row", "1", "--out", "-", "--json", cwd=self.folder).stdout),
                          self.result("one.json"))
-        result = run("simulate", PAPER_FINGER, "--step", "1.4", "--out", "-", "--json", cwd=self.folder)
+        result = run("simulate", PAPER_FINGER, "--step-A", "1.4", "--out", "-", "--json", cwd=self.folder)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertEqual(json.loads(result.stderr)["error"]["message"], "simulate: --json: needs a file for --out: standard output has "
                                                                        "the result itself (see coilwright simulate --help)")

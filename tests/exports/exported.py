@@ -37,12 +37,12 @@ def export(actuator, kind, folder, *more):
 
 
 def evaluated(actuator, current):
-    result = run("evaluate", actuator, "--current", current, "--json")
+    result = run("evaluate", actuator, "--current-A", current, "--json")
     assert result.returncode == 0, result.stderr
     return json.loads(result.stdout)
 
 
 def linear(actuator, current):
-    result = run("linearise", actuator, "--current", current, "--json")
+    result = run("linearise", actuator, "--current-A", current, "--json")
     assert result.returncode == 0, result.stderr
     return json.loads(result.stdout)

@@ -14,7 +14,7 @@ SPEED = 3e-4
 
 
 def motion(actuator, folder, name):
-    result = run("simulate", actuator, "--step", "1.4", "--out", folder / name)
+    result = run("simulate", actuator, "--step-A", "1.4", "--out", folder / name)
     assert result.returncode == 0, result.stderr
     with open(folder / name, newline="") as file:
         return [(float(row["time_s"]), float(row["bending_angle_deg"])) for row in csv.DictReader(file)]

@@ -82,6 +82,10 @@ TEST(Spelling, SuggestsWhatHasTheWordAmongItsWords) {
             "; did you mean \"temperature_ripple_K\" or \"coil_temperature_degC\"?");
   EXPECT_EQ(did_you_mean("bending_speed", words), "; did you mean \"peak_bending_speed_deg_s\"?");
   EXPECT_EQ(did_you_mean("ending", words), "");
+  const std::vector<std::string> options = {"--supply-voltage-V", "--cell-voltage-V", "--duty"};
+  EXPECT_EQ(did_you_mean("--voltage-V", options),
+            "; did you mean \"--supply-voltage-V\" or \"--cell-voltage-V\"?");
+  EXPECT_EQ(did_you_mean("--", options), "");
 }
 
 TEST(Spelling, SuggestsAllThatAreEquallyNear) {

@@ -30,7 +30,10 @@ inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 18
 [[nodiscard]] thermal::Network still_air_network(const Design& design, const Assembly& assembly,
                                                  const mechanics::JointVector& joint_angles);
 
-/// That film, W/(m^2 K).
+/// The film that a continuous current asked for, W/(m^2 K): that of the surroundings, calibrated.
+[[nodiscard]] double calibrated_film(const Design& design);
+
+/// The film of still air, W/(m^2 K).
 [[nodiscard]] double still_air_film(const Design& design, const Assembly& assembly);
 
 }  // namespace coilwright::actuator

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <variant>
@@ -65,6 +66,11 @@ struct Heat {
   std::optional<double> time_to_limit_warm{};  ///< the same from the steady state of the mean load
   std::optional<double> ripple{};              ///< of a coil's mean temperature over a period, peak to peak, K
   Electrics electrics{};
+
+  /// What neither coils nor magnets forbid for good, A.
+  [[nodiscard]] double current_for_good() const noexcept {
+    return std::min(continuous_current, magnet_continuous_current);
+  }
 };
 
 /// The finger held free at the operating point.

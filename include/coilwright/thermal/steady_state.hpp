@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "coilwright/thermal/network.hpp"
@@ -53,6 +54,9 @@ struct CurrentLimits {
   double coils{};    ///< continuous_current for coils
   double magnets{};  ///< likewise for magnets; the runaway current where there are none
   double runaway{};  ///< runaway_current
+
+  /// What neither coils nor magnets forbid for good.
+  [[nodiscard]] double for_good() const noexcept { return std::min(coils, magnets); }
 };
 
 /// All three for the work of one. Throws std::invalid_argument for a network without coils.

@@ -52,12 +52,15 @@ std::vector<std::string> columns_of(const archive::Contents& contents) {
   return names;
 }
 
+constexpr const char* condition_example = "; a condition is written as mass_g < 60 and status = 'ok'";
+
 // SQLite's own words, and what may have been meant where they name a column that is none.
 std::string complaint(std::string_view words, const archive::Contents& contents) {
   constexpr std::string_view unknown = "no such column: ";
   std::string text(words);
-  if (words.starts_with(unknown)) text += text::did_you_mean(words.substr(unknown.size()), columns_of(contents));
-  return text;
+  if (!words.starts_with(unknown)) return text + condition_example;
+  const std::string hint = text::did_you_mean(words.substr(unknown.size()), columns_of(contents));
+  return text + (hint.empty() ? "; coilwright archive csv DIR has every column" : hint);
 }
 
 std::vector<archive::Row> rows_of(const archive::Reader& archive, const archive::Query& query,

@@ -147,16 +147,15 @@ std::string operation_text(const DesignSubject& subject) {
   std::string text = fmt::format(
       "In use. Straight, at {:.4g} degC around it, the actuator holds {:.3g} A in every coil for good; then {} at its "
       "limit. From {:.3g} A on nothing holds its temperature: it burns.",
-      subject.design.surroundings.ambient, std::min(limits.coils, limits.magnets),
+      subject.design.surroundings.ambient, limits.for_good(),
       limits.coils <= limits.magnets ? "the hottest coil is" : "the hottest magnet is", limits.runaway);
-  const double film = subject.design.surroundings.heat_transfer * subject.design.calibration.heat_transfer;
   if (subject.design.choices.film == actuator::FilmChoice::calibrated) {
     const thermal::CurrentLimits still =
         thermal::current_limits(actuator::still_air_network(subject.design, subject.assembly, straight));
     text += fmt::format(
-        " That takes {:.0f} W/m2K at its surface, as measured; air that stands still carries less away, and then it "
-        "holds {:.3g} A.",
-        film, std::min(still.coils, still.magnets));
+        " That takes {:.0f} W/m2K at its surface, as the continuous current of the actuator's file asks for; air that "
+        "stands still carries less away, and then it holds {:.3g} A.",
+        actuator::calibrated_film(subject.design), still.for_good());
   }
   if (const auto& point = subject.operating_point)
     text += fmt::format(" It was sized for {:.4g} A{}.", point->current,

@@ -1,11 +1,40 @@
 #include "coilwright/formats/study/search_json.hpp"
 
+#include <algorithm>
+#include <map>
+#include <string>
+
 namespace coilwright::formats {
 
 using namespace text;
 
+namespace {
+
+struct Reason {
+  std::string words{};  // of the first design
+  std::size_t designs{};
+};
+
+// "gap: must be > 0" of "gap: must be > 0; got -0.1": designs that break one rule by another value have one reason.
+std::string without_value(const std::string& failure) {
+  return failure.substr(0, failure.find("; got "));
+}
+
+std::string usual_failure(const sizing::Archive& archive) {
+  std::map<std::string, Reason> reasons;
+  for (const sizing::Record& record : archive.records()) {
+    if (record.evaluation.failure.empty()) continue;
+    Reason& reason = reasons[without_value(record.evaluation.failure)];
+    if (reason.designs++ == 0) reason.words = record.evaluation.failure;
+  }
+  const auto usual = std::ranges::max_element(reasons, {}, [](const auto& each) { return each.second.designs; });
+  return usual == reasons.end() ? std::string() : usual->second.words;
+}
+
+}  // namespace
+
 ArchiveCounts counts_of(const sizing::Archive& archive) {
-  ArchiveCounts counts;
+  ArchiveCounts counts{.usual_failure = usual_failure(archive)};
   for (const sizing::Record& record : archive.records()) {
     if (!record.evaluation.failure.empty())
       ++counts.failed;

@@ -14,8 +14,4 @@ std::optional<simulation::Heat> heat_of_hold(const actuator::Design& finger, con
   return found == nullptr ? std::nullopt : std::optional(found->gripping.heat);
 }
 
-double held_for_good(const simulation::Heat& heat) {
-  return std::min(heat.continuous_current, heat.magnet_continuous_current);
-}
-
 }  // namespace coilwright::systems::gripper

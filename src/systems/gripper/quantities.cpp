@@ -193,11 +193,12 @@ std::vector<ResultQuantity> gripper_quantities(const TaskOf& task) {
                        [](const Tried& done) -> Value { return done.grasp.magnet_force; }),
       results.of_heat(
           "grip_continuous_current_A", "current that neither coils nor magnets forbid for good in the pose of the hold",
-          1.0, [](const simulation::Heat& heat, const DesignView&) -> Value { return held_for_good(heat); }, runaway),
+          1.0, [](const simulation::Heat& heat, const DesignView&) -> Value { return heat.current_for_good(); },
+          runaway),
       results.of_heat(
           "grip_thermal_load", "rms current divided by grip_continuous_current_A", 1.0,
           [](const simulation::Heat& heat, const DesignView& d) -> Value {
-            const double allowed = held_for_good(heat);
+            const double allowed = heat.current_for_good();
             return allowed > 0.0 ? Value(std::abs(d.point.current) * std::sqrt(d.point.duty) / allowed) : Value();
           },
           "the surroundings are as hot as a limit already"),

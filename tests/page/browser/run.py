@@ -100,7 +100,7 @@ def main():
         run("init", "dataset", "--out", folder / "records")
         run("diagnose", folder / "records", "--out", folder / "diagnose", "--quiet", "--report")
         finger = ROOT / "configs/actuators/finger.json"
-        run("evaluate", finger, "--current", 1, "--report", folder / "evaluate.html")
+        run("evaluate", finger, "--current-A", 1, "--report", folder / "evaluate.html")
         run("validate", "--report", folder / "validate.html")
         grid = small_study("configurations", folder)
         run("sweep", grid, "--out", folder / "sweep", "--quiet", "--report")

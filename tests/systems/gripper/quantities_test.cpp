@@ -49,8 +49,8 @@ TEST(GripperQuantities, AreThoseOfTheGrasp) {
   EXPECT_EQ(value(counted.table, "grip_magnet_force_N", design), found.magnet_force);
   EXPECT_EQ(value(counted.table, "grip_load_N", design), 0.04 * 9.81);
   const auto heat = heat_of_hold(validation::paper_finger(), gripper, found, {.current = 1.4});
-  EXPECT_EQ(value(counted.table, "grip_continuous_current_A", design), held_for_good(*heat));
-  EXPECT_EQ(value(counted.table, "grip_thermal_load", design), 1.4 / held_for_good(*heat));
+  EXPECT_EQ(value(counted.table, "grip_continuous_current_A", design), heat->current_for_good());
+  EXPECT_EQ(value(counted.table, "grip_thermal_load", design), 1.4 / heat->current_for_good());
   const auto least = least_current(gripper, task.object, {}, design.performance.current_limit);
   EXPECT_EQ(value(counted.table, "grip_least_current_A", design), least.value());
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "coilwright/sizing/problem/archive.hpp"
@@ -16,6 +17,7 @@ struct ArchiveCounts {
   std::size_t ok{};
   std::size_t infeasible{};
   std::size_t failed{};
+  std::string usual_failure{};  ///< the most frequent reason of those that failed
 };
 [[nodiscard]] ArchiveCounts counts_of(const sizing::Archive& archive);
 

@@ -13,7 +13,4 @@ namespace coilwright::systems::gripper {
 [[nodiscard]] std::optional<simulation::Heat> heat_of_hold(const actuator::Design& finger, const Gripper& gripper,
                                                            const Grasp& grasp, const actuator::OperatingPoint& point);
 
-/// The largest current that neither coils nor magnets forbid for good, A.
-[[nodiscard]] double held_for_good(const simulation::Heat& heat);
-
 }  // namespace coilwright::systems::gripper

@@ -46,6 +46,7 @@ struct Options {
   std::string out;
   std::deque<std::optional<double>> settings;  // one per row of export_settings(), in the unit of its name
   bool incomplete{false};
+  bool force{false};
   bool json{false};
 };
 
@@ -126,6 +127,7 @@ void run_export(const Options& options) {
   keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file}, outputs);
   text::OutputFolder folder(out.has_filename() ? out : out.parent_path());
   for (const ExportedFile& file : files) folder.write(file.name, file.text);
+  keep_others(folder, options.force);
   folder.commit();
   if (options.json) {
     text::Json left_out = text::Json::array();
@@ -159,6 +161,7 @@ void add_export_command(CLI::App& app, Outcome&) {
   for (const ExportSetting& setting : exports::export_settings())
     command->add_option(option_name(setting), options->settings.emplace_back(), std::string(setting.text))
         ->check(number_rule(text::Rule::between(setting.lowest, setting.highest)));
+  add_force_option(*command, options->force);
   add_written_json_option(*command, options->json);
   command->footer(list_of_kinds() +
                   "\nExample:\n"

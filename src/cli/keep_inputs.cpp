@@ -1,5 +1,9 @@
 #include "keep_inputs.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
 #include <system_error>
 
 #include "coilwright/text/output/output_file.hpp"
@@ -36,6 +40,14 @@ void keep_others(text::OutputFolder& folder, bool force) {
 
 void keep_other(text::OutputFile& file, bool force) {
   if (!force && file.would_change()) throw other_content(file.path());
+}
+
+void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force) {
+  if (file.path() == "-") return;  // standard output, and no file of that name
+  std::ifstream present(file.path());
+  std::string header;
+  if (force || !std::getline(present, header) || header == fmt::format("{}", fmt::join(columns, ","))) return;
+  throw other_content(file.path());
 }
 
 }  // namespace coilwright::cli

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -21,5 +22,8 @@ void keep_others(text::OutputFolder& folder, bool force);
 
 /// The same of a single file.
 void keep_other(text::OutputFile& file, bool force);
+
+/// The same of a table that is made again and again: what begins with the header of these columns may be replaced.
+void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force);
 
 }  // namespace coilwright::cli

@@ -48,6 +48,7 @@ struct Options {
   std::string input;
   double duration = 1.0;
   double interval = 0.002;
+  bool force{false};
   bool json{false};
 };
 
@@ -114,14 +115,19 @@ Recording record(const actuator::Model& model, const ModelInput& input, const St
   return out;
 }
 
-void write(std::ostream& stream, const CommandedInput& command, const Recording& recording) {
-  const std::vector<State>& states = recording.states;
-  constexpr double degrees = 180.0 / std::numbers::pi;
+std::vector<std::string> columns_of(const actuator::Model& model, const CommandedInput& command) {
   std::vector<std::string> columns{"time_s"};
   const std::vector<std::string> commanded = column_names(command);
   columns.insert(columns.end(), commanded.begin(), commanded.end());
-  for (Eigen::Index j = 1; j <= states.front().angles.size(); ++j) columns.push_back(fmt::format("theta{}_deg", j));
+  for (int j = 1; j <= model.joints(); ++j) columns.push_back(fmt::format("theta{}_deg", j));
   columns.insert(columns.end(), {"bending_angle_deg", "bending_speed_deg_s"});
+  return columns;
+}
+
+void write(std::ostream& stream, const std::vector<std::string>& columns, const CommandedInput& command,
+           const Recording& recording) {
+  const std::vector<State>& states = recording.states;
+  constexpr double degrees = 180.0 / std::numbers::pi;
   text::CsvWriter csv(stream, columns);
   std::vector<double> row;
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -146,9 +152,11 @@ void run_simulate(const Options& options) {
   const actuator::Model model = read_model(options.actuator);
   const CommandedInput command = read_command(options, model);
   const ModelInput input = model_input(options, model, command);
+  const std::vector<std::string> columns = columns_of(model, command);
   text::OutputFile file(options.out);
+  keep_other_table(file, columns, options.force);
   const Recording recording = record(model, input, start_of(options, model, input));
-  write(file.stream(), command, recording);
+  write(file.stream(), columns, command, recording);
   file.commit();
   if (options.json) {
     constexpr double degrees = 180.0 / std::numbers::pi;
@@ -189,9 +197,11 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   input->require_option(1);
   command->add_option("--duration-s", options->duration, "Duration of --step-A or --sine, s (default 1)")
       ->check(number_rule(text::positive));
-  command->add_option("--interval-s", options->interval, "Time between samples of --step-A or --sine, s (default 0.002)")
+  command
+      ->add_option("--interval-s", options->interval, "Time between samples of --step-A or --sine, s (default 0.002)")
       ->check(number_rule(text::positive));
   command->add_option("--out", options->out, "CSV file to write")->required();
+  command->add_flag("--force", options->force, "Replace a file that is no such table")->disable_flag_override();
   add_written_json_option(*command, options->json);
   command->footer(
       "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample.\n"

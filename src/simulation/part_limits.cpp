@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "coilwright/actuator/heat.hpp"
 
@@ -21,6 +23,8 @@ namespace {
 constexpr std::string_view hot_spot = "coil_hot_spot_degC";
 constexpr std::string_view magnet_temperature = "magnet_temperature_degC";
 constexpr std::string_view still_air = "thermal_load_still_air";
+constexpr std::string_view load_free = "thermal_load_free";
+constexpr std::string_view load_gripping = "thermal_load_gripping";
 constexpr std::string_view mean_field = "demagnetisation_margin";
 constexpr std::string_view worst_field = "demagnetisation_margin_worst_point";
 
@@ -31,7 +35,26 @@ struct SaidBy {
 };
 constexpr std::array said_by{SaidBy{.conditional = still_air, .part = hot_spot},
                              SaidBy{.conditional = still_air, .part = magnet_temperature},
+                             SaidBy{.conditional = load_gripping, .part = hot_spot},
+                             SaidBy{.conditional = load_gripping, .part = magnet_temperature},
+                             SaidBy{.conditional = load_free, .part = hot_spot},
+                             SaidBy{.conditional = load_free, .part = magnet_temperature},
                              SaidBy{.conditional = worst_field, .part = mean_field}};
+
+// Where one pose alone counts, the other one is the condition.
+std::optional<PartLimit> limit_in_other_pose(const DesignView& design) {
+  const bool free = design.point.cases == actuator::HeldCases::free;
+  if (!free && design.point.cases != actuator::HeldCases::gripping) return std::nullopt;
+  const std::string_view name = free ? load_gripping : load_free;
+  return PartLimit{.quantity = name,
+                   .value = standard_quantities().at(name).value(design),
+                   .limit = 1.0,
+                   .consequence = free ? "held against a wall at this current, coils or magnets overheat; temperatures "
+                                         "here are of the free finger"
+                                       : "held free at this current, coils or magnets overheat; temperatures here are "
+                                         "of the finger that grips",
+                   .conditional = true};
+}
 
 }  // namespace
 
@@ -72,6 +95,7 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
                                                  "({:.0f} W/m2K are taken); in still air coils or magnets overheat",
                                                  actuator::calibrated_film(design.design)),
                       .conditional = true});
+  if (auto other = limit_in_other_pose(design)) limits.push_back(std::move(*other));
   return limits;
 }
 

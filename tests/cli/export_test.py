@@ -41,6 +41,19 @@ class Export(ProgramTest):
         self.assert_refused(["export", "winding.csv", "--as", "workshop", "--out", "."],
                             "./winding.csv: cannot be written: it is an input of this command")
 
+    def test_an_edited_file_is_kept(self):
+        """Parts in OpenSCAD are there to be changed by hand."""
+        command = ["export", FINGER, "--as", "mould", "--out", "out"]
+        self.assertEqual(run(*command, cwd=self.folder).returncode, 0)
+        self.assertEqual(run(*command, cwd=self.folder).returncode, 0)  # nothing of it changes
+        edited = sorted((self.folder / "out").glob("*.scad"))[0]
+        edited.write_text(edited.read_text() + "// mine\n")
+        self.assert_refused(command, f"out/{edited.name}: cannot be written: it holds something else; --force replaces it, "
+                                     "another --out keeps it")
+        self.assertIn("// mine", edited.read_text())
+        self.assertEqual(run(*command, "--force", cwd=self.folder).returncode, 0)
+        self.assertNotIn("// mine", edited.read_text())
+
     def test_the_silicone_s_parts_are_told_where_their_ratio_is(self):
         run("export", FINGER, "--as", "workshop", "--out", "out", "--base-per-hardener", "9", cwd=self.folder)
         page = (self.folder / "out" / "workshop.html").read_text()

@@ -9,7 +9,7 @@ from program import PAPER_FINGER, ProgramTest, run
 
 class Simulate(ProgramTest):
     def simulate(self, *arguments):
-        result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", cwd=self.folder)
+        result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", "--force", cwd=self.folder)
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         return [{key: float(value) for key, value in row.items()} for row in self.table("out.csv")]
 
@@ -35,6 +35,17 @@ class Simulate(ProgramTest):
             table.write("time_s,current_A\n0,1\n0.1,1\n")
         self.assert_refused(["simulate", PAPER_FINGER, "--input", "in.csv", "--out", "in.csv"],
                             "in.csv: cannot be written: it is an input of this command")
+
+    def test_a_record_is_not_overwritten_by_a_simulation_of_its_name(self):
+        self.write("step.csv", "time_s,current_A,bending_angle_deg\n0,0,21\n0.1,1,40\n")
+        command = ["simulate", PAPER_FINGER, "--step-A", "1", "--out", "step.csv"]
+        self.assert_refused(command, "step.csv: cannot be written: it holds something else; --force replaces it, another "
+                                     "--out keeps it")
+        self.assertEqual(len(self.table("step.csv")), 2)
+        self.assertEqual(run(*command, "--force", cwd=self.folder).returncode, 0)
+        # What it wrote itself it writes anew: another step, the same table.
+        self.assertEqual(run("simulate", PAPER_FINGER, "--step-A", "0.5", "--out", "step.csv", cwd=self.folder).returncode, 0)
+        self.assertEqual(self.table("step.csv")[-1]["current_A"], "0.5")
 
     def test_a_rig_without_an_equilibrium_starts_straight(self):
         # A point mass of 2 kg on 1 m without gravity or spring, pushed by 3 N m: x = 3 / (2 * 2) t^2 rad.

@@ -54,6 +54,25 @@ TEST(PartLimits, OfStillAirAreConditionalWhereTheFilmIsCalibrated) {
     EXPECT_NE(limit.quantity, "thermal_load_still_air");
 }
 
+// Against a wall the joints are opened less, and the coils are nearer to the magnets: these bear 1.02 A there, and 1.1 A
+// where the finger bends freely. A study of the free finger alone must be told what the wall does.
+TEST(PartLimits, OfTheOtherPoseAreConditionalWhereOnePoseCounts) {
+  using actuator::HeldCases;
+  const actuator::Design design = actuator::paper_finger();
+  const std::vector<PartLimit> free = limits_of(design, {.current = 1.05, .cases = HeldCases::free});
+  EXPECT_FALSE(limit_of(free, "magnet_temperature").is_broken());
+  EXPECT_TRUE(limit_of(free, "thermal_load_gripping").is_broken());
+  EXPECT_TRUE(limit_of(free, "thermal_load_gripping").conditional);
+  EXPECT_NEAR(*limit_of(free, "thermal_load_gripping").value, 1.05 / 1.02, 0.01);
+  const std::vector<PartLimit> gripping = limits_of(design, {.current = 1.05, .cases = HeldCases::gripping});
+  EXPECT_TRUE(limit_of(gripping, "magnet_temperature").is_broken());
+  EXPECT_FALSE(limit_of(gripping, "thermal_load_free").is_broken());
+  for (const PartLimit& limit : limits_of(design, {.current = 1.05})) {
+    EXPECT_NE(limit.quantity, "thermal_load_free");
+    EXPECT_NE(limit.quantity, "thermal_load_gripping");
+  }
+}
+
 // What overheats with the assumed film needs no word on still air.
 TEST(PartLimits, ThatAreConditionalAreNotSaidOfAPartThatIsBeyondItsLimit) {
   const auto names = [](double current) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -26,6 +27,12 @@ struct Line {
   std::optional<double> value;
   std::string_view meaning;
 };
+
+// What rounding leaves of nothing is nothing to a reader.
+std::optional<double> shown(const ResultQuantity& quantity, const std::optional<double>& value) {
+  constexpr double rounding = 1e-12;
+  return value && std::abs(*value) < rounding * quantity.scale ? 0.0 : value;
+}
 
 std::size_t width_of(const std::vector<Line>& lines) {
   std::size_t width = modes_name.size();
@@ -69,7 +76,8 @@ std::string value_lines(std::size_t width, const std::vector<Line>& lines) {
 std::string to_text(const simulation::DesignView& design, const QuantityTable& quantities) {
   std::vector<Line> lines;
   for (const ResultQuantity& quantity : quantities)
-    lines.push_back({.name = quantity.name, .value = quantity.value(design), .meaning = quantity.meaning});
+    lines.push_back(
+        {.name = quantity.name, .value = shown(quantity, quantity.value(design)), .meaning = quantity.meaning});
   const std::size_t width = width_of(lines);
   const simulation::Performance& found = design.performance;
   return value_lines(width, lines) + joint_lines(width, found.cold.rest_angles,
@@ -81,8 +89,9 @@ std::string to_text(const MotionSummary& motion, double current, const QuantityT
   std::vector<Line> lines;
   for (const ResultQuantity& quantity : quantities)
     if (quantity.value_of_lumped)
-      lines.push_back(
-          {.name = quantity.name, .value = quantity.value_of_lumped(motion, current), .meaning = quantity.meaning});
+      lines.push_back({.name = quantity.name,
+                       .value = shown(quantity, quantity.value_of_lumped(motion, current)),
+                       .meaning = quantity.meaning});
   const std::size_t width = width_of(lines);
   return value_lines(width, lines) + joint_lines(width, motion.rest_angles, &motion, &motion);
 }

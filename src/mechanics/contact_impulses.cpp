@@ -26,10 +26,16 @@ void check_friction(double value, const char* field, int contact) {
     throw std::invalid_argument(fmt::format("contact {}: {} must be finite and >= 0; got {}", contact, field, value));
 }
 
-void check(const CoordinateMatrix& mass, const CoordinateVector& velocity, std::span<const Contact> contacts) {
-  if (mass.rows() != velocity.size() || mass.cols() != velocity.size())
-    throw std::invalid_argument(
-        fmt::format("mass must be ({0}, {0}); got ({1}, {2})", velocity.size(), mass.rows(), mass.cols()));
+using MassFactor = Eigen::LLT<CoordinateMatrix>;
+
+void check(Eigen::Index rows, Eigen::Index columns, const CoordinateVector& velocity) {
+  if (rows != velocity.size() || columns != velocity.size())
+    throw std::invalid_argument(fmt::format("mass must be ({0}, {0}); got ({1}, {2})", velocity.size(), rows, columns));
+}
+
+void check(const MassFactor& mass, const CoordinateVector& velocity, std::span<const Contact> contacts) {
+  check(mass.rows(), mass.cols(), velocity);
+  if (mass.info() != Eigen::Success) throw std::invalid_argument("mass must be positive definite");
   for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
     const Contact& contact = contacts[i];
     if (contact.normal.size() != velocity.size() || contact.tangent.size() != velocity.size())
@@ -43,37 +49,37 @@ void check(const CoordinateMatrix& mass, const CoordinateVector& velocity, std::
 // The contacts by their impulses: speeds = response * impulses + free speeds, normals first, then tangents. Scaled so
 // that the mean response and the largest free speed are one: impulses then are of order one, too.
 struct Contacts {
-  MatrixXd rows;      // (2c, n)
-  MatrixXd mobility;  // mass^-1 rows^T, (n, 2c)
+  MatrixXd halves;    // L^-1 of the rows, (n, 2c): what mass = L L^T leaves to be done from either side
   MatrixXd response;  // (2c, 2c)
   VectorXd speeds;    // free
   double speed_unit{1.0};
   double impulse_unit{1.0};
 };
 
-Contacts contacts_of(const CoordinateMatrix& mass, const CoordinateVector& velocity, std::span<const Contact> list) {
+void set(Contacts& out, const MassFactor& mass, const CoordinateVector& velocity, std::span<const Contact> list) {
   const auto count = static_cast<Eigen::Index>(list.size());
-  Contacts out;
-  out.rows.resize(2 * count, velocity.size());
+  out.halves.resize(velocity.size(), 2 * count);
+  out.speeds.resize(2 * count);
   for (int i = 0; i < count; ++i) {
-    out.rows.row(i) = list[i].normal;
-    out.rows.row(count + i) = list[i].tangent;
+    out.halves.col(i) = list[i].normal;
+    out.halves.col(count + i) = list[i].tangent;
+    out.speeds[i] = list[i].normal.dot(velocity);
+    out.speeds[count + i] = list[i].tangent.dot(velocity);
   }
-  const Eigen::LLT<CoordinateMatrix> factor(mass);
-  if (factor.info() != Eigen::Success) throw std::invalid_argument("mass must be positive definite");
-  out.mobility = out.rows.transpose();
-  for (int i = 0; i < 2 * count; ++i) out.mobility.col(i) = factor.solve(CoordinateVector(out.mobility.col(i)));
-  out.response = out.rows * out.mobility;
-  out.speeds = out.rows * velocity;
+  // Column by column: for so few rows the blocks of a solution of all of them cost more than they save.
+  for (int i = 0; i < 2 * count; ++i) {
+    auto column = out.halves.col(i);
+    mass.matrixL().solveInPlace(column);
+  }
+  out.response.noalias() = out.halves.transpose().lazyProduct(out.halves);
   if (!out.response.allFinite() || !out.speeds.allFinite())
     throw std::invalid_argument("mass, velocities and contacts must be finite");
   const double speed = out.speeds.cwiseAbs().maxCoeff();
   const double response = out.response.diagonal().mean();
-  if (speed > 0.0) out.speed_unit = speed;
-  if (response > 0.0) out.impulse_unit = out.speed_unit / response;
+  out.speed_unit = speed > 0.0 ? speed : 1.0;
+  out.impulse_unit = response > 0.0 ? out.speed_unit / response : 1.0;
   out.speeds /= out.speed_unit;
   out.response *= out.impulse_unit / out.speed_unit;
-  return out;
 }
 
 // Unknowns: normal impulses n; b and c, by which friction pushes along +tangent with against * b and along -tangent
@@ -81,28 +87,50 @@ Contacts contacts_of(const CoordinateMatrix& mass, const CoordinateVector& veloc
 // not in the bounds the matrix is copositive, so that Lemke's method finds an answer if there is one, and zero is
 // allowed.
 struct Unknowns {
-  MatrixXd to_impulses;  // (2c, 3c)
-  MatrixXd matrix;
-  VectorXd constant;
+  // Each of n, b and c moves one impulse: `impulse[i]`, by `share[i]` of what it is.
+  std::vector<int> impulse;  // (3c)
+  VectorXd share;            // (3c)
+  MatrixXd matrix;           // (4c, 4c)
+  VectorXd constant;         // (4c)
+
+  [[nodiscard]] VectorXd impulses_by(const VectorXd& found) const {
+    VectorXd out = VectorXd::Zero(2 * share.size() / 3);
+    for (int i = 0; i < share.size(); ++i) out[impulse[i]] += share[i] * found[i];
+    return out;
+  }
 };
 
-Unknowns unknowns_of(const Contacts& contacts, std::span<const Contact> list) {
-  const auto count = static_cast<Eigen::Index>(list.size());
-  Unknowns out{MatrixXd::Zero(2 * count, 3 * count), MatrixXd::Zero(4 * count, 4 * count), VectorXd::Zero(4 * count)};
+void set(Unknowns& out, const Contacts& contacts, std::span<const Contact> list) {
+  const int count = static_cast<int>(list.size());
+  const int pushes = 3 * count;
+  out.impulse.resize(static_cast<std::size_t>(pushes));
+  out.share.resize(pushes);
+  out.matrix.setZero(4 * count, 4 * count);
+  out.constant.setZero(4 * count);
   for (int i = 0; i < count; ++i) {
-    out.to_impulses(i, i) = 1.0;
-    out.to_impulses(count + i, count + i) = list[i].friction.against;
-    out.to_impulses(count + i, 2 * count + i) = -list[i].friction.along;
-    out.matrix(count + i, 3 * count + i) = 1.0;
-    out.matrix(2 * count + i, 3 * count + i) = 1.0;
-    out.matrix(3 * count + i, i) = 1.0;
-    out.matrix(3 * count + i, count + i) = -1.0;
-    out.matrix(3 * count + i, 2 * count + i) = -1.0;
+    out.impulse[i] = i;
+    out.impulse[count + i] = out.impulse[2 * count + i] = count + i;
+    out.share[i] = 1.0;
+    out.share[count + i] = list[i].friction.against;
+    out.share[2 * count + i] = -list[i].friction.along;
+    out.matrix(count + i, pushes + i) = 1.0;
+    out.matrix(2 * count + i, pushes + i) = 1.0;
+    out.matrix(pushes + i, i) = 1.0;
+    out.matrix(pushes + i, count + i) = -1.0;
+    out.matrix(pushes + i, 2 * count + i) = -1.0;
   }
-  out.matrix.topLeftCorner(3 * count, 3 * count) = out.to_impulses.transpose() * contacts.response * out.to_impulses;
-  out.constant.head(3 * count) = out.to_impulses.transpose() * contacts.speeds;
-  return out;
+  for (int k = 0; k < pushes; ++k) {
+    for (int i = 0; i < pushes; ++i)
+      out.matrix(i, k) = out.share[i] * contacts.response(out.impulse[i], out.impulse[k]) * out.share[k];
+    out.constant[k] = out.share[k] * contacts.speeds[out.impulse[k]];
+  }
 }
+
+// Kept from call to call for its memory alone: a step has as many contacts as the step before, nearly always.
+struct Workspace {
+  Contacts contacts;
+  Unknowns unknowns;
+};
 
 // How far the impulses are from what contact and friction ask for, over the speed unit: each must be what is left of it
 // when its speed is taken off and it is put back into its bounds.
@@ -126,7 +154,7 @@ double fault_of(const Contacts& contacts, std::span<const Contact> list, const V
 VectorXd refined(const Contacts& contacts, std::span<const Contact> list, const Unknowns& unknowns,
                  const VectorXd& found) {
   const int count = static_cast<int>(found.size()) / 4;
-  const VectorXd impulses = unknowns.to_impulses * found.head(3 * count);
+  const VectorXd impulses = unknowns.impulses_by(found);
   const Eigen::Index free_speeds = Eigen::Index{2} * count;
   MatrixXd freedom = MatrixXd::Zero(free_speeds, free_speeds);
   std::vector<int> rows;
@@ -191,26 +219,39 @@ constexpr double allowed = 1e-8;
 // answers differ by less than this.
 constexpr double allowed_of_wedged = 1e-6;
 
-void attempt_impulses(const Attempt& attempt, const Contacts& contacts, const Unknowns& unknowns,
+// The problem of contacts that give way by `give` times their impulse, less that of `impulses`.
+Unknowns giving_way(const Unknowns& rigid, double give, const VectorXd& impulses) {
+  Unknowns out = rigid;
+  const int pushes = static_cast<int>(rigid.share.size());
+  for (int k = 0; k < pushes; ++k) {
+    for (int i = 0; i < pushes; ++i)
+      if (rigid.impulse[i] == rigid.impulse[k]) out.matrix(i, k) += give * rigid.share[i] * rigid.share[k];
+    out.constant[k] -= give * rigid.share[k] * impulses[rigid.impulse[k]];
+  }
+  return out;
+}
+
+std::optional<VectorXd> solved(const Unknowns& rigid, const Attempt& attempt, const VectorXd& impulses) {
+  if (attempt.give == 0.0) return lemke(rigid.matrix, rigid.constant, attempt.tolerances);
+  const Unknowns giving = giving_way(rigid, attempt.give, impulses);
+  return lemke(giving.matrix, giving.constant, attempt.tolerances);
+}
+
+void attempt_impulses(const Attempt& attempt, const Contacts& contacts, const Unknowns& rigid,
                       std::span<const Contact> list, BestImpulses& best) {
-  const auto pushes = 3 * static_cast<Eigen::Index>(list.size());
-  MatrixXd matrix = unknowns.matrix;
-  VectorXd constant = unknowns.constant;
-  matrix.topLeftCorner(pushes, pushes) += attempt.give * unknowns.to_impulses.transpose() * unknowns.to_impulses;
+  VectorXd impulses = VectorXd::Zero(contacts.speeds.size());
   for (int round = 0; round < attempt.rounds; ++round) {
-    const std::optional<VectorXd> found = lemke(matrix, constant, attempt.tolerances);
+    const std::optional<VectorXd> found = solved(rigid, attempt, impulses);
     if (!found) return;
-    const VectorXd impulses = unknowns.to_impulses * found->head(pushes);
+    impulses = rigid.impulses_by(*found);
     best.consider(impulses);
     if (best.fault() < 0.1 * allowed) return;
-    best.consider(refined(contacts, list, unknowns, *found));
+    best.consider(refined(contacts, list, rigid, *found));
     if (best.fault() < allowed) return;
-    constant.head(pushes) = unknowns.constant.head(pushes) - attempt.give * unknowns.to_impulses.transpose() * impulses;
   }
 }
 
-VectorXd impulses_of(const Contacts& contacts, std::span<const Contact> list) {
-  const Unknowns unknowns = unknowns_of(contacts, list);
+VectorXd impulses_of(const Contacts& contacts, const Unknowns& unknowns, std::span<const Contact> list) {
   constexpr std::array attempts = {
       Attempt{{.pivot = 1e-9, .tie = 1e-10}}, Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-7, 10},
       Attempt{{.pivot = 1e-9, .tie = 1e-10}, 1e-5, 20}, Attempt{{.pivot = 1e-8, .tie = 1e-11}},
@@ -228,19 +269,26 @@ VectorXd impulses_of(const Contacts& contacts, std::span<const Contact> list) {
 
 ContactStep contact_impulses(const CoordinateMatrix& mass, const CoordinateVector& free_velocity,
                              std::span<const Contact> contacts) {
+  check(mass.rows(), mass.cols(), free_velocity);
+  return contact_impulses(MassFactor(mass), free_velocity, contacts);
+}
+
+ContactStep contact_impulses(const MassFactor& mass, const CoordinateVector& free_velocity,
+                             std::span<const Contact> contacts) {
   check(mass, free_velocity, contacts);
   ContactStep out{free_velocity, std::vector<ContactImpulse>(contacts.size())};
   if (contacts.empty()) return out;
-  const Contacts closed = contacts_of(mass, free_velocity, contacts);
-  const VectorXd impulses = closed.impulse_unit * impulses_of(closed, contacts);
-  out.velocities += closed.mobility * impulses;
-  const VectorXd speeds = closed.rows * out.velocities;
+  thread_local Workspace work;
+  set(work.contacts, mass, free_velocity, contacts);
+  set(work.unknowns, work.contacts, contacts);
+  const VectorXd impulses = work.contacts.impulse_unit * impulses_of(work.contacts, work.unknowns, contacts);
+  out.velocities += mass.matrixU().solve(CoordinateVector(work.contacts.halves * impulses));
   const int count = static_cast<int>(contacts.size());
   for (int i = 0; i < count; ++i)
     out.impulses[i] = {.normal = impulses[i],
                        .tangential = impulses[count + i],
-                       .normal_speed = speeds[i],
-                       .sliding_speed = speeds[count + i]};
+                       .normal_speed = contacts[i].normal.dot(out.velocities),
+                       .sliding_speed = contacts[i].tangent.dot(out.velocities)};
   return out;
 }
 

@@ -70,11 +70,24 @@ CoordinateMatrix FloatingChain::mass_matrix(const FloatingFrames& frames) const 
   return mass;
 }
 
-// Accelerations of the centres of mass while no coordinate accelerates: towards the joints, by the squares of the
-// absolute rates.
 CoordinateVector FloatingChain::velocity_forces(const FloatingFrames& frames, const CoordinateVector& rates) const {
+  return forces_in_lift(frames, rates, 0.0);
+}
+
+CoordinateVector FloatingChain::gravity_forces(const FloatingFrames& frames) const {
+  return forces_in_lift(frames, CoordinateVector::Zero(coordinates()), gravity_);
+}
+
+CoordinateVector FloatingChain::bias_forces(const FloatingFrames& frames, const CoordinateVector& rates) const {
+  return forces_in_lift(frames, rates, gravity_);
+}
+
+// Accelerations of the centres of mass while no coordinate accelerates: towards the joints, by the squares of the
+// absolute rates, and upwards with the lift, in which everything weighs as it does in gravity.
+CoordinateVector FloatingChain::forces_in_lift(const FloatingFrames& frames, const CoordinateVector& rates,
+                                               double lift) const {
   CoordinateVector force = CoordinateVector::Zero(coordinates());
-  Eigen::Vector2d of_joint = Eigen::Vector2d::Zero();
+  Eigen::Vector2d of_joint(0.0, lift);
   double absolute = 0.0;
   for (int i = 0; i < count_; ++i) {
     absolute += rates[2 + i];
@@ -83,12 +96,6 @@ CoordinateVector FloatingChain::velocity_forces(const FloatingFrames& frames, co
     force += links_[i].mass * jacobian(frames, centre(i)).transpose() * acceleration;
     of_joint -= absolute * absolute * links_[i].length * frames[i].axis();
   }
-  return force;
-}
-
-CoordinateVector FloatingChain::gravity_forces(const FloatingFrames& frames) const {
-  CoordinateVector force = CoordinateVector::Zero(coordinates());
-  for (int i = 0; i < count_; ++i) force += links_[i].mass * gravity_ * jacobian(frames, centre(i)).row(1).transpose();
   return force;
 }
 

@@ -1,6 +1,8 @@
 #include "mechanics/lemke.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -10,14 +12,18 @@ namespace {
 // basic variables = first column + tableau * the others, which are zero. Variables are numbered w, z, covering.
 class Tableau {
  public:
-  Tableau(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& constant, const LemkeTolerances& tolerances)
-      : size_(static_cast<int>(constant.size())), tolerances_(tolerances), rows_(size_, size_ + 2) {
+  void set(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& constant, const LemkeTolerances& tolerances) {
+    size_ = static_cast<int>(constant.size());
+    tolerances_ = tolerances;
+    rows_.resize(size_, size_ + 2);
     rows_.col(0) = constant;
     rows_.middleCols(1, size_) = matrix;
     rows_.col(size_ + 1).setOnes();
-    for (int i = 0; i < size_; ++i) basic_.push_back(i);
-    others_.push_back(-1);
-    for (int i = 0; i <= size_; ++i) others_.push_back(size_ + i);
+    basic_.resize(static_cast<std::size_t>(size_));
+    others_.resize(static_cast<std::size_t>(size_) + 2);
+    std::iota(basic_.begin(), basic_.end(), 0);
+    others_.front() = -1;
+    std::iota(others_.begin() + 1, others_.end(), size_);
   }
 
   [[nodiscard]] int covering() const { return 2 * size_; }
@@ -89,8 +95,8 @@ class Tableau {
     return a < b;
   }
 
-  int size_;
-  LemkeTolerances tolerances_;
+  int size_{};
+  LemkeTolerances tolerances_{};
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows_;
   std::vector<int> basic_;
   std::vector<int> others_;  // by column; the first column is the constant
@@ -102,7 +108,9 @@ std::optional<Eigen::VectorXd> lemke(const Eigen::MatrixXd& matrix, const Eigen:
                                      const LemkeTolerances& tolerances) {
   const int size = static_cast<int>(constant.size());
   if (size == 0 || constant.minCoeff() >= 0.0) return Eigen::VectorXd::Zero(size);
-  Tableau tableau(matrix, constant, tolerances);
+  // Kept from call to call for its memory alone: a step of a robot solves one of the size of the step before.
+  thread_local Tableau tableau;
+  tableau.set(matrix, constant, tolerances);
   int row = tableau.first_row();
   int column = size + 1;
   // Paths are about two exchanges a variable long; random problems of 24 variables took 63 at most.

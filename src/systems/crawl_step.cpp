@@ -55,7 +55,7 @@ mechanics::MiddleOfStep at_middle(const Crawler& crawler, const CoordinateVector
   const mechanics::FloatingFrames frames = chain.frames(position);
 
   mechanics::MiddleOfStep out{
-      chain.mass_matrix(frames), -chain.velocity_forces(frames, velocity) - chain.gravity_forces(frames), {}};
+      .mass = chain.mass_matrix(frames), .force = -chain.bias_forces(frames, velocity), .contacts = {}};
   CoilCurrents currents = model.all_coils(0.0);
   JointMatrix implicit = JointMatrix::Zero(n, n);
   if (state == Switch::closed) {
@@ -77,6 +77,7 @@ mechanics::MiddleOfStep at_middle(const Crawler& crawler, const CoordinateVector
   out.mass.bottomRightCorner(n, n) += implicit;
 
   const FootFriction& friction = crawler.parts().friction;
+  out.contacts.reserve(crawler.contact_points().size());
   for (const mechanics::LinkPoint& point : crawler.contact_points()) {
     if (chain.position(frames, point).y() > mechanics::closed_gap) continue;
     const mechanics::FloatingJacobian slope = chain.jacobian(frames, point);

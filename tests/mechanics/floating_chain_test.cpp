@@ -47,6 +47,8 @@ TEST(FloatingChain, IsThePlanarChainWhereItsBaseIsHeld) {
   EXPECT_LT((floating.velocity_forces(frames, moving).tail(2) - velocity).norm(), 10 * ten_eps * velocity.norm());
   const JointVector gravity = held.gravity_torques(angles);
   EXPECT_LT((floating.gravity_forces(frames).tail(2) - gravity).norm(), 10 * ten_eps * gravity.norm());
+  const JointVector both = velocity + gravity;
+  EXPECT_LT((floating.bias_forces(frames, moving).tail(2) - both).norm(), 10 * ten_eps * both.norm());
 }
 
 TEST(FloatingChain, HasTheSlopesOfItsPositionsAndOfItsPotentialEnergy) {

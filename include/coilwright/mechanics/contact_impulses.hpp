@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <span>
 #include <vector>
@@ -57,5 +58,9 @@ struct ContactStep {
 /// 1e-6 where a body is wedged so that rigid contacts would hold it by impulses without measure.
 [[nodiscard]] ContactStep contact_impulses(const CoordinateMatrix& mass, const CoordinateVector& free_velocity,
                                            std::span<const Contact> contacts);
+
+/// The same of a mass matrix that is factorised already.
+[[nodiscard]] ContactStep contact_impulses(const Eigen::LLT<CoordinateMatrix>& mass,
+                                           const CoordinateVector& free_velocity, std::span<const Contact> contacts);
 
 }  // namespace coilwright::mechanics

@@ -46,6 +46,8 @@ class FloatingChain {
   [[nodiscard]] CoordinateVector velocity_forces(const FloatingFrames& frames, const CoordinateVector& rates) const;
   /// Gravity forces g = dV/dq, N and N m.
   [[nodiscard]] CoordinateVector gravity_forces(const FloatingFrames& frames) const;
+  /// Both, c + g, for the work of one.
+  [[nodiscard]] CoordinateVector bias_forces(const FloatingFrames& frames, const CoordinateVector& rates) const;
 
   /// Kinetic energy, J.
   [[nodiscard]] double kinetic_energy(const FloatingFrames& frames, const CoordinateVector& rates) const;
@@ -53,6 +55,8 @@ class FloatingChain {
   [[nodiscard]] double potential_energy(const FloatingFrames& frames) const;
 
  private:
+  [[nodiscard]] CoordinateVector forces_in_lift(const FloatingFrames& frames, const CoordinateVector& rates,
+                                                double lift) const;
   [[nodiscard]] LinkPoint centre(int link) const {
     return {.link = link, .along = links_[link].com_along, .offset = links_[link].com_offset};
   }

@@ -37,8 +37,9 @@ template <class AtMiddle>
                                      AtMiddle&& at_middle) {
   const CoordinateVector middle = position + 0.5 * step * velocity;
   MiddleOfStep system = std::forward<AtMiddle>(at_middle)(middle, velocity);
-  const CoordinateVector free = velocity + step * system.mass.llt().solve(system.force);
-  ContactStep after = contact_impulses(system.mass, free, system.contacts);
+  const Eigen::LLT<CoordinateMatrix> mass(system.mass);
+  const CoordinateVector free = velocity + step * mass.solve(system.force);
+  ContactStep after = contact_impulses(mass, free, system.contacts);
   return {.position = middle + 0.5 * step * after.velocities,
           .velocity = after.velocities,
           .middle_velocity = 0.5 * (velocity + after.velocities),

@@ -18,7 +18,7 @@ namespace coilwright::systems::gripper {
 namespace {
 
 // Times of the programme, s.
-constexpr double settle_time = 0.5;   // of the open fingers under each other's magnets
+constexpr double settle_time = 0.5;   // at most, until the open fingers are at rest under each other's magnets
 constexpr double close_time = 1.0;    // at most, until both fingers hold still on the object
 constexpr double ramp_time = 0.3;     // in which the load is put on
 constexpr double hold_time = 0.2;     // with the whole load
@@ -37,6 +37,8 @@ constexpr double carrying_time = 2e-3;
 
 // Fingers with less than this are still, J: a tip of 20 g at 1 mm/s.
 constexpr double still_energy = 1e-8;
+// Fingers that were never faster than this on their way are where they rest, J: they missed it by micrometres.
+constexpr double resting_energy = 1e-12;
 
 void check(const GraspTask& task) {
   require(true, "current", "finite", task.current);
@@ -62,10 +64,19 @@ class Programme {
   }
 
  private:
+  // Only where they come to rest is asked for, and not how long they would swing: they are halted wherever they are
+  // fastest, near their rest (kinetic damping).
   void settle() {
+    double before = 0.0;
     for (double time = 0.0; time < settle_time; time += task_.step) {
       scene_.advance({.current = task_.open_current, .apart = true}, task_.step);
       scene_.require_apart();
+      const double energy = scene_.finger_energy();
+      if (energy < before) {
+        if (before < resting_energy) break;
+        scene_.halt();
+      }
+      before = energy < before ? 0.0 : energy;
     }
   }
 

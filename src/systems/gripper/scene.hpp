@@ -28,6 +28,9 @@ class Scene {
   /// One step of `duration`, s.
   void advance(const Actions& actions, double duration);
 
+  /// Takes the speed of everything away.
+  void halt() { velocity_.setZero(); }
+
   /// A contact of the last step: where, and with which forces, N.
   struct Touch {
     FacePoint point;

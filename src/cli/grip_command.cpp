@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -153,6 +154,11 @@ std::string verdict_of(const Options& options, const Answer& answer) {
   const std::string what = fmt::format("{:.6g} g at {:.4g} A{}", options.mass, answer.current,
                                        answer.is_of_file ? " (the actuator's operating point)" : "");
   if (!grasp.both_touched) return fmt::format("Not held: {}. A finger does not reach the object.\n", what);
+  if (!grasp.holds && grasp.capacity >= grasp.load)
+    return fmt::format(
+        "Not held: {}. It creeps out of the fingers: they can carry {:.4g} N, hardly more than its load of "
+        "{:.4g} N.\n",
+        what, grasp.capacity, grasp.load);
   if (!grasp.holds)
     return fmt::format("Not held: {}. It slips at a load of {:.4g} N; it would need {:.4g} N.\n", what, grasp.capacity,
                        grasp.load);
@@ -173,7 +179,9 @@ std::string contacts_text(const Grasp& grasp) {
 
 std::string least_text(const char* what, const std::optional<double>& least, double most, const char* unit) {
   if (!least) return fmt::format("The least {}: none up to {:.4g}{} holds it.\n", what, most, unit);
-  return fmt::format("The least {} that holds it: {:.3g}{}.\n", what, *least, unit);
+  // Rounded up, so that what is printed holds it.
+  const double digits = std::pow(10.0, 3.0 - std::ceil(std::log10(std::max(*least, 1e-9))));
+  return fmt::format("The least {} that holds it: {:.3g}{}.\n", what, std::ceil(*least * digits) / digits, unit);
 }
 
 std::string heat_text(const Answer& answer) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "actuator_input.hpp"
@@ -17,6 +19,7 @@
 #include "coilwright/formats/simulation/controller_header.hpp"
 #include "coilwright/formats/simulation/reach_json.hpp"
 #include "coilwright/report/simulation/reach_text.hpp"
+#include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
@@ -45,10 +48,20 @@ struct Options {
   bool json{false};
 };
 
-// A current that the actuator bears for good, and one that its wire bears; nothing where only lumps are known.
+// Of a design the current that its wire bears, and what its heat is worked out from; nothing where only lumps are
+// known.
 struct Bearable {
-  double continuous{};
-  double ampacity{};
+  double ampacity{};  // A
+  actuator::Design design;
+  actuator::Assembly assembly;
+
+  // In the pose that the current holds: coils and magnets of a finger that is bent further are further apart. A.
+  [[nodiscard]] double continuous_while_held(double current) const {
+    const actuator::Model& model = assembly.model;
+    const mechanics::JointVector straight = mechanics::JointVector::Zero(model.joints());
+    const auto pose = simulation::find_equilibrium(model, model.all_coils(current), straight);
+    return thermal::current_limits(actuator::heat_network(design, assembly, pose.value_or(straight))).for_good();
+  }
 };
 
 struct Asked {
@@ -59,11 +72,12 @@ struct Asked {
 Asked read(const Options& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   if (const auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = *model, .bearable = {}};
-  const actuator::Design design = design_in(file, options.actuator, "it has no design");
-  const actuator::Assembly assembly = assemble(design, options.actuator);
-  const thermal::CurrentLimits limits = thermal::current_limits(actuator::heat_network(design, assembly));
-  return {.model = assembly.model,
-          .bearable = Bearable{.continuous = limits.for_good(), .ampacity = assembly.coil.current_limit}};
+  actuator::Design design = design_in(file, options.actuator, "it has no design");
+  actuator::Assembly assembly = assemble(design, options.actuator);
+  actuator::Model model = assembly.model;
+  const double ampacity = assembly.coil.current_limit;
+  return {.model = std::move(model),
+          .bearable = Bearable{.ampacity = ampacity, .design = std::move(design), .assembly = std::move(assembly)}};
 }
 
 control::ReachTask task_of(const Options& options, const Asked& asked) {
@@ -112,10 +126,13 @@ void write(const Options& options, const Asked& asked, const control::Reach& rea
 
 std::string remarks(const control::Reach& reach, const control::ReachTask& task, const Asked& asked) {
   std::string out;
-  if (asked.bearable && reach.current > asked.bearable->continuous)
+  const double held = asked.bearable ? asked.bearable->continuous_while_held(reach.current) : 0.0;
+  if (asked.bearable && std::abs(reach.current) > held)
     out += fmt::format(
-        "{:.3g} A are more than coils and magnets bear for good ({:.3g} A): hold the angle for a short time only.\n",
-        reach.current, asked.bearable->continuous);
+        "{:.3g} A are more than coils and magnets bear for good in that pose ({:.3g} A): hold the angle for a short "
+        "time "
+        "only.\n",
+        reach.current, held);
   if (asked.bearable && task.highest_current > asked.bearable->ampacity)
     out += fmt::format("The wire is rated for {:.3g} A; --highest-current-A allows {:.3g} A.\n",
                        asked.bearable->ampacity, task.highest_current);
@@ -158,7 +175,8 @@ void add_reach_command(CLI::App& app, Outcome&) {
   number("--damping-error-percent", options->damping_error, "How far b may be off (default 10)", Rule::between(0, 50));
   command->add_option("--pieces", options->pieces, "Levels of the searched profile before the last one (default 3)")
       ->transform(whole_number_rule(Rule::between(1, 6)));
-  command->add_option("--out", options->out, "CSV file to write the best profile to, for simulate --input");
+  command->add_option("--out", options->out,
+                      "CSV file to write the best profile to, for simulate --input FILE --interval-s 0.002");
   command->add_option("--c-header", options->header,
                       "C99 file to write: that profile and the model, for a microcontroller");
   command->add_flag("--json", options->json, "Print JSON (reach/1) instead of a table")->disable_flag_override();

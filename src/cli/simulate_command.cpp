@@ -46,23 +46,55 @@ struct Options {
   std::optional<double> step;
   std::vector<double> sine;  // amplitude A, offset A, frequency Hz
   std::string input;
-  double duration = 1.0;
-  double interval = 0.002;
+  std::optional<double> duration;
+  std::optional<double> interval;
   bool force{false};
   bool json{false};
 };
 
+constexpr double usual_duration = 1.0;    // s
+constexpr double usual_interval = 0.002;  // s
+
 CommandedInput read_command(const Options& options, const actuator::Model& model) {
-  if (!options.input.empty()) return formats::read_commanded_input(options.input);
+  if (!options.input.empty()) {
+    if (options.duration)
+      throw CLI::ValidationError("--duration-s", "is of --step-A and --sine: an input lasts as long as its file says");
+    CommandedInput command = formats::read_commanded_input(options.input);
+    return options.interval ? simulation::sampled_at_least_every(command, *options.interval) : command;
+  }
   if (model.coils() == 0) throw std::runtime_error(options.actuator.file + ": has no coils to drive");
+  const double duration = options.duration.value_or(usual_duration);
+  const double interval = options.interval.value_or(usual_interval);
   if (options.step)
-    return simulation::step_command(
-        {.current = *options.step, .duration = options.duration, .interval = options.interval});
+    return simulation::step_command({.current = *options.step, .duration = duration, .interval = interval});
   return simulation::sine_command({.amplitude = options.sine[0],
                                    .offset = options.sine[1],
                                    .frequency = options.sine[2],
-                                   .duration = options.duration,
-                                   .interval = options.interval});
+                                   .duration = duration,
+                                   .interval = interval});
+}
+
+// Durations and intervals that make more samples than there may be.
+CommandedInput command_of(const Options& options, const actuator::Model& model) {
+  try {
+    return read_command(options, model);
+  } catch (const std::invalid_argument& rule) {
+    throw text::InputError({.file = "--duration-s, --interval-s", .rule = rule.what()});
+  }
+}
+
+// What a table of few samples does not show is not seen in its extremes either.
+std::string remark_on_samples(const Options& options, const CommandedInput& command) {
+  constexpr double far_apart = 0.05;  // s: a third of the period of a finger of 7 Hz
+  if (options.input.empty() || options.interval) return {};
+  double widest = 0.0;
+  for (std::size_t i = 1; i < command.times.size(); ++i)
+    widest = std::max(widest, command.times[i] - command.times[i - 1]);
+  if (widest <= far_apart) return {};
+  return fmt::format(
+      "The samples of {} are up to {:.3g} s apart, and the motion between them is not shown: --interval-s {} "
+      "shows it.\n",
+      options.input, widest, usual_interval);
 }
 
 ModelInput model_input(const Options& options, const actuator::Model& model, const CommandedInput& command) {
@@ -150,7 +182,7 @@ void run_simulate(const Options& options) {
   require_file_for_json(options.json, options.out);
   check_output(options);
   const actuator::Model model = read_model(options.actuator);
-  const CommandedInput command = read_command(options, model);
+  const CommandedInput command = command_of(options, model);
   const ModelInput input = model_input(options, model, command);
   const std::vector<std::string> columns = columns_of(model, command);
   text::OutputFile file(options.out);
@@ -171,6 +203,7 @@ void run_simulate(const Options& options) {
                      .set("greatest_bending_speed_deg_s", fastest * degrees)
                      .text();
   }
+  std::cerr << remark_on_samples(options, command);
   std::cerr << report::to_text(simulation::correction_reach(model, recording.states, input.currents));
 }
 
@@ -198,7 +231,10 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   command->add_option("--duration-s", options->duration, "Duration of --step-A or --sine, s (default 1)")
       ->check(number_rule(text::positive));
   command
-      ->add_option("--interval-s", options->interval, "Time between samples of --step-A or --sine, s (default 0.002)")
+      ->add_option(
+          "--interval-s", options->interval,
+          "Time between samples of --step-A or --sine, s (default 0.002); of --input the longest between samples "
+          "(default those of the file alone)")
       ->check(number_rule(text::positive));
   command->add_option("--out", options->out, "CSV file to write")->required();
   command->add_flag("--force", options->force, "Replace a file that is no such table")->disable_flag_override();

@@ -73,9 +73,10 @@ std::string to_text(const Study& study, const ParetoResult& result, std::span<co
     text += (&objective == &study.objectives.front() ? " " : ", ") + objective_text(objective);
   text += "\n\n" + (result.front.empty() ? nearest_text(study, result) : table_of(study, result));
   return text +
-         fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.\n",
+         fmt::format("\n{} designs on the front. The search ended because {}. It evaluated {} designs: {}.{}\n",
                      result.front.size(), meaning_of(result.stop_reason), result.evaluations,
-                     to_text(formats::counts_of(result.archive))) +
+                     to_text(formats::counts_of(result.archive)),
+                     late_gain_text(result.stop_reason, result.archive, result.evaluations)) +
          absent_configurations(study, result) + warning_of_parts(broken, "designs of this front", result.front.size());
 }
 

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "coilwright/sizing/problem/late_gain.hpp"
+
 namespace coilwright::report {
 
 std::string to_text(const formats::ArchiveCounts& counts) {
@@ -9,6 +13,19 @@ std::string to_text(const formats::ArchiveCounts& counts) {
                                  counts.infeasible, counts.failed);
   if (counts.failed > 0) text += fmt::format(" (most often: {})", counts.usual_failure);
   return text;
+}
+
+std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& archive, std::size_t evaluations) {
+  if (reason != sizing::StopReason::evaluation_limit) return {};
+  const std::optional<double> gain = sizing::late_gain(archive, evaluations);
+  if (!gain)
+    return " Nothing feasible was among the first four fifths of them: a larger --max-evaluations will find better.";
+  const bool of_front = archive.problem().objectives.size() > 1;
+  std::string text =
+      of_front ? fmt::format(" The last fifth of them added {:.2g} % of what the front dominates", 100.0 * *gain)
+               : fmt::format(" The last fifth of them bettered the objective by {:.2g} %", 100.0 * *gain);
+  constexpr double worth_more = 0.01;
+  return text + (*gain < worth_more ? "." : ": more evaluations (--max-evaluations) would find better.");
 }
 
 std::string_view meaning_of(sizing::StopReason reason) {

@@ -12,14 +12,19 @@ namespace {
 
 constexpr double most_samples = 1e8;
 
-std::vector<double> sample_times(double duration, double interval) {
-  if (!std::isfinite(duration) || duration <= 0.0)
-    throw std::invalid_argument(fmt::format("duration must be finite and > 0; got {}", duration));
+double count_of_intervals(double duration, double interval) {
   if (!std::isfinite(interval) || interval <= 0.0)
     throw std::invalid_argument(fmt::format("interval must be finite and > 0; got {}", interval));
   const double count = std::floor(duration / interval * (1.0 + 1e-12));
   if (count > most_samples)
     throw std::invalid_argument(fmt::format("duration / interval must be at most {}; got {}", most_samples, count));
+  return count;
+}
+
+std::vector<double> sample_times(double duration, double interval) {
+  if (!std::isfinite(duration) || duration <= 0.0)
+    throw std::invalid_argument(fmt::format("duration must be finite and > 0; got {}", duration));
+  const double count = count_of_intervals(duration, interval);
   std::vector<double> times;
   times.reserve(static_cast<std::size_t>(count) + 1);
   for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i) times.push_back(static_cast<double>(i) * interval);
@@ -52,6 +57,23 @@ CommandedInput sine_command(const SineInput& sine) {
   for (const double t : command.times)
     command.rows.push_back({sine.offset + sine.amplitude * std::sin(2.0 * std::numbers::pi * sine.frequency * t)});
   return command;
+}
+
+CommandedInput sampled_at_least_every(const CommandedInput& command, double interval) {
+  if (!command.times.empty()) (void)count_of_intervals(command.times.back() - command.times.front(), interval);
+  CommandedInput out{.drive = command.drive, .addressing = command.addressing};
+  for (std::size_t i = 0; i < command.times.size(); ++i) {
+    out.times.push_back(command.times[i]);
+    out.rows.push_back(command.rows[i]);
+    if (i + 1 == command.times.size()) break;
+    const double gap = command.times[i + 1] - command.times[i];
+    const double pieces = std::ceil(gap / interval * (1.0 - 1e-12));
+    for (double k = 1.0; k < pieces; k += 1.0) {
+      out.times.push_back(command.times[i] + gap * k / pieces);
+      out.rows.push_back(command.rows[i]);
+    }
+  }
+  return out;
 }
 
 }  // namespace coilwright::simulation

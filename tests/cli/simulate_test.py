@@ -7,10 +7,15 @@ import unittest
 from program import PAPER_FINGER, ProgramTest, run
 
 
+# Of an input with few samples; nothing else may be said.
+FEW_SAMPLES = r"\A(The samples of \S+ are up to \S+ s apart, and the motion between them is not shown: --interval-s \S+ shows it\.\n)?\Z"
+
+
 class Simulate(ProgramTest):
     def simulate(self, *arguments):
         result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", "--force", cwd=self.folder)
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertRegex(result.stderr, FEW_SAMPLES)
         return [{key: float(value) for key, value in row.items()} for row in self.table("out.csv")]
 
     def setUp(self):
@@ -57,7 +62,8 @@ class Simulate(ProgramTest):
         with open(self.folder / "push.csv", "w", encoding="utf-8") as table:
             table.write("time_s,torque1_Nm\n0,3\n1,3\n3,3\n")
         result = run("simulate", "rig.json", "--input", "push.csv", "--out", "out.csv", cwd=self.folder)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, FEW_SAMPLES)
         angles = [float(row["theta1_deg"]) for row in self.table("out.csv")]
         for angle, time in zip(angles, (0, 1, 3)):
             self.assertAlmostEqual(angle, math.degrees(0.75 * time * time), places=6)
@@ -76,7 +82,8 @@ class Simulate(ProgramTest):
             heating = {"id": "coil_heating", "parameters": {"fade_1_A2": 0.2, "time_constant_s": 4, "warm_start": warm}}
             self.write("warming.json", json.dumps({"format": "actuator/1", "configuration": "B", "effects": [heating]}))
             result = run("simulate", "warming.json", "--input", "hold.csv", "--out", "out.csv", cwd=self.folder)
-            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertEqual(result.returncode, 0)
+            self.assertRegex(result.stderr, FEW_SAMPLES)
             angles = [float(row["bending_angle_deg"]) for row in self.table("out.csv")]
             self.assertAlmostEqual(angles[0], start, places=2)
             result = run("twin", "warming.json", "--experiment", "plan.json", "--out", f"set{warm}", cwd=self.folder)
@@ -103,6 +110,26 @@ class Simulate(ProgramTest):
         # 4 ohm and 4.2 V: about an ampere
         self.write("input.csv", "time_s,voltage_V\n0,4.2\n0.1,4.2\n")
         self.assertGreater(self.simulate("--input", "input.csv")[-1]["bending_angle_deg"], 50)
+
+    def test_the_motion_between_the_samples_of_an_input_is_shown_where_it_is_asked_for(self):
+        self.write("input.csv", "time_s,current_A\n-0.01,0\n0,1.4\n1,1.4\n")
+        coarse = run("simulate", PAPER_FINGER, "--input", "input.csv", "--out", "coarse.csv", cwd=self.folder)
+        self.assertEqual(coarse.stderr, "The samples of input.csv are up to 1 s apart, and the motion between them is not "
+                                        "shown: --interval-s 0.002 shows it.\n")
+        self.assertEqual(len(self.table("coarse.csv")), 3)
+        rows = self.simulate("--input", "input.csv", "--interval-s", "0.002")
+        self.assertEqual(len(rows), 1 + 5 + 500)
+        # Another route: the same step by itself.
+        step = self.simulate("--step-A", "1.4", "--duration-s", "1", "--interval-s", "0.002")
+        for ours, theirs in zip(rows[5:], step):
+            self.assertAlmostEqual(ours["time_s"], theirs["time_s"], places=9)
+            self.assertAlmostEqual(ours["bending_angle_deg"], theirs["bending_angle_deg"], delta=1e-3)
+        self.assert_refused(["simulate", PAPER_FINGER, "--input", "input.csv", "--duration-s", "2", "--out", "x.csv"],
+                            "simulate: --duration-s: is of --step-A and --sine: an input lasts as long as its file says "
+                            "(see coilwright simulate --help)")
+        self.assert_refused(["simulate", PAPER_FINGER, "--step-A", "1", "--duration-s", "1e6", "--interval-s", "1e-4",
+                             "--out", "x.csv"],
+                            "--duration-s, --interval-s: duration / interval must be at most 100000000; got 10000000000")
 
     def test_inputs_that_do_not_fit_are_refused_and_keep_the_old_result(self):
         self.write("out.csv", "precious")

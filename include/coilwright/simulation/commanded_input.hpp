@@ -44,4 +44,8 @@ struct SineInput {
 /// Throws as step_command() does.
 [[nodiscard]] CommandedInput sine_command(const SineInput& sine);
 
+/// The same command with further samples, which hold what it holds, so that none is further than `interval`, s, from
+/// the next; its own stay. Throws as step_command() does.
+[[nodiscard]] CommandedInput sampled_at_least_every(const CommandedInput& command, double interval);
+
 }  // namespace coilwright::simulation

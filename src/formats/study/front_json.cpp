@@ -70,6 +70,7 @@ Json to_json(const Study& study, const ParetoResult& result, std::span<const Bro
   Json out = result_head("pareto", study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", !result.front.empty());
   out.set("front_size", result.front.size()).set("hypervolume", hypervolume_json(result));
+  out.set("late_gain", late_gain_json(result.archive, result.evaluations));
   Json ends = Json::array();
   if (!result.front.empty())
     for (std::size_t i = 0; i < study.objectives.size(); ++i)

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
+
+#include "coilwright/sizing/problem/late_gain.hpp"
 
 namespace coilwright::formats {
 
@@ -46,6 +49,11 @@ ArchiveCounts counts_of(const sizing::Archive& archive) {
 
 Json to_json(const ArchiveCounts& counts) {
   return Json::object({{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}});
+}
+
+Json late_gain_json(const sizing::Archive& archive, std::size_t evaluations) {
+  const std::optional<double> gain = sizing::late_gain(archive, evaluations);
+  return gain ? Json(*gain) : Json();
 }
 
 Json to_json(std::span<const sizing::BrokenPartLimit> broken) {

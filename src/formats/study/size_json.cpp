@@ -153,6 +153,7 @@ Json to_json(const SizeReport& report) {
 
   Json out = result_head("size", report.study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", result.feasible);
+  out.set("late_gain", late_gain_json(result.archive, result.search_evaluations));
   out.set("best", best_json(report)).set("violated", std::move(violated)).set("base", base_json(report));
   out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(report));
   out.set("steps", std::move(steps));

@@ -14,14 +14,14 @@ namespace {
 constexpr int ladder = 16;               // intervals between two ends
 constexpr double finest = 1.0 / 1000.0;  // of the range, where it has no steps
 
-// The less the better: what keeps the limits, then what can be evaluated, then how well.
-using Rank = std::tuple<int, double>;
+// The less the better: what keeps the limits, then what can be evaluated, then how well. Where a limit is broken at any
+// current (mass), the objective decides among those that break no other one.
+using Rank = std::tuple<int, double, double>;
 
 Rank rank_of(const Evaluation& seen, const StudyObjective& objective) {
-  if (!seen.failure.empty()) return {2, seen.infeasibility};
-  if (!is_feasible(seen)) return {1, violation(seen)};
+  if (!seen.failure.empty()) return {2, seen.infeasibility, 0.0};
   const double value = seen.objectives.front();
-  return {0, objective.sense == Sense::maximise ? -value : value};
+  return {is_feasible(seen) ? 0 : 1, violation(seen), objective.sense == Sense::maximise ? -value : value};
 }
 
 }  // namespace

@@ -97,7 +97,11 @@ void CsvHeader::require(std::string_view name) {
     throw error(name, fmt::format("is missing; this line must name the columns, and begins with {} (a # in front of it "
                                   "makes it a comment)",
                                   in_quotes(one_line(names_.front()))));
-  throw error(name, "is missing");
+  // "Time_s" for "time_s": every letter counts.
+  const std::vector<std::string> like = nearest_words(name, names_);
+  throw error(name, like.empty() ? std::string("is missing")
+                                 : fmt::format("is missing; is {} meant? Every letter of a name counts",
+                                               in_quotes(one_line(like.front()))));
 }
 
 std::size_t CsvHeader::numbered(std::string_view pattern) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include <charconv>
 #include <cmath>
@@ -19,6 +20,12 @@ namespace coilwright::text {
 namespace {
 
 // std::from_chars: no locale, no hexadecimal, no leading blanks. It reads "nan" and "inf", and takes no plus sign.
+// What programs write where there was no reading.
+bool is_absent(std::string_view field) {
+  constexpr std::array<std::string_view, 7> words = {"", "nan", "NaN", "NAN", "NA", "null", "-"};
+  return std::ranges::find(words, field) != words.end();
+}
+
 std::optional<double> finite_number(std::string_view field) {
   if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value{};
@@ -65,6 +72,10 @@ class CsvTableBuilder {
   };
 
   void take_header(std::span<const std::string_view> fields, std::size_t line) {
+    if (std::ranges::all_of(fields, [](std::string_view field) { return finite_number(field).has_value(); }))
+      throw InputError({.file = table_.file_,
+                        .place = fmt::format("line {}", line),
+                        .rule = "must name the columns, and has numbers only: the header is missing"});
     CsvHeader header(table_.file_, line, {fields.begin(), fields.end()});
     ask_(header);
     header.finish();
@@ -102,8 +113,8 @@ class CsvTableBuilder {
       if (!value) {
         throw InputError({.file = table_.file_,
                           .place = fmt::format("line {}: column {}", line, source_[i].name),
-                          .rule = fields[i].empty() ? "must be a finite number (delete the rows that have none)"
-                                                    : "must be a finite number",
+                          .rule = is_absent(fields[i]) ? "must be a finite number (delete the rows that have none)"
+                                                       : "must be a finite number",
                           .value = in_quotes(fields[i])});
       }
       if (source_[i].kept) table_.columns_[target++].push_back(units::to_si(*value, source_[i].unit));

@@ -24,6 +24,9 @@ struct ArchiveCounts {
 /// {"ok": .., "infeasible": .., "failed": ..}
 [[nodiscard]] text::Json to_json(const ArchiveCounts& counts);
 
+/// sizing::late_gain(), or null.
+[[nodiscard]] text::Json late_gain_json(const sizing::Archive& archive, std::size_t evaluations);
+
 /// The objectives as the study has them: [{"maximise": "stroke_deg"}].
 [[nodiscard]] text::Json objectives_asked(const sizing::Study& study);
 

@@ -140,6 +140,27 @@ std::string column_of(const data::Run& run, const Slip& slip) {
   return slip.column.empty() ? std::ranges::find_if(run.channels, is_angle)->name : slip.column;
 }
 
+double usual_interval(const data::Run& run) {
+  return (run.times.back() - run.times.front()) / static_cast<double>(run.times.size() - 1);
+}
+
+std::string slip_text(const data::Run& run, const Slip& slip, const Sums& meant, const std::string& as_written) {
+  return fmt::format(
+      "{}: {}: looks like {}: the declared model then misses the angles by {:.2g} deg (rms), as written {}; {}",
+      run.name, column_of(run, slip), slip.looks_like, rms(meant.missed, meant.count), as_written, slip.remedy);
+}
+
+// By itself, and before anything is simulated as it is written: that would take a thousand times as long.
+void require_no_milliseconds(const data::Run& run, const replay::DeclaredModel& declared,
+                             const fit::Hypothesis& as_declared) {
+  constexpr double slowest_camera = 0.5;  // s
+  if (run.times.size() < 3 || usual_interval(run) < slowest_camera) return;
+  const Slip slip{.time = 1e-3, .column = "time_s", .looks_like = "milliseconds", .remedy = "name the column time_ms"};
+  const std::optional<Sums> sums = sums_of({&run, 1}, slip, declared, as_declared);
+  if (!sums || sums->missed > follows * follows * sums->varied) return;
+  throw RecordSlip(slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", usual_interval(run))));
+}
+
 // One record, or a few, as written together.
 void require_no_slip_of(std::span<const data::Run> used, const replay::DeclaredModel& declared,
                         const fit::Hypothesis& as_declared) {
@@ -159,12 +180,9 @@ void require_no_slip_of(std::span<const data::Run> used, const replay::DeclaredM
   }
   if (!best) return;
   const auto& [slip, sums] = *best;
-  const std::string as_written =
-      written ? fmt::format("{:.3g} deg", rms(missed, written->count)) : std::string("more than it can simulate");
-  throw RecordSlip(fmt::format(
-      "{}: {}: looks like {}: the declared model then misses the angles by {:.2g} deg (rms), as written by {}; {}",
-      used.front().name, column_of(used.front(), slip), slip.looks_like, rms(sums.missed, sums.count), as_written,
-      slip.remedy));
+  throw RecordSlip(slip_text(used.front(), slip, sums,
+                             written ? fmt::format("by {:.3g} deg", rms(missed, written->count))
+                                     : std::string("by more than it can simulate")));
 }
 
 }  // namespace
@@ -173,8 +191,11 @@ void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredMode
   const fit::Hypothesis as_declared(declared, {});
   // Each by itself: of several records one may have come from another program than the others.
   std::size_t looked_at = 0;
-  for (const data::Run& run : runs)
-    if (is_of_use(run) && looked_at++ < enough_runs) require_no_slip_of({&run, 1}, declared, as_declared);
+  for (const data::Run& run : runs) {
+    if (!is_of_use(run) || looked_at++ >= enough_runs) continue;
+    require_no_milliseconds(run, declared, as_declared);
+    require_no_slip_of({&run, 1}, declared, as_declared);
+  }
 }
 
 }  // namespace coilwright::measurement

@@ -8,7 +8,7 @@
 namespace coilwright::measurement {
 
 /// Refuses records, to be fitted or to be judged by, that were written under another convention than their columns say:
-/// radians for degrees, an angle or a current of the other sign, milliamperes for amperes, frame numbers for seconds.
+/// radians for degrees, an angle or a current of the other sign, milliamperes for amperes, frame numbers or milliseconds for seconds.
 /// No effect undoes such a slip, and a diagnosis would name effects that stand in for it.
 ///
 /// A slip is what makes the declared model, as it is, miss a motion that starts at rest by less than half of what it

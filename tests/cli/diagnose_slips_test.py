@@ -74,6 +74,12 @@ class Slips(ProgramTest):
                 self.write(name, whole)
         self.assertRegex(self.refusal(), r"sine_2Hz\.csv: bending_angle_deg: looks like an angle that is counted the other way: ")
 
+    def test_milliseconds(self):
+        self.write_as(lambda i, t, c, a: (1000 * t, c, a))
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_s: looks like milliseconds: the declared model then misses the "
+                                         r"angles by [\d.]+ deg \(rms\), as written there is a sample every 5 s; "
+                                         r"name the column time_ms; --as-written takes it as it is\n$")
+
     def test_frame_numbers(self):
         self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",
                          "divide it by the frame rate")

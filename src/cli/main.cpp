@@ -1,4 +1,5 @@
 #include <array>
+#include <csignal>
 
 #include "command_line.hpp"
 
@@ -28,5 +29,7 @@ constexpr std::array commands = {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that may grow no further (ulimit -f) is then an error of the writing, told as a full disk is, and no death.
+  std::signal(SIGXFSZ, SIG_IGN);
   return static_cast<int>(coilwright::cli::run({argv, static_cast<std::size_t>(argc)}, commands));
 }

@@ -94,7 +94,7 @@ std::string remark_on_samples(const Options& options, const CommandedInput& comm
   return fmt::format(
       "The samples of {} are up to {:.3g} s apart, and the motion between them is not shown: --interval-s {} "
       "shows it.\n",
-      options.input, widest, usual_interval);
+      options.input == "-" ? "standard input" : options.input, widest, usual_interval);
 }
 
 ModelInput model_input(const Options& options, const actuator::Model& model, const CommandedInput& command) {

@@ -1,6 +1,7 @@
 """- for standard input and output, and errors as JSON where JSON is asked for."""
 
 import json
+import resource
 import subprocess
 import unittest
 
@@ -41,8 +42,8 @@ class StandardInput(ProgramTest):
         self.assertEqual(self.result("out/result.json"), piped)
 
     def test_an_input_of_samples_may_come_from_it(self):
-        samples = "time_ms,current_A\n# a step\n0,0\n10,1.2\n300,1.2\n"
-        self.write("input.csv", "time_s,current_A\n0,0\n0.01,1.2\n0.3,1.2\n")
+        samples = "time_ms,current_A\n# a step\n0,0\n10,1.2\n50,1.2\n"
+        self.write("input.csv", "time_s,current_A\n0,0\n0.01,1.2\n0.05,1.2\n")
         piped = feed(samples, "simulate", PAPER_FINGER, "--input", "-", "--out", "a.csv", cwd=self.folder)
         self.assertEqual((piped.returncode, piped.stderr), (0, ""))
         run("simulate", PAPER_FINGER, "--input", "input.csv", "--out", "b.csv", cwd=self.folder)
@@ -82,6 +83,18 @@ class StandardOutput(ProgramTest):
         write_study(self)
         self.assert_refused(["size", "study.json", "--out", "-"],
                             "-: cannot be written: it must be a folder, and - is standard output")
+
+
+class SizeLimit(ProgramTest):
+    def test_a_file_that_may_not_grow_is_a_line_and_leaves_nothing(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+
+        result = subprocess.run([PROGRAM, "simulate", PAPER_FINGER, "--step-A", "1", "--out", "step.csv"], cwd=self.folder,
+                                capture_output=True, encoding="utf-8", timeout=HANGS, check=False, preexec_fn=limit)
+        self.assertEqual((result.returncode, result.stdout), (1, ""))
+        self.assertEqual(result.stderr, "coilwright: step.csv: cannot be written: File too large\n")
+        self.assertEqual(list(self.files()), [])
 
 
 class JsonErrors(ProgramTest):

@@ -55,7 +55,7 @@ struct ContactStep {
 /// Methods Eng. 39 (1996) 2673. Where several impulses give the same motion (a table of four legs), one of them is
 /// given; the velocities are then the same. Pure. Throws std::invalid_argument naming field, rule and value, and
 /// std::runtime_error where the method finds no answer that keeps all conditions to 1e-8 of the largest speed, or to
-/// 1e-6 where a body is wedged so that rigid contacts would hold it by impulses without measure.
+/// 1e-5 where a body is wedged so that rigid contacts would hold it by impulses without measure.
 [[nodiscard]] ContactStep contact_impulses(const CoordinateMatrix& mass, const CoordinateVector& free_velocity,
                                            std::span<const Contact> contacts);
 

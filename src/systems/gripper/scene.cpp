@@ -25,6 +25,11 @@ using mechanics::JointVector;
 // which changes their force by 5 % at 40 mm.
 constexpr double pull_interval = 1e-3;
 
+// Where something lands, a step is no longer than it takes for this way, m. Moreau's rule stops a body where it finds
+// it at the middle of a step, up to half of the way behind the other's face, and leaves it there: with fingertips that
+// come at 0.7 m/s, 70 um at 0.2 ms, which was 2 % of the force of the grip.
+constexpr double landing_way = 1e-5;
+
 // A contact whose rows are those of the object alone, at `position`.
 Contact of_object(Eigen::Index joints, const ObjectPose& pose, const Vector2d& position, const Vector2d& normal) {
   const Vector2d tangent(-normal.y(), normal.x());
@@ -102,7 +107,8 @@ void Scene::add_fingers(const CoordinateVector& position, const CoordinateVector
   }
 }
 
-void Scene::add_contacts(const CoordinateVector& position, const Actions& actions, mechanics::MiddleOfStep& out) {
+void Scene::add_contacts(const CoordinateVector& position, const CoordinateVector& velocity, double duration,
+                         const Actions& actions, mechanics::MiddleOfStep& out) {
   const ObjectPose pose{.centre = position.segment<2>(2 * joints_), .angle = position[2 * joints_ + 2]};
   for (int f = 0; f < 2; ++f) {
     const JointVector angles = position.segment(f * joints_, joints_);
@@ -111,13 +117,15 @@ void Scene::add_contacts(const CoordinateVector& position, const Actions& action
     nearest = std::numeric_limits<double>::infinity();
     for (const FacePoint& point : face_points(gripper_, f, angles, object_, pose)) {
       nearest = std::min(nearest, point.gap);
-      if (point.gap > closed_gap) continue;
       Contact contact = of_object(joints_, pose, point.position, point.normal);
       const mechanics::PointJacobian moved = here.jacobian(gripper_.finger().chain().jacobian(point.on_finger, angles));
       const Vector2d tangent(-point.normal.y(), point.normal.x());
       contact.normal.segment(f * joints_, joints_) = -(moved.transpose() * point.normal);
       contact.tangent.segment(f * joints_, joints_) = -(moved.transpose() * tangent);
       contact.friction = {.along = object_.friction, .against = object_.friction};
+      if (const double way = -contact.normal.dot(velocity) * duration; way > landing_way && point.gap < 0.5 * way)
+        landing_ = true;
+      if (point.gap > closed_gap) continue;
       out.contacts.push_back(std::move(contact));
       closed_.push_back(point);
     }
@@ -136,7 +144,7 @@ void Scene::add_contacts(const CoordinateVector& position, const Actions& action
 }
 
 mechanics::MiddleOfStep Scene::middle(const CoordinateVector& position, const CoordinateVector& velocity,
-                                      const Actions& actions) {
+                                      double duration, const Actions& actions) {
   const Eigen::Index n = 2 * joints_ + 3;
   mechanics::MiddleOfStep out{
       .mass = mechanics::CoordinateMatrix::Zero(n, n), .force = CoordinateVector::Zero(n), .contacts = {}};
@@ -144,9 +152,10 @@ mechanics::MiddleOfStep Scene::middle(const CoordinateVector& position, const Co
   out.mass(n - 3, n - 3) = out.mass(n - 2, n - 2) = object_.mass;
   out.mass(n - 1, n - 1) = object_.inertia();
   closed_.clear();
+  landing_ = false;
   if (actions.apart) return out;
   out.force[n - 2] = -actions.load;
-  add_contacts(position, actions, out);
+  add_contacts(position, velocity, duration, actions, out);
   return out;
 }
 
@@ -156,16 +165,25 @@ void Scene::advance(const Actions& actions, double duration) {
     pull_age_ = 0.0;
   }
   pull_age_ += duration;
+  touches_.clear();
+  move(actions, duration, duration);
+}
+
+void Scene::move(const Actions& actions, double duration, double whole) {
   mechanics::MoreauStep step = mechanics::moreau_step(
       position_, velocity_, duration,
-      [&](const CoordinateVector& at, const CoordinateVector& rates) { return middle(at, rates, actions); });
+      [&](const CoordinateVector& at, const CoordinateVector& rates) { return middle(at, rates, duration, actions); });
+  if (landing_) {
+    move(actions, 0.5 * duration, whole);
+    move(actions, 0.5 * duration, whole);
+    return;
+  }
   position_ = step.position;
   velocity_ = step.velocity;
-  touches_.clear();
   for (std::size_t i = 0; i < closed_.size(); ++i)
     touches_.push_back({.point = closed_[i],
-                        .normal = step.impulses[i].normal / duration,
-                        .tangential = step.impulses[i].tangential / duration});
+                        .normal = step.impulses[i].normal / whole,
+                        .tangential = step.impulses[i].tangential / whole});
 }
 
 }  // namespace coilwright::systems::gripper

@@ -31,7 +31,8 @@ class Scene {
   /// Takes the speed of everything away.
   void halt() { velocity_.setZero(); }
 
-  /// A contact of the last step: where, and with which forces, N.
+  /// A contact of the last step: where, and with which forces, N. A step in which something lands has parts, and a
+  /// contact in each of them; their forces are shares of the mean over the step.
   struct Touch {
     FacePoint point;
     double normal{}, tangential{};
@@ -52,17 +53,22 @@ class Scene {
   [[nodiscard]] double finger_energy() const;
 
  private:
+  // A step, or a part of `whole`, s: in halves until what lands in it comes to rest on the other's face.
+  void move(const Actions& actions, double duration, double whole);
   [[nodiscard]] mechanics::MiddleOfStep middle(const mechanics::CoordinateVector& position,
-                                               const mechanics::CoordinateVector& velocity, const Actions& actions);
+                                               const mechanics::CoordinateVector& velocity, double duration,
+                                               const Actions& actions);
   void add_fingers(const mechanics::CoordinateVector& position, const mechanics::CoordinateVector& velocity,
                    const Actions& actions, mechanics::MiddleOfStep& out) const;
-  void add_contacts(const mechanics::CoordinateVector& position, const Actions& actions, mechanics::MiddleOfStep& out);
+  void add_contacts(const mechanics::CoordinateVector& position, const mechanics::CoordinateVector& velocity,
+                    double duration, const Actions& actions, mechanics::MiddleOfStep& out);
 
   const Gripper& gripper_;
   const Object& object_;
   Eigen::Index joints_;
   double support_height_;
   mechanics::CoordinateVector position_, velocity_;
+  bool landing_{};                 // whether something comes to a face in the last step, and faster than it should
   std::vector<FacePoint> closed_;  // of the contacts of the last step that are a finger's, in their order
   std::vector<Touch> touches_;
   std::array<double, 2> gaps_{};  // m

@@ -8,39 +8,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "torque_table.hpp"
+
 namespace {
-
-struct Table {
-  std::vector<double> angles, torques;
-  double at(double angle) const {
-    std::size_t i = 1;
-    while (i + 1 < angles.size() && angles[i] < angle) ++i;
-    const double share = (angle - angles[i - 1]) / (angles[i] - angles[i - 1]);
-    return torques[i - 1] + share * (torques[i] - torques[i - 1]);
-  }
-};
-
-std::vector<std::vector<double>> rows_of(const char* file) {
-  std::ifstream in(file);
-  std::string line;
-  std::getline(in, line);
-  std::vector<std::vector<double>> rows;
-  while (std::getline(in, line)) {
-    std::vector<double> row;
-    std::stringstream cells(line);
-    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell.empty() ? 0.0 : std::stod(cell));
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-using Tables = std::map<int, Table>;
 
 // Joints are numbered from 1 in files; their names are joint1, joint2 and so on.
 int dof_of(const mjModel* model, int joint) {
@@ -133,11 +106,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error);
     return 1;
   }
-  for (const std::vector<double>& row : rows_of(argv[2])) {
-    Table& table = drive.tables[static_cast<int>(row[0])];
-    table.angles.push_back(row[2]);
-    table.torques.push_back(row[3]);
-  }
+  drive.tables = tables_of(argv[2]);
   const double current = std::stod(argv[3]);
   if (argc > 4) {
     for (const std::vector<double>& row : rows_of(argv[4])) {

@@ -176,7 +176,8 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
       "steady-state values for this current and duty.\n\n"
       "Examples:\n"
       "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --json\n"
-      "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --set gap_mm=1.2 --set turns_axial=26");
+      "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --set gap_mm=1.2 --set "
+      "turns_axial=26");
   command->callback([options] {
     if (options->page) keep_inputs({{options->actuator.file}}, {{*options->page}});
     const formats::ActuatorFile file = read_actuator(options->actuator);

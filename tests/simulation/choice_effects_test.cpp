@@ -54,8 +54,8 @@ TEST(PartLimits, OfStillAirAreConditionalWhereTheFilmIsCalibrated) {
     EXPECT_NE(limit.quantity, "thermal_load_still_air");
 }
 
-// Against a wall the joints are opened less, and the coils are nearer to the magnets: these bear 1.02 A there, and 1.1 A
-// where the finger bends freely. A study of the free finger alone must be told what the wall does.
+// Against a wall the joints are opened less, and the coils are nearer to the magnets: these bear 1.02 A there, and 1.1
+// A where the finger bends freely. A study of the free finger alone must be told what the wall does.
 TEST(PartLimits, OfTheOtherPoseAreConditionalWhereOnePoseCounts) {
   using actuator::HeldCases;
   const actuator::Design design = actuator::paper_finger();

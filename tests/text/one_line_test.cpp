@@ -83,8 +83,7 @@ TEST(Spelling, SuggestsWhatHasTheWordAmongItsWords) {
   EXPECT_EQ(did_you_mean("bending_speed", words), "; did you mean \"peak_bending_speed_deg_s\"?");
   EXPECT_EQ(did_you_mean("ending", words), "");
   const std::vector<std::string> options = {"--supply-voltage-V", "--cell-voltage-V", "--duty"};
-  EXPECT_EQ(did_you_mean("--voltage-V", options),
-            "; did you mean \"--supply-voltage-V\" or \"--cell-voltage-V\"?");
+  EXPECT_EQ(did_you_mean("--voltage-V", options), "; did you mean \"--supply-voltage-V\" or \"--cell-voltage-V\"?");
   EXPECT_EQ(did_you_mean("--", options), "");
 }
 

@@ -11,11 +11,14 @@ namespace {
 Problem identity(std::size_t objectives) {
   Problem problem;
   problem.evaluate = [](std::span<const double> x) {
-    return Evaluation{.objectives = {x.begin(), x.end()}, .constraints = {0.5 - x[0]}, .failure = {}, .infeasibility = 0};
+    return Evaluation{
+        .objectives = {x.begin(), x.end()}, .constraints = {0.5 - x[0]}, .failure = {}, .infeasibility = 0};
   };
   for (std::size_t i = 0; i < objectives; ++i) {
-    problem.variables.push_back(
-        {.name = std::string(1, static_cast<char>('a' + i)), .kind = VariableKind::continuous, .lower = 0, .upper = 20});
+    problem.variables.push_back({.name = std::string(1, static_cast<char>('a' + i)),
+                                 .kind = VariableKind::continuous,
+                                 .lower = 0,
+                                 .upper = 20});
     problem.objectives.push_back({.name = problem.variables.back().name, .sense = Sense::minimise});
   }
   problem.constraints = {"limit"};

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "systems/hinge_slopes.hpp"
+
 namespace coilwright::systems {
 namespace {
 
@@ -66,14 +68,9 @@ mechanics::MiddleOfStep at_middle(const Crawler& crawler, const CoordinateVector
       implicit.col(j) = 0.5 * step * keep.coupling * currents_by(crawler, keep.coupling.row(j).transpose());
   }
   out.force.tail(n) += model.torques(angles, rates, currents);
-  keep.damping.resize(n);
-  for (int j = 0; j < n; ++j) {
-    const actuator::Hinge& hinge = model.hinges()[j];
-    const bool pressed = hinge.contact.torque(angles[j], rates[j]) > 0.0;
-    keep.damping[j] = hinge.damping + (pressed ? hinge.contact.damping : 0.0);
-    const double stiffness = hinge.stiffness + (pressed ? hinge.contact.stiffness : 0.0);
-    implicit(j, j) += 0.5 * step * keep.damping[j] + 0.25 * step * step * stiffness;
-  }
+  const HingeSlopes hinges = hinge_slopes(model, angles, rates);
+  keep.damping = hinges.damping;
+  implicit.diagonal() += hinges.implicit_inertia(step);
   out.mass.bottomRightCorner(n, n) += implicit;
 
   const FootFriction& friction = crawler.parts().friction;

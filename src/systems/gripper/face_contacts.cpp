@@ -18,20 +18,40 @@ Vector2d outwards(const LinkFrame& frame) {
   return {frame.cosine, frame.sine};
 }
 
-// The nearest point of every face to a round object. Beside an inner end of a face its neighbour is nearer.
+// Where a point is along the axis of every link, base first, and so before, over or beyond its face.
+std::vector<double> places_along(const Gripper& gripper, const mechanics::LinkFrames& frames, const Vector2d& point) {
+  std::vector<double> out;
+  for (int link = -1; link < gripper.finger().joints(); ++link) {
+    const LinkFrame& frame = frames[static_cast<std::size_t>(link) + 1];
+    out.push_back((point - frame.joint).dot(frame.axis()));
+  }
+  return out;
+}
+
+// Whether a point is before the face of a link, or beyond it, and over that of the neighbour there, which is nearer.
+// Over neither it is where the joint between them is bent away from it: an edge, of both.
+bool neighbour_is_nearer(const Gripper& gripper, const std::vector<double>& along, int link) {
+  const auto at = [&](int each) { return along[static_cast<std::size_t>(each) + 1]; };
+  if (link >= 0 && at(link) < gripper.face(link).begin) return at(link - 1) <= gripper.face(link - 1).end;
+  if (link + 1 < gripper.finger().joints() && at(link) > gripper.face(link).end)
+    return at(link + 1) >= gripper.face(link + 1).begin;
+  return false;
+}
+
+// The nearest point of every face to a round object.
 void add_round(const Gripper& gripper, int finger, const Placement& placement, const mechanics::LinkFrames& frames,
                double radius, const Vector2d& centre, std::vector<FacePoint>& out) {
   const Vector2d local = placement.in_chain(centre);
-  const int last = gripper.finger().joints() - 1;
-  for (int link = -1; link <= last; ++link) {
+  const std::vector<double> along = places_along(gripper, frames, local);
+  for (int link = -1; link < gripper.finger().joints(); ++link) {
+    if (neighbour_is_nearer(gripper, along, link)) continue;
     const LinkFrame& frame = frames[static_cast<std::size_t>(link) + 1];
     const Gripper::Face face = gripper.face(link);
-    const double along = (local - frame.joint).dot(frame.axis());
-    if ((along < face.begin && link >= 0) || (along > face.end && link < last)) continue;
-    const double nearest = std::clamp(along, face.begin, face.end);
+    const double here = along[static_cast<std::size_t>(link) + 1];
+    const double nearest = std::clamp(here, face.begin, face.end);
     const Vector2d on_face = frame.joint + nearest * frame.axis() + gripper.face_offset() * outwards(frame);
     const Vector2d towards = local - on_face;
-    const bool beside = nearest != along;
+    const bool beside = nearest != here;
     const double above = towards.dot(outwards(frame));
     if (above <= 0.0) continue;  // its centre lies behind the face
     const double distance = beside ? towards.norm() : above;

@@ -173,7 +173,8 @@ class Programme {
         break;
       }
     }
-    out_.capacity = held;
+    // What holds its whole load is carried; the mean over a few steps may say a percent less.
+    out_.capacity = out_.holds ? std::max(held, out_.load) : held;
   }
 
   const Gripper& gripper_;

@@ -11,6 +11,7 @@
 
 #include "coilwright/simulation/equilibrium.hpp"
 #include "systems/gripper/placement.hpp"
+#include "systems/hinge_slopes.hpp"
 
 namespace coilwright::systems::gripper {
 namespace {
@@ -94,13 +95,15 @@ double Scene::finger_energy() const {
 }
 
 void Scene::add_fingers(const CoordinateVector& position, const CoordinateVector& velocity, const Actions& actions,
-                        mechanics::MiddleOfStep& out) const {
+                        double duration, mechanics::MiddleOfStep& out) const {
   const actuator::Model& finger = gripper_.finger();
   for (int f = 0; f < 2; ++f) {
     const Eigen::Index first = f * joints_;
     const JointVector angles = position.segment(first, joints_);
     const JointVector rates = velocity.segment(first, joints_);
-    out.mass.block(first, first, joints_, joints_) = finger.chain().mass_matrix(angles);
+    auto mass = out.mass.block(first, first, joints_, joints_);
+    mass = finger.chain().mass_matrix(angles);
+    mass.diagonal() += hinge_slopes(finger, angles, rates).implicit_inertia(duration);
     out.force.segment(first, joints_) = finger.torques(angles, rates, finger.all_coils(actions.current)) -
                                         finger.chain().velocity_torques(angles, rates) -
                                         finger.chain().gravity_torques(angles) + (f == 0 ? pull_.left : pull_.right);
@@ -148,7 +151,7 @@ mechanics::MiddleOfStep Scene::middle(const CoordinateVector& position, const Co
   const Eigen::Index n = 2 * joints_ + 3;
   mechanics::MiddleOfStep out{
       .mass = mechanics::CoordinateMatrix::Zero(n, n), .force = CoordinateVector::Zero(n), .contacts = {}};
-  add_fingers(position, velocity, actions, out);
+  add_fingers(position, velocity, actions, duration, out);
   out.mass(n - 3, n - 3) = out.mass(n - 2, n - 2) = object_.mass;
   out.mass(n - 1, n - 1) = object_.inertia();
   closed_.clear();

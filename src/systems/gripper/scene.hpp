@@ -59,7 +59,7 @@ class Scene {
                                                const mechanics::CoordinateVector& velocity, double duration,
                                                const Actions& actions);
   void add_fingers(const mechanics::CoordinateVector& position, const mechanics::CoordinateVector& velocity,
-                   const Actions& actions, mechanics::MiddleOfStep& out) const;
+                   const Actions& actions, double duration, mechanics::MiddleOfStep& out) const;
   void add_contacts(const mechanics::CoordinateVector& position, const mechanics::CoordinateVector& velocity,
                     double duration, const Actions& actions, mechanics::MiddleOfStep& out);
 

@@ -152,6 +152,35 @@ TEST(Grasp, CarriesTheSameOfAnyWeight) {
   for (const double mass : {0.1, 1.0, 40.0}) EXPECT_NEAR(capacity(mass), light, 0.02 * light) << mass;
 }
 
+// Opened fingers bend away from the object, and the edge of a joint is nearest to it. Where that was no contact,
+// objects that overlapped the finger there by millimetres were taken, and held by four times the force.
+TEST(Grasp, TouchesRoundObjectsOnTheirSurfaceWhereverTheyAre) {
+  constexpr double radius = 0.03;
+  int held = 0;
+  int without_room = 0;
+  for (const double spacing : {0.040, 0.045, 0.055, 0.065})
+    for (const double below : {0.010, 0.014, 0.022}) {
+      const Object glass{.shape = ObjectShape::cylinder,
+                         .width = 2.0 * radius,
+                         .mass = 0.05,
+                         .friction = 1.5,
+                         .centre = {0.0, -below}};
+      try {
+        const Grasp found = grasp(paper_gripper(30.0 * degree, spacing), glass,
+                                  {.current = 1.4, .open_current = -1.4, .find_capacity = false});
+        if (!found.holds) continue;
+        ++held;
+        const Vector2d centre(0.0, -below - found.settling);
+        for (const GraspContact& each : found.contacts)
+          EXPECT_NEAR((each.position - centre).norm(), radius, 2e-4) << spacing << ' ' << below << ' ' << each.link;
+      } catch (const NoRoom&) {
+        ++without_room;
+      }
+    }
+  EXPECT_GE(held, 3);
+  EXPECT_GE(without_room, 3);
+}
+
 // Steps that meet the landing of the fingers in different places: none leaves them behind the face of the object by
 // more than the 10 um that a landing may take.
 TEST(Grasp, ConvergesWithTheStep) {

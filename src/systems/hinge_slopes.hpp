@@ -1,0 +1,23 @@
+#pragma once
+
+#include "coilwright/actuator/model/model.hpp"
+
+namespace coilwright::systems {
+
+/// How the torques of all hinges fall with angle and rate at a pose: with those of their faces where they are pressed.
+struct HingeSlopes {
+  mechanics::JointVector stiffness;  ///< N m/rad
+  mechanics::JointVector damping;    ///< N m s/rad
+
+  /// What mechanics::MiddleOfStep adds to the mass of each joint so that a step of `duration`, s, takes them
+  /// implicitly, kg m^2. Faces are so stiff that steps of 0.2 ms rattle on them otherwise.
+  [[nodiscard]] mechanics::JointVector implicit_inertia(double duration) const {
+    return 0.5 * duration * damping + 0.25 * duration * duration * stiffness;
+  }
+};
+
+/// At these angles, rad, and rates, rad/s.
+[[nodiscard]] HingeSlopes hinge_slopes(const actuator::Model& model, const mechanics::JointVector& angles,
+                                       const mechanics::JointVector& rates);
+
+}  // namespace coilwright::systems

@@ -105,8 +105,9 @@ void set(Unknowns& out, const Contacts& contacts, std::span<const Contact> list)
   const int pushes = 3 * count;
   out.impulse.resize(static_cast<std::size_t>(pushes));
   out.share.resize(pushes);
-  out.matrix.setZero(4 * count, 4 * count);
-  out.constant.setZero(4 * count);
+  const auto unknowns = 4 * static_cast<Eigen::Index>(list.size());
+  out.matrix.setZero(unknowns, unknowns);
+  out.constant.setZero(unknowns);
   for (int i = 0; i < count; ++i) {
     out.impulse[i] = i;
     out.impulse[count + i] = out.impulse[2 * count + i] = count + i;

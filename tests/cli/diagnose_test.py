@@ -137,7 +137,8 @@ class Diagnose(ProgramTest):
         self.write("push.csv", "time_s,torque1_Nm\n0,0\n0.1,0.3\n1,0.3\n")
         moved = {}
         for actuator in ("rod.json", "out/actuator.json"):
-            result = run("simulate", actuator, "--input", "push.csv", "--out", "moved.csv", cwd=self.folder)
+            result = run("simulate", actuator, "--input", "push.csv", "--interval-s", "0.05", "--out", "moved.csv",
+                         cwd=self.folder)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             moved[actuator] = float(self.table("moved.csv")[-1]["theta1_deg"])
         self.assertNotAlmostEqual(moved["rod.json"], moved["out/actuator.json"], places=1)

@@ -57,7 +57,7 @@ class Drawing(ProgramTest):
         self.export()
 
     def export(self, *options):
-        result = run("export", FINGER, *options, "--as", "drawing", "--out", "out", cwd=self.folder)
+        result = run("export", FINGER, *options, "--as", "drawing", "--out", "out", "--force", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.svg = xml.etree.ElementTree.fromstring((self.folder / "out" / "drawing.svg").read_text())
         self.dxf = (self.folder / "out" / "drawing.dxf").read_text(encoding="ascii")

@@ -31,7 +31,7 @@ def changed_finger(folder: pathlib.Path, **changes) -> pathlib.Path:
 
 def export(actuator, kind, folder, *more):
     """What the program wrote into `folder`, and what it says is left out."""
-    result = run("export", actuator, "--as", kind, "--out", folder, *more)
+    result = run("export", actuator, "--as", kind, "--out", folder, "--force", *more)
     assert result.returncode == 0, result.stderr
     return folder, result.stderr
 

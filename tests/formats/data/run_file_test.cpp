@@ -194,7 +194,7 @@ TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,abc\n"),
             "x.csv: line 3: column theta1_deg: must be a finite number; got \"abc\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,nan\n"),
-            "x.csv: line 3: column theta1_deg: must be a finite number; got \"nan\"");
+            "x.csv: line 3: column theta1_deg: must be a finite number (delete the rows that have none); got \"nan\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
             "x.csv: line 3: column current_A: must be a finite number; got \"-inf\"");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,\n"),

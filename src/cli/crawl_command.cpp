@@ -84,7 +84,7 @@ Bearing bearing_of(const thermal::Network& network, double rms_current) {
 CrawlHeat heat_of(const actuator::Design& design, const actuator::Assembly& assembly, const systems::Crawler& crawler,
                   const systems::Crawl& crawl) {
   const double resistance = assembly.coils * crawler.coil_resistance();
-  const auto straight = mechanics::JointVector::Zero(assembly.model.joints());
+  const mechanics::JointVector straight = mechanics::JointVector::Zero(assembly.model.joints());
   CrawlHeat out{.rms_current = std::sqrt(crawl.powers.copper / resistance)};
   out.taken = bearing_of(actuator::heat_network(design, assembly, straight), out.rms_current);
   out.still_air = bearing_of(actuator::still_air_network(design, assembly, straight), out.rms_current);

@@ -14,6 +14,7 @@
 
 #include "coilwright/measurement/record_slip.hpp"
 #include "coilwright/simulation/initial_state.hpp"
+#include "measurement/data/usual_interval.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/prediction.hpp"
 #include "measurement/replay/prepared_run.hpp"
@@ -123,13 +124,11 @@ bool add(Sums& sums, const data::Run& run, const replay::DeclaredModel& declared
   return true;
 }
 
-// Nothing where the model cannot follow a run.
-std::optional<Sums> sums_of(std::span<const data::Run> runs, const Slip& slip, const replay::DeclaredModel& declared,
+// Nothing where the model cannot follow it.
+std::optional<Sums> sums_of(const data::Run& run, const Slip& slip, const replay::DeclaredModel& declared,
                             const fit::Hypothesis& as_declared) {
   Sums out;
-  for (const data::Run& run : runs)
-    if (!add(out, meant_as(run, slip), declared, as_declared)) return std::nullopt;
-  return out;
+  return add(out, meant_as(run, slip), declared, as_declared) ? std::optional(out) : std::nullopt;
 }
 
 double rms(double squares, std::size_t count) {
@@ -138,10 +137,6 @@ double rms(double squares, std::size_t count) {
 
 std::string column_of(const data::Run& run, const Slip& slip) {
   return slip.column.empty() ? std::ranges::find_if(run.channels, is_angle)->name : slip.column;
-}
-
-double usual_interval(const data::Run& run) {
-  return (run.times.back() - run.times.front()) / static_cast<double>(run.times.size() - 1);
 }
 
 std::string slip_text(const data::Run& run, const Slip& slip, const Sums& meant, const std::string& as_written) {
@@ -154,25 +149,25 @@ std::string slip_text(const data::Run& run, const Slip& slip, const Sums& meant,
 void require_no_milliseconds(const data::Run& run, const replay::DeclaredModel& declared,
                              const fit::Hypothesis& as_declared) {
   constexpr double slowest_camera = 0.5;  // s
-  if (run.times.size() < 3 || usual_interval(run) < slowest_camera) return;
+  if (run.times.size() < 3 || data::usual_interval(run) < slowest_camera) return;
   const Slip slip{.time = 1e-3, .column = "time_s", .looks_like = "milliseconds", .remedy = "name the column time_ms"};
-  const std::optional<Sums> sums = sums_of({&run, 1}, slip, declared, as_declared);
+  const std::optional<Sums> sums = sums_of(run, slip, declared, as_declared);
   if (!sums || sums->missed > follows * follows * sums->varied) return;
-  throw RecordSlip(slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", usual_interval(run))));
+  throw RecordSlip(
+      slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", data::usual_interval(run))));
 }
 
-// One record, or a few, as written together.
-void require_no_slip_of(std::span<const data::Run> used, const replay::DeclaredModel& declared,
+void require_no_slip_of(const data::Run& run, const replay::DeclaredModel& declared,
                         const fit::Hypothesis& as_declared) {
-  const std::optional<Sums> written = sums_of(used, {}, declared, as_declared);
+  const std::optional<Sums> written = sums_of(run, {}, declared, as_declared);
   const double missed = written ? written->missed : std::numeric_limits<double>::infinity();
   // What follows the records needs no other reading but of the time.
   const bool follows_as_written = written && missed <= follows * follows * written->varied;
   std::optional<std::pair<Slip, Sums>> best;
-  for (Slip& slip : slips_of(used.front())) {
+  for (Slip& slip : slips_of(run)) {
     const bool of_time = slip.time != 1.0;
     if (follows_as_written && !of_time) continue;
-    const std::optional<Sums> sums = sums_of(used, slip, declared, as_declared);
+    const std::optional<Sums> sums = sums_of(run, slip, declared, as_declared);
     if (!sums || sums->missed > follows * follows * sums->varied) continue;
     const double ratio = of_time ? better : far_better;
     if (sums->missed > ratio * ratio * missed) continue;
@@ -180,7 +175,7 @@ void require_no_slip_of(std::span<const data::Run> used, const replay::DeclaredM
   }
   if (!best) return;
   const auto& [slip, sums] = *best;
-  throw RecordSlip(slip_text(used.front(), slip, sums,
+  throw RecordSlip(slip_text(run, slip, sums,
                              written ? fmt::format("by {:.3g} deg", rms(missed, written->count))
                                      : std::string("by more than it can simulate")));
 }
@@ -194,7 +189,7 @@ void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredMode
   for (const data::Run& run : runs) {
     if (!is_of_use(run) || looked_at++ >= enough_runs) continue;
     require_no_milliseconds(run, declared, as_declared);
-    require_no_slip_of({&run, 1}, declared, as_declared);
+    require_no_slip_of(run, declared, as_declared);
   }
 }
 

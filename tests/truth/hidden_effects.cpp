@@ -164,7 +164,7 @@ std::vector<HiddenKind> all_kinds() {
       beyond_calibration(plain("mount_compliance",
                                {{"mass_ratio", &Q::mount_compliance},
                                 {"mount_frequency_Hz", &Q::mount_frequency},
-                                {"damping_ratio", &Q::mount_damping}},
+                                {"mount_damping_ratio", &Q::mount_damping}},
                                &Q::mount_compliance, 0.0, 3.0,
                                [](Random& random, UnmodelledEffects& effects) {
                                  effects.mount_frequency = random.log_uniform(6.0, 25.0);

@@ -38,8 +38,8 @@ struct StribeckFall {
 // One state a joint: the bristle's deflection over that of a sliding one, y = s0 z / tau_c, in [-rho, rho].
 //
 // With delta = tau_c / s0 and s = w - |w| y / gamma:
-//   y' = s / (delta + |w| / r),   F = tau_c y + s1 s / (1 + s1 |w| / tau_c).
-// Passive whatever the motion, F w - d/dt(tau_c delta y^2 / 2) >= 0, where s1 >= s0 / r and rho <= 2; here s1 / s0 =
+//   y' = s / (delta + |w| / r),   F = tau_c y + s1 s / (1 + s1 |w| / (c tau_c)),   c = max(1, rho / 2).
+// Passive whatever the motion, F w - d/dt(tau_c delta y^2 / 2) >= 0, where s1 >= c s0 / r and rho <= 3; here s1 / s0 =
 // 2 zeta / 1500 s = 1.9 / r. (docs/theory/effects.md. Without Stribeck's fall s1 >= s0 / (2 r) is enough.) The plain
 // LuGre law (r infinite, s1 not tapered) is so only up to |w| = 4 tau_c / s1.
 class FrictionTerm final : public EffectTerm {
@@ -48,6 +48,7 @@ class FrictionTerm final : public EffectTerm {
       : stiffness_(std::move(stiffness)),
         damping_(2.0 * presliding_damping / presliding_frequency * stiffness_),
         torque_(torque),
+        most_damped_(std::max(1.0, 0.5 * (1.0 + fall.excess))),
         fall_(fall) {}
 
   int states() const override { return static_cast<int>(stiffness_.size()); }
@@ -59,7 +60,8 @@ class FrictionTerm final : public EffectTerm {
       const double speed = std::abs(rate);
       const double bent = fall_.excess == 0.0 ? own.states[j] : own.states[j] / fall_.breaking(speed);
       const double slip = rate - speed * bent;
-      torques[j] -= torque_ * (own.states[j] + damping_[j] * slip / (torque_ + damping_[j] * speed));
+      const double damped = most_damped_ * damping_[j] * slip / (most_damped_ * torque_ + damping_[j] * speed);
+      torques[j] -= torque_ * (own.states[j] + damped);
       if (own.slopes != nullptr)
         own.slopes[j] = stiffness_[j] * slip / (torque_ + stiffness_[j] * speed / turnover_rate);
     }
@@ -69,6 +71,7 @@ class FrictionTerm final : public EffectTerm {
   JointVector stiffness_;  // s0, N m/rad
   JointVector damping_;    // s1, N m s/rad
   double torque_;          // tau_c, N m; > 0
+  double most_damped_;     // c: the most that the bristles' damping can make of tau_c where they do not bend
   StribeckFall fall_;
 };
 
@@ -101,7 +104,7 @@ class StribeckFriction final : public DescribedEffect {
                             {.key = "stribeck_ratio",
                              .text = "static over sliding friction",
                              .lower = 1.0,
-                             .upper = 2.0,
+                             .upper = 3.0,
                              .absent = 1.0},
                             {.key = "stribeck_rate_rad_s",
                              .text = "joint rate at which most of the difference has gone",

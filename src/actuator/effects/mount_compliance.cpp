@@ -7,8 +7,8 @@
 namespace coilwright::actuator::effects {
 namespace {
 
-// Of the mount by itself, with the finger held stiff on it: clamped metal and printed parts have 2 to 10 %.
-constexpr double damping_ratio = 0.05;
+// Of the mount by itself, with the finger held stiff on it: clamped metal and printed parts have 1 to 10 %.
+constexpr double usual_damping_ratio = 0.05;
 
 // A link's share of the momentum across the straight chain is its absolute rate times (A cos phi + O sin phi).
 struct LinkMoments {
@@ -24,8 +24,10 @@ class MountTerm final : public EffectTerm {
   struct Spec {
     double frequency{};   // rad/s
     double mass_ratio{};  // chain over mount
+    double damping_ratio = usual_damping_ratio;
   };
-  MountTerm(const mechanics::PlanarChain& chain, const Spec& spec) : frequency_(spec.frequency) {
+  MountTerm(const mechanics::PlanarChain& chain, const Spec& spec)
+      : frequency_(spec.frequency), damping_ratio_(spec.damping_ratio) {
     double beyond = 0.0;
     moments_.resize(static_cast<std::size_t>(chain.joints()));
     for (int j = chain.joints() - 1; j >= 0; --j) {
@@ -56,13 +58,73 @@ class MountTerm final : public EffectTerm {
       thrown += rate * rate * (link.offset * cosine - link.along * sine);
     }
     out->mass = mass_;
-    out->force = -mass_ * frequency_ * (frequency_ * states[0] + 2.0 * damping_ratio * states[1]) - thrown;
+    out->force = -mass_ * frequency_ * (frequency_ * states[0] + 2.0 * damping_ratio_ * states[1]) - thrown;
   }
 
  private:
   std::vector<LinkMoments> moments_;
   double mass_{};  // of mount and chain, kg
   double frequency_;
+  double damping_ratio_;
+};
+
+std::vector<EffectParameter> undamped_parameters() {
+  return {{.key = "frequency_Hz",
+           .text = "of the mount on its spring, with the finger held stiff",
+           .lower = 5.0,
+           .upper = 300.0},
+          {.key = "mass_ratio",
+           .text = "mass of the chain over that of the mount",
+           .lower = 0.0,
+           .upper = 5.0,
+           .absent = 0.0}};
+}
+
+std::vector<EffectParameter> damped_parameters() {
+  std::vector<EffectParameter> out = undamped_parameters();
+  out.push_back({.key = "damping_ratio",
+                 .text = "of the mount on its spring, with the finger held stiff; 0.05 if not given",
+                 .lower = 0.001,
+                 .upper = 0.5});
+  return out;
+}
+
+constexpr const char* mount_law =
+    "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + p' . theta' = 0, zeta = 0.05 unless "
+    "given, p = d(momentum)/d(rates), m of the chain";
+constexpr const char* mount_source =
+    "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, ch. 1); damping a choice";
+constexpr std::string_view mount_check =
+    "repeat one step with the mount clamped hard, or tap it and film whether it moves";
+
+std::unique_ptr<const EffectTerm> build_mount(const ModelSpec& spec, double frequency, double mass_ratio,
+                                              double damping_ratio) {
+  if (!(mass_ratio > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
+  return std::make_unique<MountTerm>(spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * frequency,
+                                                                 .mass_ratio = mass_ratio,
+                                                                 .damping_ratio = damping_ratio});
+}
+
+// The damping told by the records: a mount that rings for longer than the usual one, or not at all.
+class DampedMount final : public DescribedEffect {
+ public:
+  DampedMount()
+      : DescribedEffect({.id = "mount_compliance",
+                         .stage = Stage::chain,
+                         .description = "the mount gives way: a mass on a spring that moves with the finger",
+                         .equation = mount_law,
+                         .source = mount_source,
+                         .check = mount_check,
+                         .parameters = damped_parameters()}) {}
+
+  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
+    const double fastest = std::clamp(0.3 / scale.interval, 12.0, 150.0);
+    return {{fastest, 0.2, 0.02}, {fastest, 0.2, 0.15}};
+  }
+
+  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
+    return build_mount(spec, values[0], values[1], values[2]);
+  }
 };
 
 class MountCompliance final : public DescribedEffect {
@@ -71,20 +133,15 @@ class MountCompliance final : public DescribedEffect {
       : DescribedEffect({.id = "mount_compliance",
                          .stage = Stage::chain,
                          .description = "the mount gives way: a mass on a spring that moves with the finger",
-                         .equation = "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + "
-                                     "p' . theta' = 0, zeta = 0.05, p = d(momentum)/d(rates), m of the chain",
-                         .source = "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, "
-                                   "ch. 1); damping a choice",
-                         .check = "repeat one step with the mount clamped hard, or tap it and film whether it moves",
-                         .parameters = {{.key = "frequency_Hz",
-                                         .text = "of the mount on its spring, with the finger held stiff",
-                                         .lower = 5.0,
-                                         .upper = 300.0},
-                                        {.key = "mass_ratio",
-                                         .text = "mass of the chain over that of the mount",
-                                         .lower = 0.0,
-                                         .upper = 5.0,
-                                         .absent = 0.0}}}) {}
+                         .equation = mount_law,
+                         .source = mount_source,
+                         .check = mount_check,
+                         .parameters = undamped_parameters()}) {}
+
+  const EffectKind* with_further_numbers() const override {
+    static const DampedMount kind;
+    return &kind;
+  }
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double fastest = std::clamp(0.3 / scale.interval, 12.0, 150.0);
@@ -92,9 +149,7 @@ class MountCompliance final : public DescribedEffect {
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    if (!(values[1] > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
-    return std::make_unique<MountTerm>(
-        spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * values[0], .mass_ratio = values[1]});
+    return build_mount(spec, values[0], values[1], usual_damping_ratio);
   }
 };
 

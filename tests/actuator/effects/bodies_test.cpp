@@ -92,19 +92,31 @@ Sums sums(const mechanics::PlanarChain& chain, const Motion& at) {
 }
 
 // What changes the momentum across the chain is the mount's spring and damper alone: gravity pulls along it.
-TEST(MountCompliance, KeepsTheBalanceOfMomentum) {
+void expect_balance_of_momentum(const Model& model, double damping_ratio) {
   RandomMotion random;
-  for (const Configuration configuration : {Configuration::B, Configuration::C}) {
-    const Model model = with("mount_compliance", {mount_frequency, mount_ratio}, frictionless(configuration));
-    const double mass = mass_of(model.chain()) * (1.0 + 1.0 / mount_ratio);
-    const double omega = 2.0 * M_PI * mount_frequency;
-    for (int i = 0; i < 20; ++i) {
-      const Motion at = random(model.joints(), 1e-4);
-      const double rate =
-          growth(at, slope_of(model, at, 0.0), [&](const Motion& m) { return sums(model.chain(), m).momentum; });
-      const double force = -mass * (omega * omega * at.internal[0] + 2.0 * 0.05 * omega * at.internal[1]);
-      EXPECT_NEAR(rate, force, 1e-6 * (1.0 + std::abs(force)));  // of the difference's 1e-12 s^2
-    }
+  const double mass = mass_of(model.chain()) * (1.0 + 1.0 / mount_ratio);
+  const double omega = 2.0 * M_PI * mount_frequency;
+  for (int i = 0; i < 20; ++i) {
+    const Motion at = random(model.joints(), 1e-4);
+    const double rate =
+        growth(at, slope_of(model, at, 0.0), [&](const Motion& m) { return sums(model.chain(), m).momentum; });
+    const double force = -mass * (omega * omega * at.internal[0] + 2.0 * damping_ratio * omega * at.internal[1]);
+    EXPECT_NEAR(rate, force, 1e-6 * (1.0 + std::abs(force)));  // of the difference's 1e-12 s^2
+  }
+}
+
+TEST(MountCompliance, KeepsTheBalanceOfMomentum) {
+  for (const Configuration configuration : {Configuration::B, Configuration::C})
+    expect_balance_of_momentum(with("mount_compliance", {mount_frequency, mount_ratio}, frictionless(configuration)),
+                               0.05);
+}
+
+TEST(MountCompliance, IsDampedAsItsFurtherNumberSays) {
+  for (const double damping_ratio : {0.004, 0.31}) {
+    ModelSpec spec = frictionless(Configuration::B);
+    spec.effects = {{.kind = standard_effects().find("mount_compliance")->with_further_numbers(),
+                     .values = {mount_frequency, mount_ratio, damping_ratio}}};
+    expect_balance_of_momentum(Model(spec), damping_ratio);
   }
 }
 

@@ -262,7 +262,7 @@ TEST(LumpedModel, ReadsFrictionWithAndWithoutItsFall) {
   EXPECT_EQ(refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 1.3)")),
             "a.json: /effects/0/parameters/stribeck_rate_rad_s: is missing");
   EXPECT_EQ(refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 0.9, "stribeck_rate_rad_s": 0.5)")),
-            "a.json: /effects/0/parameters/stribeck_ratio: must be from 1 to 2; got 0.9");
+            "a.json: /effects/0/parameters/stribeck_ratio: must be from 1 to 3; got 0.9");
 }
 
 const std::string pair = R"({

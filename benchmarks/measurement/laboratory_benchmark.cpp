@@ -46,6 +46,13 @@ std::filesystem::path file_of(const Settings& settings, const laboratory::Case& 
   return std::filesystem::path(settings.out) / "outcomes" / fmt::format("{:04}.json", asked.number);
 }
 
+laboratory::Case at_wanted_strength(laboratory::Case asked, const Settings& settings) {
+  if (!settings.plans || asked.category != laboratory::Category::one || asked.request.at_bound) return asked;
+  if (const auto value = laboratory::five_times_visible(asked, settings.program, settings.threads))
+    asked.request.values = {*value};
+  return asked;
+}
+
 // Every job has one diagnosis at a time. Returns the number of failures.
 int run_all(const std::vector<laboratory::Case>& cases, const Settings& settings) {
   std::atomic<std::size_t> next{0};
@@ -55,12 +62,8 @@ int run_all(const std::vector<laboratory::Case>& cases, const Settings& settings
     for (std::size_t i = next++; i < cases.size(); i = next++) {
       if (std::filesystem::exists(file_of(settings, cases[i]))) continue;
       try {
-        laboratory::Case asked = cases[i];
-        if (settings.plans && asked.category == laboratory::Category::one && !asked.request.at_bound) {
-          const auto value = laboratory::five_times_visible(asked, settings.program, settings.threads);
-          if (value) asked.request.values = {*value};
-        }
-        const laboratory::Outcome outcome = laboratory::run_case(asked, settings.program, settings.threads);
+        const laboratory::Outcome outcome =
+            laboratory::run_case(at_wanted_strength(cases[i], settings), settings.program, settings.threads);
         laboratory::write_outcome(outcome, file_of(settings, cases[i]));
         const std::lock_guard lock(printing);
         fmt::print("{}  ({:.1f} s)\n", laboratory::set_line(outcome), outcome.seconds);
@@ -79,9 +82,10 @@ int run_all(const std::vector<laboratory::Case>& cases, const Settings& settings
   return failures;
 }
 
-void write_sets(const std::vector<laboratory::Case>& cases, const std::filesystem::path& folder) {
+void write_sets(const std::vector<laboratory::Case>& cases, const Settings& settings) {
+  const std::filesystem::path folder = settings.sets;
   for (const laboratory::Case& each : cases) {
-    const auto set = truth::laboratory::make_laboratory_set(each.request);
+    const auto set = truth::laboratory::make_laboratory_set(at_wanted_strength(each, settings).request);
     truth::laboratory::write_laboratory_set(set, folder / fmt::format("{:04}", each.number));
     truth::laboratory::write_experiment(set, folder / fmt::format("{:04}_experiment", each.number));
     truth::laboratory::write_answer(set, folder / fmt::format("{:04}_answer.json", each.number));
@@ -118,13 +122,15 @@ int run(int argc, char** argv) {
   for (laboratory::Case& each : laboratory::plan(settings.plan, values))
     if (each.number >= settings.first && each.number - settings.first < settings.count)
       cases.push_back(std::move(each));
-  if (!settings.sets.empty()) {
-    write_sets(cases, settings.sets);
-    return 0;
-  }
-  if (settings.program.empty() || settings.out.empty()) {
-    fmt::print(stderr, "laboratory_benchmark: --program and --out are needed\n");
+  const bool writes_only = !settings.sets.empty();
+  if ((!writes_only && (settings.program.empty() || settings.out.empty())) ||
+      (settings.plans && settings.program.empty())) {
+    fmt::print(stderr, "laboratory_benchmark: --program{} needed\n", writes_only ? " is" : " and --out are");
     return 2;
+  }
+  if (writes_only) {
+    write_sets(cases, settings);
+    return 0;
   }
   const std::filesystem::path outcomes = std::filesystem::path(settings.out) / "outcomes";
   std::filesystem::create_directories(outcomes);

@@ -5,9 +5,12 @@
 #include <chrono>
 #include <cstddef>
 #include <iterator>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "measurement/compare/hypothesis_search.hpp"
+#include "measurement/compare/idle_numbers.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/search_effort.hpp"
@@ -44,14 +47,25 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Verdict verdict_of(const compare::Attribution& found) {
+Verdict verdict_of(const compare::Attribution& found, double probability_of_declared) {
   if (found.steps.size() == 1) {
     if (!found.before().whiteness.is_white()) return Verdict::unexplained;
-    const double probability = compare::probability_of_declared_numbers(found.before());
-    return probability < compare::decision_thresholds.least_probability ? Verdict::declared_numbers_off
-                                                                        : Verdict::no_missing_effect;
+    return probability_of_declared < compare::decision_thresholds.least_probability ? Verdict::declared_numbers_off
+                                                                                    : Verdict::no_missing_effect;
   }
   return found.after().whiteness.is_white() ? Verdict::explained : Verdict::partly_explained;
+}
+
+void set_if_idle(MovedNumber& number, std::span<const compare::IdleNumber> idle, Eigen::Index index) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const compare::IdleNumber& each : idle) {
+    if (each.index != index) continue;
+    number.idle_from = each.nearest;
+    const bool below = each.nearest < number.declared;
+    number.estimate.lower = below ? -infinity : each.nearest;
+    number.estimate.upper = below ? each.nearest : infinity;
+    number.estimate.determined = true;
+  }
 }
 
 template <typename Value>
@@ -119,9 +133,13 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared));
   compare::Attribution& found = pruned.attribution;
   const std::vector<compare::Estimate>& estimates = pruned.estimates;
-  timer.end_phase("intervals and cross-validation", pruned.simulated_runs);
+  const auto idle_before = compare::idle_numbers(runs, found.before());
+  const auto idle_after = compare::idle_numbers(runs, found.after());
+  timer.end_phase("intervals and cross-validation",
+                  pruned.simulated_runs + idle_before.simulated_runs + idle_after.simulated_runs);
 
-  out.verdict = verdict_of(found);
+  out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before.value);
+  out.verdict = verdict_of(found, out.probability_of_declared);
   out.before = found.before().whiteness;
   out.after = found.after().whiteness;
   out.compared_hypotheses = std::move(found.compared);
@@ -136,9 +154,9 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                              .declared = number.declared,
                              .tolerance = number.tolerance->deviation,
                              .named = number.tolerance->named});
+      set_if_idle(out.nominal.back(), idle_after.value, static_cast<Eigen::Index>(i));
     }
   }
-  out.probability_of_declared = compare::probability_of_declared_numbers(found.before());
   out.held_exact = declared.held_exact;
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,

@@ -42,8 +42,7 @@ std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
         each->estimate.key.starts_with("force_curve")
             ? std::string("the torque over the angle at one current (a static_torque bench), whose shape is off")
             : fmt::format("{} (declared {}, {} {})", each->estimate.key, number_text(formats::in_unit(*each).declared),
-                          leaves_structure(diagnosis) ? "moved to" : "these data say",
-                          number_text(formats::in_unit(each->estimate).value));
+                          leaves_structure(diagnosis) ? "moved to" : "these data say", moved_to_text(*each));
     if (std::ranges::find(out, what) == out.end()) out.push_back(std::move(what));
   }
   return out;

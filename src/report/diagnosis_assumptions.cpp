@@ -71,13 +71,16 @@ std::string nominal_text(const Diagnosis& diagnosis) {
   for (const MovedNumber* each : std::span(ordered).first(std::min(ordered.size(), most_numbers))) {
     const formats::MovedNumberInUnit shown = formats::in_unit(*each);
     table.row({each->estimate.key, number_text(shown.declared),
-               fmt::format("{}{}", number_text(shown.tolerance), each->named ? "" : " (default)"),
-               number_text(formats::in_unit(each->estimate).value),
+               fmt::format("{}{}", number_text(shown.tolerance), each->named ? "" : " (default)"), moved_to_text(*each),
                fmt::format("{:+.1f}", formats::tolerances_moved(*each))});
   }
   text += table.text(4, {left, right, left, right, right});
   if (ordered.size() > most_numbers)
     text += fmt::format("    and {} that moved less (nominal in diagnosis.json)\n", ordered.size() - most_numbers);
+  if (std::ranges::any_of(ordered, [](const MovedNumber* each) { return each->idle_from.has_value(); }))
+    text +=
+        "    below, above: there the number changes nothing in these records (faces that touch nowhere). It has moved\n"
+        "    that far at least; the records cannot say how much further.\n";
   if (std::ranges::any_of(ordered, [](const MovedNumber* each) { return each->estimate.key.starts_with('/'); }))
     text += "    A name with slashes is a place in the actuator file; its lists count from 0, links from the base.\n";
   return text;

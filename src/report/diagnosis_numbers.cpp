@@ -47,6 +47,12 @@ std::vector<std::string> estimate_row(const measurement::compare::Estimate& esti
   return {estimate.key, fmt::format("{:.{}g}", shown.value, digits), interval_text(estimate, shown, digits)};
 }
 
+std::string moved_to_text(const measurement::MovedNumber& number) {
+  const std::optional<double> from = formats::in_unit(number).idle_from;
+  if (!from) return number_text(formats::in_unit(number.estimate).value);
+  return fmt::format("{} {}", *number.idle_from < number.declared ? "below" : "above", number_text(*from));
+}
+
 std::string counted(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }

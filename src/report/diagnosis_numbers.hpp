@@ -17,6 +17,9 @@ namespace coilwright::report {
 /// Cells of a table: key, value with the digits that its interval bears, interval.
 [[nodiscard]] std::vector<std::string> estimate_row(const measurement::compare::Estimate& estimate);
 
+/// Where a fit has moved a declared number to: "1.43"; "below -7.85" if it changes nothing there.
+[[nodiscard]] std::string moved_to_text(const measurement::MovedNumber& number);
+
 /// "1 run", "2 runs".
 [[nodiscard]] std::string counted(std::size_t count, const char* one);
 

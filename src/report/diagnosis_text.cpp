@@ -106,7 +106,9 @@ std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& e
 std::string declared_text(const Diagnosis& diagnosis) {
   if (diagnosis.nominal.empty()) return {};
   const double probability = diagnosis.probability_of_declared;
-  const std::string share = probability < 1e-4 ? "fewer than 0.01 %" : fmt::format("{:.2g} %", 100.0 * probability);
+  const std::string share = probability < 1e-4  ? "fewer than 0.01 %"
+                            : probability < 0.1 ? fmt::format("{:.2g} %", 100.0 * probability)
+                                                : fmt::format("{:.0f} %", 100.0 * probability);
   return fmt::format(
       "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
       "  rigs built to their tolerances are as far off or further ({}).\n",

@@ -40,6 +40,25 @@ inline replay::DeclaredModel slide(double mass, double damping) {
           }};
 }
 
+// A slide with a wall that the true one, which never moves below 0, does not have.
+inline replay::DeclaredModel slide_with_wall(double mass, double damping, double wall) {
+  replay::DeclaredModel declared = slide(mass, damping);
+  constexpr double tolerance = 0.05;
+  declared.calibration.push_back({.key = "wall",
+                                  .declared = wall,
+                                  .lower = -1.0,
+                                  .upper = 1.0,
+                                  .scale = tolerance,
+                                  .tolerance = replay::Tolerance{.deviation = tolerance},
+                                  .calibrated = false});
+  declared.build = [free = declared.build](std::span<const double> values) {
+    actuator::ModelSpec spec = free(values);
+    spec.hinges.front().contact = {.closing_angle = values[2], .stiffness = 1e3, .damping = 1.0};
+    return spec;
+  };
+  return declared;
+}
+
 struct Place {
   double position{};
   double speed{};

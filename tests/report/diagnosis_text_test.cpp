@@ -189,6 +189,22 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
               HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
 }
 
+TEST(DiagnosisText, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
+  Diagnosis diagnosis = example();
+  diagnosis.nominal = {{.estimate = {.key = "face_closing_deg", .value = -41.0 * degree},
+                        .declared = 4.0 * degree,
+                        .tolerance = 1.0 * degree,
+                        .idle_from = -7.85 * degree}};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text, HasSubstr("declared  tolerance       moved to  tolerances moved\n"
+                              "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
+                              "    below, above: there the number changes nothing in these records (faces that touch "
+                              "nowhere). It has moved\n"
+                              "    that far at least; the records cannot say how much further.\n"));
+  EXPECT_THAT(text, HasSubstr("declared numbers had to move far, in tolerances: face_closing_deg by 11.9."));
+  EXPECT_THAT(text, HasSubstr("face_closing_deg (declared 4, these data say below -7.85)"));
+}
+
 TEST(DiagnosisText, SaysHowToSeeAnEffectWithoutTheModel) {
   const testing::NamedEffect heated("coil_heating", "", {}, "log voltage and current");
   const testing::NamedEffect faded("magnet_heating", "", {}, "take the magnet's temperature");

@@ -46,6 +46,9 @@ struct MovedNumber {
   double declared{};   ///< SI
   double tolerance{};  ///< one standard deviation, SI
   bool named{};        ///< whether the data set names the tolerance; otherwise it is a default
+  /// Of a number that changes nothing where it is (the closing angle of faces that touch nowhere in the records): the
+  /// value nearest to the declared one at which it still changes nothing, SI. Its interval is open beyond.
+  std::optional<double> idle_from{};
 };
 
 /// Samples of one channel that no motion can show.

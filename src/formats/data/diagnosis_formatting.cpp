@@ -49,11 +49,12 @@ EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
 MovedNumberInUnit in_unit(const measurement::MovedNumber& number) {
   const std::string_view key = key_with_unit(number.estimate.key);
   return {.declared = units::from_memory(number.declared, key),
-          .tolerance = units::from_si(number.tolerance, units::difference_unit(key))};
+          .tolerance = units::from_si(number.tolerance, units::difference_unit(key)),
+          .idle_from = number.idle_from ? std::optional(units::from_memory(*number.idle_from, key)) : std::nullopt};
 }
 
 double tolerances_moved(const measurement::MovedNumber& number) {
-  return (number.estimate.value - number.declared) / number.tolerance;
+  return (number.idle_from.value_or(number.estimate.value) - number.declared) / number.tolerance;
 }
 
 bool is_reported(const measurement::Diagnosis& diagnosis, std::span<const actuator::EffectKind* const> kinds) {

@@ -246,9 +246,7 @@ void set_tolerance(CalibrationParameter& parameter, const PlannedNumber& number)
   parameter.tolerance = {.deviation = deviation, .named = number.by != MovedBy::defaults};
   parameter.scale = deviation;
   // Faces that the actuator does not have: they touch nowhere in its motion.
-  constexpr double deviations_to_nowhere = 10.0;
-  if (number.name == "face_closing_deg")
-    parameter.other_start = std::max(parameter.lower, parameter.declared - deviations_to_nowhere * deviation);
+  if (number.name == "face_closing_deg") parameter.other_start = parameter.lower;
 }
 
 }  // namespace coilwright::formats

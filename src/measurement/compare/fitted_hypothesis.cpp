@@ -21,10 +21,14 @@ std::vector<const actuator::EffectKind*> FittedHypothesis::kinds() const {
 }
 
 double probability_of_declared_numbers(const FittedHypothesis& fitted) {
-  const auto count = std::ranges::count_if(fitted.hypothesis.parameters(), &fit::FitParameter::has_prior);
+  return probability_of_distance(fitted.hypothesis, fitted.fit.prior_chi_square);
+}
+
+double probability_of_distance(const fit::Hypothesis& hypothesis, double squares) {
+  const auto count = std::ranges::count_if(hypothesis.parameters(), &fit::FitParameter::has_prior);
   if (count == 0) return 1.0;
   const boost::math::chi_squared_distribution<double> distribution(static_cast<double>(count));
-  return boost::math::cdf(boost::math::complement(distribution, fitted.fit.prior_chi_square));
+  return boost::math::cdf(boost::math::complement(distribution, squares));
 }
 
 FittedHypothesis score(std::span<const replay::PreparedRun> runs, fit::Hypothesis hypothesis, fit::Fit fitted) {

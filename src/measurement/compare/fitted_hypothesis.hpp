@@ -19,9 +19,13 @@ struct FittedHypothesis {
   [[nodiscard]] double chi_square_above_noise() const;
   [[nodiscard]] std::vector<const actuator::EffectKind*> kinds() const;
 };
+
 /// The probability that declared numbers with these tolerances lie at least as far from what the fit found, all
-/// together: of chi-square with as many degrees of freedom as there are priors. 1 where no number has one.
+/// together. 1 where no number has a tolerance.
 [[nodiscard]] double probability_of_declared_numbers(const FittedHypothesis& fitted);
+/// The same of a sum of squared distances over their tolerances: chi-square with as many degrees of freedom as there
+/// are tolerances.
+[[nodiscard]] double probability_of_distance(const fit::Hypothesis& hypothesis, double squares);
 
 [[nodiscard]] FittedHypothesis score(std::span<const replay::PreparedRun> runs, fit::Hypothesis hypothesis,
                                      fit::Fit fitted);

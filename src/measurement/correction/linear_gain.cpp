@@ -21,7 +21,7 @@ class Linearised {
     prior_gradient_ = Eigen::VectorXd::Zero(hypothesis.size());
     for (Eigen::Index i = 0; i < free_; ++i) {
       const fit::FitParameter& parameter = hypothesis.parameters()[static_cast<std::size_t>(i)];
-      if (!parameter.has_prior()) continue;
+      if (!parameter.is_pulled(at_zero.values[i])) continue;
       const double size = scales_[i] / parameter.tolerance;
       prior_[i] += size * size;
       prior_gradient_[i] = size * (at_zero.values[i] - parameter.declared) / parameter.tolerance;

@@ -62,7 +62,7 @@ ProjectedChanges::ProjectedChanges(const LinearisedRecords& records, const std::
   products_ = changes.transpose() * changes;
   on_declared_ = base.jacobian.transpose() * changes;
   normal_matrix_ = base.normal_matrix;
-  const Eigen::MatrixXd prior = records.base().hypothesis.prior_jacobian();
+  const Eigen::MatrixXd prior = records.base().hypothesis.prior_jacobian(records.base().fit.values);
   prior_ = prior.transpose() * prior;
   samples_ = static_cast<double>(base.samples());
   project();

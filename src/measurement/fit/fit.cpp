@@ -55,7 +55,7 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     row += block.rows;
     run.local_numbers.emplace_back(block.local.begin(), block.local.end());
   }
-  const Eigen::MatrixXd prior_jacobian = hypothesis.prior_jacobian();
+  const Eigen::MatrixXd prior_jacobian = hypothesis.prior_jacobian(values);
   out.stacked_residuals.tail(prior.size()) = prior;
   out.jacobian.bottomRows(prior.size()) = prior_jacobian;
   out.prior_chi_square = prior.squaredNorm();

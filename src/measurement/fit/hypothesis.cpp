@@ -7,6 +7,13 @@
 namespace coilwright::measurement::fit {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Faces that are off by more than three tolerances are not the declared ones: either there are none, and nothing draws
+// the number back, or they are elsewhere, and the records say where. A prior without an end would hold faces that
+// nobody made just beside the motion, where they are in the way of every other number of the fit.
+constexpr double farthest_pull = 3.0;
+
 // A typical change of an effect's number: its distance from the value that means that the effect is absent, at the
 // start of the fit.
 double scale_of(const actuator::EffectParameter& parameter, double start) {
@@ -20,13 +27,13 @@ double scale_of(const actuator::EffectParameter& parameter, double start) {
 Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuator::Effect> effects)
     : declared_(&declared), effects_(std::move(effects)) {
   for (const replay::CalibrationParameter& number : declared.calibration)
-    parameters_.push_back(
-        {.key = number.key,
-         .lower = number.lower,
-         .upper = number.upper,
-         .scale = number.scale,
-         .declared = number.declared,
-         .tolerance = number.tolerance ? number.tolerance->deviation : std::numeric_limits<double>::infinity()});
+    parameters_.push_back({.key = number.key,
+                           .lower = number.lower,
+                           .upper = number.upper,
+                           .scale = number.scale,
+                           .declared = number.declared,
+                           .tolerance = number.tolerance ? number.tolerance->deviation : infinity,
+                           .farthest = number.other_start ? farthest_pull : infinity});
   for (const actuator::Effect& effect : effects_) {
     EffectParameters placed{.first = size()};
     const auto numbers = effect.kind->parameters();
@@ -38,7 +45,7 @@ Hypothesis::Hypothesis(const replay::DeclaredModel& declared, std::vector<actuat
                              .upper = numbers[i].upper,
                              .scale = numbers[i].deviation.value_or(scale_of(numbers[i], effect.values[i])),
                              .declared = numbers[i].absent.value_or(0.0),
-                             .tolerance = numbers[i].deviation.value_or(std::numeric_limits<double>::infinity())});
+                             .tolerance = numbers[i].deviation.value_or(infinity)});
     }
     effect_parameters_.push_back(std::move(placed));
   }
@@ -85,17 +92,17 @@ Eigen::VectorXd Hypothesis::prior_residuals(const Eigen::VectorXd& values) const
   std::vector<double> out;
   for (Eigen::Index i = 0; i < size(); ++i)
     if (const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)]; parameter.has_prior())
-      out.push_back((parameter.declared - values[i]) / parameter.tolerance);
+      out.push_back(parameter.distance(values[i]));
   return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
-Eigen::MatrixXd Hypothesis::prior_jacobian() const {
+Eigen::MatrixXd Hypothesis::prior_jacobian(const Eigen::VectorXd& values) const {
   const auto rows = std::ranges::count_if(parameters_, &FitParameter::has_prior);
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows, size());
   Eigen::Index row = 0;
   for (Eigen::Index i = 0; i < size(); ++i)
     if (const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)]; parameter.has_prior())
-      out(row++, i) = -1.0 / parameter.tolerance;
+      out(row++, i) = parameter.is_pulled(values[i]) ? -1.0 / parameter.tolerance : 0.0;
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -20,7 +21,16 @@ struct FitParameter {
   /// Prior: normal about the declared value. Infinite for a number that is free.
   double declared{};
   double tolerance = std::numeric_limits<double>::infinity();
+  /// The prior pulls no harder than so many tolerances away, and beyond not at all.
+  double farthest = std::numeric_limits<double>::infinity();
   [[nodiscard]] bool has_prior() const { return std::isfinite(tolerance); }
+  /// How far a value is from the declared one, in tolerances, as the prior counts it.
+  [[nodiscard]] double distance(double value) const {
+    return std::clamp((declared - value) / tolerance, -farthest, farthest);
+  }
+  [[nodiscard]] bool is_pulled(double value) const {
+    return has_prior() && std::abs(declared - value) < farthest * tolerance;
+  }
 };
 
 /// The declared model with additional effects, whose numbers are fitted together with the calibration.
@@ -56,10 +66,10 @@ class Hypothesis {
   }
   /// Numbers that only the tolerances of the declared model let move. They are the same ones in every hypothesis.
   [[nodiscard]] bool is_nominal(Eigen::Index parameter) const;
-  /// The distance of each number that has a prior from its declared value, over its tolerance; in their order.
+  /// FitParameter::distance of each number that has a prior; in their order.
   [[nodiscard]] Eigen::VectorXd prior_residuals(const Eigen::VectorXd& values) const;
-  /// Their derivatives: (numbers with a prior, size()).
-  [[nodiscard]] Eigen::MatrixXd prior_jacobian() const;
+  /// Their derivatives there: (numbers with a prior, size()).
+  [[nodiscard]] Eigen::MatrixXd prior_jacobian(const Eigen::VectorXd& values) const;
   /// The specification of the model. Throws std::invalid_argument if the calibration makes no model.
   [[nodiscard]] actuator::ModelSpec spec_at(const Eigen::VectorXd& values) const;
   /// The model. Throws std::invalid_argument if the values make no model.

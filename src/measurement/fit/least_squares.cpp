@@ -95,23 +95,21 @@ class BlockCost : public ceres::CostFunction {
 // The prior of the parameters that have one.
 class PriorCost : public ceres::CostFunction {
  public:
-  PriorCost(const Hypothesis& hypothesis, Eigen::Index width)
-      : hypothesis_(hypothesis), jacobian_(hypothesis.prior_jacobian()) {
-    set_num_residuals(static_cast<int>(jacobian_.rows()));
+  PriorCost(const Hypothesis& hypothesis, Eigen::Index rows, Eigen::Index width) : hypothesis_(hypothesis) {
+    set_num_residuals(static_cast<int>(rows));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(width));
   }
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::Map<const Eigen::VectorXd> values(parameters[0], hypothesis_.size());
-    Eigen::Map<Eigen::VectorXd>(residuals, jacobian_.rows()) = hypothesis_.prior_residuals(values);
+    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = hypothesis_.prior_residuals(values);
     if (jacobians != nullptr && jacobians[0] != nullptr)
-      Eigen::Map<RowMajor>(jacobians[0], jacobian_.rows(), jacobian_.cols()) = jacobian_;
+      Eigen::Map<RowMajor>(jacobians[0], num_residuals(), values.size()) = hypothesis_.prior_jacobian(values);
     return true;
   }
 
  private:
   const Hypothesis& hypothesis_;
-  Eigen::MatrixXd jacobian_;
 };
 
 void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::VectorXd& values) {
@@ -151,8 +149,8 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
       ordering->AddElementToGroup(block.local.data(), 0);
     }
   }
-  if (std::ranges::any_of(request.hypothesis->parameters(), &FitParameter::has_prior))
-    problem.AddResidualBlock(new PriorCost(*request.hypothesis, width), nullptr, shared);
+  if (const auto priors = std::ranges::count_if(request.hypothesis->parameters(), &FitParameter::has_prior); priors > 0)
+    problem.AddResidualBlock(new PriorCost(*request.hypothesis, priors, width), nullptr, shared);
   if (values.size() > 0) set_bounds(problem, *request.hypothesis, values);
   if (!free) problem.SetParameterBlockConstant(shared);
   if (free && !held.empty()) problem.SetManifold(shared, new ceres::SubsetManifold(static_cast<int>(width), held));
@@ -183,7 +181,7 @@ std::vector<int> idle_numbers(const FitRequest& request, const ResidualValues& h
   std::vector<int> out;
   for (Eigen::Index i = 0; i < parameters.size(); ++i) {
     const FitParameter& parameter = request.hypothesis->parameters()[static_cast<std::size_t>(i)];
-    const bool pulled = std::abs(parameter.declared - parameters[i]) > least_way * parameter.tolerance;
+    const bool pulled = parameter.is_pulled(parameters[i]) && std::abs(parameter.distance(parameters[i])) > least_way;
     if (!pulled || request.held_parameter == i) continue;
     if (std::ranges::all_of(here.blocks, [i](const auto& block) { return block.jacobian.col(i).isZero(0.0); }))
       out.push_back(static_cast<int>(i));

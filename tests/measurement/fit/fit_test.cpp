@@ -168,25 +168,6 @@ TEST(Fit, KeepsAHeldParameter) {
   EXPECT_GT(std::abs(found.value->values[0] - true_mass), 0.01);  // the mass compensates in part
 }
 
-// A slide with a wall that the true one, which never moves below 0, does not have.
-replay::DeclaredModel slide_with_wall(double mass, double damping, double wall) {
-  replay::DeclaredModel declared = slide(mass, damping);
-  constexpr double tolerance = 0.05;
-  declared.calibration.push_back({.key = "wall",
-                                  .declared = wall,
-                                  .lower = -1.0,
-                                  .upper = 1.0,
-                                  .scale = tolerance,
-                                  .tolerance = replay::Tolerance{.deviation = tolerance},
-                                  .calibrated = false});
-  declared.build = [free = declared.build](std::span<const double> values) {
-    actuator::ModelSpec spec = free(values);
-    spec.hinges.front().contact = {.closing_angle = values[2], .stiffness = 1e3, .damping = 1.0};
-    return spec;
-  };
-  return declared;
-}
-
 TEST(Fit, IsNotHeldUpByAWallThatOnlyAPriorPullsTowards) {
   // Away from the wall nothing but its prior has a slope: steps that follow it run into the wall.
   const replay::DeclaredModel declared = slide_with_wall(1.5 * true_mass, 0.5 * true_damping, 0.1);
@@ -202,6 +183,42 @@ TEST(Fit, IsNotHeldUpByAWallThatOnlyAPriorPullsTowards) {
   // At 0, where the slide starts, by no more than the noise lets be seen.
   EXPECT_NEAR(found.value->values[2], 0.0, 0.005);
   EXPECT_LT(found.value->chi_square, 360.0);  // 300 samples of noise; 24 is its standard deviation
+}
+
+TEST(Fit, IsNotHeldBackByAWallThatIsNowhere) {
+  replay::DeclaredModel declared = slide_with_wall(1.5 * true_mass, 0.5 * true_damping, 0.1);
+  declared.calibration.back().other_start = -1.0;
+  Normal normal(7);
+  const auto run = slide_run(300, {}, [&] { return noise_sigma * normal(); });
+  const Prepared prepared(declared, run);
+  Eigen::VectorXd start = prepared.hypothesis.start();
+  start[2] = -1.0;  // 22 tolerances away
+  const auto found = fit({.hypothesis = &prepared.hypothesis, .runs = prepared.runs, .start = start});
+  ASSERT_TRUE(found.value.has_value());
+  EXPECT_NEAR(found.value->values[0], true_mass, 0.01 * true_mass);
+  EXPECT_EQ(found.value->values[2], -1.0);
+  EXPECT_TRUE(found.value->normal_matrix.col(2).isZero(0.0));
+  EXPECT_DOUBLE_EQ(found.value->prior_chi_square, 9.0);  // three tolerances, and no more
+}
+
+TEST(Hypothesis, PullsNoHarderThanThePriorOfANumberThatMayBeNowhere) {
+  replay::DeclaredModel declared = slide_with_wall(true_mass, true_damping, 0.1);  // within 0.05
+  const auto squares = [&](double wall) {
+    const Hypothesis hypothesis(declared, {});
+    Eigen::VectorXd values = hypothesis.start();
+    values[2] = wall;
+    const Eigen::VectorXd residuals = hypothesis.prior_residuals(values);
+    values[2] += 1e-7;
+    const double slope = (hypothesis.prior_residuals(values) - residuals)[0] / 1e-7;
+    EXPECT_NEAR(hypothesis.prior_jacobian(values)(0, 2), slope, 1e-6) << wall;
+    return residuals.squaredNorm();
+  };
+  EXPECT_NEAR(squares(-0.1), 16.0, 1e-9);
+  declared.calibration.back().other_start = -1.0;
+  EXPECT_NEAR(squares(0.0), 4.0, 1e-9);
+  EXPECT_NEAR(squares(-0.1), 9.0, 1e-9);
+  EXPECT_NEAR(squares(-0.9), 9.0, 1e-9);
+  EXPECT_NEAR(squares(0.4), 9.0, 1e-9);
 }
 
 TEST(Fit, FindsTheInitialStateOfEveryWindow) {

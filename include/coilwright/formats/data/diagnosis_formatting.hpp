@@ -31,10 +31,12 @@ struct EstimateInUnit {
 /// A declared number that a fit moved, in the unit of its key.
 struct MovedNumberInUnit {
   double declared{}, tolerance{};
+  std::optional<double> idle_from{};
 };
 [[nodiscard]] MovedNumberInUnit in_unit(const measurement::MovedNumber& number);
 
-/// How far a declared number has moved, in its tolerances: + where it is larger than declared.
+/// How far a declared number has moved, in its tolerances: + where it is larger than declared. Of one that changes
+/// nothing where it is: how far it has moved at least.
 [[nodiscard]] double tolerances_moved(const measurement::MovedNumber& number);
 
 /// Whether these are the effects that the diagnosis reports, in any order; never for none.

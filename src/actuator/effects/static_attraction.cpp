@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -13,6 +14,13 @@ constexpr std::array sides = {-1.0, 1.0};
 // The matter is as large as half its distance: keeps the pull finite and smooth where the angle reaches it.
 constexpr double size = 0.5;
 
+// How much stronger the pull is at that angle than at zero.
+double growth(double angle, double range, double side) {
+  const double distance = 1.0 - side * angle / range;
+  const double closeness = (1.0 + size * size) / (distance * distance + size * size);
+  return closeness * closeness;
+}
+
 class AttractionTerm final : public EffectTerm {
  public:
   AttractionTerm(double torque, double range, double side) : torque_(torque), range_(range), side_(side) {}
@@ -20,9 +28,7 @@ class AttractionTerm final : public EffectTerm {
   // The magnet nearest the base, on the first link, is what iron attracts; a coil without current is copper.
   void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView /*own*/,
                    mechanics::JointVector& torques) const override {
-    const double distance = 1.0 - side_ * motion.angles[0] / range_;
-    const double closeness = (1.0 + size * size) / (distance * distance + size * size);
-    torques[0] += torque_ * closeness * closeness;
+    torques[0] += torque_ * growth(motion.angles[0], range_, side_);
   }
 
  private:
@@ -57,11 +63,18 @@ class StaticAttraction final : public DescribedEffect {
                              .upper = 1.0,
                              .choices = sides}}}) {}
 
+  // As strong where the motion comes nearest to the matter as another effect anywhere: a pull that is so strong at zero
+  // tears the finger over to it.
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     std::vector<std::vector<double>> out;
-    for (const double side : sides)
-      for (const double range : {30.0 / degrees, 50.0 / degrees, 90.0 / degrees})
-        out.push_back({0.05 * scale.torque, range, side});
+    for (const double side : sides) {
+      const double reached = side > 0.0 ? scale.upper_angle : scale.lower_angle;
+      const double beyond = std::max(30.0 / degrees, 0.8 * side * reached);
+      for (const double range : log_spread(beyond, std::max(90.0 / degrees, 2.0 * beyond), 3)) {
+        const double nearest = side * std::clamp(side * reached, 0.0, range);
+        out.push_back({0.05 * scale.torque / growth(nearest, range, side), range, side});
+      }
+    }
     return out;
   }
 

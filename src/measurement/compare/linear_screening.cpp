@@ -94,17 +94,26 @@ fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay:
 std::vector<Effect> starts_for_short_fit(const EffectKind* kind, std::span<const ScreenedEffect> screened) {
   std::vector<const ScreenedEffect*> of_kind = best_first(screened);
   std::erase_if(of_kind, [&](const ScreenedEffect* each) { return each->effect.kind != kind; });
+  // Of each set of discrete choices the fall that its best promises, and how many of it are taken.
+  struct Choice {
+    std::vector<double> values{};
+    double most{};
+    int taken = 0;
+  };
+  std::vector<Choice> choices;
   std::vector<Effect> out;
-  std::vector<std::vector<double>> taken_choices;
-  for (std::size_t i = 0; i < of_kind.size(); ++i) {
-    const ScreenedEffect& each = *of_kind[i];
-    std::vector<double> choices = choices_of(each.effect);
-    const bool is_new = std::ranges::find(taken_choices, choices) == taken_choices.end();
-    const double least = is_new ? search_effort.other_choice : search_effort.runner_up;
-    if (i > 0 && each.predicted_chi_square_fall <= least * of_kind[0]->predicted_chi_square_fall) continue;
-    if (i > 1 && !is_new) continue;
-    out.push_back(each.effect);
-    taken_choices.push_back(std::move(choices));
+  for (const ScreenedEffect* each : of_kind) {
+    std::vector<double> values = choices_of(each->effect);
+    auto known = std::ranges::find(choices, values, &Choice::values);
+    if (known == choices.end())
+      known = choices.insert(known, {.values = std::move(values), .most = each->predicted_chi_square_fall});
+    const bool is_first = known->taken == 0;
+    const double least = is_first ? search_effort.other_choice * of_kind.front()->predicted_chi_square_fall
+                                  : search_effort.runner_up * known->most;
+    if (!out.empty() && each->predicted_chi_square_fall <= least) continue;
+    if (known->taken == 2) continue;
+    out.push_back(each->effect);
+    ++known->taken;
   }
   return out;
 }

@@ -33,7 +33,8 @@ struct ScreeningRequest {
                                                                        const ScreeningRequest& request);
 
 /// Initial guesses of one kind to try in a short fit: the best; the best of each other discrete choice if it predicts
-/// at least 10 % as much; the runner-up if at least 70 % (SearchEffort).
+/// at least 10 % as much; beside each of them the runner-up of the same choice if it predicts at least 70 % as much
+/// (SearchEffort).
 [[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,
                                                                  std::span<const ScreenedEffect> screened);
 

@@ -1,6 +1,7 @@
 #include "measurement/experiment/linearised_records.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -8,7 +9,6 @@
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/fit/outliers.hpp"
-#include "measurement/fit/residual_blocks.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement::experiment {
@@ -54,17 +54,21 @@ fit::Counted<std::optional<Eigen::VectorXd>> LinearisedRecords::change_by(const 
   fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
   if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
+  return {.value = projected_change(*there.value), .simulated_runs = there.simulated_runs};
+}
+
+Eigen::VectorXd LinearisedRecords::projected_change(const fit::ResidualValues& there) const {
   const fit::Fit& base = base_->fit;
   Eigen::VectorXd out = Eigen::VectorXd::Zero(base.stacked_residuals.size());
   Eigen::Index row = 0;
-  for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
-    const Eigen::Index rows = blocks.blocks()[b].rows;
-    Eigen::VectorXd change = there.value->blocks[b].residuals - base.stacked_residuals.segment(row, rows);
+  for (std::size_t b = 0; b < there.blocks.size(); ++b) {
+    const Eigen::Index rows = there.blocks[b].residuals.size();
+    Eigen::VectorXd change = there.blocks[b].residuals - base.stacked_residuals.segment(row, rows);
     change -= base.local_bases[b] * (base.local_bases[b].transpose() * change);
     out.segment(row, rows) = change;
     row += rows;
   }
-  return {.value = std::move(out), .simulated_runs = there.simulated_runs};
+  return out;
 }
 
 Eigen::VectorXd LinearisedRecords::beyond_declared(const Eigen::VectorXd& change) const {
@@ -73,6 +77,53 @@ Eigen::VectorXd LinearisedRecords::beyond_declared(const Eigen::VectorXd& change
   const Eigen::VectorXd absorbed =
       base.normal_matrix.completeOrthogonalDecomposition().solve(base.jacobian.transpose() * change);
   return change - base.jacobian * absorbed;
+}
+
+fit::Counted<double> LinearisedRecords::length_after_refit(const Eigen::VectorXd& change) const {
+  constexpr int most_steps = 12;
+  constexpr double shortest_step = 0.05;
+  constexpr double notable = 0.01;  // fall of the length
+  const fit::Fit& base = base_->fit;
+  fit::Counted<double> out{.value = change.norm()};
+  if (base.jacobian.cols() == 0) return out;
+  const compare::PlannedFit plan{.hypothesis = base_->hypothesis, .start = base.values, .local_numbers_from = &base};
+  const fit::FitRequest request = compare::fit_request_of(prepared_, plan);
+  fit::ResidualBlocks blocks(request);
+  const Eigen::VectorXd scales = base_->hypothesis.scales();
+  // Derivatives by numbers over their typical changes; each step corrects them along itself (Broyden).
+  Eigen::MatrixXd jacobian = base.jacobian * scales.asDiagonal();
+  Eigen::VectorXd values = base.values;
+  // Records with the effect less those of the model without it: at the declared numbers minus the change.
+  Eigen::VectorXd left = -change;
+  double share = 1.0;
+  for (int step = 0; step < most_steps && share >= shortest_step; ++step) {
+    const Eigen::VectorXd direction =
+        (jacobian.transpose() * jacobian).completeOrthogonalDecomposition().solve(jacobian.transpose() * left);
+    const Eigen::VectorXd moved = base_->hypothesis.clamped(values - share * scales.cwiseProduct(direction));
+    const auto there = blocks.evaluate(moved, fit::Derivatives::none);
+    out.simulated_runs += there.simulated_runs;
+    if (!there.value) {
+      share *= 0.3;
+      continue;
+    }
+    Eigen::VectorXd left_there = projected_change(*there.value) - change;
+    const Eigen::VectorXd prior = base_->hypothesis.prior_residuals(moved);
+    left_there.tail(prior.size()) = prior - base.stacked_residuals.tail(prior.size());
+    const Eigen::VectorXd way = (moved - values).cwiseQuotient(scales);
+    if (way.squaredNorm() == 0.0) break;
+    jacobian += (left_there - left - jacobian * way) * way.transpose() / way.squaredNorm();
+    if (left_there.norm() >= out.value) {
+      share *= 0.5;
+      continue;
+    }
+    const bool is_end = left_there.norm() > (1.0 - notable) * out.value;
+    out.value = left_there.norm();
+    left = std::move(left_there);
+    values = moved;
+    share = std::min(1.0, 2.0 * share);
+    if (is_end) break;
+  }
+  return out;
 }
 
 Eigen::Index LinearisedRecords::numbers_of(const actuator::Effect& effect) const {

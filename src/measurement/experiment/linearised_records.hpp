@@ -9,6 +9,7 @@
 #include "coilwright/measurement/experiment/experiment.hpp"
 #include "measurement/compare/fitted_hypothesis.hpp"
 #include "measurement/fit/counted.hpp"
+#include "measurement/fit/residual_blocks.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement::experiment {
@@ -32,10 +33,18 @@ class LinearisedRecords {
   [[nodiscard]] fit::Counted<std::optional<Eigen::VectorXd>> change_by(const actuator::Effect& effect) const;
   /// A change, projected on what the numbers of the declared model cannot absorb either.
   [[nodiscard]] Eigen::VectorXd beyond_declared(const Eigen::VectorXd& change) const;
+  /// The length of what is left of a change after the numbers of the declared model have been fitted to it, tolerances
+  /// included: less than that of beyond_declared() where numbers imitate the change beyond their tangents (an added
+  /// mass that shifts a long ringing). Gauss-Newton steps from the derivatives at the declared numbers, each one
+  /// simulation.
+  [[nodiscard]] fit::Counted<double> length_after_refit(const Eigen::VectorXd& change) const;
   /// How many numbers a fit of this effect would have.
   [[nodiscard]] Eigen::Index numbers_of(const actuator::Effect& effect) const;
 
  private:
+  // From the base to those residuals: projected on what local numbers cannot absorb, the rows of the priors left zero.
+  [[nodiscard]] Eigen::VectorXd projected_change(const fit::ResidualValues& there) const;
+
   std::vector<data::Run> recorded_;
   std::vector<replay::PreparedRun> prepared_;
   std::optional<compare::FittedHypothesis> base_;

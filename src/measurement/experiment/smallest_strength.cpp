@@ -18,7 +18,7 @@ using actuator::EffectKind;
 // Quantile of the normal distribution that leaves 80 % above: the length that is measured scatters by one.
 constexpr double quantile_80 = 0.8416;
 constexpr double close_enough = 0.05;
-constexpr int most_steps = 14;
+constexpr int most_steps = 18;
 // A start is scaled by at most this. Beyond, an effect without a bound is another rig.
 constexpr double strongest = 1e4;
 constexpr double widest_step = 30.0;
@@ -52,9 +52,19 @@ class Scaling {
     simulated_runs_ += change.simulated_runs;
     if (!change.value || !change.value->allFinite()) return out;
     out.over_limit = records_.beyond_declared(*change.value).norm() / limit_;
+    if (refits_ && out.over_limit > 0.5) refit(out, *change.value);
     out.change = std::move(*change.value);
     return out;
   }
+
+  // From here on declared numbers are fitted to each change, and not only along their tangents: where these promise
+  // that the effect is found. The same strength, judged so.
+  [[nodiscard]] Tried judged_by_refits(Tried tried) {
+    refits_ = true;
+    refit(tried, tried.change);
+    return tried;
+  }
+  [[nodiscard]] bool refits() const { return refits_; }
 
   [[nodiscard]] bool at_bound(double share) const {
     return scaled(start_, share).values == scaled(start_, share * 1.01).values;
@@ -62,9 +72,16 @@ class Scaling {
   [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
 
  private:
+  void refit(Tried& tried, const Eigen::VectorXd& change) {
+    const auto left = records_.length_after_refit(change);
+    simulated_runs_ += left.simulated_runs;
+    tried.over_limit = std::min(tried.over_limit, left.value / limit_);
+  }
+
   const LinearisedRecords& records_;
   Effect start_;
   double limit_;
+  bool refits_ = false;
   long simulated_runs_ = 0;
 };
 
@@ -94,8 +111,12 @@ SmallestStrength scale_to_limit(Scaling& scaling, Tried now) {
   std::optional<Tried> above;
   std::string remark = "changes too little at any strength that was tried";
   for (int step = 0; step < most_steps; ++step) {
-    if (now.simulated() && std::abs(now.over_limit - 1.0) <= close_enough)
-      return result_of(std::move(now), true, "", scaling.simulated_runs());
+    const auto is_at_limit = [&] { return now.simulated() && std::abs(now.over_limit - 1.0) <= close_enough; };
+    if (is_at_limit() && !scaling.refits()) {
+      now = scaling.judged_by_refits(std::move(now));
+      if (above && above->simulated()) above.reset();  // judged along tangents
+    }
+    if (is_at_limit()) return result_of(std::move(now), true, "", scaling.simulated_runs());
     const bool is_below = now.simulated() && now.over_limit < 1.0;
     (is_below ? below : above) = now;
     double next = 0.0;

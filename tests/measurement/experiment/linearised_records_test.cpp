@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "measurement/fit/fit.hpp"
+#include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
@@ -50,6 +53,52 @@ TEST(LinearisedRecords, TakeResidualsOverTheNoiseThatTheyEndWith) {
   const auto nothing = records.change_by({.kind = kind, .values = {0.0}});
   ASSERT_TRUE(nothing.value);
   EXPECT_LT(nothing.value->norm(), 1e-3);
+}
+
+// Two steps that ring for long: a heavier tip rings more slowly, and so do declared numbers that are off.
+Experiment ringing() {
+  Experiment out{.name = "ringing", .instruments = {}, .runs = {}};
+  for (const double after : {0.7, 1.4}) {
+    PlannedRun step{.plan = {.name = after > 1.0 ? "strong.csv" : "weak.csv",
+                             .kind = data::RunKind::transient,
+                             .drive = data::Drive::current},
+                    .input = StepShape{.after = after, .at = 0.1},
+                    .duration = 1.5,
+                    .rate = 200.0};
+    step.plan.channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}};
+    out.runs.push_back(step);
+  }
+  out.instruments.angle.noise = 0.3 * degree;
+  return out;
+}
+
+TEST(LinearisedRecords, FitDeclaredNumbersToAChangeAsAFitOfItsRecordsDoes) {
+  const actuator::EffectKind* kind = actuator::standard_effects().find("added_mass");
+  const std::vector<actuator::Effect> effects{{.kind = kind, .values = {3e-3}}};
+  const LinearisedRecords records(ringing(), finger().model, 1);
+  const auto change = records.change_by(effects.front());
+  ASSERT_TRUE(change.value);
+  const double along_tangents = records.beyond_declared(*change.value).norm();
+  const double refitted = records.length_after_refit(*change.value).value;
+  EXPECT_LT(refitted, 0.8 * along_tangents);
+
+  // Ceres, with derivatives of its own at each step, on records with the effect.
+  const std::vector<data::Run> recorded = simulate_experiment(ringing(), finger().model, effects, 1);
+  const fit::Hypothesis declared(finger().model, {});
+  const fit::Hypothesis true_one(finger().model, effects);
+  std::vector<replay::PreparedRun> runs;
+  for (const data::Run& run : recorded) {
+    runs.push_back(replay::prepare_run(run, finger().model, declared.model_at(declared.start())));
+    replay::give_recorded_noise(runs.back(), {}, recorded);
+  }
+  const auto fitted = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
+  const auto truth = fit::evaluate_at({.hypothesis = &true_one, .runs = runs, .start = true_one.start()});
+  ASSERT_TRUE(fitted.value && truth.value);
+  // What the fit leaves more than the truth does: the square of the length, but for the noise along it and what the
+  // declared numbers take from the noise.
+  const double square = fitted.value->objective() - truth.value->objective();
+  EXPECT_NEAR(square, refitted * refitted, 4.0 * refitted + 20.0);
+  EXPECT_GT(along_tangents * along_tangents - square, 4.0 * along_tangents);
 }
 
 }  // namespace

@@ -98,6 +98,9 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                             const DiagnosisOptions& options) {
   Diagnosis out{.warnings = data.warnings};
   PhaseTimer timer;
+  const auto say = [&](const char* line) {
+    if (options.progress) options.progress(line);
+  };
   const fit::Hypothesis as_declared(declared, {});
   const actuator::Model nominal = as_declared.model_at(as_declared.start());
   for (const data::Run& run : data.fit) replay::require_fits_model(run, declared, nominal);
@@ -130,7 +133,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   timer.end_phase("comparison", compared.simulated_runs);
 
-  compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared));
+  compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared), options.progress);
   compare::Attribution& found = pruned.attribution;
   const std::vector<compare::Estimate>& estimates = pruned.estimates;
   const auto idle_before = compare::idle_numbers(runs, found.before());
@@ -162,13 +165,15 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = compare::estimates_of_effect(found.after(), estimates, i),
                            .evidence = pruned.evidence[i]});
+  say("what is left over, as a torque");
   out.residual = localise::localise(runs, found.after());
   timer.end_phase("localisation", 0);
   correction::FoundCorrection nameless;
   if (out.verdict == Verdict::partly_explained || out.verdict == Verdict::unexplained)
-    nameless = correction::find_correction(runs, found, out.residual);
+    nameless = correction::find_correction(runs, found, out.residual, options.progress);
   out.correction = nameless.outcome;
   timer.end_phase("nameless correction", nameless.simulated_runs);
+  say("what to record next");
   out.next_experiment = experiment::separating_experiment(runs, found);
   timer.end_phase("next experiment", 0);
 
@@ -177,6 +182,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                            .after = found.after(),
                            .overdispersion = pruned.overdispersion,
                            .corrected = nameless.fitted};
+  say("errors of the finished models");
   const FinalErrors fitted(usable.runs, declared, models, data.still);
   const FinalErrors validated(data.validate, declared, models, data.still);
   out.fit_errors = fitted.errors();

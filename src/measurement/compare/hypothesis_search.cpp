@@ -45,6 +45,10 @@ std::string names(const FittedHypothesis& fitted) {
   return out;
 }
 
+std::string effects_text(std::size_t count) {
+  return fmt::format("{} effect{}", count, count == 1 ? "" : "s");
+}
+
 // The inputs of the first run that the model cannot follow by itself.
 std::string inputs_that_fail(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
   for (std::size_t r = 0; r < runs.size(); ++r)
@@ -141,14 +145,16 @@ class HypothesisSearch {
       std::ranges::stable_sort(level, {}, bic);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      level = counted(with_better_optima(runs_, std::move(level), of_the_size_before, scale_, request_.seed));
+      level = counted(with_better_optima(
+          runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
+            report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
+          }));
       std::ranges::stable_sort(level, {}, bic);
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
         overdispersion_ = std::min(overdispersion_, overdispersion_of(runs_, best));
-        report(fmt::format("best with {} effect{}: {}: rms residual {:.3g} times the noise, whiteness ratio {:.2g}",
-                           size, size == 1 ? "" : "s", names(best), best.whiteness.level,
-                           best.whiteness.whiteness_ratio));
+        report(fmt::format("best with {}: {}: rms residual {:.3g} times the noise, whiteness ratio {:.2g}",
+                           effects_text(size), names(best), best.whiteness.level, best.whiteness.whiteness_ratio));
       }
       if (shows_more_outliers(level)) break;
       all.insert(all.end(), level.begin(), level.end());

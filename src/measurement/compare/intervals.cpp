@@ -1,11 +1,13 @@
 #include "measurement/compare/intervals.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "measurement/compare/profile_likelihood.hpp"
@@ -63,7 +65,7 @@ struct IntervalPass {
 };
 
 IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
-                                  double overdispersion) {
+                                  double overdispersion, const std::function<void(const std::string&)>& progress) {
   const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
   IntervalPass out{.estimates = {}, .best_chi_square = fitted.fit.objective(), .best_values = fitted.fit.values};
   for (Eigen::Index i = 0; i < fitted.hypothesis.size(); ++i)
@@ -73,11 +75,15 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
   std::vector<ProfileLikelihood> sides;  // below and above each number of an effect
   for (std::size_t i = calibrated; i < out.estimates.size(); ++i)
     for (int side = 0; side < 2; ++side) sides.emplace_back(runs, fitted, static_cast<Eigen::Index>(i), overdispersion);
+  std::mutex reporting;
+  std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t side) {
     const std::size_t i = calibrated + side / 2;
     Estimate& estimate = out.estimates[i];
     const double deviation = deviations[static_cast<Eigen::Index>(i)];
     (side % 2 == 0 ? estimate.lower : estimate.upper) = sides[side].crossing(side % 2 == 0 ? -1.0 : 1.0, deviation);
+    const std::scoped_lock lock(reporting);
+    if (++done % 2 == 0 && progress) progress(fmt::format("{} of {} ends of intervals known", done, sides.size()));
   });
   for (const ProfileLikelihood& profile : sides) {
     out.simulated_runs += profile.simulated_runs();
@@ -93,7 +99,7 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
 }  // namespace
 
 EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
-                                       double overdispersion) {
+                                       double overdispersion, const std::function<void(const std::string&)>& progress) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
   // The search took the derivatives with respect to declared and local numbers where it began to converge.
   if (!out.fitted.hypothesis.effects().empty()) {
@@ -105,7 +111,7 @@ EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs
       out.fitted = std::move(*anew.value);
   }
   for (int moves = 0;; ++moves) {
-    IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion);
+    IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, progress);
     out.simulated_runs += pass.simulated_runs;
     out.estimates = std::move(pass.estimates);
     if (moves == search_effort.largest_number_of_moves ||

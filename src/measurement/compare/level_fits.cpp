@@ -99,15 +99,18 @@ std::vector<std::size_t> contenders(const Level& level, double of_the_size_befor
 }
 
 Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level, double of_the_size_before,
-                                  const actuator::RigScale& scale, std::uint64_t seed) {
+                                  const actuator::RigScale& scale, std::uint64_t seed,
+                                  const std::function<void(std::size_t, std::size_t)>& progress) {
   Counted<Level> out{.value = std::move(level)};
   const auto take_better = [&](const std::vector<PlannedFit>& plans, FittedHypothesis& best) {
     const CountedFit other = best_fit(runs, plans);
     out.simulated_runs += other.simulated_runs;
     if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
   };
-  for (const std::size_t i : contenders(out.value, of_the_size_before, search_effort.reconsidered)) {
+  const std::vector<std::size_t> tried = contenders(out.value, of_the_size_before, search_effort.reconsidered);
+  for (const std::size_t i : tried) {
     if (leaves_noise(out.value)) break;
+    progress(i + 1, tried.size());
     const FittedHypothesis as_found = out.value[i];
     take_better(with_other_choices(as_found), out.value[i]);
     if (i < search_effort.restarted) take_better(with_other_starts(as_found, seed), out.value[i]);

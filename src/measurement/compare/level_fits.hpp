@@ -37,9 +37,11 @@ struct LevelFits {
 
 /// A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
 /// is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise, the
-/// ones behind it are not worth their runs. `of_the_size_before` as in contenders().
+/// ones behind it are not worth their runs. `of_the_size_before` as in contenders(). `progress` is told which place of
+/// how many is tried.
 [[nodiscard]] fit::Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level,
                                                      double of_the_size_before, const actuator::RigScale& scale,
-                                                     std::uint64_t seed);
+                                                     std::uint64_t seed,
+                                                     const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace coilwright::measurement::compare

@@ -1,5 +1,7 @@
 #include "measurement/compare/pruned_attribution.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -66,17 +68,20 @@ void set_remark(std::vector<ComparedHypothesis>& compared, std::vector<const act
 
 }  // namespace
 
-PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs, Attribution attribution) {
+PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs, Attribution attribution,
+                                            const std::function<void(const std::string&)>& progress) {
   PrunedAttribution out{.attribution = std::move(attribution)};
   Attribution& found = out.attribution;
   out.overdispersion = found.overdispersion;
   const auto estimate_last_step = [&] {
-    EstimatedHypothesis estimated = refit_and_estimate(runs, std::move(found.steps.back()), out.overdispersion);
+    EstimatedHypothesis estimated =
+        refit_and_estimate(runs, std::move(found.steps.back()), out.overdispersion, progress);
     found.steps.back() = std::move(estimated.fitted);
     out.estimates = std::move(estimated.estimates);
     out.simulated_runs += estimated.simulated_runs;
   };
   const auto evidence_of = [&](std::size_t step) {
+    if (progress) progress(fmt::format("effect {} of {}: runs left out in turn", step, found.steps.size() - 1));
     const fit::Counted<Evidence> evidence = evidence_of_step(runs, found, step);
     out.simulated_runs += evidence.simulated_runs;
     return evidence.value;

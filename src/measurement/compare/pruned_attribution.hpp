@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "coilwright/measurement/compare/estimate.hpp"
@@ -20,6 +22,7 @@ struct PrunedAttribution {
 /// Removes effects, the last first, that gain or explain too little (DecisionThresholds), make runs worse that were
 /// left out, or have an interval that contains the value at which the effect is absent.
 [[nodiscard]] PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs,
-                                                          Attribution attribution);
+                                                          Attribution attribution,
+                                                          const std::function<void(const std::string&)>& progress = {});
 
 }  // namespace coilwright::measurement::compare

@@ -22,7 +22,7 @@ struct SearchEffort {
   /// A start with another discrete choice is fitted if its predicted fall of chi-square exceeds this fraction of the
   /// best one; smaller values cost short fits.
   double other_choice = 0.1;
-  /// The runner-up with a choice that is fitted already needs this fraction of the best predicted fall.
+  /// The runner-up with a choice that is fitted already needs this fraction of what the best with that choice predicts.
   double runner_up = 0.7;
   /// End of a short fit. More iterations rank the effects more reliably, and each costs one simulation per parameter.
   fit::FitEffort short_fit{.iterations = 8, .tolerance = 1e-2};

@@ -152,7 +152,8 @@ std::string impossible(std::span<const replay::PreparedRun> runs, const actuator
 }  // namespace
 
 FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const compare::Attribution& attribution,
-                                const std::optional<localise::ResidualTorque>& residual) {
+                                const std::optional<localise::ResidualTorque>& residual,
+                                const std::function<void(const std::string&)>& progress) {
   FoundCorrection out;
   const FittedHypothesis& after = attribution.after();
   const actuator::ModelSpec spec = after.hypothesis.spec_at(after.fit.values);
@@ -173,6 +174,7 @@ FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const
     Search search(runs, *base.model, residual->rms);
     for (const Candidate& candidate :
          search.candidates(shapes(spec.coils > 0), visited.samples, most_fits / bases.size())) {
+      if (progress) progress("trying a torque without a name");
       auto fitted = search.fitted(candidate);
       if (!fitted) continue;
       const auto held_out = held_out_squares(runs, *fitted);

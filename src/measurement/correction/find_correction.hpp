@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/localise/residual_torque.hpp"
@@ -24,6 +26,7 @@ struct FoundCorrection {
 /// rest when it is let go. `residual` is the residual torque of the last step; nothing: no run is a motion.
 [[nodiscard]] FoundCorrection find_correction(std::span<const replay::PreparedRun> runs,
                                               const compare::Attribution& attribution,
-                                              const std::optional<localise::ResidualTorque>& residual);
+                                              const std::optional<localise::ResidualTorque>& residual,
+                                              const std::function<void(const std::string&)>& progress = {});
 
 }  // namespace coilwright::measurement::correction

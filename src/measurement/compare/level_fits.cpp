@@ -3,11 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <ranges>
 #include <utility>
 
+#include "measurement/compare/effect_strength.hpp"
 #include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
@@ -15,6 +18,7 @@
 namespace coilwright::measurement::compare {
 namespace {
 
+using actuator::Effect;
 using fit::Counted;
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
 
@@ -31,6 +35,31 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, const std::vector
   return out;
 }
 
+// The plans whose short fits end lowest, from where these end.
+Counted<std::vector<PlannedFit>> most_promising(std::span<const replay::PreparedRun> runs,
+                                                std::vector<PlannedFit> plans) {
+  constexpr std::size_t most = 2;
+  std::vector<Counted<std::optional<fit::Fit>>> fits(plans.size());
+  tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
+    fit::FitRequest request = fit_request_of(runs, plans[i]);
+    request.effort = search_effort.short_fit;
+    fits[i] = fit::fit(request);
+  });
+  Counted<std::vector<PlannedFit>> out;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    out.simulated_runs += fits[i].simulated_runs;
+    if (fits[i].value) order.emplace_back(fits[i].value->objective(), i);
+  }
+  std::ranges::sort(order);
+  for (std::size_t k = 0; k < std::min(most, order.size()); ++k) {
+    PlannedFit& plan = plans[order[k].second];
+    plan.start = fits[order[k].second].value->values;
+    out.value.push_back(std::move(plan));
+  }
+  return out;
+}
+
 // Of a level in its order: the first ones, and those that explain enough of what the size before has left.
 std::vector<char> worth_more_runs(std::span<const double> objectives, double of_the_size_before) {
   constexpr std::size_t always = 2;
@@ -43,6 +72,30 @@ std::vector<char> worth_more_runs(std::span<const double> objectives, double of_
   return out;
 }
 
+// Starts with the same discrete choices together, in the order in which their first ones come.
+std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::vector<Effect>>& starts) {
+  std::vector<std::vector<double>> choices;
+  std::vector<std::vector<std::vector<Effect>>> out;
+  for (const std::vector<Effect>& start : starts) {
+    std::vector<double> own;
+    for (const Effect& effect : start) std::ranges::copy(choices_of(effect), std::back_inserter(own));
+    const auto known = std::ranges::find(choices, own);
+    if (known == choices.end()) {
+      choices.push_back(std::move(own));
+      out.push_back({start});
+    } else {
+      out[static_cast<std::size_t>(known - choices.begin())].push_back(start);
+    }
+  }
+  return out;
+}
+
+bool is_near_rival(const FittedHypothesis& fitted, const Level& level) {
+  const auto objective = [](const FittedHypothesis& each) { return each.fit.objective(); };
+  return fitted.fit.objective() - std::ranges::min(level | std::views::transform(objective)) <=
+         search_effort.near_rival;
+}
+
 }  // namespace
 
 bool leaves_noise(const Level& level) {
@@ -51,39 +104,70 @@ bool leaves_noise(const Level& level) {
 
 Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const std::vector<PlannedExtension>& planned,
                              std::size_t refined, const std::function<void(std::size_t)>& progress) {
-  std::vector<Counted<std::optional<ShortFit>>> short_fits(planned.size());
+  std::vector<std::size_t> places;  // among `planned`, of each set of starts
+  std::vector<std::vector<std::vector<Effect>>> starts;
+  std::vector<std::size_t> left(planned.size(), 0);
+  for (std::size_t place = 0; place < planned.size(); ++place)
+    for (std::vector<std::vector<Effect>>& alike : by_choices(planned[place].starts)) {
+      places.push_back(place);
+      starts.push_back(std::move(alike));
+      ++left[place];
+    }
+  std::vector<Counted<std::optional<ShortFit>>> short_fits(starts.size());
   std::mutex reporting;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, planned.size(), [&](std::size_t i) {
-    short_fits[i] = short_fit(runs, *planned[i].base, planned[i].starts);
+  tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
+    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i]);
     const std::scoped_lock lock(reporting);
-    progress(++done);
+    if (--left[places[i]] == 0) progress(++done);
   });
+  struct Found {
+    std::size_t place{};
+    ShortFit fit;
+  };
   Counted<LevelFits> out;
-  std::vector<ShortFit> found;
-  for (std::size_t i = 0; i < planned.size(); ++i) {
+  std::vector<Found> found;
+  std::vector<char> failed(planned.size(), 1);
+  for (std::size_t i = 0; i < short_fits.size(); ++i) {
     out.simulated_runs += short_fits[i].simulated_runs;
-    if (short_fits[i].value)
-      found.push_back(std::move(*short_fits[i].value));
-    else if (planned[i].kinds().size() == 1)
-      out.value.failed.push_back(planned[i].kinds().front());
+    if (!short_fits[i].value) continue;
+    failed[places[i]] = 0;
+    found.push_back({.place = places[i], .fit = std::move(*short_fits[i].value)});
   }
-  std::ranges::stable_sort(found, {}, [](const ShortFit& each) { return each.fitted.objective(); });
+  for (std::size_t place = 0; place < planned.size(); ++place)
+    if (failed[place] != 0 && planned[place].kinds().size() == 1)
+      out.value.failed.push_back(planned[place].kinds().front());
+  std::ranges::stable_sort(found, {}, [](const Found& each) { return each.fit.fitted.objective(); });
+
+  // A planned hypothesis stands where its best discrete choices do; what becomes of its other ones is known only once
+  // they have converged as well.
+  std::vector<std::size_t> order;
   std::vector<double> objectives;
-  for (const ShortFit& each : found) objectives.push_back(each.fitted.objective());
+  for (const Found& each : found) {
+    if (std::ranges::find(order, each.place) != order.end()) continue;
+    order.push_back(each.place);
+    objectives.push_back(each.fit.fitted.objective());
+  }
   double before = std::numeric_limits<double>::infinity();
   for (const PlannedExtension& each : planned) before = std::min(before, each.base->fit.objective());
   const std::vector<char> worth = worth_more_runs(objectives, before);
   std::vector<CountedFit> fits(found.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-    if (i < refined && worth[i] != 0)
-      fits[i] = refine(runs, found[i]);
+    ShortFit& from = found[i].fit;
+    const auto rank = static_cast<std::size_t>(std::ranges::find(order, found[i].place) - order.begin());
+    if (rank < refined && worth[rank] != 0)
+      fits[i] = refine(runs, from);
     else
-      fits[i].value = score(runs, std::move(found[i].plan.hypothesis), std::move(found[i].fitted));
+      fits[i].value = score(runs, std::move(from.plan.hypothesis), std::move(from.fitted));
   });
-  for (CountedFit& fitted : fits) {
-    out.simulated_runs += fitted.simulated_runs;
-    if (fitted.value) out.value.level.push_back(std::move(*fitted.value));
+  for (const CountedFit& each : fits) out.simulated_runs += each.simulated_runs;
+  for (const std::size_t place : order) {
+    std::optional<FittedHypothesis> best;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i].place != place || !fits[i].value) continue;
+      if (!best || fits[i].value->fit.objective() < best->fit.objective()) best = std::move(*fits[i].value);
+    }
+    if (best) out.value.level.push_back(std::move(*best));
   }
   return out;
 }
@@ -107,14 +191,28 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
     out.simulated_runs += other.simulated_runs;
     if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
   };
+  const auto restart = [&](FittedHypothesis& best) {
+    const FittedHypothesis as_found = best;
+    take_better(with_other_starts(as_found, seed), best);
+    Counted<std::vector<PlannedFit>> promising = most_promising(runs, from_own_starts(as_found, scale));
+    out.simulated_runs += promising.simulated_runs;
+    take_better(promising.value, best);
+  };
   const std::vector<std::size_t> tried = contenders(out.value, of_the_size_before, search_effort.reconsidered);
   for (const std::size_t i : tried) {
-    if (leaves_noise(out.value)) break;
-    progress(i + 1, tried.size());
     const FittedHypothesis as_found = out.value[i];
+    const bool is_restarted = i < search_effort.restarted;
+    if (leaves_noise(out.value)) {
+      // What leaves noise is the answer only as long as no near rival is better at an optimum that it has not reached.
+      if (i == 0 || !is_restarted || !is_near_rival(as_found, out.value)) continue;
+      progress(i + 1, tried.size());
+      restart(out.value[i]);
+      continue;
+    }
+    progress(i + 1, tried.size());
     take_better(with_other_choices(as_found), out.value[i]);
-    if (i < search_effort.restarted) take_better(with_other_starts(as_found, seed), out.value[i]);
-    if (out.value[i].whiteness.is_white()) break;
+    if (is_restarted) restart(out.value[i]);
+    if (out.value[i].whiteness.is_white()) continue;
     const FittedHypothesis smaller = out.value[i];
     CountedFit larger = best_fit(runs, with_further_numbers(smaller, scale));
     out.simulated_runs += larger.simulated_runs;

@@ -29,16 +29,17 @@ struct LevelFits {
   std::vector<const actuator::EffectKind*> failed{};  ///< those that alone leave the model from every start
 };
 
-/// A short fit of each of `planned`; those of the best `refined` that are worth it are continued to convergence.
+/// A short fit of each of `planned`, from its starts with each set of discrete choices; those of the best `refined`
+/// that are worth it are continued to convergence with each of these choices, and are what the best of them is.
 /// `progress` is told now and then how many are done; it may be called from several threads, one at a time.
 [[nodiscard]] fit::Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs,
                                                 const std::vector<PlannedExtension>& planned, std::size_t refined,
                                                 const std::function<void(std::size_t)>& progress);
 
 /// A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
-/// is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise, the
-/// ones behind it are not worth their runs. `of_the_size_before` as in contenders(). `progress` is told which place of
-/// how many is tried.
+/// is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise,
+/// only near rivals are worth more runs. `of_the_size_before` as in contenders(). `progress` is told which place of how
+/// many is tried.
 [[nodiscard]] fit::Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level,
                                                      double of_the_size_before, const actuator::RigScale& scale,
                                                      std::uint64_t seed,

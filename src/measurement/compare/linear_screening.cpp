@@ -107,10 +107,7 @@ std::vector<Effect> starts_for_short_fit(const EffectKind* kind, std::span<const
     auto known = std::ranges::find(choices, values, &Choice::values);
     if (known == choices.end())
       known = choices.insert(known, {.values = std::move(values), .most = each->predicted_chi_square_fall});
-    const bool is_first = known->taken == 0;
-    const double least = is_first ? search_effort.other_choice * of_kind.front()->predicted_chi_square_fall
-                                  : search_effort.runner_up * known->most;
-    if (!out.empty() && each->predicted_chi_square_fall <= least) continue;
+    if (known->taken > 0 && each->predicted_chi_square_fall <= search_effort.runner_up * known->most) continue;
     if (known->taken == 2) continue;
     out.push_back(each->effect);
     ++known->taken;

@@ -32,9 +32,8 @@ struct ScreeningRequest {
                                                                        const FittedHypothesis& base,
                                                                        const ScreeningRequest& request);
 
-/// Initial guesses of one kind to try in a short fit: the best; the best of each other discrete choice if it predicts
-/// at least 10 % as much; beside each of them the runner-up of the same choice if it predicts at least 70 % as much
-/// (SearchEffort).
+/// Initial guesses of one kind to try in a short fit: the best of each discrete choice, and beside it the runner-up of
+/// the same choice if it predicts more than 70 % as much (SearchEffort). The best of all first.
 [[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,
                                                                  std::span<const ScreenedEffect> screened);
 

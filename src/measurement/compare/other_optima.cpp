@@ -74,14 +74,25 @@ std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::u
   const auto& numbers = fitted.hypothesis.declared().calibration;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!numbers[i].other_start) continue;
-    // From whichever of the two starts the fit did not end near.
+    // From the other side of where its prior ends, or, if it has none, from whichever start the fit did not end near.
     const auto at = static_cast<Eigen::Index>(i);
     const double value = fitted.fit.values[at];
-    const bool is_near_other = std::abs(value - *numbers[i].other_start) < std::abs(value - numbers[i].declared);
+    const bool is_near_other = numbers[i].tolerance
+                                   ? !fitted.hypothesis.parameters()[i].is_pulled(value)
+                                   : std::abs(value - *numbers[i].other_start) < std::abs(value - numbers[i].declared);
     PlannedFit plan{.hypothesis = fitted.hypothesis, .start = fitted.fit.values, .local_numbers_from = &fitted.fit};
     plan.start[at] = is_near_other ? numbers[i].declared : *numbers[i].other_start;
     out.push_back(std::move(plan));
   }
+  return out;
+}
+
+std::vector<PlannedFit> from_own_starts(const FittedHypothesis& fitted, const actuator::RigScale& scale) {
+  std::vector<PlannedFit> out;
+  const std::vector<Effect>& effects = fitted.hypothesis.effects();
+  if (effects.size() != 1 || effects.front().values.size() < 2) return out;
+  for (std::vector<double>& values : effects.front().kind->starts(scale))
+    out.push_back(from_declared_numbers(fitted, {{.kind = effects.front().kind, .values = std::move(values)}}));
   return out;
 }
 

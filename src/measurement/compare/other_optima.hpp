@@ -18,6 +18,12 @@ namespace coilwright::measurement::compare {
 /// `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::uint64_t seed);
 
+/// Of a hypothesis with one effect of several numbers: the same from the declared numbers and from each start of the
+/// effect's own, as strong as that is. What a linearisation at the recalibrated model predicts of an attraction's
+/// strength, range and side leads away from the right one where declared numbers have been pulled far. Empty for
+/// others.
+[[nodiscard]] std::vector<PlannedFit> from_own_starts(const FittedHypothesis& fitted, const actuator::RigScale& scale);
+
 /// The same hypothesis with further numbers of one of its effects (EffectKind::with_further_numbers), from each of
 /// their starts. Refers to `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted,

@@ -1,5 +1,6 @@
 #include "measurement/compare/profile_likelihood.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -18,6 +19,20 @@ bool is_magnitude(const fit::FitParameter& parameter, double value) {
   return parameter.lower >= 0.0 && value > 0.0;
 }
 
+// How the other parameters follow one that is held, by the curvature at the optimum.
+Eigen::VectorXd valley(const FittedHypothesis& fitted, Eigen::Index parameter) {
+  const Eigen::VectorXd scales = fitted.hypothesis.scales();
+  const Eigen::MatrixXd normal = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
+  const Eigen::VectorXd column =
+      normal.completeOrthogonalDecomposition().solve(Eigen::VectorXd::Unit(scales.size(), parameter));
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(scales.size());
+  if (!(column[parameter] > 0.0) || !column.allFinite()) return out;
+  out = scales.cwiseProduct(column) / (column[parameter] * scales[parameter]);
+  for (Eigen::Index i = 0; i < out.size(); ++i)
+    if (fitted.fit.at_bound[static_cast<std::size_t>(i)]) out[i] = 0.0;
+  return out;
+}
+
 }  // namespace
 
 ProfileLikelihood::ProfileLikelihood(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
@@ -34,6 +49,7 @@ ProfileLikelihood::ProfileLikelihood(std::span<const replay::PreparedRun> runs, 
   upper_ = number.upper;
   scale_ = number.scale;
   logarithmic_ = is_magnitude(number, fitted.fit.values[parameter]);
+  along_ = valley(fitted, parameter);
 }
 
 double ProfileLikelihood::crossing(double direction, double deviation) {
@@ -72,24 +88,42 @@ double ProfileLikelihood::first_step(double estimate, double deviation) const {
 
 // The profile minus the 95 % limit; positive outside the interval.
 double ProfileLikelihood::above_limit(double coordinate) {
-  Eigen::VectorXd start = last_values_;
-  start[parameter_] = value_at(coordinate);
-  const auto refitted = fit::fit({.hypothesis = &fitted_.hypothesis,
-                                  .runs = runs_,
-                                  .start = start,
-                                  .local_numbers_from = &fitted_.fit,
-                                  .derivatives_from = &fitted_.fit,
-                                  .updates_derivatives = true,
-                                  .held_parameter = parameter_,
-                                  .effort = search_effort.profile});
+  const double value = value_at(coordinate);
+  Eigen::VectorXd start = last_values_ + (value - last_values_[parameter_]) * along_;
+  start[parameter_] = value;
+  fit::FitRequest request{.hypothesis = &fitted_.hypothesis,
+                          .runs = runs_,
+                          .start = fitted_.hypothesis.clamped(std::move(start)),
+                          .local_numbers_from = &fitted_.fit,
+                          .derivatives_from = &fitted_.fit,
+                          .updates_derivatives = true,
+                          .held_parameter = parameter_,
+                          .effort = search_effort.profile};
+  auto refitted = fit::fit(request);
   simulated_runs_ += refitted.simulated_runs;
   if (!refitted.value) return chi_square_95;  // a model that cannot be simulated is no explanation
+  const auto above = [&](const fit::Fit& at) {
+    return (at.objective() - fitted_.fit.objective()) / overdispersion_ - chi_square_95;
+  };
+  // The derivatives are those of the optimum, carried on from step to step. Outside the limit a fit that is stuck with
+  // them would end the interval: they are taken anew as long as that helps.
+  for (int turn = 0; turn < search_effort.most_profile_turns && above(*refitted.value) >= 0.0; ++turn) {
+    request.start = refitted.value->values;
+    request.local_numbers_from = &*refitted.value;
+    request.derivatives_from = nullptr;
+    auto anew = fit::fit(request);
+    simulated_runs_ += anew.simulated_runs;
+    if (!anew.value || anew.value->objective() >= refitted.value->objective()) break;
+    const double gained = above(*refitted.value) - above(*anew.value);
+    refitted = std::move(anew);
+    if (gained < search_effort.better_optimum) break;
+  }
   last_values_ = refitted.value->values;
   if (refitted.value->objective() < best_chi_square_) {
     best_chi_square_ = refitted.value->objective();
     best_values_ = refitted.value->values;
   }
-  return (refitted.value->objective() - fitted_.fit.objective()) / overdispersion_ - chi_square_95;
+  return above(*refitted.value);
 }
 
 double ProfileLikelihood::root(double inside, double inside_value, double outside, double outside_value,

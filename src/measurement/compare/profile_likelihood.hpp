@@ -41,6 +41,7 @@ class ProfileLikelihood {
   double overdispersion_;
   double lower_{}, upper_{}, scale_{};
   bool logarithmic_{};
+  Eigen::VectorXd along_;        // change of all parameters by that of this one, along the valley at the optimum
   Eigen::VectorXd last_values_;  // parameters of the last fit, from which the next one starts
   Eigen::VectorXd best_values_;
   double best_chi_square_{};

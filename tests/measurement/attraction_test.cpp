@@ -1,0 +1,73 @@
+// A pull that grows 25-fold towards the matter has several optima, and a valley between its torque and its range that
+// is bent: records in which it was once named stiffness_hardening, and its intervals ended where the fit began.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "coilwright/formats/data/declared_actuator.hpp"
+#include "coilwright/measurement/diagnosis.hpp"
+#include "coilwright/measurement/experiment/synthetic_data.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+const formats::DeclaredActuator& finger() {
+  static const std::vector<std::string> calibrated{"joint_stiffness", "joint_damping"};
+  static const formats::DeclaredActuator declared = formats::parse_declared_actuator(
+      R"({"format": "actuator/1", "configuration": "B",
+          "coil": {"inner_radius_mm": 3, "turns_radial": 15, "turns_axial": 30, "wire_gauge_AWG": 28},
+          "magnet": {"radius_mm": 10, "length_mm": 6, "grade": "N52"},
+          "body": {"gap_mm": 0.9, "bottom_layer_mm": 2.5, "side_wall_mm": 1, "bottom_wall_mm": 0.25, "top_wall_mm": 1.25,
+                   "front_length_mm": 8.6, "rear_length_mm": 20, "shore_hardness_A": 28},
+          "measured": {"joint_stiffness_Nmm_rad": 12.5, "joint_damping_Nmms_rad": 0.129}})",
+      "finger.json", {.names = calibrated, .file = "dataset.json", .tolerances = {}});
+  return declared;
+}
+
+experiment::Experiment three_short_runs() {
+  experiment::Experiment out{.name = "short", .instruments = {}, .runs = {}};
+  const auto add = [&](const char* name, experiment::InputShape input) {
+    experiment::PlannedRun run{.plan = {.name = name, .kind = data::RunKind::transient, .drive = data::Drive::current},
+                               .input = std::move(input),
+                               .duration = 1.5,
+                               .rate = 200.0};
+    run.plan.channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}};
+    out.runs.push_back(std::move(run));
+  };
+  add("weak.csv", experiment::StepShape{.after = 0.3, .at = 0.1});
+  add("strong.csv", experiment::StepShape{.after = 0.6, .at = 0.1});
+  add("pulses.csv", experiment::PulseShape{.high = 0.6, .period = 0.5, .duty = 0.5});
+  out.instruments.angle.noise = 0.3 * degree;
+  return out;
+}
+
+class Attraction : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(Attraction, IsNamedAndWithinItsIntervalsInShortRuns) {
+  constexpr double torque = 0.4e-3;
+  constexpr double range = 90.0 * degree;
+  const actuator::Effect hidden{.kind = actuator::standard_effects().find("static_attraction"),
+                                .values = {torque, range, 1.0}};
+  data::Dataset data;
+  data.name = "twin";
+  data.fit = experiment::simulate_experiment(three_short_runs(), finger().model, std::span(&hidden, 1), GetParam());
+  const Diagnosis found = diagnose(data, finger().model, {.threads = 2, .seed = 1});
+  ASSERT_EQ(found.verdict, Verdict::explained);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects.front().kind->id(), "static_attraction");
+  const std::vector<compare::Estimate>& numbers = found.effects.front().parameters;
+  EXPECT_LT(numbers[0].lower, torque);
+  EXPECT_GT(numbers[0].upper, torque);
+  EXPECT_LT(numbers[1].lower, range);
+  EXPECT_GT(numbers[1].upper, range);
+  EXPECT_EQ(numbers[2].value, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Attraction, testing::Values(17, 21, 22));
+
+}  // namespace
+}  // namespace coilwright::measurement

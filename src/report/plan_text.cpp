@@ -110,7 +110,7 @@ std::string to_text(const formats::PlanReport& report) {
   out += strengths_text(plan);
   out +=
       "Hope for twice that at a camera's rate: where it was tried, 2 of 9 effects were found at these strengths, 9 of "
-      "12 at twice.\n";
+      "12 at twice (before declared numbers were fitted to each change).\n";
   if (plan.overdispersion > 1.05)
     out += fmt::format(
         "The noise is not white, or its level not known: it counts {:.2g} times. A still run would tell a diagnosis\n"

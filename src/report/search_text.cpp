@@ -21,6 +21,9 @@ std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& arc
   if (!gain)
     return " Nothing feasible was among the first four fifths of them: a larger --max-evaluations will find better.";
   const bool of_front = archive.problem().objectives.size() > 1;
+  if (*gain == 0.0)
+    return of_front ? " The last fifth of them added nothing to the front."
+                    : " The last fifth of them found nothing better.";
   std::string text =
       of_front ? fmt::format(" The last fifth of them added {:.2g} % of what the front dominates", 100.0 * *gain)
                : fmt::format(" The last fifth of them bettered the objective by {:.2g} %", 100.0 * *gain);

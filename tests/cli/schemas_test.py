@@ -362,8 +362,10 @@ class SchemasAndProgram(ProgramTest):
         for effect in SCHEMAS["effects.schema.json"]["items"]["oneOf"]:
             rules = {key: rule for key, rule in effect["properties"]["parameters"].get("properties", {}).items()
                      if key != "comment"}
-            values = {key: 1 if "enum" in rule else max(1, resolved(rule, "effects.schema.json")[0]["minimum"])
-                      for key, rule in rules.items()}
+            values = {}
+            for key, rule in rules.items():
+                bounds = resolved(rule, "effects.schema.json")[0]
+                values[key] = 1 if "enum" in rule else min(max(1, bounds["minimum"]), bounds.get("maximum", 1e9))
             base["effects"] = [{"id": effect["title"], "parameters": values}]
             self.assertEqual(faults(base), [])
             for key, rule in rules.items():

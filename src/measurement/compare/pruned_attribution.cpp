@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -43,8 +44,10 @@ std::optional<std::string> unsupported(const FittedHypothesis& without, const Fi
   if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain)
     return "gains too little over the best fit without it";
   if (with.whiteness.is_white()) return std::nullopt;
-  const double least = without.hypothesis.effects().empty() ? decision_thresholds.least_explained
-                                                            : decision_thresholds.least_explained_later;
+  const bool is_later = !without.hypothesis.effects().empty();
+  const double least = !is_later                                   ? decision_thresholds.least_explained
+                       : std::isnan(evidence.cross_validated_gain) ? decision_thresholds.least_explained_of_one_run
+                                                                   : decision_thresholds.least_explained_later;
   if (explained_fraction(without, with) < least) return "explains too little of what is left over";
   return std::nullopt;
 }

@@ -7,7 +7,6 @@
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "measurement/compare/effect_strength.hpp"
@@ -91,9 +90,9 @@ std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::
 }
 
 bool is_near_rival(const FittedHypothesis& fitted, const Level& level) {
-  const auto objective = [](const FittedHypothesis& each) { return each.fit.objective(); };
-  return fitted.fit.objective() - std::ranges::min(level | std::views::transform(objective)) <=
-         search_effort.near_rival;
+  const auto best =
+      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
+  return fitted.fit.objective() - best->fit.objective() <= search_effort.near_rival;
 }
 
 }  // namespace

@@ -106,8 +106,10 @@ double ProfileLikelihood::above_limit(double coordinate) {
     return (at.objective() - fitted_.fit.objective()) / overdispersion_ - chi_square_95;
   };
   // The derivatives are those of the optimum, carried on from step to step. Outside the limit a fit that is stuck with
-  // them would end the interval: they are taken anew as long as that helps.
-  for (int turn = 0; turn < search_effort.most_profile_turns && above(*refitted.value) >= 0.0; ++turn) {
+  // them would end the interval: they are taken anew as long as that helps. Not of a model that is far from the noise,
+  // whose error no interval within it contains: on long records in windows that took minutes.
+  const int turns = fitted_.whiteness.level <= search_effort.near_the_noise ? search_effort.most_profile_turns : 0;
+  for (int turn = 0; turn < turns && above(*refitted.value) >= 0.0; ++turn) {
     request.start = refitted.value->values;
     request.local_numbers_from = &*refitted.value;
     request.derivatives_from = nullptr;

@@ -73,6 +73,8 @@ struct SearchEffort {
   fit::FitEffort profile{.iterations = 8, .tolerance = 1e-6};
   /// Where such a fit ends outside the limit it takes its derivatives anew and goes on, at most so often.
   int most_profile_turns = 3;
+  /// Only where the rms residual is at most so many times the noise.
+  double near_the_noise = 3.0;
   /// Fall of chi-square, in units of the overdispersion, that counts as a better optimum than that of the fit; smaller
   /// differences are within the tolerance of fits.
   double better_optimum = 0.2;

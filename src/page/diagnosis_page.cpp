@@ -40,7 +40,17 @@ std::string interval_text(const Node& parameter) {
   if (!interval || interval->is_null()) return "-";
   const std::vector<Node> ends = interval->elements();
   if (ends.size() != 2 || (ends[0].is_null() && ends[1].is_null())) return "not determined";
+  if (ends[0].is_null()) return "at most " + cell_of(ends[1]);
+  if (ends[1].is_null()) return "at least " + cell_of(ends[0]);
   return fmt::format("{} to {}", cell_of(ends[0]), cell_of(ends[1]));
+}
+
+// What the fit makes of a declared number: its value, or from where on it changes nothing.
+std::string fitted_text(const Node& number) {
+  const auto idle_from = number.find("idle_from");
+  if (!idle_from) return cell_of(number.find("value").value());
+  const bool below = idle_from->number() < number.find("declared").value().number();
+  return fmt::format("{} {}", below ? "below" : "above", cell_of(*idle_from));
 }
 
 Section effects_section(const Node& diagnosis) {
@@ -74,7 +84,7 @@ Section effects_section(const Node& diagnosis) {
     if (const auto numbers = diagnosis.find(key))
       for (const Node& each : numbers->members())
         moved.rows.push_back({each.key(), each.find("declared") ? cell_of(each.find("declared").value()) : "-",
-                              cell_of(each.find("value").value()), interval_text(each)});
+                              fitted_text(each), interval_text(each)});
   if (!moved.rows.empty())
     section.blocks.emplace_back(
         TableBlock{.caption = "Declared numbers as the fit has them", .table = std::move(moved)});

@@ -24,7 +24,7 @@ class MountTerm final : public EffectTerm {
   struct Spec {
     double frequency{};   // rad/s
     double mass_ratio{};  // chain over mount
-    double damping_ratio = usual_damping_ratio;
+    double damping_ratio{};
   };
   MountTerm(const mechanics::PlanarChain& chain, const Spec& spec)
       : frequency_(spec.frequency), damping_ratio_(spec.damping_ratio) {
@@ -89,13 +89,24 @@ std::vector<EffectParameter> damped_parameters() {
   return out;
 }
 
-constexpr const char* mount_law =
-    "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + p' . theta' = 0, zeta = 0.05 unless "
-    "given, p = d(momentum)/d(rates), m of the chain";
-constexpr const char* mount_source =
-    "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, ch. 1); damping a choice";
-constexpr std::string_view mount_check =
-    "repeat one step with the mount clamped hard, or tap it and film whether it moves";
+EffectProperties described(std::vector<EffectParameter> parameters) {
+  return {.id = "mount_compliance",
+          .stage = Stage::chain,
+          .description = "the mount gives way: a mass on a spring that moves with the finger",
+          .equation =
+              "M theta'' + p X'' = q, p . theta'' + (m/mu + m) (X'' + 2 zeta w X' + w^2 X) + p' . theta' = 0, "
+              "zeta = 0.05 unless given, p = d(momentum)/d(rates), m of the chain",
+          .source =
+              "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, ch. 1); damping "
+              "a choice",
+          .check = "repeat one step with the mount clamped hard, or tap it and film whether it moves",
+          .parameters = std::move(parameters)};
+}
+
+// The fastest mount that a fit starts from, Hz: the records still show three samples of its period.
+double fastest_start(const RigScale& scale) {
+  return std::clamp(0.3 / scale.interval, 12.0, 150.0);
+}
 
 std::unique_ptr<const EffectTerm> build_mount(const ModelSpec& spec, double frequency, double mass_ratio,
                                               double damping_ratio) {
@@ -108,17 +119,10 @@ std::unique_ptr<const EffectTerm> build_mount(const ModelSpec& spec, double freq
 // The damping told by the records: a mount that rings for longer than the usual one, or not at all.
 class DampedMount final : public DescribedEffect {
  public:
-  DampedMount()
-      : DescribedEffect({.id = "mount_compliance",
-                         .stage = Stage::chain,
-                         .description = "the mount gives way: a mass on a spring that moves with the finger",
-                         .equation = mount_law,
-                         .source = mount_source,
-                         .check = mount_check,
-                         .parameters = damped_parameters()}) {}
+  DampedMount() : DescribedEffect(described(damped_parameters())) {}
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double fastest = std::clamp(0.3 / scale.interval, 12.0, 150.0);
+    const double fastest = fastest_start(scale);
     return {{fastest, 0.2, 0.02}, {fastest, 0.2, 0.15}};
   }
 
@@ -129,14 +133,7 @@ class DampedMount final : public DescribedEffect {
 
 class MountCompliance final : public DescribedEffect {
  public:
-  MountCompliance()
-      : DescribedEffect({.id = "mount_compliance",
-                         .stage = Stage::chain,
-                         .description = "the mount gives way: a mass on a spring that moves with the finger",
-                         .equation = mount_law,
-                         .source = mount_source,
-                         .check = mount_check,
-                         .parameters = undamped_parameters()}) {}
+  MountCompliance() : DescribedEffect(described(undamped_parameters())) {}
 
   const EffectKind* with_further_numbers() const override {
     static const DampedMount kind;
@@ -144,7 +141,7 @@ class MountCompliance final : public DescribedEffect {
   }
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double fastest = std::clamp(0.3 / scale.interval, 12.0, 150.0);
+    const double fastest = fastest_start(scale);
     return each_with_each({0.5 * fastest, fastest}, {0.2});
   }
 

@@ -69,13 +69,17 @@ std::vector<EffectParameter> stretched_parameters() {
   return out;
 }
 
-constexpr const char* softening_law =
-    "k -> k (1 - d (1 - exp(-theta_max/theta_0))), theta_max the largest |theta| so far, every joint";
-constexpr const char* softening_source =
-    "Mullins, Rubber Chem. Technol. 42 (1969) 339; the exponential as in Ogden and Roxburgh's pseudo-elastic softening "
-    "(Proc. R. Soc. A 455, 1999) to first order";
-constexpr std::string_view softening_check =
-    "repeat one small step before and after the largest bend, and again next day";
+EffectProperties described(std::string_view description, std::vector<EffectParameter> parameters) {
+  return {.id = "mullins_softening",
+          .stage = Stage::hinge,
+          .description = description,
+          .equation = "k -> k (1 - d (1 - exp(-theta_max/theta_0))), theta_max the largest |theta| so far, every joint",
+          .source =
+              "Mullins, Rubber Chem. Technol. 42 (1969) 339; the exponential as in Ogden and Roxburgh's "
+              "pseudo-elastic softening (Proc. R. Soc. A 455, 1999) to first order",
+          .check = "repeat one small step before and after the largest bend, and again next day",
+          .parameters = std::move(parameters)};
+}
 
 std::unique_ptr<const EffectTerm> build_mullins(const ModelSpec& spec, const MullinsTerm::Spec& values) {
   if (values.softening == 0.0) return nullptr;
@@ -85,13 +89,8 @@ std::unique_ptr<const EffectTerm> build_mullins(const ModelSpec& spec, const Mul
 class StretchedBefore final : public DescribedEffect {
  public:
   StretchedBefore()
-      : DescribedEffect({.id = "mullins_softening",
-                         .stage = Stage::hinge,
-                         .description = "silicone softens beyond the largest stretch that it has known before",
-                         .equation = softening_law,
-                         .source = softening_source,
-                         .check = softening_check,
-                         .parameters = stretched_parameters()}) {}
+      : DescribedEffect(described("silicone softens beyond the largest stretch that it has known before",
+                                  stretched_parameters())) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override { return without_springs(spec); }
 
@@ -110,13 +109,8 @@ class StretchedBefore final : public DescribedEffect {
 class MullinsSoftening final : public DescribedEffect {
  public:
   MullinsSoftening()
-      : DescribedEffect({.id = "mullins_softening",
-                         .stage = Stage::hinge,
-                         .description = "silicone that has not been stretched before softens in its first cycles",
-                         .equation = softening_law,
-                         .source = softening_source,
-                         .check = softening_check,
-                         .parameters = virgin_parameters()}) {}
+      : DescribedEffect(described("silicone that has not been stretched before softens in its first cycles",
+                                  virgin_parameters())) {}
 
   const EffectKind* with_further_numbers() const override {
     static const StretchedBefore kind;

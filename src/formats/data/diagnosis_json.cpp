@@ -62,6 +62,7 @@ Json nominal_json(const Diagnosis& diagnosis) {
     number.set("declared", number_or_null(shown.declared))
         .set("tolerance", number_or_null(shown.tolerance))
         .set("tolerance_from", each.named ? "set" : "default");
+    if (shown.idle_from) number.set("idle_from", *shown.idle_from);
     out.set(each.estimate.key, std::move(number));
   }
   return out;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "formats/data/diagnosis_by_hand.hpp"
 
@@ -251,6 +252,21 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
                       "tolerance_from": "default"}})"));
   EXPECT_EQ(json["probability_of_declared"], 0.25);
   EXPECT_EQ(json["held_exact"], ordered_json({"/magnet/remanence_T"}));
+}
+
+TEST(DiagnosisJson, SaysFromWhereOnADeclaredNumberChangesNothing) {
+  Diagnosis diagnosis = example();
+  constexpr double degree = std::numbers::pi / 180;
+  diagnosis.nominal = {{.estimate = {.key = "face_closing_deg", .value = -41 * degree, .lower = -infinity,
+                                     .upper = -7.75 * degree},
+                        .declared = 4 * degree,
+                        .tolerance = 1 * degree,
+                        .idle_from = -7.75 * degree}};
+  const auto faces = json_of(diagnosis)["nominal"]["face_closing_deg"];
+  EXPECT_NEAR(faces["idle_from"].get<double>(), -7.75, 1e-12);
+  EXPECT_TRUE(faces["ci95"][0].is_null());
+  EXPECT_NEAR(faces["ci95"][1].get<double>(), -7.75, 1e-12);
+  EXPECT_FALSE(faces.contains("determined"));
 }
 
 TEST(DiagnosisJson, ListsOutliers) {

@@ -137,7 +137,9 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   compare::Attribution& found = pruned.attribution;
   const std::vector<compare::Estimate>& estimates = pruned.estimates;
   const auto idle_before = compare::idle_numbers(runs, found.before());
-  const auto idle_after = compare::idle_numbers(runs, found.after());
+  const auto idle_after = found.steps.size() == 1
+                              ? fit::Counted<std::vector<compare::IdleNumber>>{.value = idle_before.value}
+                              : compare::idle_numbers(runs, found.after());
   timer.end_phase("intervals and cross-validation",
                   pruned.simulated_runs + idle_before.simulated_runs + idle_after.simulated_runs);
 

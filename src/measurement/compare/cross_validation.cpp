@@ -10,30 +10,75 @@
 #include <utility>
 #include <vector>
 
+#include "measurement/compare/fit_in_turns.hpp"
+#include "measurement/compare/search_effort.hpp"
+#include "measurement/fit/part_of_fit.hpp"
+
 namespace coilwright::measurement::compare {
 namespace {
 
-// The step from the fit to all runs to the fit without one of them.
-Eigen::VectorXd step_without(const FittedHypothesis& fitted, std::size_t run) {
-  const Eigen::MatrixXd others = fitted.fit.normal_matrix - fitted.fit.runs[run].normal_matrix;
+// The way from the fit to all runs to the fit without one of them, by the derivatives of the former.
+struct StepWithout {
+  Eigen::VectorXd values;
+  double chi_square{};  // of the run left out, as the derivatives say
+  bool is_whole{};      // nothing on the way is too far for them
+};
+
+StepWithout step_without(const FittedHypothesis& fitted, std::size_t run) {
+  const fit::RunFit& left_out = fitted.fit.runs[run];
+  const Eigen::MatrixXd others = fitted.fit.normal_matrix - left_out.normal_matrix;
   const Eigen::VectorXd scales = fitted.hypothesis.scales();
   const Eigen::MatrixXd scaled = scales.asDiagonal() * others * scales.asDiagonal();
   // With the gradient g of the run left out and the normal matrix N of the others, the optimum of the others is at
   // +N^-1 g, because at the common optimum all gradients add up to zero.
-  const Eigen::VectorXd step =
-      scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * fitted.fit.runs[run].gradient);
-  return scales.asDiagonal() * step.cwiseMax(-1.0).cwiseMin(1.0);
+  const Eigen::VectorXd step = scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * left_out.gradient);
+  const Eigen::VectorXd shortened = step.cwiseMax(-1.0).cwiseMin(1.0);
+  StepWithout out{.values = fitted.hypothesis.clamped(fitted.fit.values + scales.asDiagonal() * shortened),
+                  .is_whole = shortened == step};
+  const Eigen::VectorXd moved = out.values - fitted.fit.values;
+  out.chi_square =
+      left_out.residuals.squaredNorm() + moved.dot(2.0 * left_out.gradient + left_out.normal_matrix * moved);
+  return out;
 }
 
-// Chi-square of a run at parameters on which it had no influence.
+// Whether the derivatives have told what the step does to the run left out: to half of its rise, or to what noise does.
+bool is_as_told(const StepWithout& step, const fit::RunFit& at_fit, double chi_square) {
+  const double noise = std::sqrt(2.0 * static_cast<double>(at_fit.residuals.size()));
+  const double rise = std::max(0.0, step.chi_square - at_fit.residuals.squaredNorm());
+  return std::abs(chi_square - step.chi_square) <= 0.5 * rise + noise;
+}
+
+// Chi-square of a run at parameters on which it had no influence. One step leads there where the fit hardly depends on
+// one run. Where it depends on it, with few runs or numbers that the others hardly tell, the others are fitted.
 fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
                                          std::size_t run) {
-  Eigen::VectorXd values = fitted.fit.values;
-  if (values.size() > 0) values = fitted.hypothesis.clamped(values + step_without(fitted, run));
-  const auto there =
-      fit::evaluate_at({.hypothesis = &fitted.hypothesis, .runs = runs.subspan(run, 1), .start = std::move(values)});
-  return {.value = there.value ? there.value->chi_square : std::numeric_limits<double>::infinity(),
-          .simulated_runs = there.simulated_runs};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  fit::Counted<double> out{.value = infinity};
+  const auto chi_square_at = [&](const Eigen::VectorXd& values) {
+    const auto there =
+        fit::evaluate_at({.hypothesis = &fitted.hypothesis, .runs = runs.subspan(run, 1), .start = values});
+    out.simulated_runs += there.simulated_runs;
+    return there.value ? there.value->chi_square : infinity;
+  };
+  if (fitted.fit.values.size() == 0) {
+    out.value = chi_square_at(fitted.fit.values);
+    return out;
+  }
+  const StepWithout step = step_without(fitted, run);
+  out.value = chi_square_at(step.values);
+  if (step.is_whole && is_as_told(step, fitted.fit.runs[run], out.value)) return out;
+  const fit::PartOfFit others = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r != run; });
+  FitInTurns refitted(others.runs,
+                      {.hypothesis = fitted.hypothesis,
+                       .start = fitted.fit.values,
+                       .local_numbers_from = &others.fit,
+                       .derivatives_from = &others.fit},
+                      search_effort.converged);
+  while (refitted.turn()) {
+  }
+  out.simulated_runs += refitted.simulated_runs();
+  if (refitted.reached() != nullptr) out.value = chi_square_at(refitted.reached()->values);
+  return out;
 }
 
 }  // namespace

@@ -30,10 +30,9 @@ using fit::Counted;
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
 using Screened = std::vector<ScreenedEffect>;
 
-const FittedHypothesis& least_chi_square(const Level& level, const FittedHypothesis& fallback) {
-  const auto best =
-      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
-  return best == level.end() ? fallback : *best;
+const FittedHypothesis& nearest_or(const Level& level, const FittedHypothesis& fallback) {
+  const FittedHypothesis* best = nearest(level);
+  return best == nullptr ? fallback : *best;
 }
 
 std::string names(const FittedHypothesis& fitted) {
@@ -137,7 +136,7 @@ class HypothesisSearch {
   std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before, const Screened& screened) {
     Level level = counted(single_effects(before, screened));
     std::vector<FittedHypothesis> all;
-    overdispersion_ = overdispersion_of(runs_, least_chi_square(level, before));
+    overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
     double above_noise = before.chi_square_above_noise();
     double of_the_size_before = before.fit.objective();
     const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
@@ -173,7 +172,7 @@ class HypothesisSearch {
       above_noise = left;
       Level next = counted(larger_hypotheses(before, worth_extending ? level : Level{}, of_the_size_before, combined));
       if (next.empty()) break;
-      of_the_size_before = least_chi_square(level, before).fit.objective();
+      of_the_size_before = nearest_or(level, before).fit.objective();
       level = std::move(next);
     }
     return all;

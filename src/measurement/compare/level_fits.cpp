@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -21,16 +22,42 @@ using actuator::Effect;
 using fit::Counted;
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
 
-// The best of several fits, each continued to convergence; nothing if there is none.
-CountedFit best_fit(std::span<const replay::PreparedRun> runs, const std::vector<PlannedFit>& plans) {
-  std::vector<CountedFit> fits(plans.size());
-  tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) { fits[i] = fit_to_convergence(runs, plans[i]); });
-  CountedFit out;
-  for (CountedFit& each : fits) {
-    out.simulated_runs += each.simulated_runs;
-    if (each.value && (!out.value || each.value->fit.objective() < out.value->fit.objective()))
-      out.value = std::move(each.value);
+// Until when several fits of one hypothesis go on.
+enum class Race { each_to_its_end, halved_at_each_turn };
+
+// Where a model is far from the noise, whatever start is the best leads to an answer that is wrong: what is fitted
+// there only has to be near enough to its optimum to be ranked, and to be extended by what it lacks.
+Race race_of(const FittedHypothesis& fitted) {
+  return fitted.whiteness.level > search_effort.near_the_noise ? Race::halved_at_each_turn : Race::each_to_its_end;
+}
+
+// The best of several fits, continued to convergence; nothing if there is none.
+CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<PlannedFit> plans, Race race) {
+  std::vector<FitInTurns> fits;
+  for (PlannedFit& plan : plans) fits.emplace_back(runs, std::move(plan), search_effort.converged);
+  std::vector<std::size_t> going(fits.size());
+  std::iota(going.begin(), going.end(), std::size_t{0});
+  while (!going.empty()) {
+    std::vector<char> goes_on(going.size());
+    tbb::parallel_for(std::size_t{0}, going.size(), [&](std::size_t k) {
+      do goes_on[k] = fits[going[k]].turn() ? 1 : 0;
+      while (race == Race::each_to_its_end && goes_on[k] != 0);
+    });
+    std::vector<std::size_t> left;
+    for (std::size_t k = 0; k < going.size(); ++k)
+      if (goes_on[k] != 0) left.push_back(going[k]);
+    std::ranges::stable_sort(left, {}, [&](std::size_t i) { return fits[i].reached()->objective(); });
+    if (left.size() > 1) left.resize((left.size() + 1) / 2);
+    going = std::move(left);
   }
+  CountedFit out;
+  FitInTurns* best = nullptr;
+  for (FitInTurns& each : fits) {
+    out.simulated_runs += each.simulated_runs();
+    if (each.reached() == nullptr) continue;
+    if (best == nullptr || each.reached()->objective() < best->reached()->objective()) best = &each;
+  }
+  if (best != nullptr) out.value = std::move(*best).result();
   return out;
 }
 
@@ -89,16 +116,16 @@ std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::
   return out;
 }
 
-bool is_near_rival(const FittedHypothesis& fitted, const Level& level) {
-  const auto best =
-      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
-  return fitted.fit.objective() - best->fit.objective() <= search_effort.near_rival;
-}
-
 }  // namespace
 
 bool leaves_noise(const Level& level) {
   return std::ranges::any_of(level, [](const FittedHypothesis& each) { return each.whiteness.is_white(); });
+}
+
+const FittedHypothesis* nearest(const Level& level) {
+  const auto best =
+      std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
+  return best == level.end() ? nullptr : &*best;
 }
 
 Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const std::vector<PlannedExtension>& planned,
@@ -185,35 +212,37 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
                                   const actuator::RigScale& scale, std::uint64_t seed,
                                   const std::function<void(std::size_t, std::size_t)>& progress) {
   Counted<Level> out{.value = std::move(level)};
-  const auto take_better = [&](const std::vector<PlannedFit>& plans, FittedHypothesis& best) {
-    const CountedFit other = best_fit(runs, plans);
+  const auto take_better = [&](std::vector<PlannedFit> plans, FittedHypothesis& best) {
+    const CountedFit other = best_fit(runs, std::move(plans), race_of(best));
     out.simulated_runs += other.simulated_runs;
     if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
   };
   const auto restart = [&](FittedHypothesis& best) {
     const FittedHypothesis as_found = best;
     take_better(with_other_starts(as_found, seed), best);
+    if (race_of(as_found) == Race::halved_at_each_turn) return;
     Counted<std::vector<PlannedFit>> promising = most_promising(runs, from_own_starts(as_found, scale));
     out.simulated_runs += promising.simulated_runs;
-    take_better(promising.value, best);
+    take_better(std::move(promising.value), best);
   };
   const std::vector<std::size_t> tried = contenders(out.value, of_the_size_before, search_effort.reconsidered);
   for (const std::size_t i : tried) {
-    const FittedHypothesis as_found = out.value[i];
     const bool is_restarted = i < search_effort.restarted;
     if (leaves_noise(out.value)) {
       // What leaves noise is the answer only as long as no near rival is better at an optimum that it has not reached.
-      if (i == 0 || !is_restarted || !is_near_rival(as_found, out.value)) continue;
+      const double behind = out.value[i].fit.objective() - nearest(out.value)->fit.objective();
+      if (i == 0 || !is_restarted || behind > search_effort.near_rival) continue;
       progress(i + 1, tried.size());
       restart(out.value[i]);
       continue;
     }
     progress(i + 1, tried.size());
+    const FittedHypothesis as_found = out.value[i];
     take_better(with_other_choices(as_found), out.value[i]);
     if (is_restarted) restart(out.value[i]);
     if (out.value[i].whiteness.is_white()) continue;
     const FittedHypothesis smaller = out.value[i];
-    CountedFit larger = best_fit(runs, with_further_numbers(smaller, scale));
+    CountedFit larger = best_fit(runs, with_further_numbers(smaller, scale), race_of(smaller));
     out.simulated_runs += larger.simulated_runs;
     if (larger.value) out.value.push_back(std::move(*larger.value));
   }

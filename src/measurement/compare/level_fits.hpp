@@ -19,6 +19,9 @@ using Level = std::vector<FittedHypothesis>;
 /// Whether what one of a level leaves passes as noise.
 [[nodiscard]] bool leaves_noise(const Level& level);
 
+/// The hypothesis of a level that is nearest to the data by its objective; nullptr in an empty level.
+[[nodiscard]] const FittedHypothesis* nearest(const Level& level);
+
 /// Which of a level (in its order) are among the first `most` and worth more runs than they have had (see
 /// SearchEffort::worth_more_runs). `of_the_size_before` is the least objective of the hypotheses with one effect less.
 [[nodiscard]] std::vector<std::size_t> contenders(const Level& level, double of_the_size_before, std::size_t most);

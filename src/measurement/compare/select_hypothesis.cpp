@@ -1,5 +1,7 @@
 #include "measurement/compare/select_hypothesis.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -61,10 +63,13 @@ Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> r
       best = one;
       index = i;
     };
+    std::vector<fit::Counted<std::optional<FittedHypothesis>>> alone(left.size());
+    tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
+      alone[i] = fit_to_convergence(runs, with_added_effects(last_step(), std::span(&left[i], 1)));
+    });
     for (std::size_t i = 0; i < left.size(); ++i) {
-      auto one = fit_to_convergence(runs, with_added_effects(last_step(), std::span(&left[i], 1)));
-      out.simulated_runs += one.simulated_runs;
-      if (one.value) consider(*one.value, i);
+      out.simulated_runs += alone[i].simulated_runs;
+      if (alone[i].value) consider(*alone[i].value, i);
       std::vector<Effect> these = taken;
       these.push_back(left[i]);
       for (const FittedHypothesis& known : all)

@@ -1,7 +1,5 @@
 #include "measurement/compare/staged_fit.hpp"
 
-#include <Eigen/QR>
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -14,83 +12,25 @@ using actuator::Effect;
 
 namespace {
 
-// Whether derivatives that may be kept cost much: of declared numbers, or of local numbers that move the model.
-bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const fit::Hypothesis& hypothesis) {
-  const auto& numbers = hypothesis.declared().calibration;
-  if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;
-  return std::ranges::any_of(runs, [](const replay::PreparedRun& run) {
-    return run.fits_initial_states() || std::ranges::any_of(run.windows, [](const replay::Window& window) {
-             return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
-           });
-  });
-}
-
-// By how much one more step would lower the objective, where it is as the derivatives say.
-double predicted_fall(const fit::Fit& fitted) {
-  Eigen::MatrixXd jacobian = fitted.jacobian;
-  for (std::size_t i = 0; i < fitted.at_bound.size(); ++i)
-    if (fitted.at_bound[i]) jacobian.col(static_cast<Eigen::Index>(i)).setZero();
-  const Eigen::VectorXd slope = jacobian.transpose() * fitted.stacked_residuals;
-  const Eigen::MatrixXd curvature = jacobian.transpose() * jacobian;
-  return slope.dot(curvature.completeOrthogonalDecomposition().solve(slope));
-}
-
-// Where derivatives cost much, they are taken where a turn begins and follow it to its end. With derivatives of another
-// place a fit ends where these see no way down, which is near its optimum only if they have hardly changed: they are
-// taken anew there, and another turn begins as long as they promise more.
-fit::Counted<std::optional<FittedHypothesis>> fitted_in_turns(std::span<const replay::PreparedRun> runs,
-                                                              const PlannedFit& plan, const fit::FitEffort& effort) {
-  fit::FitRequest request = fit_request_of(runs, plan);
-  request.effort = effort;
-  std::optional<fit::Fit> reached;
-  long simulated_runs = 0;
-  if (!has_slow_derivatives(runs, plan.hypothesis)) {
-    auto fitted = fit::fit(request);
-    simulated_runs += fitted.simulated_runs;
-    reached = std::move(fitted.value);
-  } else {
-    request.updates_derivatives = true;
-    for (int turn = 0; turn < search_effort.most_turns; ++turn) {
-      const auto fitted = fit::fit(request);
-      simulated_runs += fitted.simulated_runs;
-      if (!fitted.value) break;
-      auto anew = fit::evaluate_with_jacobian({.hypothesis = &plan.hypothesis,
-                                               .runs = runs,
-                                               .start = fitted.value->values,
-                                               .local_numbers_from = &*fitted.value,
-                                               .effort = {.iterations = 0}});
-      simulated_runs += anew.simulated_runs;
-      if (!anew.value) break;
-      const double notable = effort.tolerance * anew.value->objective();
-      const bool has_stalled = reached && reached->objective() - anew.value->objective() <= notable;
-      reached = std::move(anew.value);
-      if (has_stalled || predicted_fall(*reached) <= notable) break;
-      request.start = reached->values;
-      request.local_numbers_from = request.derivatives_from = &*reached;
-    }
+fit::Counted<std::optional<FittedHypothesis>> fit_to_its_end(std::span<const replay::PreparedRun> runs,
+                                                             const PlannedFit& plan, const fit::FitEffort& effort) {
+  FitInTurns fit(runs, plan, effort);
+  while (fit.turn()) {
   }
-  if (!reached) return {.value = std::nullopt, .simulated_runs = simulated_runs};
-  return {.value = score(runs, plan.hypothesis, std::move(*reached)), .simulated_runs = simulated_runs};
+  const long simulated_runs = fit.simulated_runs();
+  return {.value = std::move(fit).result(), .simulated_runs = simulated_runs};
 }
 
 }  // namespace
 
-fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
-  return {.hypothesis = &plan.hypothesis,
-          .runs = runs,
-          .start = plan.start,
-          .local_numbers_from = plan.local_numbers_from,
-          .derivatives_from = plan.derivatives_from};
-}
-
 fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
                                                           const PlannedFit& plan) {
-  return fitted_in_turns(runs, plan, search_effort.exact);
+  return fit_to_its_end(runs, plan, search_effort.exact);
 }
 
 fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const replay::PreparedRun> runs,
                                                                  const PlannedFit& plan) {
-  return fitted_in_turns(runs, plan, search_effort.converged);
+  return fit_to_its_end(runs, plan, search_effort.converged);
 }
 
 PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effect> added) {

@@ -3,20 +3,10 @@
 #include <optional>
 #include <span>
 
-#include "measurement/compare/fitted_hypothesis.hpp"
+#include "measurement/compare/fit_in_turns.hpp"
 
 namespace coilwright::measurement::compare {
 
-/// A hypothesis to be fitted and the point at which its fit starts. Refers to the fits from which it takes local
-/// numbers and derivatives.
-struct PlannedFit {
-  fit::Hypothesis hypothesis;
-  Eigen::VectorXd start{};
-  const fit::Fit* local_numbers_from{};  ///< null: from the measurement
-  const fit::Fit* derivatives_from{};    ///< as fit::FitRequest has it; null: all are taken where it starts
-};
-/// Refers to `plan`.
-[[nodiscard]] fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
 /// The best fit from there; its derivatives are those of where it ended. Nothing if the model cannot be simulated.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(
     std::span<const replay::PreparedRun> runs, const PlannedFit& plan);

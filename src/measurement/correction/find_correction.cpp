@@ -1,6 +1,9 @@
 #include "measurement/correction/find_correction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -170,11 +173,12 @@ FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const
   }
   const VisitedStates visited = visited_states(runs, after);
   std::vector<Fitted> found;
+  std::size_t tried = 0;
   for (const Base& base : bases) {
     Search search(runs, *base.model, residual->rms);
     for (const Candidate& candidate :
          search.candidates(shapes(spec.coils > 0), visited.samples, most_fits / bases.size())) {
-      if (progress) progress("trying a torque without a name");
+      if (progress) progress(fmt::format("torque without a name: fit {} of at most {}", ++tried, most_fits));
       auto fitted = search.fitted(candidate);
       if (!fitted) continue;
       const auto held_out = held_out_squares(runs, *fitted);

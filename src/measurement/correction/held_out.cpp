@@ -4,37 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "measurement/fit/part_of_fit.hpp"
+
 namespace coilwright::measurement::correction {
 namespace {
 
 constexpr std::size_t most_groups = 5;
 // From the fit to all runs to that without a group it is not far.
 constexpr fit::FitEffort effort{.iterations = 2, .tolerance = 1e-2};
-
-// The runs of a fit that `keep` selects, with what another fit takes over of it.
-struct Part {
-  std::vector<replay::PreparedRun> runs{};
-  fit::Fit fit{};
-};
-
-template <typename Keep>
-Part part_of(std::span<const replay::PreparedRun> runs, const fit::Fit& fitted, const Keep& keep) {
-  Part out{.fit = {.values = fitted.values}};
-  std::size_t block = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const std::size_t blocks = runs[r].sample_ranges().size();
-    if (keep(r)) {
-      out.runs.push_back(runs[r]);
-      out.fit.runs.push_back(fitted.runs[r]);
-      for (std::size_t b = 0; b < blocks; ++b) {
-        out.fit.parameter_columns.push_back(fitted.parameter_columns[block + b]);
-        out.fit.local_columns.push_back(fitted.local_columns[block + b]);
-      }
-    }
-    block += blocks;
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -44,7 +21,7 @@ fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::Prepa
                                             std::vector<double>(runs.size(), std::numeric_limits<double>::infinity())};
   const std::size_t groups = std::min(most_groups, runs.size());
   for (std::size_t group = 0; group < groups; ++group) {
-    const Part others = part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups != group; });
+    const fit::PartOfFit others = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups != group; });
     const auto refitted = fit::fit({.hypothesis = &fitted.hypothesis,
                                     .runs = others.runs,
                                     .start = fitted.fit.values,
@@ -54,7 +31,7 @@ fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::Prepa
                                     .effort = effort});
     out.simulated_runs += refitted.simulated_runs;
     if (!refitted.value) continue;
-    const Part left_out = part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups == group; });
+    const fit::PartOfFit left_out = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups == group; });
     const auto there = fit::evaluate_at({.hypothesis = &fitted.hypothesis,
                                          .runs = left_out.runs,
                                          .start = refitted.value->values,

@@ -1,0 +1,89 @@
+#include "measurement/compare/fit_in_turns.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <utility>
+
+#include "measurement/compare/search_effort.hpp"
+
+namespace coilwright::measurement::compare {
+namespace {
+
+// Whether derivatives that may be kept cost much: of declared numbers, or of local numbers that move the model.
+bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const fit::Hypothesis& hypothesis) {
+  const auto& numbers = hypothesis.declared().calibration;
+  if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;
+  return std::ranges::any_of(runs, [](const replay::PreparedRun& run) {
+    return run.fits_initial_states() || std::ranges::any_of(run.windows, [](const replay::Window& window) {
+             return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
+           });
+  });
+}
+
+// By how much one more step would lower the objective, where it is as the derivatives say.
+double predicted_fall(const fit::Fit& fitted) {
+  Eigen::MatrixXd jacobian = fitted.jacobian;
+  for (std::size_t i = 0; i < fitted.at_bound.size(); ++i)
+    if (fitted.at_bound[i]) jacobian.col(static_cast<Eigen::Index>(i)).setZero();
+  const Eigen::VectorXd slope = jacobian.transpose() * fitted.stacked_residuals;
+  const Eigen::MatrixXd curvature = jacobian.transpose() * jacobian;
+  return slope.dot(curvature.completeOrthogonalDecomposition().solve(slope));
+}
+
+}  // namespace
+
+fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  return {.hypothesis = &plan.hypothesis,
+          .runs = runs,
+          .start = plan.start,
+          .local_numbers_from = plan.local_numbers_from,
+          .derivatives_from = plan.derivatives_from};
+}
+
+FitInTurns::FitInTurns(std::span<const replay::PreparedRun> runs, PlannedFit plan, const fit::FitEffort& effort)
+    : runs_(runs), plan_(std::move(plan)), effort_(effort) {}
+
+bool FitInTurns::turn() {
+  ++turns_;
+  return has_slow_derivatives(runs_, plan_.hypothesis) ? turn_with_kept_derivatives() : whole_fit();
+}
+
+bool FitInTurns::whole_fit() {
+  fit::FitRequest request = fit_request_of(runs_, plan_);
+  request.effort = effort_;
+  auto fitted = fit::fit(request);
+  simulated_runs_ += fitted.simulated_runs;
+  reached_ = std::move(fitted.value);
+  return false;
+}
+
+bool FitInTurns::turn_with_kept_derivatives() {
+  fit::FitRequest request = fit_request_of(runs_, plan_);
+  request.effort = effort_;
+  request.updates_derivatives = true;
+  if (reached_) {
+    request.start = reached_->values;
+    request.local_numbers_from = request.derivatives_from = &*reached_;
+  }
+  const auto fitted = fit::fit(request);
+  simulated_runs_ += fitted.simulated_runs;
+  if (!fitted.value) return false;
+  auto anew = fit::evaluate_with_jacobian({.hypothesis = &plan_.hypothesis,
+                                           .runs = runs_,
+                                           .start = fitted.value->values,
+                                           .local_numbers_from = &*fitted.value,
+                                           .effort = {.iterations = 0}});
+  simulated_runs_ += anew.simulated_runs;
+  if (!anew.value) return false;
+  const double notable = effort_.tolerance * anew.value->objective();
+  const bool has_stalled = reached_ && reached_->objective() - anew.value->objective() <= notable;
+  reached_ = std::move(anew.value);
+  return !has_stalled && predicted_fall(*reached_) > notable && turns_ < search_effort.most_turns;
+}
+
+std::optional<FittedHypothesis> FitInTurns::result() && {
+  if (!reached_) return std::nullopt;
+  return score(runs_, std::move(plan_.hypothesis), std::move(*reached_));
+}
+
+}  // namespace coilwright::measurement::compare

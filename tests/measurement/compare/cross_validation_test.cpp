@@ -1,0 +1,79 @@
+#include "measurement/compare/cross_validation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <vector>
+
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "measurement/random_numbers.hpp"
+#include "measurement/slider_model.hpp"
+
+namespace coilwright::measurement::compare {
+namespace {
+
+// Two slides, the second one `factor` times as heavy and as damped: the same forces move it by so much less.
+std::vector<data::Run> two_slides(double factor) {
+  Normal normal(5);
+  const auto noise = [&] { return noise_sigma * normal(); };
+  std::vector<data::Run> out{slide_run(300, {}, noise), slide_run(300, {}, no_error)};
+  out.back().name = "second.csv";
+  for (double& value : out.back().channels.front().values) value = value / factor + noise();
+  return out;
+}
+
+struct Slides {
+  explicit Slides(double factor) : data(two_slides(factor)), declared(slide(true_mass, true_damping)) {
+    const fit::Hypothesis none(declared, {});
+    for (const data::Run& run : data) runs.push_back(replay::prepare_run(run, declared, none.model_at(none.start())));
+  }
+  [[nodiscard]] FittedHypothesis fitted(const fit::Hypothesis& hypothesis) const {
+    auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
+    EXPECT_TRUE(found.value.has_value());
+    return score(runs, hypothesis, std::move(*found.value));
+  }
+  // Chi-square of both runs, each at the fit of the other one alone.
+  [[nodiscard]] double each_by_the_other(const fit::Hypothesis& hypothesis) const {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < 2; ++r) {
+      const std::span<const replay::PreparedRun> all(runs);
+      const auto other =
+          fit::fit({.hypothesis = &hypothesis, .runs = all.subspan(1 - r, 1), .start = hypothesis.start()});
+      EXPECT_TRUE(other.value.has_value());
+      const auto here =
+          fit::evaluate_at({.hypothesis = &hypothesis, .runs = all.subspan(r, 1), .start = other.value->values});
+      EXPECT_TRUE(here.value.has_value());
+      sum += here.value->chi_square;
+    }
+    return sum;
+  }
+
+  std::vector<data::Run> data;
+  replay::DeclaredModel declared;
+  std::vector<replay::PreparedRun> runs{};
+};
+
+// With and without an effect, by fits that are taken to their end.
+void expect_gain_of_whole_fits(double factor) {
+  const Slides slides(factor);
+  const fit::Hypothesis without(slides.declared, {});
+  const actuator::Effect friction{.kind = actuator::standard_effects().find("dry_friction"), .values = {0.05}};
+  const fit::Hypothesis with(slides.declared, {friction});
+  const double left_without = slides.each_by_the_other(without);
+  const double gain = (left_without - slides.each_by_the_other(with)) / (left_without - 600.0);
+  const double found = cross_validated_gain(slides.runs, slides.fitted(without), slides.fitted(with)).value;
+  EXPECT_NEAR(found, gain, 0.05) << "for slides whose masses differ by a factor of " << factor;
+}
+
+TEST(CrossValidation, IsThatOfWholeFitsWhereRunsDisagreeALittle) {
+  expect_gain_of_whole_fits(1.03);
+}
+
+// From the fit to both runs it is far to that of either: a step by derivatives of there ends anywhere.
+TEST(CrossValidation, IsThatOfWholeFitsWhereRunsDisagreeMuch) {
+  expect_gain_of_whole_fits(1.3);
+  expect_gain_of_whole_fits(3.0);
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::compare

@@ -171,6 +171,7 @@ VectorXd refined(const Contacts& contacts, std::span<const Contact> list, const 
     freedom(count + i, static_cast<int>(rows.size())) = 1.0;
     rows.push_back(count + i);
   }
+  if (rows.empty()) return impulses;  // all are open
   const int size = static_cast<int>(rows.size());
   const MatrixXd ways = freedom.leftCols(size);
   const VectorXd speeds = contacts.response * impulses + contacts.speeds;

@@ -1,7 +1,5 @@
 #include "systems/crawl_step.hpp"
 
-#include <utility>
-
 #include "systems/hinge_slopes.hpp"
 
 namespace coilwright::systems {
@@ -76,8 +74,10 @@ mechanics::MiddleOfStep at_middle(const Crawler& crawler, const CoordinateVector
   const FootFriction& friction = crawler.parts().friction;
   out.contacts.reserve(crawler.contact_points().size());
   for (const mechanics::LinkPoint& point : crawler.contact_points()) {
-    if (chain.position(frames, point).y() > mechanics::closed_gap) continue;
+    const double gap = chain.position(frames, point).y();
     const mechanics::FloatingJacobian slope = chain.jacobian(frames, point);
+    out.lands = out.lands || mechanics::lands_too_fast(gap, -slope.row(1).dot(velocity), step);
+    if (gap > mechanics::closed_gap) continue;
     out.contacts.push_back({.normal = slope.row(1).transpose(),
                             .tangent = -slope.row(0).transpose(),
                             .friction = {.along = friction.forwards, .against = friction.backwards}});
@@ -100,20 +100,23 @@ void add_electrical(const Crawler& crawler, const Coupling& coupling, const Join
 
 }  // namespace
 
-CrawlState advance(const Crawler& crawler, const CrawlState& state, Switch position, double duration, CrawlWork& work) {
+CrawlState advance(const Crawler& crawler, CrawlState state, Switch position, double duration, CrawlWork& work) {
   Middle middle;
-  const mechanics::MoreauStep next = mechanics::moreau_step(
-      state.position, state.velocity, duration, [&](const CoordinateVector& at, const CoordinateVector& moving) {
-        return at_middle(crawler, at, moving, position, duration, middle);
+  mechanics::advance_to_landings(
+      state.position, state.velocity, duration,
+      [&](const CoordinateVector& at, const CoordinateVector& moving, double part) {
+        return at_middle(crawler, at, moving, position, part, middle);
+      },
+      [&](const mechanics::MoreauStep& step, double part) {
+        const JointVector rates = step.middle_velocity.tail(crawler.model().joints());
+        if (position == Switch::closed) add_electrical(crawler, middle.coupling, rates, part, work);
+        work.hinges += part * middle.damping.dot(rates.cwiseProduct(rates));
+        for (std::size_t i = 0; i < step.contacts.size(); ++i) {
+          work.friction -= step.impulses[i].tangential * step.contacts[i].tangent.dot(step.middle_velocity);
+          work.impacts -= step.impulses[i].normal * step.contacts[i].normal.dot(step.middle_velocity);
+        }
       });
-  const JointVector rates = next.middle_velocity.tail(crawler.model().joints());
-  if (position == Switch::closed) add_electrical(crawler, middle.coupling, rates, duration, work);
-  work.hinges += duration * middle.damping.dot(rates.cwiseProduct(rates));
-  for (std::size_t i = 0; i < next.contacts.size(); ++i) {
-    work.friction -= next.impulses[i].tangential * next.contacts[i].tangent.dot(next.middle_velocity);
-    work.impacts -= next.impulses[i].normal * next.contacts[i].normal.dot(next.middle_velocity);
-  }
-  return {next.position, next.velocity};
+  return state;
 }
 
 double stored_energy(const Crawler& crawler, const CrawlState& state) {

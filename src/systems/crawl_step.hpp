@@ -26,8 +26,8 @@ struct CrawlState {
   mechanics::CoordinateVector velocity;
 };
 
-/// Takes one step of `duration`, s, and adds what passes in it to `work`.
-[[nodiscard]] CrawlState advance(const Crawler& crawler, const CrawlState& state, Switch position, double duration,
+/// Takes one step of `duration`, s, in halves where a foot lands too fast in it, and adds what passes to `work`.
+[[nodiscard]] CrawlState advance(const Crawler& crawler, CrawlState state, Switch position, double duration,
                                  CrawlWork& work);
 
 /// Kinetic, potential and elastic energy, J.

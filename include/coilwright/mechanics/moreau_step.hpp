@@ -12,12 +12,25 @@ namespace coilwright::mechanics {
 /// rounding of its height otherwise; no gap of interest is as small.
 inline constexpr double closed_gap = 1e-9;
 
+/// What lands moves at most so far in the step in which it does, m. Moreau's rule stops a body where it finds it at the
+/// middle of a step, up to half of its way behind the other's face, and leaves it there: with fingertips that come at
+/// 0.7 m/s, 70 um at 0.2 ms, which was 2 % of the force of the grip; feet of the crawling robot came too late.
+inline constexpr double landing_way = 1e-5;
+
+/// Whether something that is `gap`, m, away from a face in the middle of a step of `step`, s, and comes nearer at
+/// `approach`, m/s, lands in it further than landing_way.
+[[nodiscard]] inline bool lands_too_fast(double gap, double approach, double step) {
+  const double way = approach * step;
+  return way > landing_way && gap < 0.5 * way;
+}
+
 /// A system at the middle of a step.
 struct MiddleOfStep {
   /// M, (n, n); with stiff springs of stiffness K and dampers B taken implicitly: M + step B / 2 + step^2 K / 4.
   CoordinateMatrix mass;
   CoordinateVector force;         ///< all forces but those of contact, at the velocities of the step's start
   std::vector<Contact> contacts;  ///< those whose gap is at most closed_gap here
+  bool lands{};                   ///< whether something lands in the step for which lands_too_fast() is true
 };
 
 /// The end of a step, and what happened in it.
@@ -45,6 +58,27 @@ template <class AtMiddle>
           .middle_velocity = 0.5 * (velocity + after.velocities),
           .contacts = std::move(system.contacts),
           .impulses = std::move(after.impulses)};
+}
+
+/// A step of `step`, s, in halves until nothing lands too fast in any of them: moves `position` and `velocity`, and
+/// hands each part to `take(MoreauStep, its duration)`. `at_middle(position, velocity, duration)` gives MiddleOfStep.
+template <class AtMiddle, class Take>
+void advance_to_landings(CoordinateVector& position, CoordinateVector& velocity, double step, const AtMiddle& at_middle,
+                         const Take& take) {
+  bool lands = false;
+  MoreauStep next =
+      moreau_step(position, velocity, step, [&](const CoordinateVector& at, const CoordinateVector& moving) {
+        MiddleOfStep middle = at_middle(at, moving, step);
+        lands = middle.lands;
+        return middle;
+      });
+  if (lands) {
+    for (int half = 0; half < 2; ++half) advance_to_landings(position, velocity, 0.5 * step, at_middle, take);
+    return;
+  }
+  position = next.position;
+  velocity = next.velocity;
+  take(next, step);
 }
 
 }  // namespace coilwright::mechanics

@@ -26,11 +26,6 @@ using mechanics::JointVector;
 // which changes their force by 5 % at 40 mm.
 constexpr double pull_interval = 1e-3;
 
-// Where something lands, a step is no longer than it takes for this way, m. Moreau's rule stops a body where it finds
-// it at the middle of a step, up to half of the way behind the other's face, and leaves it there: with fingertips that
-// come at 0.7 m/s, 70 um at 0.2 ms, which was 2 % of the force of the grip.
-constexpr double landing_way = 1e-5;
-
 // A contact whose rows are those of the object alone, at `position`.
 Contact of_object(Eigen::Index joints, const ObjectPose& pose, const Vector2d& position, const Vector2d& normal) {
   const Vector2d tangent(-normal.y(), normal.x());
@@ -126,8 +121,7 @@ void Scene::add_contacts(const CoordinateVector& position, const CoordinateVecto
       contact.normal.segment(f * joints_, joints_) = -(moved.transpose() * point.normal);
       contact.tangent.segment(f * joints_, joints_) = -(moved.transpose() * tangent);
       contact.friction = {.along = object_.friction, .against = object_.friction};
-      if (const double way = -contact.normal.dot(velocity) * duration; way > landing_way && point.gap < 0.5 * way)
-        landing_ = true;
+      out.lands = out.lands || mechanics::lands_too_fast(point.gap, -contact.normal.dot(velocity), duration);
       if (point.gap > closed_gap) continue;
       out.contacts.push_back(std::move(contact));
       closed_.push_back(point);
@@ -155,7 +149,6 @@ mechanics::MiddleOfStep Scene::middle(const CoordinateVector& position, const Co
   out.mass(n - 3, n - 3) = out.mass(n - 2, n - 2) = object_.mass;
   out.mass(n - 1, n - 1) = object_.inertia();
   closed_.clear();
-  landing_ = false;
   if (actions.apart) return out;
   out.force[n - 2] = -actions.load;
   add_contacts(position, velocity, duration, actions, out);
@@ -169,24 +162,17 @@ void Scene::advance(const Actions& actions, double duration) {
   }
   pull_age_ += duration;
   touches_.clear();
-  move(actions, duration, duration);
-}
-
-void Scene::move(const Actions& actions, double duration, double whole) {
-  mechanics::MoreauStep step = mechanics::moreau_step(
+  mechanics::advance_to_landings(
       position_, velocity_, duration,
-      [&](const CoordinateVector& at, const CoordinateVector& rates) { return middle(at, rates, duration, actions); });
-  if (landing_) {
-    move(actions, 0.5 * duration, whole);
-    move(actions, 0.5 * duration, whole);
-    return;
-  }
-  position_ = step.position;
-  velocity_ = step.velocity;
-  for (std::size_t i = 0; i < closed_.size(); ++i)
-    touches_.push_back({.point = closed_[i],
-                        .normal = step.impulses[i].normal / whole,
-                        .tangential = step.impulses[i].tangential / whole});
+      [&](const CoordinateVector& at, const CoordinateVector& rates, double part) {
+        return middle(at, rates, part, actions);
+      },
+      [&](const mechanics::MoreauStep& step, double /*part*/) {
+        for (std::size_t i = 0; i < closed_.size(); ++i)
+          touches_.push_back({.point = closed_[i],
+                              .normal = step.impulses[i].normal / duration,
+                              .tangential = step.impulses[i].tangential / duration});
+      });
 }
 
 }  // namespace coilwright::systems::gripper

@@ -53,8 +53,6 @@ class Scene {
   [[nodiscard]] double finger_energy() const;
 
  private:
-  // A step, or a part of `whole`, s: in halves until what lands in it comes to rest on the other's face.
-  void move(const Actions& actions, double duration, double whole);
   [[nodiscard]] mechanics::MiddleOfStep middle(const mechanics::CoordinateVector& position,
                                                const mechanics::CoordinateVector& velocity, double duration,
                                                const Actions& actions);
@@ -68,7 +66,6 @@ class Scene {
   Eigen::Index joints_;
   double support_height_;
   mechanics::CoordinateVector position_, velocity_;
-  bool landing_{};                 // whether something comes to a face in the last step, and faster than it should
   std::vector<FacePoint> closed_;  // of the contacts of the last step that are a finger's, in their order
   std::vector<Touch> touches_;
   std::array<double, 2> gaps_{};  // m

@@ -60,6 +60,15 @@ TEST(Crawl, ConvergesInItsStep) {
   }
 }
 
+// Where feet land hard, a step that finds them deep in the ground cost 2.4 % of the speed.
+TEST(Crawl, LandsAtTheDefaultStepAsWithAFineOne) {
+  CrawlerParts of = parts(0.2, 0.8);
+  of.drive.frequency = 8.0;
+  const Crawler crawler = robot(of);
+  const double fine = crawl(crawler, {.step = 1e-5}).speed;
+  EXPECT_NEAR(crawl(crawler, {.step = 1e-4}).speed, fine, 5e-3 * fine);
+}
+
 TEST(Crawl, BalancesItsBookOfEnergy) {
   const Crawler crawler = robot(parts());
   for (const double step : {2e-4, 5e-5}) {

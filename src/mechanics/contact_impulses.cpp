@@ -155,7 +155,7 @@ double fault_of(const Contacts& contacts, std::span<const Contact> list, const V
 VectorXd refined(const Contacts& contacts, std::span<const Contact> list, const Unknowns& unknowns,
                  const VectorXd& found) {
   const int count = static_cast<int>(found.size()) / 4;
-  const VectorXd impulses = unknowns.impulses_by(found);
+  VectorXd impulses = unknowns.impulses_by(found);
   const Eigen::Index free_speeds = Eigen::Index{2} * count;
   MatrixXd freedom = MatrixXd::Zero(free_speeds, free_speeds);
   std::vector<int> rows;

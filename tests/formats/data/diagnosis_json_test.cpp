@@ -257,11 +257,11 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
 TEST(DiagnosisJson, SaysFromWhereOnADeclaredNumberChangesNothing) {
   Diagnosis diagnosis = example();
   constexpr double degree = std::numbers::pi / 180;
-  diagnosis.nominal = {{.estimate = {.key = "face_closing_deg", .value = -41 * degree, .lower = -infinity,
-                                     .upper = -7.75 * degree},
-                        .declared = 4 * degree,
-                        .tolerance = 1 * degree,
-                        .idle_from = -7.75 * degree}};
+  diagnosis.nominal = {
+      {.estimate = {.key = "face_closing_deg", .value = -41 * degree, .lower = -infinity, .upper = -7.75 * degree},
+       .declared = 4 * degree,
+       .tolerance = 1 * degree,
+       .idle_from = -7.75 * degree}};
   const auto faces = json_of(diagnosis)["nominal"]["face_closing_deg"];
   EXPECT_NEAR(faces["idle_from"].get<double>(), -7.75, 1e-12);
   EXPECT_TRUE(faces["ci95"][0].is_null());

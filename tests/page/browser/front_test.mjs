@@ -1,5 +1,5 @@
 // node front_test.mjs report.html [program]: the page of a front in a browser. With WORTH set, also how fast it is.
-import {readFileSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {execFileSync} from 'node:child_process';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -72,9 +72,11 @@ try {
   // The file that is saved is an actuator that gives the objectives of its row.
   if (program) {
     const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
-    const saved = join(tmpdir(), `coilwright-saved-${process.pid}.json`);
+    const folder = mkdtempSync(join(tmpdir(), 'coilwright-saved-'));
+    const saved = join(folder, 'actuator.json');
     writeFileSync(saved, readFileSync(await download.path()));
     const evaluated = JSON.parse(execFileSync(program, ['evaluate', saved, '--json']));
+    rmSync(folder, {recursive: true});
     for (const [name, value] of told) assert.equal(evaluated[name], value, `the saved design has another ${name}`);
   }
   assert.deepEqual(complaints, []);

@@ -42,14 +42,9 @@ struct MoreauStep {
   std::vector<ContactImpulse> impulses;  ///< of these, in their order
 };
 
-/// One step of Moreau's midpoint rule: positions to the middle, velocities by forces and contact impulses there,
-/// positions to the end. `at_middle(position, velocity)` gives MiddleOfStep. First order in `step`, s, wherever
-/// contacts change. Source: Moreau as contact_impulses(); Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235.
-template <class AtMiddle>
-[[nodiscard]] MoreauStep moreau_step(const CoordinateVector& position, const CoordinateVector& velocity, double step,
-                                     AtMiddle&& at_middle) {
-  const CoordinateVector middle = position + 0.5 * step * velocity;
-  MiddleOfStep system = std::forward<AtMiddle>(at_middle)(middle, velocity);
+/// The end of a step of `step`, s, from a system at its middle, `middle`, that began with `velocity`.
+[[nodiscard]] inline MoreauStep end_of_step(const CoordinateVector& middle, const CoordinateVector& velocity,
+                                            double step, MiddleOfStep system) {
   const Eigen::LLT<CoordinateMatrix> mass(system.mass);
   const CoordinateVector free = velocity + step * mass.solve(system.force);
   ContactStep after = contact_impulses(mass, free, system.contacts);
@@ -60,22 +55,28 @@ template <class AtMiddle>
           .impulses = std::move(after.impulses)};
 }
 
+/// One step of Moreau's midpoint rule: positions to the middle, velocities by forces and contact impulses there,
+/// positions to the end. `at_middle(position, velocity)` gives MiddleOfStep. First order in `step`, s, wherever
+/// contacts change. Source: Moreau as contact_impulses(); Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235.
+template <class AtMiddle>
+[[nodiscard]] MoreauStep moreau_step(const CoordinateVector& position, const CoordinateVector& velocity, double step,
+                                     AtMiddle&& at_middle) {
+  const CoordinateVector middle = position + 0.5 * step * velocity;
+  return end_of_step(middle, velocity, step, std::forward<AtMiddle>(at_middle)(middle, velocity));
+}
+
 /// A step of `step`, s, in halves until nothing lands too fast in any of them: moves `position` and `velocity`, and
 /// hands each part to `take(MoreauStep, its duration)`. `at_middle(position, velocity, duration)` gives MiddleOfStep.
 template <class AtMiddle, class Take>
 void advance_to_landings(CoordinateVector& position, CoordinateVector& velocity, double step, const AtMiddle& at_middle,
                          const Take& take) {
-  bool lands = false;
-  MoreauStep next =
-      moreau_step(position, velocity, step, [&](const CoordinateVector& at, const CoordinateVector& moving) {
-        MiddleOfStep middle = at_middle(at, moving, step);
-        lands = middle.lands;
-        return middle;
-      });
-  if (lands) {
+  const CoordinateVector middle = position + 0.5 * step * velocity;
+  MiddleOfStep system = at_middle(middle, velocity, step);
+  if (system.lands) {
     for (int half = 0; half < 2; ++half) advance_to_landings(position, velocity, 0.5 * step, at_middle, take);
     return;
   }
+  const MoreauStep next = end_of_step(middle, velocity, step, std::move(system));
   position = next.position;
   velocity = next.velocity;
   take(next, step);

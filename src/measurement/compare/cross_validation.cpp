@@ -74,8 +74,7 @@ fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> ru
                        .local_numbers_from = &others.fit,
                        .derivatives_from = &others.fit},
                       search_effort.converged);
-  while (refitted.turn()) {
-  }
+  refitted.finish();
   out.simulated_runs += refitted.simulated_runs();
   if (refitted.reached() != nullptr) out.value = chi_square_at(refitted.reached()->values);
   return out;

@@ -48,6 +48,11 @@ bool FitInTurns::turn() {
   return has_slow_derivatives(runs_, plan_.hypothesis) ? turn_with_kept_derivatives() : whole_fit();
 }
 
+void FitInTurns::finish() {
+  while (turn()) {
+  }
+}
+
 bool FitInTurns::whole_fit() {
   fit::FitRequest request = fit_request_of(runs_, plan_);
   request.effort = effort_;

@@ -29,6 +29,8 @@ class FitInTurns {
 
   /// One turn more. False if it was the last: no further one promises anything, or the model cannot be simulated.
   bool turn();
+  /// All turns that are left.
+  void finish();
   /// The fit as far as it has come, with the derivatives of there; null before the first turn, and if there is none.
   [[nodiscard]] const fit::Fit* reached() const { return reached_ ? &*reached_ : nullptr; }
   /// In all turns.

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <limits>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -22,34 +21,37 @@ using actuator::Effect;
 using fit::Counted;
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
 
-// Until when several fits of one hypothesis go on.
-enum class Race { each_to_its_end, halved_at_each_turn };
-
 // Where a model is far from the noise, whatever start is the best leads to an answer that is wrong: what is fitted
 // there only has to be near enough to its optimum to be ranked, and to be extended by what it lacks.
-Race race_of(const FittedHypothesis& fitted) {
-  return fitted.whiteness.level > search_effort.near_the_noise ? Race::halved_at_each_turn : Race::each_to_its_end;
+bool is_far_from_noise(const FittedHypothesis& fitted) {
+  return fitted.whiteness.level > search_effort.near_the_noise;
 }
 
-// The best of several fits, continued to convergence; nothing if there is none.
-CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<PlannedFit> plans, Race race) {
-  std::vector<FitInTurns> fits;
-  for (PlannedFit& plan : plans) fits.emplace_back(runs, std::move(plan), search_effort.converged);
-  std::vector<std::size_t> going(fits.size());
-  std::iota(going.begin(), going.end(), std::size_t{0});
+// Turn by turn, and after each of them the worse half of those that go on is left where it is.
+void race(std::vector<FitInTurns>& fits) {
+  std::vector<FitInTurns*> going;
+  for (FitInTurns& each : fits) going.push_back(&each);
   while (!going.empty()) {
     std::vector<char> goes_on(going.size());
-    tbb::parallel_for(std::size_t{0}, going.size(), [&](std::size_t k) {
-      do goes_on[k] = fits[going[k]].turn() ? 1 : 0;
-      while (race == Race::each_to_its_end && goes_on[k] != 0);
-    });
-    std::vector<std::size_t> left;
+    tbb::parallel_for(std::size_t{0}, going.size(), [&](std::size_t k) { goes_on[k] = going[k]->turn() ? 1 : 0; });
+    std::vector<FitInTurns*> left;
     for (std::size_t k = 0; k < going.size(); ++k)
       if (goes_on[k] != 0) left.push_back(going[k]);
-    std::ranges::stable_sort(left, {}, [&](std::size_t i) { return fits[i].reached()->objective(); });
-    if (left.size() > 1) left.resize((left.size() + 1) / 2);
+    std::ranges::stable_sort(left, {}, [](const FitInTurns* each) { return each->reached()->objective(); });
+    left.resize((left.size() + 1) / 2);
     going = std::move(left);
   }
+}
+
+// The best of several fits that start for `known`, continued to convergence; nothing if there is none.
+CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<PlannedFit> plans,
+                    const FittedHypothesis& known) {
+  std::vector<FitInTurns> fits;
+  for (PlannedFit& plan : plans) fits.emplace_back(runs, std::move(plan), search_effort.converged);
+  if (is_far_from_noise(known))
+    race(fits);
+  else
+    tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t i) { fits[i].finish(); });
   CountedFit out;
   FitInTurns* best = nullptr;
   for (FitInTurns& each : fits) {
@@ -213,14 +215,14 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
                                   const std::function<void(std::size_t, std::size_t)>& progress) {
   Counted<Level> out{.value = std::move(level)};
   const auto take_better = [&](std::vector<PlannedFit> plans, FittedHypothesis& best) {
-    const CountedFit other = best_fit(runs, std::move(plans), race_of(best));
+    const CountedFit other = best_fit(runs, std::move(plans), best);
     out.simulated_runs += other.simulated_runs;
     if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
   };
   const auto restart = [&](FittedHypothesis& best) {
     const FittedHypothesis as_found = best;
     take_better(with_other_starts(as_found, seed), best);
-    if (race_of(as_found) == Race::halved_at_each_turn) return;
+    if (is_far_from_noise(as_found)) return;
     Counted<std::vector<PlannedFit>> promising = most_promising(runs, from_own_starts(as_found, scale));
     out.simulated_runs += promising.simulated_runs;
     take_better(std::move(promising.value), best);
@@ -242,7 +244,7 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
     if (is_restarted) restart(out.value[i]);
     if (out.value[i].whiteness.is_white()) continue;
     const FittedHypothesis smaller = out.value[i];
-    CountedFit larger = best_fit(runs, with_further_numbers(smaller, scale), race_of(smaller));
+    CountedFit larger = best_fit(runs, with_further_numbers(smaller, scale), smaller);
     out.simulated_runs += larger.simulated_runs;
     if (larger.value) out.value.push_back(std::move(*larger.value));
   }

@@ -73,7 +73,9 @@ struct SearchEffort {
   fit::FitEffort profile{.iterations = 8, .tolerance = 1e-6};
   /// Where such a fit ends outside the limit it takes its derivatives anew and goes on, at most so often.
   int most_profile_turns = 3;
-  /// Only where the rms residual is at most so many times the noise.
+  /// A model is near the noise where its rms residual is at most so many times it. Further away profiles keep their
+  /// derivatives, several fits of one hypothesis race, and an effect's own starts are left out: what they gain there
+  /// does not make an answer right, and costs most on long records.
   double near_the_noise = 3.0;
   /// Fall of chi-square, in units of the overdispersion, that counts as a better optimum than that of the fit; smaller
   /// differences are within the tolerance of fits.

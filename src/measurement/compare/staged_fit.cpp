@@ -15,8 +15,7 @@ namespace {
 fit::Counted<std::optional<FittedHypothesis>> fit_to_its_end(std::span<const replay::PreparedRun> runs,
                                                              const PlannedFit& plan, const fit::FitEffort& effort) {
   FitInTurns fit(runs, plan, effort);
-  while (fit.turn()) {
-  }
+  fit.finish();
   const long simulated_runs = fit.simulated_runs();
   return {.value = std::move(fit).result(), .simulated_runs = simulated_runs};
 }

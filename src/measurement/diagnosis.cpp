@@ -145,6 +145,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
 
   out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before.value);
   out.verdict = verdict_of(found, out.probability_of_declared);
+  out.model_error = found.after().fit.model_error;
   out.before = found.before().whiteness;
   out.after = found.after().whiteness;
   out.compared_hypotheses = std::move(found.compared);

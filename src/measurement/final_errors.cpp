@@ -182,6 +182,7 @@ void FinalErrors::take(const std::vector<data::Run>& runs, const replay::Declare
   for (const data::Run& run : runs) {
     prepared_runs.push_back(replay::prepare_run(run, declared, nominal));
     replay::give_recorded_noise(prepared_runs.back(), still, {});
+    prepared_runs.back().model_error = models.after.fit.model_error;
   }
   for (PreparedRun& prepared : prepared_runs) {
     const auto found = fit::evaluate_at(request_for(prepared, models.after));

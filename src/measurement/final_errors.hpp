@@ -30,7 +30,8 @@ class FinalErrors {
   static void require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared);
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
   /// which one of the models cannot be simulated is left out with a warning, and so are samples that no motion can
-  /// show. The clocks, edges and hum of each run are fitted to it for each model. `still` are the records of the noise.
+  /// show. The clocks, edges and hum of each run are fitted to it for each model, their priors weighed by the model
+  /// error of the fit of `after`. `still` are the records of the noise.
   FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
               std::span<const data::Run> still);
   /// Errors on the fit runs, likewise.

@@ -66,6 +66,11 @@ std::string nominal_text(const Diagnosis& diagnosis) {
       fmt::format("  {} could move, each at the price of its tolerance (one standard deviation); in the fit {}:\n",
                   counted(ordered.size(), "declared number"),
                   diagnosis.effects.empty() ? "without an effect" : "with the effects found");
+  if (diagnosis.model_error > 1.0)
+    text += fmt::format(
+        "    What is missing in the model is far larger than the noise: tolerances were weighed against it, as if the\n"
+        "    noise were {:.0f} times as large. Otherwise these numbers would take up what they can of it.\n",
+        diagnosis.model_error);
   TextTable table;
   table.row({"", "declared", "tolerance", "moved to", "tolerances moved"});
   for (const MovedNumber* each : std::span(ordered).first(std::min(ordered.size(), most_numbers))) {

@@ -75,6 +75,9 @@ struct Diagnosis {
   std::vector<MovedNumber> nominal{};  ///< declared numbers within their tolerances, in the order of the model
   /// The probability that declared numbers lie at least as far from what the data say, in the recalibrated model.
   double probability_of_declared = 1.0;
+  /// How many times the noise the answer was taken to be wrong when tolerances, and what is known of inputs and starts,
+  /// were weighed against it; 1: they were weighed against noise.
+  double model_error = 1.0;
   std::vector<std::string> held_exact{};  ///< declared numbers of which nothing was assumed but that they are exact
   std::vector<Outliers> outliers{};
   std::vector<compare::ComparedHypothesis> compared_hypotheses{};  ///< best first

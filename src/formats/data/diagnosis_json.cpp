@@ -257,6 +257,7 @@ Json to_json(const DiagnosisReport& report) {
   out.set("corrected_actuator", text_or_null(report.corrected_actuator));
   // Beyond the format.
   out.set("probability_of_declared", number_or_null(diagnosis.probability_of_declared));
+  out.set("model_error", diagnosis.model_error);
   out.set("held_exact", words_json(diagnosis.held_exact));
   out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));
   out.set("adequacy",

@@ -13,10 +13,12 @@
 #include "measurement/compare/joint_screening.hpp"
 #include "measurement/compare/level_fits.hpp"
 #include "measurement/compare/linear_screening.hpp"
+#include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/rig_scale.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
+#include "measurement/compare/settled_model_error.hpp"
 #include "measurement/fit/outliers.hpp"
 
 namespace coilwright::measurement::compare {
@@ -94,13 +96,17 @@ ApplicableKinds applicable_kinds(const actuator::EffectCatalogue& catalogue, con
 
 class HypothesisSearch {
  public:
-  // While `may_find_outliers`, the search ends where the best hypothesis of a size shows more of them.
-  HypothesisSearch(const AttributionRequest& request, bool may_find_outliers)
-      : request_(request), runs_(request.runs), may_find_outliers_(may_find_outliers) {}
+  // While `may_find_outliers`, the search ends where the best hypothesis of a size shows more of them. While
+  // `may_weigh_priors`, the runs get the model error of the recalibrated model if that is far from the noise.
+  HypothesisSearch(const AttributionRequest& request, bool may_find_outliers, bool may_weigh_priors)
+      : request_(request),
+        runs_(request.runs),
+        may_find_outliers_(may_find_outliers),
+        may_weigh_priors_(may_weigh_priors) {}
 
   // Nothing if more outliers were set aside.
   Counted<std::optional<Attribution>> run() {
-    const FittedHypothesis before = counted(recalibrated(runs_, *request_.declared));
+    const FittedHypothesis before = counted(recalibrated_at_its_error());
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
@@ -126,6 +132,21 @@ class HypothesisSearch {
   Value counted(Counted<Value> result) {
     simulated_runs_ += result.simulated_runs;
     return std::move(result.value);
+  }
+
+  [[nodiscard]] Counted<FittedHypothesis> recalibrated_at_its_error() const {
+    constexpr int most_rounds = 2;
+    Counted<FittedHypothesis> out = recalibrated(runs_, *request_.declared);
+    for (int round = 0; may_weigh_priors_ && round < most_rounds; ++round) {
+      const bool is_far = out.value.whiteness.level >= search_effort.weighs_model_error;
+      const double model_error = is_far ? model_error_of(runs_, out.value) : 1.0;
+      if (is_same_model_error(model_error, replay::model_error_of(runs_))) break;
+      set_model_error(request_.runs, model_error);
+      Counted<FittedHypothesis> anew = recalibrated(runs_, *request_.declared);
+      anew.simulated_runs += out.simulated_runs;
+      out = std::move(anew);
+    }
+    return out;
   }
 
   void report(const std::string& line) const {
@@ -263,6 +284,7 @@ class HypothesisSearch {
   std::vector<const EffectKind*> kinds_;
   std::vector<ComparedHypothesis> failed_;
   bool may_find_outliers_;
+  bool may_weigh_priors_;
   bool found_outliers_ = false;
   double overdispersion_ = 1.0;
   long simulated_runs_ = 0;
@@ -272,15 +294,38 @@ class HypothesisSearch {
 
 Attribution attribute(const AttributionRequest& request) {
   constexpr int most_restarts = 2;
+  const auto say = [&](const char* line) {
+    if (request.progress) request.progress(line);
+  };
   long simulated_runs = 0;
-  for (int restarts = 0;; ++restarts) {
-    Counted<std::optional<Attribution>> found = HypothesisSearch(request, restarts < most_restarts).run();
+  int restarts = 0;
+  bool may_weigh_priors = true;
+  while (true) {
+    Counted<std::optional<Attribution>> found =
+        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors).run();
     simulated_runs += found.simulated_runs;
-    if (found.value) {
-      found.value->simulated_runs = simulated_runs;
-      return std::move(*found.value);
+    if (!found.value) {
+      say("more outliers are certain now: the comparison begins anew without them");
+      ++restarts;
+      continue;
     }
-    if (request.progress) request.progress("more outliers are certain now: the comparison begins anew without them");
+    const double searched = replay::model_error_of(request.runs);
+    const double left = model_error_of(request.runs, found.value->after());
+    if (may_weigh_priors && left < search_effort.much_less_model_error * searched) {
+      say("far less is left over than without effects: the comparison begins anew, weighed by what is left");
+      set_model_error(request.runs, left);
+      may_weigh_priors = false;
+      continue;
+    }
+    Counted<Attribution> settled = with_settled_model_error(request.runs, std::move(*found.value));
+    Attribution out = std::move(settled.value);
+    out.simulated_runs = simulated_runs + settled.simulated_runs;
+    // What is reported of the answer is what it is now; its rivals in the table stay as they were compared.
+    if (replay::model_error_of(request.runs) != searched)
+      for (ComparedHypothesis& each : out.compared)
+        if (each.effects == out.after().kinds())
+          each.evidence = evidence_between(request.runs, out.before(), out.after(), out.overdispersion);
+    return out;
   }
 }
 

@@ -11,7 +11,8 @@
 namespace coilwright::measurement::compare {
 
 struct AttributionRequest {
-  std::span<replay::PreparedRun> runs{};  ///< outliers that effects uncover are set aside here
+  /// Outliers that effects uncover are set aside here, and the model error of the answer is left here.
+  std::span<replay::PreparedRun> runs{};
   const replay::DeclaredModel* declared{};
   std::uint64_t seed = 1;  ///< random seed for the additional fit starts
   std::function<void(const std::string&)> progress{};

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "measurement/compare/effect_strength.hpp"
+#include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
@@ -20,12 +21,6 @@ namespace {
 using actuator::Effect;
 using fit::Counted;
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
-
-// Where a model is far from the noise, whatever start is the best leads to an answer that is wrong: what is fitted
-// there only has to be near enough to its optimum to be ranked, and to be extended by what it lacks.
-bool is_far_from_noise(const FittedHypothesis& fitted) {
-  return fitted.whiteness.level > search_effort.near_the_noise;
-}
 
 // Turn by turn, and after each of them the worse half of those that go on is left where it is.
 void race(std::vector<FitInTurns>& fits) {
@@ -48,6 +43,8 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<Plann
                     const FittedHypothesis& known) {
   std::vector<FitInTurns> fits;
   for (PlannedFit& plan : plans) fits.emplace_back(runs, std::move(plan), search_effort.converged);
+  // Whatever start is the best there leads to an answer that is wrong: what is fitted only has to be near enough to its
+  // optimum to be ranked, and to be extended by what it lacks.
   if (is_far_from_noise(known))
     race(fits);
   else

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "measurement/compare/model_error.hpp"
 #include "measurement/compare/search_effort.hpp"
 
 namespace coilwright::measurement::compare {
@@ -108,7 +109,7 @@ double ProfileLikelihood::above_limit(double coordinate) {
   // The derivatives are those of the optimum, carried on from step to step. Outside the limit a fit that is stuck with
   // them would end the interval: they are taken anew as long as that helps. Not of a model that is far from the noise,
   // whose error no interval within it contains: on long records in windows that took minutes.
-  const int turns = fitted_.whiteness.level <= search_effort.near_the_noise ? search_effort.most_profile_turns : 0;
+  const int turns = is_far_from_noise(fitted_) ? 0 : search_effort.most_profile_turns;
   for (int turn = 0; turn < turns && above(*refitted.value) >= 0.0; ++turn) {
     request.start = refitted.value->values;
     request.local_numbers_from = &*refitted.value;

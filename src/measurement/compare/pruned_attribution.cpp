@@ -12,8 +12,10 @@
 
 #include "measurement/compare/cross_validation.hpp"
 #include "measurement/compare/intervals.hpp"
+#include "measurement/compare/model_error.hpp"
 #include "measurement/compare/relaxed_tolerances.hpp"
 #include "measurement/compare/search_effort.hpp"
+#include "measurement/compare/settled_model_error.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
@@ -71,11 +73,12 @@ void set_remark(std::vector<ComparedHypothesis>& compared, std::vector<const act
 
 }  // namespace
 
-PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs, Attribution attribution,
+PrunedAttribution prune_unsupported_effects(std::span<replay::PreparedRun> runs, Attribution attribution,
                                             const std::function<void(const std::string&)>& progress) {
   PrunedAttribution out{.attribution = std::move(attribution)};
   Attribution& found = out.attribution;
-  out.overdispersion = found.overdispersion;
+  // Far from the noise a better hypothesis that is no answer says nothing of how far off this one may be.
+  out.overdispersion = is_far_from_noise(found.after()) ? overdispersion_of(runs, found.after()) : found.overdispersion;
   const auto estimate_last_step = [&] {
     EstimatedHypothesis estimated =
         refit_and_estimate(runs, std::move(found.steps.back()), out.overdispersion, progress);
@@ -115,6 +118,9 @@ PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun>
     out.evidence.pop_back();
     found.rivals.clear();
     found.indistinguishable.clear();
+    fit::Counted<Attribution> settled = with_settled_model_error(runs, std::move(found));
+    found = std::move(settled.value);
+    out.simulated_runs += settled.simulated_runs;
     out.overdispersion = overdispersion_of(runs, found.after());
     estimate_last_step();
     if (!out.evidence.empty()) out.evidence.back() = evidence_of(found.steps.size() - 1);

@@ -20,9 +20,9 @@ struct PrunedAttribution {
 };
 
 /// Removes effects, the last first, that gain or explain too little (DecisionThresholds), make runs worse that were
-/// left out, or have an interval that contains the value at which the effect is absent.
-[[nodiscard]] PrunedAttribution prune_unsupported_effects(std::span<const replay::PreparedRun> runs,
-                                                          Attribution attribution,
+/// left out, or have an interval that contains the value at which the effect is absent. What is left is fitted anew
+/// where it leaves much more or less than the removed effect did (with_settled_model_error()).
+[[nodiscard]] PrunedAttribution prune_unsupported_effects(std::span<replay::PreparedRun> runs, Attribution attribution,
                                                           const std::function<void(const std::string&)>& progress = {});
 
 }  // namespace coilwright::measurement::compare

@@ -77,6 +77,11 @@ struct SearchEffort {
   /// derivatives, several fits of one hypothesis race, and an effect's own starts are left out: what they gain there
   /// does not make an answer right, and costs most on long records.
   double near_the_noise = 3.0;
+  /// Where the recalibrated model leaves more than so many times the noise, hypotheses are compared with priors that
+  /// are weighed by what it leaves. Less, and effects may reach the noise, against which they are to be weighed.
+  double weighs_model_error = 10.0;
+  /// If the answer leaves less than this fraction of that, they held too much: the comparison begins anew with its own.
+  double much_less_model_error = 0.1;
   /// Fall of chi-square, in units of the overdispersion, that counts as a better optimum than that of the fit; smaller
   /// differences are within the tolerance of fits.
   double better_optimum = 0.2;

@@ -22,9 +22,9 @@ class Linearised {
     for (Eigen::Index i = 0; i < free_; ++i) {
       const fit::FitParameter& parameter = hypothesis.parameters()[static_cast<std::size_t>(i)];
       if (!parameter.is_pulled(at_zero.values[i])) continue;
-      const double size = scales_[i] / parameter.tolerance;
+      const double size = at_zero.model_error * scales_[i] / parameter.tolerance;
       prior_[i] += size * size;
-      prior_gradient_[i] = size * (at_zero.values[i] - parameter.declared) / parameter.tolerance;
+      prior_gradient_[i] = size * at_zero.model_error * (at_zero.values[i] - parameter.declared) / parameter.tolerance;
     }
   }
 

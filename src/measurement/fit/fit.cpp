@@ -31,7 +31,8 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     out.runs[r].residuals.resize(out.runs[r].predictions.size());
     out.used_samples += static_cast<std::size_t>(out.runs[r].residuals.size() - request.runs[r].values_set_aside());
   }
-  const Eigen::VectorXd prior = hypothesis.prior_residuals(values);
+  out.model_error = replay::model_error_of(request.runs);
+  const Eigen::VectorXd prior = hypothesis.prior_residuals(values, out.model_error);
   Eigen::Index rows = prior.size();
   for (const ResidualBlock& block : blocks) rows += block.rows;
   out.stacked_residuals.resize(rows);
@@ -42,7 +43,7 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     RunFit& run = out.runs[block.run];
     const ResidualValues::Block& there = optimum.values.blocks[b];
     run.residuals.segment(block.first, block.samples()) = there.residuals.head(block.samples());
-    out.local_chi_square += there.residuals.tail(block.rows - block.samples()).squaredNorm();
+    out.priors += there.residuals.tail(block.rows - block.samples()).squaredNorm();
     const Eigen::MatrixXd basis = basis_of(there.local_jacobian);
     const Eigen::MatrixXd jacobian = there.jacobian - basis * (basis.transpose() * there.jacobian);
     run.normal_matrix += jacobian.transpose() * jacobian;
@@ -55,10 +56,11 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
     row += block.rows;
     run.local_numbers.emplace_back(block.local.begin(), block.local.end());
   }
-  const Eigen::MatrixXd prior_jacobian = hypothesis.prior_jacobian(values);
+  const Eigen::MatrixXd prior_jacobian = hypothesis.prior_jacobian(values, out.model_error);
   out.stacked_residuals.tail(prior.size()) = prior;
   out.jacobian.bottomRows(prior.size()) = prior_jacobian;
-  out.prior_chi_square = prior.squaredNorm();
+  out.prior_chi_square = hypothesis.prior_residuals(values).squaredNorm();
+  out.priors += prior.squaredNorm();
   out.normal_matrix = prior_jacobian.transpose() * prior_jacobian;
   for (const RunFit& run : out.runs) {
     out.chi_square += run.residuals.squaredNorm();

@@ -30,7 +30,8 @@ struct Fit {
   Eigen::VectorXd values{};   ///< of Hypothesis::parameters
   double chi_square{};        ///< sum of all squared residuals of the measurement
   double prior_chi_square{};  ///< sum of the squared distances of declared numbers, over their tolerances
-  double local_chi_square{};  ///< the same for the local numbers of all windows
+  double model_error{1.0};    ///< PreparedRun::model_error of its runs
+  double priors{};            ///< that sum and the same of all local numbers, weighed by the model error
   std::vector<RunFit> runs{};
   Eigen::MatrixXd normal_matrix{};  ///< sum over the runs, and of the prior
   std::vector<char> at_bound{};     ///< for each parameter whether it is at a physical bound
@@ -46,8 +47,8 @@ struct Fit {
   std::vector<Eigen::MatrixXd> parameter_columns{};
   std::vector<Eigen::MatrixXd> local_columns{};
   std::size_t used_samples{};  ///< samples that are not set aside
-  /// What a fit makes smallest: the chi-squares of measurement, prior and local numbers together.
-  [[nodiscard]] double objective() const { return chi_square + prior_chi_square + local_chi_square; }
+  /// What a fit makes smallest: the chi-squares of the measurement and of the weighed priors together.
+  [[nodiscard]] double objective() const { return chi_square + priors; }
   [[nodiscard]] std::size_t samples() const { return used_samples; }
 };
 

@@ -83,26 +83,30 @@ std::vector<actuator::Effect> Hypothesis::effects_at(const Eigen::VectorXd& valu
   return out;
 }
 
-bool Hypothesis::is_nominal(Eigen::Index parameter) const {
-  const auto i = static_cast<std::size_t>(parameter);
-  return i < declared_->calibration.size() && !declared_->calibration[i].calibrated;
+bool Hypothesis::is_declared(Eigen::Index parameter) const {
+  return static_cast<std::size_t>(parameter) < declared_->calibration.size();
 }
 
-Eigen::VectorXd Hypothesis::prior_residuals(const Eigen::VectorXd& values) const {
+bool Hypothesis::is_nominal(Eigen::Index parameter) const {
+  return is_declared(parameter) && !declared_->calibration[static_cast<std::size_t>(parameter)].calibrated;
+}
+
+Eigen::VectorXd Hypothesis::prior_residuals(const Eigen::VectorXd& values, double model_error) const {
   std::vector<double> out;
   for (Eigen::Index i = 0; i < size(); ++i)
     if (const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)]; parameter.has_prior())
-      out.push_back(parameter.distance(values[i]));
+      out.push_back((is_declared(i) ? model_error : 1.0) * parameter.distance(values[i]));
   return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
-Eigen::MatrixXd Hypothesis::prior_jacobian(const Eigen::VectorXd& values) const {
+Eigen::MatrixXd Hypothesis::prior_jacobian(const Eigen::VectorXd& values, double model_error) const {
   const auto rows = std::ranges::count_if(parameters_, &FitParameter::has_prior);
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows, size());
   Eigen::Index row = 0;
   for (Eigen::Index i = 0; i < size(); ++i)
     if (const FitParameter& parameter = parameters_[static_cast<std::size_t>(i)]; parameter.has_prior())
-      out(row++, i) = parameter.is_pulled(values[i]) ? -1.0 / parameter.tolerance : 0.0;
+      out(row++, i) =
+          parameter.is_pulled(values[i]) ? -(is_declared(i) ? model_error : 1.0) / parameter.tolerance : 0.0;
   return out;
 }
 

@@ -66,16 +66,19 @@ class Hypothesis {
   }
   /// Numbers that only the tolerances of the declared model let move. They are the same ones in every hypothesis.
   [[nodiscard]] bool is_nominal(Eigen::Index parameter) const;
-  /// FitParameter::distance of each number that has a prior; in their order.
-  [[nodiscard]] Eigen::VectorXd prior_residuals(const Eigen::VectorXd& values) const;
+  /// FitParameter::distance of each number that has a prior; in their order. Those of declared numbers are times
+  /// `model_error`: see PreparedRun::model_error.
+  [[nodiscard]] Eigen::VectorXd prior_residuals(const Eigen::VectorXd& values, double model_error = 1.0) const;
   /// Their derivatives there: (numbers with a prior, size()).
-  [[nodiscard]] Eigen::MatrixXd prior_jacobian(const Eigen::VectorXd& values) const;
+  [[nodiscard]] Eigen::MatrixXd prior_jacobian(const Eigen::VectorXd& values, double model_error = 1.0) const;
   /// The specification of the model. Throws std::invalid_argument if the calibration makes no model.
   [[nodiscard]] actuator::ModelSpec spec_at(const Eigen::VectorXd& values) const;
   /// The model. Throws std::invalid_argument if the values make no model.
   [[nodiscard]] actuator::Model model_at(const Eigen::VectorXd& values) const;
 
  private:
+  [[nodiscard]] bool is_declared(Eigen::Index parameter) const;
+
   const replay::DeclaredModel* declared_;
   std::vector<actuator::Effect> effects_;
   std::vector<FitParameter> parameters_;

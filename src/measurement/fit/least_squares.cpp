@@ -95,21 +95,24 @@ class BlockCost : public ceres::CostFunction {
 // The prior of the parameters that have one.
 class PriorCost : public ceres::CostFunction {
  public:
-  PriorCost(const Hypothesis& hypothesis, Eigen::Index rows, Eigen::Index width) : hypothesis_(hypothesis) {
+  PriorCost(const Hypothesis& hypothesis, double model_error, Eigen::Index rows, Eigen::Index width)
+      : hypothesis_(hypothesis), model_error_(model_error) {
     set_num_residuals(static_cast<int>(rows));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(width));
   }
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::Map<const Eigen::VectorXd> values(parameters[0], hypothesis_.size());
-    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = hypothesis_.prior_residuals(values);
+    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = hypothesis_.prior_residuals(values, model_error_);
     if (jacobians != nullptr && jacobians[0] != nullptr)
-      Eigen::Map<RowMajor>(jacobians[0], num_residuals(), values.size()) = hypothesis_.prior_jacobian(values);
+      Eigen::Map<RowMajor>(jacobians[0], num_residuals(), values.size()) =
+          hypothesis_.prior_jacobian(values, model_error_);
     return true;
   }
 
  private:
   const Hypothesis& hypothesis_;
+  double model_error_;
 };
 
 void set_bounds(ceres::Problem& problem, const Hypothesis& hypothesis, Eigen::VectorXd& values) {
@@ -150,7 +153,8 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
     }
   }
   if (const auto priors = std::ranges::count_if(request.hypothesis->parameters(), &FitParameter::has_prior); priors > 0)
-    problem.AddResidualBlock(new PriorCost(*request.hypothesis, priors, width), nullptr, shared);
+    problem.AddResidualBlock(new PriorCost(*request.hypothesis, replay::model_error_of(request.runs), priors, width),
+                             nullptr, shared);
   if (values.size() > 0) set_bounds(problem, *request.hypothesis, values);
   if (!free) problem.SetParameterBlockConstant(shared);
   if (free && !held.empty()) problem.SetManifold(shared, new ceres::SubsetManifold(static_cast<int>(width), held));
@@ -201,7 +205,7 @@ bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen:
     const auto there = blocks.evaluate(parameters, Derivatives::none);
     simulated_runs += there.simulated_runs;
     if (!there.value) return std::numeric_limits<double>::max();
-    double sum = request.hypothesis->prior_residuals(parameters).squaredNorm();
+    double sum = request.hypothesis->prior_residuals(parameters, replay::model_error_of(request.runs)).squaredNorm();
     for (const ResidualValues::Block& block : there.value->blocks) sum += block.residuals.squaredNorm();
     return sum;
   };

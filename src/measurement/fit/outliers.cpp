@@ -41,9 +41,15 @@ noise::NoiseLevel level_without_outliers(const replay::PreparedRun& prepared, st
   return noise::noise_of(cleaned, kept);
 }
 
+// A rounded record may have more than half of its differences at zero; a step to the next value is no spike there.
+double least_scale(const noise::NoiseLevel& level) {
+  return std::max(0.3 * level.sigma, level.resolution / 3.0);
+}
+
 // The noise of a channel whose own record tells it, without the samples that are set aside. Where pictures are few, the
 // motion between them counts as noise: then what the model leaves, which moves less, tells it better, by the same
-// polynomials. Both err upwards only, so the smaller one is taken where they differ by more than chance.
+// polynomials. Both err upwards only, so the smaller one is taken where they differ by more than chance, as long as
+// it is not below what rounding alone leaves.
 void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const Eigen::VectorXd& predictions) {
   noise::NoiseLevel& level = prepared.noise[channel];
   if (!level.from_the_run) return;
@@ -53,7 +59,10 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
   if (const auto predicted = predictions_of(prepared, channel, predictions)) {
     std::vector<double> left = measured;
     for (std::size_t i = 0; i < left.size(); ++i) left[i] -= (*predicted)[i];
-    const noise::NoiseLevel of_left = level_without_outliers(prepared, channel, left);
+    noise::NoiseLevel of_left = level_without_outliers(prepared, channel, left);
+    // What a smooth prediction leaves of a rounded record has values in between.
+    of_left.resolution = level.resolution;
+    of_left.sigma = std::max(of_left.sigma, level.of_rounding());
     constexpr double beyond_chance = 3.0;
     const double chance = 1.0 / std::sqrt(2.0 * of_left.freedom) + 1.0 / std::sqrt(2.0 * level.freedom);
     if (of_left.sigma < level.sigma * (1.0 - std::min(beyond_chance * chance, 0.25))) {
@@ -83,8 +92,7 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
       for (std::size_t c = 0; c < channels; ++c, at += n) {
         const Eigen::Index first = static_cast<Eigen::Index>(c) * n;
         const Eigen::VectorXd apart = measured.segment(first, n) - fitted.runs[r].predictions.segment(at, n);
-        // A rounded record may have more than half its differences at zero.
-        const std::vector<char> found = noise::spikes({apart.data(), range.samples()}, 0.3 * prepared.noise[c].sigma);
+        const std::vector<char> found = noise::spikes({apart.data(), range.samples()}, least_scale(prepared.noise[c]));
         for (std::size_t i = 0; i < found.size(); ++i) {
           if (found[i] == 0) continue;
           if (prepared.set_aside[c].empty()) prepared.set_aside[c].assign(run.samples(), 0);

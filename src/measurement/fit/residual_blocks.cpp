@@ -22,7 +22,7 @@ Eigen::VectorXd residuals_with_prior(const ResidualBlock& block, const replay::P
       replay::over_noise(prepared, range, replay::measured_values(*prepared.run, range) - predicted);
   for (std::size_t i = 0; i < local.size(); ++i)
     out[predicted.size() + static_cast<Eigen::Index>(i)] =
-        (block.numbers.mean()[i] - local[i]) / block.numbers.sigma()[i];
+        prepared.model_error * (block.numbers.mean()[i] - local[i]) / block.numbers.sigma()[i];
   return out;
 }
 
@@ -42,7 +42,10 @@ ResidualBlocks::ResidualBlocks(const FitRequest& request) : request_(request) {
   // A solver eliminates the local numbers in the order of their addresses: they lie one after the other, so that sums
   // are always taken in the same order.
   for (ResidualBlock& block : blocks_) {
-    const bool from_fit = request.local_numbers_from != nullptr && block.numbers.size() > 0;
+    // A fit with another model error may have had more of them, or fewer.
+    const bool from_fit =
+        request.local_numbers_from != nullptr && block.numbers.size() > 0 &&
+        request.local_numbers_from->runs[block.run].local_numbers[block.window].size() == block.numbers.size();
     const std::vector<double>& values =
         from_fit ? request.local_numbers_from->runs[block.run].local_numbers[block.window] : block.numbers.mean();
     const std::size_t begin = local_numbers_.size();

@@ -188,7 +188,7 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
   if (values.empty() || !fits(run.times) || !fits(run.angles) || (!run.has_input_clock() && !fits(run.inputs)))
     throw std::invalid_argument(fmt::format("{}: column {} must have one value for each sample of the run; got {}",
                                             run.name, channel.name, values.size()));
-  NoiseLevel level{.run = run.name, .channel = channel.name};
+  NoiseLevel level{.run = run.name, .channel = channel.name, .resolution = resolution(values)};
   if (run.sigma && sigma_applies(run, channel)) {
     level.sigma = *run.sigma;
     level.given = true;
@@ -218,9 +218,8 @@ NoiseLevel noise_of(const data::Run& run, const data::Channel& channel) {
     level.freedom = 0.5 / (chosen.relative_error * chosen.relative_error);
     level.source = described(chosen, long_record);
   }
-  const double quantisation = resolution(values) / std::sqrt(12.0);
-  if (level.sigma < quantisation) {
-    level.sigma = quantisation;
+  if (level.sigma < level.of_rounding()) {
+    level.sigma = level.of_rounding();
     level.source = "the smallest step between two values over sqrt(12); the noise is below";
   }
   // A record without any noise (a sensor that never moved, a simulation) still needs a scale for its residual.

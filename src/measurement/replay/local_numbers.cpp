@@ -9,6 +9,10 @@ namespace {
 // The hum of a run may be a few times that of the record in which nothing moved.
 constexpr double line_freedom = 3.0;
 
+// What the noise of an input does to a motion cannot be told from what a model lacks that is wrong by so many times the
+// noise: fitted, its errors would take that up. Each costs a simulation for its derivative, too.
+constexpr double hides_input_noise = 10.0;
+
 // An input that changes between its samples was read at a time that nobody knows better than to a tenth of their
 // interval: a driver that holds its own samples is late by half of their interval.
 double unknown_reading_time(const data::Run& run) {
@@ -40,7 +44,7 @@ LocalNumbers::LocalNumbers(const PreparedRun& prepared, const Window& window)
     add(straight ? 0.5 : 1.0, straight ? 0.5 : 0.3);
   }
   first_error_ = size();
-  errors_ = window.errors.size();
+  errors_ = prepared.model_error < hides_input_noise ? window.errors.size() : 0;
   for (std::size_t i = 0; i < errors_; ++i) add(0.0, 1.0);
   clock_ = size();
   const data::RecordingClock& clock = prepared.run->clock;

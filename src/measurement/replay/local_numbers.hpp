@@ -33,7 +33,7 @@ class LocalNumbers {
                                                 const actuator::InternalStates& internal) const;
   /// How much of the window's `bend` the input has: 0 is straight between samples, 1 smooth.
   [[nodiscard]] double bend(std::span<const double> values) const;
-  /// The errors of the window's input, each over its standard deviation.
+  /// The errors of the window's input, each over its standard deviation; none where a model error hides them.
   [[nodiscard]] std::span<const double> input_errors(std::span<const double> values) const;
   /// Where each edge of the window's input lies: numbers of InputEdge::shift().
   [[nodiscard]] std::span<const double> edge_numbers(std::span<const double> values) const;

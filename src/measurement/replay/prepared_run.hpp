@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "coilwright/measurement/data/run.hpp"
@@ -76,8 +77,11 @@ struct PreparedRun {
   std::vector<double> lines{};       ///< Hz, of hum that every angle shows
   std::vector<double> line_sizes{};  ///< rad, amplitude of each in the record of the noise
   std::vector<std::vector<char>>
-      set_aside{};                ///< one per channel: for each sample whether no fit may use it; empty: none
-  double input_noise{};           ///< standard deviation of the noise taken out of its input, SI; 0: none
+      set_aside{};       ///< one per channel: for each sample whether no fit may use it; empty: none
+  double input_noise{};  ///< standard deviation of the noise taken out of its input, SI; 0: none
+  /// How many times the noise the model of a fit is expected to be wrong: priors, of declared numbers and of what only
+  /// this run tells, hold so much more than against noise alone. The same in all runs of a fit.
+  double model_error = 1.0;
   std::vector<Window> windows{};  ///< of a transient; empty on a bench
 
   /// The ranges of its predictions and residuals: its windows, or all samples of a bench. Predictions are ordered range
@@ -95,6 +99,11 @@ struct PreparedRun {
   /// Whether the initial states of its windows are fitted along with the parameters.
   [[nodiscard]] bool fits_initial_states() const { return is_motion() && run->start != data::Start::at_rest; }
 };
+
+/// PreparedRun::model_error of the runs of a fit; 1 where there are none.
+[[nodiscard]] inline double model_error_of(std::span<const PreparedRun> runs) {
+  return runs.empty() ? 1.0 : runs.front().model_error;
+}
 
 /// Throws std::invalid_argument naming the run if it does not fit the model: number of coils or joints, a voltage
 /// without a resistance, a temperature without heat paths, a grasp beyond the tip.

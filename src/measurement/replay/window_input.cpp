@@ -332,7 +332,7 @@ ModelInput as_driven(const Window& window, const InputChange& change) {
     out.currents[i] += change.bend * window.bend.currents[i];
     if (!out.joint_torques.empty()) out.joint_torques[i] += change.bend * window.bend.joint_torques[i];
   }
-  for (std::size_t e = 0; e < window.errors.size(); ++e) {
+  for (std::size_t e = 0; e < change.errors.size(); ++e) {
     const InputRowErrors& error = window.errors[e];
     for (std::size_t k = 0; k < error.currents.size(); ++k)
       out.currents[error.first_row + k] += change.errors[e] * error.currents[k];

@@ -243,6 +243,7 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
        .declared = 0.0,
        .tolerance = 0.03}};
   diagnosis.probability_of_declared = 0.25;
+  diagnosis.model_error = 512.0;
   diagnosis.held_exact = {"/magnet/remanence_T"};
   const auto json = json_of(diagnosis);
   EXPECT_EQ(json["nominal"], ordered_json::parse(R"({
@@ -251,6 +252,7 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
       "force_curve": {"value": 0.01, "ci95": [null, null], "determined": false, "declared": 0.0, "tolerance": 0.03,
                       "tolerance_from": "default"}})"));
   EXPECT_EQ(json["probability_of_declared"], 0.25);
+  EXPECT_EQ(json["model_error"], 512.0);
   EXPECT_EQ(json["held_exact"], ordered_json({"/magnet/remanence_T"}));
 }
 

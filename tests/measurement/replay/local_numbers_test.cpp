@@ -189,6 +189,22 @@ TEST(LocalNumbers, ComeInTheOrderStateEdgesClocksHum) {
   EXPECT_EQ(numbers.line_amplitudes(values).front(), static_cast<double>(4 + edges));
 }
 
+TEST(LocalNumbers, LeaveTheErrorsOfAnInputToAModelThatIsFarWorse) {
+  const DeclaredModel declared = slide(true_mass, true_damping);
+  const fit::Hypothesis hypothesis(declared, {});
+  const data::Run run = slide_run(100, {}, no_error);
+  PreparedRun prepared = prepare_run(run, declared, hypothesis.model_at(hypothesis.start()));
+  Window& window = prepared.windows.front();
+  window.errors.resize(3);
+  const std::size_t others = LocalNumbers(prepared, window).size() - 3;
+  prepared.model_error = 9.0;
+  EXPECT_EQ(LocalNumbers(prepared, window).size(), others + 3);
+  prepared.model_error = 10.0;
+  const LocalNumbers numbers(prepared, window);
+  EXPECT_EQ(numbers.size(), others);
+  EXPECT_TRUE(numbers.input_errors(numbers.mean()).empty());
+}
+
 // The mean of a sine over an exposure T is the sine times sin(w T / 2) / (w T / 2).
 TEST(ObservedValues, OfAnExposureAreMeansOverIt) {
   constexpr double frequency = 8.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -12,10 +13,13 @@ struct NoiseLevel {
   std::string run{};
   std::string channel{};
   double sigma{};       ///< standard deviation, SI; > 0
+  double resolution{};  ///< smallest step between two distinct values of the record; 0: they are all the same
   bool given{};         ///< whether the set gives it; otherwise it is estimated
   bool from_the_run{};  ///< whether it was estimated from the run itself, not from a record of still instruments
   double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of its square; infinite if given
   std::string source{};                                      ///< "given", or how it was estimated
+  /// The least that the noise can be: resolution / sqrt(12).
+  [[nodiscard]] double of_rounding() const { return resolution / std::sqrt(12.0); }
   std::string colour{};  ///< what is assumed of its spectrum, and from where: "white: nothing shows its colour"
 };
 

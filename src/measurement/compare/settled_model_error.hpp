@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "measurement/compare/attribution.hpp"
+#include "measurement/fit/counted.hpp"
+
+namespace coilwright::measurement::compare {
+
+/// Weighs priors against the model error of the last step of `found` instead of that of the search, and fits its steps
+/// and their rivals anew; changes nothing where both are the same. The errors of the steps are comparable then, and
+/// their numbers stay as near to what is declared as the last step's own error allows.
+[[nodiscard]] fit::Counted<Attribution> with_settled_model_error(std::span<replay::PreparedRun> runs,
+                                                                 Attribution found);
+
+}  // namespace coilwright::measurement::compare

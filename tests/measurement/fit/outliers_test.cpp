@@ -1,0 +1,61 @@
+#include "measurement/fit/outliers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "measurement/fit/fit.hpp"
+#include "measurement/random_numbers.hpp"
+#include "measurement/slider_model.hpp"
+
+namespace coilwright::measurement::fit {
+namespace {
+
+constexpr double count = 1e-3;  // of the encoder, m
+constexpr std::size_t misread = 250;
+
+// A slide at rest, half a count from the next one, with noise of 0.4 counts: one reading in ten is the next count, and
+// most are equal to the one before.
+data::Run rounded_record() {
+  Normal normal(11);
+  data::Run run = slide_run(500, {}, no_error);
+  run.sigma.reset();
+  for (std::size_t i = 0; i < run.times.size(); ++i) {
+    run.inputs[i] = {0.0};
+    run.channels.front().values[i] = count * std::round(0.4 * normal());
+  }
+  run.channels.front().values[misread] = 10.0 * count;
+  return run;
+}
+
+TEST(OutliersOfARoundedRecord, AreNoStepsToTheNextValue) {
+  const data::Run run = rounded_record();
+  const replay::DeclaredModel declared = slide(true_mass, true_damping);
+  const Hypothesis hypothesis(declared, {});
+  std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
+  const auto there = evaluate_at({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
+  ASSERT_TRUE(there.value.has_value());
+  EXPECT_TRUE(set_outliers_aside(runs, *there.value));
+  for (std::size_t i = 0; i < run.times.size(); ++i)
+    EXPECT_EQ(runs.front().is_set_aside(0, i), i == misread) << i << ": " << run.channels.front().values[i];
+}
+
+TEST(OutliersOfARoundedRecord, LeaveNoLessNoiseThanRoundingMakes) {
+  const data::Run run = rounded_record();
+  const replay::DeclaredModel declared = slide(true_mass, true_damping);
+  const Hypothesis hypothesis(declared, {});
+  std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
+  // Predictions that move smoothly between the counts: what they leave has no counts any more.
+  auto there = evaluate_at({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
+  ASSERT_TRUE(there.value.has_value());
+  Eigen::VectorXd& predictions = there.value->runs.front().predictions;
+  for (Eigen::Index i = 0; i < predictions.size(); ++i) predictions[i] = 1e-6 * std::sin(0.01 * static_cast<double>(i));
+  (void)set_outliers_aside(runs, *there.value);
+  EXPECT_GE(runs.front().noise.front().sigma, count / std::sqrt(12.0) * (1.0 - 1e-9));
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::fit

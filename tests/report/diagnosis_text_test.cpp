@@ -189,6 +189,19 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
               HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
 }
 
+TEST(DiagnosisText, SaysWhatTolerancesWereWeighedAgainst) {
+  Diagnosis diagnosis = example();
+  diagnosis.nominal = {
+      {.estimate = {.key = "/links/0/mass_kg", .value = 0.0202}, .declared = 0.02, .tolerance = 0.0005}};
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("were weighed against it")));
+  diagnosis.model_error = 751.3;
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("    What is missing in the model is far larger than the noise: tolerances were weighed against it, "
+                "as if the\n    noise were 751 times as large. Otherwise these numbers would take up what they can "
+                "of it.\n"));
+}
+
 TEST(DiagnosisText, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
   Diagnosis diagnosis = example();
   diagnosis.nominal = {{.estimate = {.key = "face_closing_deg", .value = -41.0 * degree},

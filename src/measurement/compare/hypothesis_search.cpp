@@ -323,7 +323,7 @@ Attribution attribute(const AttributionRequest& request) {
     // What is reported of the answer is what it is now; its rivals in the table stay as they were compared.
     if (replay::model_error_of(request.runs) != searched)
       for (ComparedHypothesis& each : out.compared)
-        if (each.effects == out.after().kinds())
+        if (std::ranges::is_permutation(each.effects, out.after().kinds()))
           each.evidence = evidence_between(request.runs, out.before(), out.after(), out.overdispersion);
     return out;
   }

@@ -28,13 +28,13 @@ Effect scattered(Effect effect, std::mt19937_64& random) {
   return effect;
 }
 
+}  // namespace
+
 PlannedFit from_declared_numbers(const FittedHypothesis& fitted, std::vector<Effect> effects) {
   PlannedFit out{.hypothesis = fit::Hypothesis(fitted.hypothesis.declared(), std::move(effects))};
   out.start = out.hypothesis.start();
   return out;
 }
-
-}  // namespace
 
 std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted) {
   std::vector<PlannedFit> out;

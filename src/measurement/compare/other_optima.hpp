@@ -8,6 +8,9 @@
 
 namespace coilwright::measurement::compare {
 
+/// From the declared numbers, with these effects in place of those of `fitted`.
+[[nodiscard]] PlannedFit from_declared_numbers(const FittedHypothesis& fitted, std::vector<actuator::Effect> effects);
+
 /// The same effects with one of their discrete choices (a side, a warm start) changed: the choice that is better for an
 /// effect alone may not be better in combination. Refers to `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted);

@@ -61,14 +61,10 @@ bool all_effects_present(const FittedHypothesis& fitted, const std::vector<Estim
 }
 
 // Says of a hypothesis that was compared why it is not the answer.
-void set_remark(std::vector<ComparedHypothesis>& compared, std::vector<const actuator::EffectKind*> kinds,
+void set_remark(std::vector<ComparedHypothesis>& compared, const std::vector<const actuator::EffectKind*>& kinds,
                 const std::string& remark) {
-  std::ranges::sort(kinds);
-  for (ComparedHypothesis& each : compared) {
-    std::vector<const actuator::EffectKind*> others = each.effects;
-    std::ranges::sort(others);
-    if (others == kinds) each.remark = remark;
-  }
+  for (ComparedHypothesis& each : compared)
+    if (std::ranges::is_permutation(each.effects, kinds)) each.remark = remark;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measurement/compare/model_error.hpp"
+#include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
 namespace coilwright::measurement::compare {
@@ -15,13 +16,10 @@ namespace {
 // From where it was, and from the declared numbers: priors that held too little may have led far from these.
 fit::Counted<FittedHypothesis> fitted_anew(std::span<const replay::PreparedRun> runs, const FittedHypothesis& known) {
   fit::Counted<FittedHypothesis> out{.value = known};
-  const std::vector<actuator::Effect> effects = known.hypothesis.effects_at(known.fit.values);
-  PlannedFit declared{.hypothesis = fit::Hypothesis(known.hypothesis.declared(), effects)};
-  declared.start = declared.hypothesis.start();
   bool any = false;
   for (const PlannedFit& plan :
        {PlannedFit{.hypothesis = known.hypothesis, .start = known.fit.values, .local_numbers_from = &known.fit},
-        declared}) {
+        from_declared_numbers(known, known.hypothesis.effects_at(known.fit.values))}) {
     auto there = fit_exactly(runs, plan);
     out.simulated_runs += there.simulated_runs;
     if (!there.value || (any && there.value->fit.objective() >= out.value.fit.objective())) continue;

@@ -35,6 +35,7 @@ struct Settings {
   std::string out{};
   std::string values{};
   std::string sets{};
+  std::uint64_t seed = 0;
   bool plans = false;
   int first = 0;
   int count = 1000000;
@@ -95,9 +96,14 @@ void write_sets(const std::vector<laboratory::Case>& cases, const Settings& sett
 int run(int argc, char** argv) {
   CLI::App app("Measures whether diagnose stays true on records as laboratories make them", "laboratory_benchmark");
   Settings settings;
-  app.add_option("--plan", settings.plan, "development, or kept for the end")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, laboratory::PlanName>{
-          {"development", laboratory::PlanName::development}, {"kept", laboratory::PlanName::kept}}));
+  app.add_option("--plan", settings.plan, "development, kept for the end, or each effect alone")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, laboratory::PlanName>{{"development", laboratory::PlanName::development},
+                                                      {"kept", laboratory::PlanName::kept},
+                                                      {"each_effect", laboratory::PlanName::each_effect}}));
+  app.add_option("--seed", settings.seed,
+                 "Draws other sets of the same plan, which nobody has seen (default 0: its own)")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--program", settings.program, "The program coilwright")->check(CLI::ExistingFile);
   app.add_option("--out", settings.out, "Folder of the outcomes and of summary.txt");
   app.add_option(
@@ -119,7 +125,7 @@ int run(int argc, char** argv) {
     for (const auto& [number, value] : parsed.items()) values[std::stoi(number)] = value;
   }
   std::vector<laboratory::Case> cases;
-  for (laboratory::Case& each : laboratory::plan(settings.plan, values))
+  for (laboratory::Case& each : laboratory::plan(settings.plan, values, settings.seed))
     if (each.number >= settings.first && each.number - settings.first < settings.count)
       cases.push_back(std::move(each));
   const bool writes_only = !settings.sets.empty();

@@ -99,6 +99,11 @@ std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& e
     // More than all of it is what noise makes of it.
     text += fmt::format("    on runs left out in turn: takes away {:.0f} % of the squared error above the noise\n",
                         100.0 * std::min(1.0, evidence.cross_validated_gain));
+  if (!evidence.untold_runs.empty())
+    text += fmt::format(
+        "    not tested on {}: the other runs leave the effect's numbers too open to predict {}; record {} again\n",
+        fmt::join(evidence.untold_runs, ", "), evidence.untold_runs.size() == 1 ? "it" : "them",
+        evidence.untold_runs.size() == 1 ? "it" : "them");
   return text;
 }
 

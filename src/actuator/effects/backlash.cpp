@@ -101,7 +101,7 @@ class Backlash final : public DescribedEffect {
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double small = std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees);
-    return one_by_one({small, 5.0 * small});
+    return one_by_one({small, 5.0 * small, 20.0 * small});
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {

@@ -112,11 +112,12 @@ class StribeckFriction final : public DescribedEffect {
                              .upper = 100.0}}}) {}
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double slow = std::clamp(0.02 * scale.rate, 0.01, 50.0);
-    const double fast = std::clamp(0.2 * scale.rate, 2.0 * slow, 100.0);
+    // Long holds make the rate of the whole record far less than that of its steps.
+    const double slow = std::clamp(0.05 * scale.rate, 0.01, 10.0);
+    const double fast = std::clamp(4.0 * scale.rate, 2.0 * slow, 100.0);
     std::vector<std::vector<double>> out;
     for (const double torque : {0.02 * scale.torque, 0.15 * scale.torque})
-      for (const double rate : {slow, fast}) out.push_back({torque, 1.4, rate});
+      for (const double rate : log_spread(slow, fast, 3)) out.push_back({torque, 1.4, rate});
     return out;
   }
 

@@ -69,12 +69,13 @@ std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(const
   for (measurement::compare::ComparedHypothesis& candidate : out) {
     if (!candidate.evidence || !is_reported(diagnosis, candidate.effects)) continue;
     const measurement::compare::Evidence& last = diagnosis.effects.back().evidence;
-    measurement::compare::Evidence reported{.chi_square_before = diagnosis.effects.front().evidence.chi_square_before,
-                                            .chi_square_after = last.chi_square_after,
-                                            .cross_validated_gain = diagnosis.effects.size() == 1
-                                                                        ? last.cross_validated_gain
-                                                                        : std::numeric_limits<double>::quiet_NaN(),
-                                            .correlation_time = last.correlation_time};
+    measurement::compare::Evidence reported{
+        .chi_square_before = diagnosis.effects.front().evidence.chi_square_before,
+        .chi_square_after = last.chi_square_after,
+        .cross_validated_gain =
+            diagnosis.effects.size() == 1 ? last.cross_validated_gain : std::numeric_limits<double>::quiet_NaN(),
+        .untold_runs = diagnosis.effects.size() == 1 ? last.untold_runs : std::vector<std::string>{},
+        .correlation_time = last.correlation_time};
     for (const measurement::AddedEffect& effect : diagnosis.effects)
       reported.quasi_bic_gain += effect.evidence.quasi_bic_gain;
     candidate.evidence = reported;

@@ -80,10 +80,13 @@ Json outliers_json(const Diagnosis& diagnosis) {
 }
 
 Json evidence_json(const compare::Evidence& evidence) {
+  Json untold = Json::array();
+  for (const std::string& run : evidence.untold_runs) untold.add(run);
   return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
                        {"chi_square_after", number_or_null(evidence.chi_square_after)},
                        {"criterion_gain", number_or_null(evidence.quasi_bic_gain)},
                        {"cross_validated_gain", number_or_null(evidence.cross_validated_gain)},
+                       {"not_cross_validated", std::move(untold)},
                        {"correlation_time_samples", number_or_null(evidence.correlation_time)}});
 }
 

@@ -80,31 +80,58 @@ fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> ru
   return out;
 }
 
+// How much of the squared residual of a run the others leave open: what its scatter is expected to be where their fit
+// puts the parameters, each within its standard deviation. With the normal matrix M of the run and N of the others it
+// is trace(N^-1 M), about the number of parameters over that of the others where all runs tell alike.
+double left_open(const FittedHypothesis& fitted, std::size_t run) {
+  if (fitted.hypothesis.size() == 0) return 0.0;
+  constexpr double untold = 1e-12;  // of the best told direction: keeps the others' matrix regular
+  const Eigen::VectorXd scales = fitted.hypothesis.scales();
+  const Eigen::MatrixXd own = scales.asDiagonal() * fitted.fit.runs[run].normal_matrix * scales.asDiagonal();
+  const Eigen::MatrixXd all = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
+  Eigen::MatrixXd others = all - own;
+  others.diagonal().array() += untold * std::max(others.diagonal().maxCoeff(), std::numeric_limits<double>::min());
+  return others.ldlt().solve(own).trace();
+}
+
+// Whether the others tell enough of a run to predict it.
+bool is_told(const FittedHypothesis& without, const FittedHypothesis& with, std::size_t run, double overdispersion) {
+  const fit::RunFit& here = with.fit.runs[run];
+  const double taken_away = without.fit.runs[run].residuals.squaredNorm() - here.residuals.squaredNorm();
+  const double scatter = overdispersion * std::sqrt(2.0 * static_cast<double>(here.residuals.size()));
+  return overdispersion * left_open(with, run) <= std::max(taken_away, scatter);
+}
+
 }  // namespace
 
-fit::Counted<double> cross_validated_gain(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
-                                          const FittedHypothesis& with) {
-  if (runs.size() < 2) return {.value = std::numeric_limits<double>::quiet_NaN()};
-  std::vector<fit::Counted<double>> chi_square_with(runs.size());
-  std::vector<fit::Counted<double>> chi_square_without(runs.size());
-  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
-    chi_square_without[r] = held_out_chi_square(runs, without, r);
-    chi_square_with[r] = held_out_chi_square(runs, with, r);
+fit::Counted<CrossValidation> cross_validated(std::span<const replay::PreparedRun> runs,
+                                              const FittedHypothesis& without, const FittedHypothesis& with,
+                                              double overdispersion) {
+  fit::Counted<CrossValidation> out;
+  if (runs.size() < 2) return out;
+  std::vector<std::size_t> counted;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    (is_told(without, with, r, overdispersion) ? counted : out.value.untold_runs).push_back(r);
+  std::vector<fit::Counted<double>> chi_square_with(counted.size());
+  std::vector<fit::Counted<double>> chi_square_without(counted.size());
+  tbb::parallel_for(std::size_t{0}, counted.size(), [&](std::size_t i) {
+    chi_square_without[i] = held_out_chi_square(runs, without, counted[i]);
+    chi_square_with[i] = held_out_chi_square(runs, with, counted[i]);
   });
   double fall = 0.0;
   double above_noise = 0.0;
   double values = 0.0;
-  long simulated_runs = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const auto noise = static_cast<double>(without.fit.runs[r].residuals.size());
-    fall += chi_square_without[r].value - chi_square_with[r].value;
-    above_noise += chi_square_without[r].value - noise;
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    const auto noise = static_cast<double>(without.fit.runs[counted[i]].residuals.size());
+    fall += chi_square_without[i].value - chi_square_with[i].value;
+    above_noise += chi_square_without[i].value - noise;
     values += noise;
-    simulated_runs += chi_square_with[r].simulated_runs + chi_square_without[r].simulated_runs;
+    out.simulated_runs += chi_square_with[i].simulated_runs + chi_square_without[i].simulated_runs;
   }
   // Of a model that nearly reaches the noise, what is above it may be less than nothing: its standard deviation is the
   // least that a share can be taken of.
-  return {.value = fall / std::max(above_noise, std::sqrt(2.0 * values)), .simulated_runs = simulated_runs};
+  if (!counted.empty()) out.value.gain = fall / std::max(above_noise, std::sqrt(2.0 * values));
+  return out;
 }
 
 }  // namespace coilwright::measurement::compare

@@ -243,7 +243,13 @@ class HypothesisSearch {
   // Every effect alone.
   [[nodiscard]] Counted<Level> single_effects(const FittedHypothesis& base, const Screened& screened) {
     std::vector<PlannedExtension> planned;
-    for (const EffectKind* kind : kinds_) planned.push_back(one_more(base, starts_for_short_fit(kind, screened)));
+    for (const EffectKind* kind : kinds_) {
+      planned.push_back(one_more(base, starts_for_short_fit(kind, screened)));
+      // An effect of one number has one shape.
+      if (kind->parameters().size() < 2) continue;
+      for (std::vector<double>& values : kind->starts(scale_))
+        planned.back().further_starts.push_back({{.kind = kind, .values = std::move(values)}});
+    }
     return best_of(planned, search_effort.refined_singles);
   }
 

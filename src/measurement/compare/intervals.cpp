@@ -98,18 +98,20 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
 
 }  // namespace
 
-EstimatedHypothesis refit_and_estimate(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
-                                       double overdispersion, const std::function<void(const std::string&)>& progress) {
+fit::Counted<FittedHypothesis> refitted(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted) {
+  fit::Counted<FittedHypothesis> out{.value = std::move(fitted)};
+  if (out.value.hypothesis.effects().empty()) return out;
+  auto anew = fit_exactly(
+      runs, {.hypothesis = out.value.hypothesis, .start = out.value.fit.values, .local_numbers_from = &out.value.fit});
+  out.simulated_runs = anew.simulated_runs;
+  if (anew.value && anew.value->fit.objective() <= out.value.fit.objective() * (1.0 + 1e-6))
+    out.value = std::move(*anew.value);
+  return out;
+}
+
+EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted, double overdispersion,
+                              const std::function<void(const std::string&)>& progress) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
-  // The search took the derivatives with respect to declared and local numbers where it began to converge.
-  if (!out.fitted.hypothesis.effects().empty()) {
-    auto anew = fit_exactly(
-        runs,
-        {.hypothesis = out.fitted.hypothesis, .start = out.fitted.fit.values, .local_numbers_from = &out.fitted.fit});
-    out.simulated_runs += anew.simulated_runs;
-    if (anew.value && anew.value->fit.objective() <= out.fitted.fit.objective() * (1.0 + 1e-6))
-      out.fitted = std::move(*anew.value);
-  }
   for (int moves = 0;; ++moves) {
     IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, progress);
     out.simulated_runs += pass.simulated_runs;

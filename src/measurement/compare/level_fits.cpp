@@ -97,13 +97,28 @@ std::vector<char> worth_more_runs(std::span<const double> objectives, double of_
   return out;
 }
 
+// The discrete choices of all effects of a start.
+std::vector<double> choices_of_all(const std::vector<Effect>& start) {
+  std::vector<double> out;
+  for (const Effect& effect : start) std::ranges::copy(choices_of(effect), std::back_inserter(out));
+  return out;
+}
+
+// Those of several starts that make the discrete choices of this one.
+std::vector<std::vector<Effect>> with_the_choices_of(const std::vector<Effect>& start,
+                                                     const std::vector<std::vector<Effect>>& all) {
+  std::vector<std::vector<Effect>> out;
+  std::ranges::copy_if(all, std::back_inserter(out),
+                       [&](const std::vector<Effect>& each) { return choices_of_all(each) == choices_of_all(start); });
+  return out;
+}
+
 // Starts with the same discrete choices together, in the order in which their first ones come.
 std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::vector<Effect>>& starts) {
   std::vector<std::vector<double>> choices;
   std::vector<std::vector<std::vector<Effect>>> out;
   for (const std::vector<Effect>& start : starts) {
-    std::vector<double> own;
-    for (const Effect& effect : start) std::ranges::copy(choices_of(effect), std::back_inserter(own));
+    std::vector<double> own = choices_of_all(start);
     const auto known = std::ranges::find(choices, own);
     if (known == choices.end()) {
       choices.push_back(std::move(own));
@@ -131,10 +146,12 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
                              std::size_t refined, const std::function<void(std::size_t)>& progress) {
   std::vector<std::size_t> places;  // among `planned`, of each set of starts
   std::vector<std::vector<std::vector<Effect>>> starts;
+  std::vector<std::vector<std::vector<Effect>>> further;
   std::vector<std::size_t> left(planned.size(), 0);
   for (std::size_t place = 0; place < planned.size(); ++place)
     for (std::vector<std::vector<Effect>>& alike : by_choices(planned[place].starts)) {
       places.push_back(place);
+      further.push_back(with_the_choices_of(alike.front(), planned[place].further_starts));
       starts.push_back(std::move(alike));
       ++left[place];
     }
@@ -142,7 +159,7 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
   std::mutex reporting;
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
-    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i]);
+    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i]);
     const std::scoped_lock lock(reporting);
     if (--left[places[i]] == 0) progress(++done);
   });
@@ -224,26 +241,38 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
     out.simulated_runs += promising.simulated_runs;
     take_better(std::move(promising.value), best);
   };
+  // Of the best in a size that leaves noise too: where data tell its further numbers, intervals without them are wrong.
+  const auto extend = [&](std::size_t i) {
+    const FittedHypothesis smaller = out.value[i];
+    std::vector<PlannedFit> plans = with_further_numbers(smaller, scale);
+    // Far from the noise they race instead.
+    if (!is_far_from_noise(smaller)) {
+      Counted<std::vector<PlannedFit>> promising = most_promising(runs, std::move(plans));
+      out.simulated_runs += promising.simulated_runs;
+      plans = std::move(promising.value);
+    }
+    CountedFit larger = best_fit(runs, std::move(plans), smaller);
+    out.simulated_runs += larger.simulated_runs;
+    if (larger.value) out.value.push_back(std::move(*larger.value));
+  };
   const std::vector<std::size_t> tried = contenders(out.value, of_the_size_before, search_effort.reconsidered);
   for (const std::size_t i : tried) {
     const bool is_restarted = i < search_effort.restarted;
     if (leaves_noise(out.value)) {
       // What leaves noise is the answer only as long as no near rival is better at an optimum that it has not reached.
       const double behind = out.value[i].fit.objective() - nearest(out.value)->fit.objective();
-      if (i == 0 || !is_restarted || behind > search_effort.near_rival) continue;
+      const bool is_near_rival = i > 0 && is_restarted && behind <= search_effort.near_rival;
+      if (i > 0 && !is_near_rival) continue;
       progress(i + 1, tried.size());
-      restart(out.value[i]);
+      if (is_near_rival) restart(out.value[i]);
+      if (i == 0) extend(i);
       continue;
     }
     progress(i + 1, tried.size());
     const FittedHypothesis as_found = out.value[i];
     take_better(with_other_choices(as_found), out.value[i]);
     if (is_restarted) restart(out.value[i]);
-    if (out.value[i].whiteness.is_white()) continue;
-    const FittedHypothesis smaller = out.value[i];
-    CountedFit larger = best_fit(runs, with_further_numbers(smaller, scale), smaller);
-    out.simulated_runs += larger.simulated_runs;
-    if (larger.value) out.value.push_back(std::move(*larger.value));
+    if (!out.value[i].whiteness.is_white()) extend(i);
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "measurement/compare/effect_strength.hpp"
+#include "measurement/compare/model_error.hpp"
 #include "measurement/compare/search_effort.hpp"
 
 namespace coilwright::measurement::compare {
@@ -104,9 +105,8 @@ std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted, con
     const actuator::EffectKind* further = effects[e].kind->with_further_numbers();
     if (further == nullptr) continue;
     std::vector<std::vector<double>> taken;
-    for (std::vector<double> values : further->starts(scale)) {
-      std::ranges::copy(effects[e].values, values.begin());
-      if (std::ranges::find(taken, values) != taken.end()) continue;
+    const auto plan_from = [&](std::vector<double> values) {
+      if (std::ranges::find(taken, values) != taken.end()) return;
       taken.push_back(values);
       std::vector<Effect> larger = effects;
       larger[e] = {.kind = further, .values = std::move(values)};
@@ -115,6 +115,13 @@ std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted, con
       plan.start = plan.hypothesis.start();
       plan.start.head(declared) = fitted.fit.values.head(declared);
       out.push_back(std::move(plan));
+    };
+    for (const std::vector<double>& start : further->starts(scale)) {
+      std::vector<double> values = start;
+      std::ranges::copy(effects[e].values, values.begin());
+      plan_from(std::move(values));
+      // A fall with the speed may need half the friction that a constant one has.
+      if (!is_far_from_noise(fitted)) plan_from(start);
     }
   }
   return out;

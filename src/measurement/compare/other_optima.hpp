@@ -28,7 +28,8 @@ namespace coilwright::measurement::compare {
 [[nodiscard]] std::vector<PlannedFit> from_own_starts(const FittedHypothesis& fitted, const actuator::RigScale& scale);
 
 /// The same hypothesis with further numbers of one of its effects (EffectKind::with_further_numbers), from each of
-/// their starts. Refers to `fitted`.
+/// their starts: with the numbers that were fitted, and, near the noise, with those of the start too. Refers to
+/// `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted,
                                                            const actuator::RigScale& scale);
 

@@ -26,9 +26,10 @@ fit::Counted<Evidence> evidence_of_step(std::span<const replay::PreparedRun> run
   const FittedHypothesis& without = attribution.steps[step - 1];
   const FittedHypothesis& with = attribution.steps[step];
   Evidence out = evidence_between(runs, without, with, attribution.overdispersion);
-  const fit::Counted<double> gain = cross_validated_gain(runs, without, with);
-  out.cross_validated_gain = gain.value;
-  return {.value = out, .simulated_runs = gain.simulated_runs};
+  const fit::Counted<CrossValidation> left_out = cross_validated(runs, without, with, attribution.overdispersion);
+  out.cross_validated_gain = left_out.value.gain;
+  for (const std::size_t run : left_out.value.untold_runs) out.untold_runs.push_back(runs[run].run->name);
+  return {.value = std::move(out), .simulated_runs = left_out.simulated_runs};
 }
 
 // The fraction of the squared residual above the noise that a step removes.
@@ -39,17 +40,20 @@ double explained_fraction(const FittedHypothesis& without, const FittedHypothesi
 // Why the data do not support the last effect of `with`; nothing if they do.
 std::optional<std::string> unsupported(const FittedHypothesis& without, const FittedHypothesis& with,
                                        const Evidence& evidence) {
-  // Whatever it explains where it was fitted: an effect must not make runs worse that were left out.
-  if (evidence.cross_validated_gain <= 0.0) return std::string(worse_on_runs_left_out);
+  // Whatever it explains where it was fitted: an effect must not make runs worse that were left out. Where the run that
+  // shows it is not counted, what it does to the others is chance.
+  const double least_gain = evidence.untold_runs.empty() ? 0.0 : -decision_thresholds.chance_on_runs_left_out;
+  if (evidence.cross_validated_gain <= least_gain) return std::string(worse_on_runs_left_out);
   // The search compared it with a fit of the smaller hypothesis that may have ended elsewhere; this is the best of
   // both.
   if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain)
     return "gains too little over the best fit without it";
   if (with.whiteness.is_white()) return std::nullopt;
   const bool is_later = !without.hypothesis.effects().empty();
-  const double least = !is_later                                   ? decision_thresholds.least_explained
-                       : std::isnan(evidence.cross_validated_gain) ? decision_thresholds.least_explained_of_one_run
-                                                                   : decision_thresholds.least_explained_later;
+  const bool is_untested = std::isnan(evidence.cross_validated_gain) || !evidence.untold_runs.empty();
+  const double least = !is_later     ? decision_thresholds.least_explained
+                       : is_untested ? decision_thresholds.least_explained_of_one_run
+                                     : decision_thresholds.least_explained_later;
   if (explained_fraction(without, with) < least) return "explains too little of what is left over";
   return std::nullopt;
 }
@@ -67,61 +71,109 @@ void set_remark(std::vector<ComparedHypothesis>& compared, const std::vector<con
     if (std::ranges::is_permutation(each.effects, kinds)) each.remark = remark;
 }
 
+// The work on one attribution: its last step is asked, and taken away, until one stands.
+class Pruning {
+ public:
+  Pruning(std::span<replay::PreparedRun> runs, Attribution attribution,
+          const std::function<void(const std::string&)>& progress)
+      : runs_(runs), progress_(progress), out_{.attribution = std::move(attribution)}, found_(out_.attribution) {}
+
+  PrunedAttribution run() && {
+    // Far from the noise a better hypothesis that is no answer says nothing of how far off this one may be.
+    out_.overdispersion =
+        is_far_from_noise(found_.after()) ? overdispersion_of(runs_, found_.after()) : found_.overdispersion;
+    refit_last_step();
+    for (std::size_t i = 1; i < found_.steps.size(); ++i) out_.evidence.push_back(evidence_of(i));
+    while (found_.steps.size() > 1) {
+      std::optional<std::string> reason = reason_against_last_step();
+      if (!reason && without().whiteness.is_white()) reason = reason_why_numbers_suffice();
+      if (!reason) return std::move(out_);
+      set_remark(found_.compared, found_.after().kinds(), *reason);
+      drop_last_step();
+    }
+    estimate_last_step();
+    return std::move(out_);
+  }
+
+ private:
+  // Takes the value of a result and adds its simulated runs.
+  template <typename Value>
+  Value counted(fit::Counted<Value> result) {
+    out_.simulated_runs += result.simulated_runs;
+    return std::move(result.value);
+  }
+
+  [[nodiscard]] const FittedHypothesis& without() const { return found_.steps[found_.steps.size() - 2]; }
+
+  void refit_last_step() { found_.steps.back() = counted(refitted(runs_, std::move(found_.steps.back()))); }
+
+  Evidence evidence_of(std::size_t step) {
+    if (progress_) progress_(fmt::format("effect {} of {}: runs left out in turn", step, found_.steps.size() - 1));
+    return counted(evidence_of_step(runs_, found_, step));
+  }
+
+  // Whether a profile has moved it to a better optimum.
+  bool estimate_last_step() {
+    const double objective = found_.after().fit.objective();
+    EstimatedHypothesis last = estimated(runs_, std::move(found_.steps.back()), out_.overdispersion, progress_);
+    found_.steps.back() = std::move(last.fitted);
+    out_.estimates = std::move(last.estimates);
+    out_.simulated_runs += last.simulated_runs;
+    return found_.after().fit.objective() != objective;
+  }
+
+  // Intervals cost most: only what passes without them gets them.
+  std::optional<std::string> reason_against_last_step() {
+    std::optional<std::string> reason = unsupported(without(), found_.after(), out_.evidence.back());
+    if (reason) return reason;
+    if (estimate_last_step()) {
+      out_.evidence.back() = evidence_of(found_.steps.size() - 1);
+      reason = unsupported(without(), found_.after(), out_.evidence.back());
+    }
+    if (!reason && !all_effects_present(found_.after(), out_.estimates))
+      reason = "may be absent: a 95 % interval of its numbers reaches that far";
+    return reason;
+  }
+
+  // What is left without the last effect is noise already: declared numbers may do what this effect does.
+  std::optional<std::string> reason_why_numbers_suffice() {
+    if (adds_the_name_of_a_number(without(), found_.after())) {
+      // It may be the name of the one number that is off; where others are too, a list of numbers says it all.
+      if (probability_of_declared_numbers(found_.after()) < decision_thresholds.least_probability)
+        return "is not the only declared number that is off";
+    } else if (counted(gain_with_wide_tolerances(runs_, without(), found_.after(), out_.overdispersion)) <
+               decision_thresholds.decisive_gain) {
+      return "explains the data no better than declared numbers that are off";
+    }
+    const GainOverFreeNumber over =
+        counted(gain_over_a_free_number(runs_, without(), found_.after(), out_.overdispersion));
+    if (over.gain < decision_thresholds.decisive_gain)
+      return fmt::format("explains the data no better than {} does, if that is off", over.number);
+    return std::nullopt;
+  }
+
+  void drop_last_step() {
+    found_.steps.pop_back();
+    out_.evidence.pop_back();
+    found_.rivals.clear();
+    found_.indistinguishable.clear();
+    found_ = counted(with_settled_model_error(runs_, std::move(found_)));
+    out_.overdispersion = overdispersion_of(runs_, found_.after());
+    refit_last_step();
+    if (!out_.evidence.empty()) out_.evidence.back() = evidence_of(found_.steps.size() - 1);
+  }
+
+  std::span<replay::PreparedRun> runs_;
+  const std::function<void(const std::string&)>& progress_;
+  PrunedAttribution out_;
+  Attribution& found_;
+};
+
 }  // namespace
 
 PrunedAttribution prune_unsupported_effects(std::span<replay::PreparedRun> runs, Attribution attribution,
                                             const std::function<void(const std::string&)>& progress) {
-  PrunedAttribution out{.attribution = std::move(attribution)};
-  Attribution& found = out.attribution;
-  // Far from the noise a better hypothesis that is no answer says nothing of how far off this one may be.
-  out.overdispersion = is_far_from_noise(found.after()) ? overdispersion_of(runs, found.after()) : found.overdispersion;
-  const auto estimate_last_step = [&] {
-    EstimatedHypothesis estimated =
-        refit_and_estimate(runs, std::move(found.steps.back()), out.overdispersion, progress);
-    found.steps.back() = std::move(estimated.fitted);
-    out.estimates = std::move(estimated.estimates);
-    out.simulated_runs += estimated.simulated_runs;
-  };
-  const auto evidence_of = [&](std::size_t step) {
-    if (progress) progress(fmt::format("effect {} of {}: runs left out in turn", step, found.steps.size() - 1));
-    const fit::Counted<Evidence> evidence = evidence_of_step(runs, found, step);
-    out.simulated_runs += evidence.simulated_runs;
-    return evidence.value;
-  };
-  estimate_last_step();
-  for (std::size_t i = 1; i < found.steps.size(); ++i) out.evidence.push_back(evidence_of(i));
-  while (found.steps.size() > 1) {
-    const FittedHypothesis& without = found.steps[found.steps.size() - 2];
-    std::optional<std::string> reason = unsupported(without, found.after(), out.evidence.back());
-    if (!reason && !all_effects_present(found.after(), out.estimates))
-      reason = "may be absent: a 95 % interval of its numbers reaches that far";
-    // What is left without the last effect is noise already: numbers may do what this effect does.
-    const bool numbers_suffice = without.whiteness.is_white();
-    const bool names_a_number = adds_the_name_of_a_number(without, found.after());
-    // An effect may be the name of the one number that is off; where others are too, a list of numbers says it all.
-    if (!reason && numbers_suffice && names_a_number &&
-        probability_of_declared_numbers(found.after()) < decision_thresholds.least_probability)
-      reason = "is not the only declared number that is off";
-    if (!reason && numbers_suffice && !names_a_number) {
-      const fit::Counted<double> gain = gain_with_wide_tolerances(runs, without, found.after(), out.overdispersion);
-      out.simulated_runs += gain.simulated_runs;
-      if (gain.value < decision_thresholds.decisive_gain)
-        reason = "explains the data no better than declared numbers that are off";
-    }
-    if (!reason) break;
-    set_remark(found.compared, found.after().kinds(), *reason);
-    found.steps.pop_back();
-    out.evidence.pop_back();
-    found.rivals.clear();
-    found.indistinguishable.clear();
-    fit::Counted<Attribution> settled = with_settled_model_error(runs, std::move(found));
-    found = std::move(settled.value);
-    out.simulated_runs += settled.simulated_runs;
-    out.overdispersion = overdispersion_of(runs, found.after());
-    estimate_last_step();
-    if (!out.evidence.empty()) out.evidence.back() = evidence_of(found.steps.size() - 1);
-  }
-  return out;
+  return Pruning(runs, std::move(attribution), progress).run();
 }
 
 }  // namespace coilwright::measurement::compare

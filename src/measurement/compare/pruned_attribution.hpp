@@ -14,7 +14,7 @@ namespace coilwright::measurement::compare {
 struct PrunedAttribution {
   Attribution attribution{};
   std::vector<Evidence> evidence{};   ///< of each step after the first
-  std::vector<Estimate> estimates{};  ///< of the last step, as refit_and_estimate() has them
+  std::vector<Estimate> estimates{};  ///< of the last step, as estimated() has them
   double overdispersion{};            ///< of the last step
   long simulated_runs{};              ///< for estimates and evidence
 };

@@ -1,6 +1,9 @@
 #include "measurement/compare/relaxed_tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -12,6 +15,11 @@ namespace coilwright::measurement::compare {
 namespace {
 
 constexpr double wider = 3.0;
+// A typical change of a number that is free again, in tolerances.
+constexpr double typical_change = 10.0;
+// How far a number has to be moved, in tolerances, to be tried as the one that is off, and how many are tried.
+constexpr double moved_far = 2.0;
+constexpr std::size_t most_tried = 4;
 
 // Quasi-BIC of a hypothesis under another declared model, from where it was fitted; infinite where there is no fit.
 fit::Counted<double> quasi_bic_under(const replay::DeclaredModel& declared, std::span<const replay::PreparedRun> runs,
@@ -22,6 +30,22 @@ fit::Counted<double> quasi_bic_under(const replay::DeclaredModel& declared, std:
                          .local_numbers_from = &fitted.fit});
   return {.value = anew.value ? quasi_bic(*anew.value, overdispersion) : std::numeric_limits<double>::infinity(),
           .simulated_runs = anew.simulated_runs};
+}
+
+bool is_named_by(const replay::CalibrationParameter& number, const std::vector<const actuator::EffectKind*>& kinds) {
+  return std::ranges::any_of(kinds, [&](const actuator::EffectKind* kind) { return number.effect == kind->id(); });
+}
+
+// The places among its calibration of the numbers that a fit has moved far, the furthest first.
+std::vector<std::size_t> numbers_moved_far(const FittedHypothesis& fitted) {
+  const auto moved = [&](std::size_t i) {
+    return std::abs(fitted.hypothesis.parameters()[i].distance(fitted.fit.values[static_cast<Eigen::Index>(i)]));
+  };
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < fitted.hypothesis.declared().calibration.size(); ++i)
+    if (fitted.hypothesis.parameters()[i].has_prior() && moved(i) > moved_far) out.push_back(i);
+  std::ranges::stable_sort(out, std::ranges::greater{}, moved);
+  return out;
 }
 
 }  // namespace
@@ -53,6 +77,28 @@ fit::Counted<double> gain_with_wide_tolerances(std::span<const replay::PreparedR
   const auto bic_with = quasi_bic_under(relaxed, runs, with, overdispersion);
   return {.value = bic_without.value - bic_with.value,
           .simulated_runs = bic_without.simulated_runs + bic_with.simulated_runs};
+}
+
+fit::Counted<GainOverFreeNumber> gain_over_a_free_number(std::span<const replay::PreparedRun> runs,
+                                                         const FittedHypothesis& without, const FittedHypothesis& with,
+                                                         double overdispersion) {
+  const replay::DeclaredModel& declared = without.hypothesis.declared();
+  std::vector<std::size_t> tried = numbers_moved_far(without);
+  const std::vector<const actuator::EffectKind*> kinds = with.kinds();
+  std::erase_if(tried, [&](std::size_t i) { return is_named_by(declared.calibration[i], kinds); });
+  tried.resize(std::min(tried.size(), most_tried));
+  fit::Counted<GainOverFreeNumber> out;
+  const double charge = penalty_per_number(with, overdispersion);
+  for (const std::size_t i : tried) {
+    replay::DeclaredModel freed = declared;
+    freed.calibration[i].tolerance.reset();
+    freed.calibration[i].scale *= typical_change;
+    const auto bic = quasi_bic_under(freed, runs, without, overdispersion);
+    out.simulated_runs += bic.simulated_runs;
+    const double gain = bic.value + charge - quasi_bic(with, overdispersion);
+    if (gain < out.value.gain) out.value = {.gain = gain, .number = freed.calibration[i].key};
+  }
+  return out;
 }
 
 }  // namespace coilwright::measurement::compare

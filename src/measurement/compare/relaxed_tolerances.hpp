@@ -1,6 +1,8 @@
 #pragma once
 
+#include <limits>
 #include <span>
+#include <string>
 
 #include "measurement/compare/fitted_hypothesis.hpp"
 #include "measurement/fit/counted.hpp"
@@ -17,5 +19,19 @@ namespace coilwright::measurement::compare {
 [[nodiscard]] fit::Counted<double> gain_with_wide_tolerances(std::span<const replay::PreparedRun> runs,
                                                              const FittedHypothesis& without,
                                                              const FittedHypothesis& with, double overdispersion);
+
+/// How much a hypothesis gains over a smaller one with one declared number free.
+struct GainOverFreeNumber {
+  double gain = std::numeric_limits<double>::infinity();  ///< of the quasi-BIC; infinite where no number was tried
+  std::string number{};                                   ///< its key; empty where none was tried
+};
+/// The gain of `with` over `without` with that one of its declared numbers free that does most for it, charged as a
+/// number of an effect is. Numbers are tried that the fit of `without` has moved by more than two tolerances, four at
+/// most, and none whose name an effect of `with` is. A number of which somebody was too sure moves as far as it is off;
+/// held by its prior it passes what it lacks to its neighbours, and to any effect that does alike.
+[[nodiscard]] fit::Counted<GainOverFreeNumber> gain_over_a_free_number(std::span<const replay::PreparedRun> runs,
+                                                                       const FittedHypothesis& without,
+                                                                       const FittedHypothesis& with,
+                                                                       double overdispersion);
 
 }  // namespace coilwright::measurement::compare

@@ -103,6 +103,10 @@ struct DecisionThresholds {
   /// much. On a real axis a stop at one end took away 50 % of what friction leaves, made the run that no fit has seen 6
   /// % worse, and moved the friction away from what is published.
   double least_explained_of_one_run = 0.75;
+  /// Where the run that shows an effect is the only one to tell its numbers, it may make the others worse by this
+  /// fraction of what they have above the noise (or of the noise's standard deviation, where they have next to
+  /// nothing).
+  double chance_on_runs_left_out = 0.05;
   /// If what remains passes as noise: the fraction of the whole chi-square that one more effect must promise to remove.
   /// Less changes the rms residual by under 3 %, which is what a model's own errors do (another law of friction, say).
   double least_of_noise = 0.05;

@@ -1,5 +1,7 @@
 #include "measurement/compare/staged_fit.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,13 @@ fit::Counted<std::optional<FittedHypothesis>> fit_to_its_end(std::span<const rep
   fit.finish();
   const long simulated_runs = fit.simulated_runs();
   return {.value = std::move(fit).result(), .simulated_runs = simulated_runs};
+}
+
+// Whether a number of an effect that is fitted, not chosen, ended at one of its bounds.
+bool ends_at_a_bound(const ShortFit& found) {
+  const auto declared = static_cast<std::ptrdiff_t>(found.plan.hypothesis.declared().calibration.size());
+  return std::any_of(found.fitted.at_bound.begin() + declared, found.fitted.at_bound.end(),
+                     [](char at_bound) { return at_bound != 0; });
 }
 
 }  // namespace
@@ -44,7 +53,8 @@ PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effe
 }
 
 fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
-                                                std::span<const std::vector<Effect>> guesses) {
+                                                std::span<const std::vector<Effect>> guesses,
+                                                std::span<const std::vector<Effect>> further) {
   std::optional<ShortFit> best;
   long simulated_runs = 0;
   const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false) {
@@ -65,6 +75,9 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
   // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
   if (base.hypothesis.effects().empty() && probability_of_declared_numbers(base) < search_effort.numbers_pulled_away)
     for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
+  // The linearisation that scaled the guesses may have led where the effect has lost its shape.
+  if (!best || ends_at_a_bound(*best))
+    for (const std::vector<Effect>& guess : further) try_from(guess, true);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
   if (!best || best->fitted.objective() >= base.fit.objective())
     for (std::vector<Effect> guess : guesses) {

@@ -23,11 +23,13 @@ struct ShortFit {
   fit::Fit fitted{};
 };
 /// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together;
-/// tried from the declared numbers too where `base` has no effect and its declared numbers are far off. Nothing if none
+/// tried from the declared numbers too where `base` has no effect and its declared numbers are far off. Where the best
+/// ends with a number of an effect at its bound, from the declared numbers with each of `further` too. Nothing if none
 /// of them can be simulated. Refers to `base`.
-[[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs,
-                                                              const FittedHypothesis& base,
-                                                              std::span<const std::vector<actuator::Effect>> guesses);
+[[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(
+    std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+    std::span<const std::vector<actuator::Effect>> guesses,
+    std::span<const std::vector<actuator::Effect>> further = {});
 /// Continues a short fit to convergence.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs,
                                                                    const ShortFit& from);

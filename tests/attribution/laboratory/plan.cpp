@@ -128,7 +128,7 @@ class Turns {
 
 class Planner {
  public:
-  explicit Planner(const Amounts& amounts) : random_(amounts.seed) {}
+  explicit Planner(std::uint64_t seed) : random_(seed) {}
 
   void add(Category category, const Names& conditions, const Names& hidden = {}) {
     Case next{.number = 0, .category = category, .conditions = conditions, .request = {}};
@@ -147,8 +147,15 @@ class Planner {
     if (request.seed == 0) request.seed = 1;
     request.weakest = 8.0;
     request.strongest = 20.0;
-    if (category == Category::one) set_strength(next);
     cases_.push_back(std::move(next));
+  }
+
+  // One in three at its bound.
+  void add_one(const Names& conditions, const std::string& effect) {
+    add(Category::one, conditions, {effect});
+    if (ones_++ % 3 != 2) return;
+    cases_.back().request.at_bound = true;
+    cases_.back().request.strongest = 40.0;
   }
 
   void add_unknown_colour(int i) {
@@ -171,13 +178,6 @@ class Planner {
   Random& random() { return random_; }
 
  private:
-  // One in three.
-  void set_strength(Case& next) {
-    if (ones_++ % 3 != 2) return;
-    next.request.at_bound = true;
-    next.request.strongest = 40.0;
-  }
-
   Random random_;
   std::vector<Case> cases_;
   int ones_ = 0;
@@ -222,9 +222,15 @@ std::string joined(const std::vector<std::string>& conditions) {
   return fmt::format("{}", fmt::join(conditions, "+"));
 }
 
-std::vector<Case> plan(PlanName name, const Values& values) {
+std::vector<Case> plan(PlanName name, const Values& values, std::uint64_t seed) {
   const Amounts amounts = amounts_of(name);
-  Planner planner(amounts);
+  Planner planner(seed == 0 ? amounts.seed : seed);
+  if (name == PlanName::each_effect) {
+    for (const std::string& effect : kinds(Standing::catalogue))
+      for (const Names& conditions : {Names{}, Names{"30_fps"}, Names{"numbers"}})
+        planner.add(Category::one, conditions, {effect});
+    return planner.finish(values);
+  }
   for (const Names& one : all_alone())
     for (int i = 0; i < amounts.alone; ++i) planner.add(Category::nothing, one);
   for (const Names& pair : all_pairs())
@@ -238,7 +244,7 @@ std::vector<Case> plan(PlanName name, const Values& values) {
   Turns<Names> conditions(for_effects(), random);
   Turns<std::string> effects(kinds(Standing::catalogue), random);
   Turns<std::string> outsiders(kinds(amounts.outside), random);
-  for (int i = 0; i < amounts.one; ++i) planner.add(Category::one, conditions.next(), {effects.next()});
+  for (int i = 0; i < amounts.one; ++i) planner.add_one(conditions.next(), effects.next());
   for (int i = 0; i < amounts.two; ++i) planner.add(Category::two, conditions.next(), several(effects, 2));
   for (int i = 0; i < amounts.three; ++i) planner.add(Category::three, conditions.next(), several(effects, 3));
   for (int i = 0; i < amounts.outsiders; ++i) planner.add(Category::outsider, conditions.next(), {outsiders.next()});

@@ -89,6 +89,29 @@ TEST(LaboratoryPlan, KeepsOtherSeedsAndOutsidersForTheEnd) {
   EXPECT_GE(kept, 8);
 }
 
+TEST(LaboratoryPlan, HasEachEffectAloneThrice) {
+  const std::vector<Case> cases = plan(PlanName::each_effect);
+  std::map<std::string, std::set<std::string>> conditions;
+  for (const Case& one : cases) {
+    ASSERT_EQ(one.request.hidden.size(), 1u);
+    EXPECT_FALSE(one.request.at_bound);
+    conditions[one.request.hidden[0]].insert(joined(one.conditions));
+  }
+  for (const truth::HiddenKind& kind : truth::hidden_kinds()) {
+    if (kind.outsider()) continue;
+    EXPECT_EQ(conditions[kind.name()], (std::set<std::string>{"30_fps", "clean", "numbers"})) << kind.name();
+  }
+  EXPECT_EQ(cases.size(), 3 * conditions.size());
+}
+
+TEST(LaboratoryPlan, DrawsOtherSetsByAnotherSeed) {
+  std::set<std::uint64_t> known;
+  for (const Case& one : plan(PlanName::development)) known.insert(one.request.seed);
+  const std::vector<Case> other = plan(PlanName::development, {}, 2);
+  EXPECT_EQ(other.size(), known.size());
+  for (const Case& one : other) EXPECT_FALSE(known.contains(one.request.seed));
+}
+
 TEST(LaboratoryPlan, IsTheSameEachTimeAndTakesValues) {
   const std::vector<Case> first = plan(PlanName::development);
   const auto one = std::find_if(first.begin(), first.end(), [](const Case& each) {

@@ -49,6 +49,7 @@ inline measurement::Diagnosis example() {
                                      .chi_square_after = 12000.0,
                                      .quasi_bic_gain = 800.0,
                                      .cross_validated_gain = 0.97,
+                                     .untold_runs = {"hold.csv"},
                                      .correlation_time = 4.0}}};
   diagnosis.indistinguishable = {{&coil_heating, &magnet_heating}};
   diagnosis.validate_errors = {{.kind = measurement::data::ChannelKind::bending_angle,

@@ -117,7 +117,7 @@ TEST(DiagnosisJson, HasAWordForEachVerdict) {
 TEST(DiagnosisJson, GivesEvidenceAsNumbers) {
   const auto evidence = json_of(example())["effects"][0]["evidence"];
   EXPECT_EQ(evidence, ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 12000.0,
-      "criterion_gain": 800.0, "cross_validated_gain": 0.97, "correlation_time_samples": 4.0})"));
+      "criterion_gain": 800.0, "cross_validated_gain": 0.97, "not_cross_validated": ["hold.csv"], "correlation_time_samples": 4.0})"));
 }
 
 TEST(DiagnosisJson, HasNullForASideWithoutABound) {
@@ -296,7 +296,7 @@ TEST(DiagnosisJson, StatesOfTheReportedHypothesisWhatTheReportDoes) {
   json = json_of(diagnosis);
   EXPECT_EQ(json["candidates"][0]["evidence"],
             ordered_json::parse(R"({"chi_square_before": 52000.0, "chi_square_after": 9000.0, "criterion_gain": 950.0,
-                                    "cross_validated_gain": null, "correlation_time_samples": 2.0})"));
+                                    "cross_validated_gain": null, "not_cross_validated": [], "correlation_time_samples": 2.0})"));
   EXPECT_EQ(json["candidates"][1]["evidence"]["chi_square_after"], 12345.0);
 }
 

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -23,7 +27,9 @@ std::vector<data::Run> two_slides(double factor) {
 }
 
 struct Slides {
-  explicit Slides(double factor) : data(two_slides(factor)), declared(slide(true_mass, true_damping)) {
+  explicit Slides(double factor) : Slides(two_slides(factor)) {}
+  explicit Slides(std::vector<data::Run> recorded)
+      : data(std::move(recorded)), declared(slide(true_mass, true_damping)) {
     const fit::Hypothesis none(declared, {});
     for (const data::Run& run : data) runs.push_back(replay::prepare_run(run, declared, none.model_at(none.start())));
   }
@@ -61,7 +67,7 @@ void expect_gain_of_whole_fits(double factor) {
   const fit::Hypothesis with(slides.declared, {friction});
   const double left_without = slides.each_by_the_other(without);
   const double gain = (left_without - slides.each_by_the_other(with)) / (left_without - 600.0);
-  const double found = cross_validated_gain(slides.runs, slides.fitted(without), slides.fitted(with)).value;
+  const double found = cross_validated(slides.runs, slides.fitted(without), slides.fitted(with), 1.0).value.gain;
   EXPECT_NEAR(found, gain, 0.05) << "for slides whose masses differ by a factor of " << factor;
 }
 
@@ -73,6 +79,39 @@ TEST(CrossValidation, IsThatOfWholeFitsWhereRunsDisagreeALittle) {
 TEST(CrossValidation, IsThatOfWholeFitsWhereRunsDisagreeMuch) {
   expect_gain_of_whole_fits(1.3);
   expect_gain_of_whole_fits(3.0);
+}
+
+// A wall that one of three slides touches: nothing but its own run tells how stiff it is, and what the others predict
+// of it is no evidence against the wall.
+TEST(CrossValidation, DoesNotCountARunThatTheOthersCannotPredict) {
+  constexpr double wall = 0.2;
+  constexpr double stiffness = 50.0;
+  const double damping = 0.6 * std::sqrt(stiffness * true_mass);  // as the effect has it
+  Normal normal(8);
+  std::vector<data::Run> data;
+  for (const double force : {0.1, 1.0, 0.08}) {
+    data::Run run = slide_run(300, {}, no_error);
+    Place place;
+    for (std::size_t i = 0; i < run.times.size(); ++i) {
+      run.inputs[i] = {i == 0 ? 0.0 : force * force_at(i)};  // at rest away from the wall
+      run.channels.front().values[i] = place.position + noise_sigma * normal();
+      constexpr int parts = 100;
+      for (int part = 0; part < parts; ++part) {  // the semi-implicit rule in steps of 0.1 ms
+        const double step = interval / parts;
+        const double press = place.position < wall ? 0.0 : stiffness * (place.position - wall) + damping * place.speed;
+        place.speed += step * (run.inputs[i].front() - true_damping * place.speed - std::max(0.0, press)) / true_mass;
+        place.position += step * place.speed;
+      }
+    }
+    data.push_back(std::move(run));
+  }
+  const Slides slides(std::move(data));
+  const fit::Hypothesis without(slides.declared, {});
+  const actuator::Effect stop{.kind = actuator::standard_effects().find("end_stop"), .values = {wall, stiffness, 1.0}};
+  const fit::Hypothesis with(slides.declared, {stop});
+  const CrossValidation found = cross_validated(slides.runs, slides.fitted(without), slides.fitted(with), 1.0).value;
+  EXPECT_EQ(found.untold_runs, std::vector<std::size_t>{1});
+  EXPECT_GT(found.gain, 0.0);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ struct Stopped {
 // below.
 TEST(Intervals, SpanDecadesOfAMagnitude) {
   const Stopped rigid({stop, 1000.0 * stop_stiffness, 1.0}, 0);
-  const std::vector<Estimate> all = refit_and_estimate(rigid.runs, *rigid.fitted, 1.0).estimates;
+  const std::vector<Estimate> all = estimated(rigid.runs, *rigid.fitted, 1.0).estimates;
   ASSERT_EQ(all.size(), 4U);
   const Estimate& stiffness = all[3];
   EXPECT_GT(stiffness.lower, 0.05 * stop_stiffness);
@@ -94,7 +94,7 @@ TEST(Intervals, CoverTheTrueValuesAtTheirNominalRate) {
     auto found = fit::fit({.hypothesis = &plain, .runs = runs, .start = plain.start()});
     ASSERT_TRUE(found.value);
     const std::vector<Estimate> all =
-        refit_and_estimate(runs, {.hypothesis = plain, .fit = std::move(*found.value)}, 1.0).estimates;
+        estimated(runs, {.hypothesis = plain, .fit = std::move(*found.value)}, 1.0).estimates;
     ASSERT_EQ(all.size(), 2u);
     mass += all[0].lower <= true_mass && true_mass <= all[0].upper ? 1 : 0;
     damping += all[1].lower <= true_damping && true_damping <= all[1].upper ? 1 : 0;
@@ -109,9 +109,9 @@ TEST(Intervals, AreTakenAtABetterOptimumThatAProfileReaches) {
   const Stopped poor({0.7 * stop, 0.1 * stop_stiffness, 1.0}, 1);
   const Stopped good({stop, stop_stiffness, 1.0}, 25);
   ASSERT_GT(poor.fitted->fit.chi_square, good.fitted->fit.chi_square + 10.0);
-  const auto [refitted, all, simulated_runs] = refit_and_estimate(poor.runs, *poor.fitted, 1.0);
-  EXPECT_NEAR(refitted.fit.chi_square, good.fitted->fit.chi_square, 0.5);
-  EXPECT_EQ(all[2].value, refitted.fit.values[2]);
+  const auto [moved, all, simulated_runs] = estimated(poor.runs, *poor.fitted, 1.0);
+  EXPECT_NEAR(moved.fit.chi_square, good.fitted->fit.chi_square, 0.5);
+  EXPECT_EQ(all[2].value, moved.fit.values[2]);
   EXPECT_GT(simulated_runs, 0);
   EXPECT_LT(all[2].lower, stop);
   EXPECT_GT(all[2].upper, stop);

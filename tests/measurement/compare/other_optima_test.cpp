@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -57,20 +58,26 @@ TEST(OtherStarts, AreScatteredForEffectsOfSeveralNumbersByTheSeedAlone) {
   }
 }
 
-TEST(FurtherNumbers, StartBesideTheEffectAsItWasFound) {
+TEST(FurtherNumbers, StartBesideTheEffectAsItWasFoundAndAsItStartsByItself) {
   const replay::DeclaredModel declared = slide(true_mass, true_damping);
-  const FittedHypothesis friction =
+  FittedHypothesis friction =
       fitted_with(declared, {{.kind = standard_effects().find("dry_friction"), .values = {0.7}}});
-  const std::vector<PlannedFit> plans =
-      with_further_numbers(friction, {.torque = 1.0, .angle = 1.0, .rate = 10.0, .interval = 0.01, .duration = 1.0});
-  ASSERT_EQ(plans.size(), 2u);  // two rates
-  for (const PlannedFit& plan : plans) {
+  const actuator::RigScale scale{.torque = 1.0, .angle = 1.0, .rate = 10.0, .interval = 0.01, .duration = 1.0};
+  const auto as_found = [](const PlannedFit& plan) {
     const actuator::Effect larger = plan.hypothesis.effects_at(plan.start)[0];
     EXPECT_EQ(larger.kind->id(), "dry_friction");
-    ASSERT_EQ(larger.values.size(), 3u);
-    EXPECT_EQ(larger.values[0], 0.7);
+    EXPECT_EQ(larger.values.size(), 3u);
     EXPECT_NEAR(larger.values[1], 1.4, 1e-12);
-  }
+    return larger.values[0] == 0.7;
+  };
+  friction.whiteness.level = 1.0;
+  const std::vector<PlannedFit> near = with_further_numbers(friction, scale);
+  EXPECT_EQ(near.size(), 9u);  // three rates, each with three torques
+  EXPECT_EQ(std::ranges::count_if(near, as_found), 3);
+  friction.whiteness.level = 50.0;
+  const std::vector<PlannedFit> far = with_further_numbers(friction, scale);
+  EXPECT_EQ(far.size(), 3u);
+  EXPECT_EQ(std::ranges::count_if(far, as_found), 3);
   EXPECT_TRUE(with_further_numbers(fitted_with(declared, {}), {}).empty());
 }
 

@@ -17,9 +17,11 @@ struct Evidence {
                                   ///< the number of parameters)
   double cross_validated_gain{};  ///< fraction of the squared residual above the noise that it removes on runs that
                                   ///< are left out in turn; below zero where it makes them worse; where next to nothing
-                                  ///< is above the noise, a fraction of the noise's own standard deviation; NaN if the
-                                  ///< set has a single fit run
-  double correlation_time{};      ///< integrated autocorrelation time of the residual with the effect, samples
+                                  ///< is above the noise, a fraction of the noise's own standard deviation; NaN if no
+                                  ///< run could be counted, as of a single one
+  /// Names of the runs that it does not count: the others leave the effect's numbers too open to predict them.
+  std::vector<std::string> untold_runs{};
+  double correlation_time{};  ///< integrated autocorrelation time of the residual with the effect, samples
 };
 
 /// The remark of a hypothesis whose last effect does not hold on runs that are left out in turn.

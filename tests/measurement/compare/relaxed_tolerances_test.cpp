@@ -1,0 +1,113 @@
+#include "measurement/compare/relaxed_tolerances.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "measurement/compare/staged_fit.hpp"
+#include "measurement/random_numbers.hpp"
+#include "measurement/slider_model.hpp"
+
+namespace coilwright::measurement::compare {
+namespace {
+
+// A slide whose mass was weighed and whose damping is fitted.
+replay::DeclaredModel weighed_slide(double mass, double tolerance) {
+  replay::DeclaredModel declared = slide(mass, true_damping);
+  replay::CalibrationParameter& number = declared.calibration.front();
+  number.tolerance = replay::Tolerance{.deviation = tolerance};
+  number.scale = tolerance;
+  number.calibrated = false;
+  return declared;
+}
+
+constexpr double sharp_sigma = 1e-2 * noise_sigma;
+
+// Steps of both signs, with a drag in the square of the speed, by the midpoint rule in steps of 0.1 ms.
+data::Run dragged_run(double drag) {
+  data::Run run = slide_run(400, {}, no_error);
+  run.sigma = sharp_sigma;
+  Normal normal(6);
+  Place place;
+  for (std::size_t i = 0; i < run.times.size(); ++i) {
+    run.channels.front().values[i] = place.position + sharp_sigma * normal();
+    constexpr int parts = 100;
+    for (int part = 0; part < parts; ++part) {
+      const auto acceleration = [&](double speed) {
+        return (force_at(i) - true_damping * speed - drag * speed * std::abs(speed)) / true_mass;
+      };
+      const double step = interval / parts;
+      const double middle = place.speed + 0.5 * step * acceleration(place.speed);
+      place.speed += step * acceleration(middle);
+      place.position += step * middle;
+    }
+  }
+  return run;
+}
+
+struct Compared {
+  Compared(data::Run recorded, replay::DeclaredModel model)
+      : run(std::move(recorded)),
+        declared(std::move(model)),
+        runs{replay::prepare_run(run, declared, model_of(declared))},
+        without(fitted(declared, {})),
+        with(fitted(declared, {{.kind = actuator::standard_effects().find("quadratic_drag"), .values = {0.1}}})) {}
+
+  static actuator::Model model_of(const replay::DeclaredModel& declared) {
+    const fit::Hypothesis plain(declared, {});
+    return plain.model_at(plain.start());
+  }
+  [[nodiscard]] FittedHypothesis fitted(const replay::DeclaredModel& under,
+                                        std::vector<actuator::Effect> effects) const {
+    PlannedFit plan{.hypothesis = fit::Hypothesis(under, std::move(effects))};
+    plan.start = plan.hypothesis.start();
+    auto found = fit_exactly(runs, plan);
+    EXPECT_TRUE(found.value.has_value());
+    return std::move(*found.value);
+  }
+  [[nodiscard]] double gain() const { return quasi_bic(without, 1.0) - quasi_bic(with, 1.0); }
+  [[nodiscard]] GainOverFreeNumber over_free() const { return gain_over_a_free_number(runs, without, with, 1.0).value; }
+  [[nodiscard]] double gain_over_free() const { return over_free().gain; }
+
+  data::Run run;
+  replay::DeclaredModel declared;
+  std::vector<replay::PreparedRun> runs;
+  FittedHypothesis without;
+  FittedHypothesis with;
+};
+
+// The mass is far from what was weighed, and nothing is missing: a drag does a little of what the prior forbids the
+// mass, and seems to gain; the mass, free, does all of it. Charged as a number of the drag is, its fit is as good as
+// that of a mass that nobody has weighed.
+TEST(FreeNumber, ExplainsWhatAnEffectGainsFromAPriorThatIsTooTight) {
+  const Compared compared(dragged_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
+  EXPECT_GT(compared.gain(), 6.0);
+  EXPECT_LT(compared.gain_over_free(), 0.0);
+  EXPECT_EQ(compared.over_free().number, "mass");
+  const replay::DeclaredModel never_weighed = slide(true_mass, true_damping);
+  const FittedHypothesis free = compared.fitted(never_weighed, {});
+  const double expected = quasi_bic(free, 1.0) + penalty_per_number(free, 1.0) - quasi_bic(compared.with, 1.0);
+  EXPECT_NEAR(compared.gain_over_free(), expected, 0.5);
+}
+
+// The drag is there and the mass was weighed well enough: no number has moved far.
+TEST(FreeNumber, IsNotSoughtWhereNoneHasMovedFar) {
+  const Compared compared(dragged_run(0.2), weighed_slide(true_mass, 1.0));
+  EXPECT_GT(compared.gain(), 100.0);
+  EXPECT_TRUE(std::isinf(compared.gain_over_free()));
+}
+
+// The drag is there, and so tight is the tolerance of the right mass that the fit without the drag moves it far: free,
+// the mass still does not do what the drag does.
+TEST(FreeNumber, DoesNotExplainAnEffectThatIsThere) {
+  const Compared compared(dragged_run(0.2), weighed_slide(true_mass, 1e-3));
+  EXPECT_GT(compared.gain_over_free(), 100.0);
+  EXPECT_LT(compared.gain_over_free(), compared.gain());
+}
+
+}  // namespace
+}  // namespace coilwright::measurement::compare

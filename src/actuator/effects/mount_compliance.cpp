@@ -103,6 +103,8 @@ EffectProperties described(std::vector<EffectParameter> parameters) {
           .parameters = std::move(parameters)};
 }
 
+constexpr double slowest_start = 6.0;  // Hz
+
 // The fastest mount that a fit starts from, Hz: the records still show three samples of its period.
 double fastest_start(const RigScale& scale) {
   return std::clamp(0.3 / scale.interval, 12.0, 150.0);
@@ -142,7 +144,7 @@ class MountCompliance final : public DescribedEffect {
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double fastest = fastest_start(scale);
-    return each_with_each({0.5 * fastest, fastest}, {0.2});
+    return each_with_each(log_spread(slowest_start, fastest, 5), {0.05, 0.2});
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {

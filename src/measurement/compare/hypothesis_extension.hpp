@@ -12,7 +12,7 @@ namespace coilwright::measurement::compare {
 struct PlannedExtension {
   const FittedHypothesis* base{};
   std::vector<std::vector<actuator::Effect>> starts{};  ///< at least one
-  /// Tried from the declared numbers where a fit from `starts` ends with a number of an effect at its bound.
+  /// Tried from the declared numbers where a fit from `starts` does not show what the effect can do: see short_fit.
   std::vector<std::vector<actuator::Effect>> further_starts{};
 
   /// The effects of the extended hypothesis, in an order that depends on nothing but the set.

@@ -247,8 +247,7 @@ class HypothesisSearch {
       planned.push_back(one_more(base, starts_for_short_fit(kind, screened)));
       // An effect of one number has one shape.
       if (kind->parameters().size() < 2) continue;
-      for (std::vector<double>& values : kind->starts(scale_))
-        planned.back().further_starts.push_back({{.kind = kind, .values = std::move(values)}});
+      for (Effect& start : own_starts(kind, screened)) planned.back().further_starts.push_back({std::move(start)});
     }
     return best_of(planned, search_effort.refined_singles);
   }

@@ -37,6 +37,11 @@ struct ScreeningRequest {
 [[nodiscard]] std::vector<actuator::Effect> starts_for_short_fit(const actuator::EffectKind* kind,
                                                                  std::span<const ScreenedEffect> screened);
 
+/// Initial guesses of one kind at the strength of the guess itself, those of the largest predicted fall first, as many
+/// as SearchEffort allows.
+[[nodiscard]] std::vector<actuator::Effect> own_starts(const actuator::EffectKind* kind,
+                                                       std::span<const ScreenedEffect> screened);
+
 /// The kinds with the largest predicted fall of chi-square, best first, at most `count`.
 [[nodiscard]] std::vector<const actuator::EffectKind*> kinds_by_predicted_fall(std::span<const ScreenedEffect> screened,
                                                                                std::size_t count);

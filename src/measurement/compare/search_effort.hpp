@@ -30,6 +30,13 @@ struct SearchEffort {
   int most_turns = 6;
   /// Effects are tried from the declared numbers too where these are less likely than this after the recalibration.
   double numbers_pulled_away = 0.01;
+  /// So are those of several numbers, each from its own starts, where they explain less than this fraction of what is
+  /// above the noise.
+  double next_to_nothing = 0.05;
+  /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square.
+  std::size_t own_starts = 6;
+  /// End of a fit from there, whose way is longer.
+  fit::FitEffort own_start_fit{.iterations = 20, .tolerance = 1e-2};
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
   double retry_strength = 0.05;
 

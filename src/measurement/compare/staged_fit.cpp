@@ -57,15 +57,17 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
                                                 std::span<const std::vector<Effect>> further) {
   std::optional<ShortFit> best;
   long simulated_runs = 0;
-  const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false) {
+  const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false,
+                            const fit::FitEffort& effort = search_effort.short_fit) {
     PlannedFit plan = with_added_effects(base, guess);
     if (declared) {
       plan.start = plan.hypothesis.start();
       plan.start.head(base.fit.values.size()) = base.hypothesis.start();
       plan.local_numbers_from = nullptr;
+      plan.derivatives_from = nullptr;
     }
     fit::FitRequest request = fit_request_of(runs, plan);
-    request.effort = search_effort.short_fit;
+    request.effort = effort;
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
     if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;
@@ -75,9 +77,14 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
   // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
   if (base.hypothesis.effects().empty() && probability_of_declared_numbers(base) < search_effort.numbers_pulled_away)
     for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
-  // The linearisation that scaled the guesses may have led where the effect has lost its shape.
-  if (!best || ends_at_a_bound(*best))
-    for (const std::vector<Effect>& guess : further) try_from(guess, true);
+  // The linearisation that scaled the guesses may have led where the effect has lost its shape, or to next to nothing.
+  // Where a model leaves very much, most effects do next to nothing, and long records take their time.
+  const bool is_very_far = base.whiteness.level >= search_effort.weighs_model_error;
+  const double worth_a_start =
+      base.whiteness.is_white() ? 0.0 : search_effort.next_to_nothing * base.chi_square_above_noise();
+  if (!best ||
+      (!is_very_far && (ends_at_a_bound(*best) || base.fit.objective() - best->fitted.objective() < worth_a_start)))
+    for (const std::vector<Effect>& guess : further) try_from(guess, true, search_effort.own_start_fit);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
   if (!best || best->fitted.objective() >= base.fit.objective())
     for (std::vector<Effect> guess : guesses) {

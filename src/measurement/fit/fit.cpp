@@ -118,7 +118,7 @@ std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::
     for (std::size_t c = 0; c < channels; ++c)
       out.push_back({.run = channels == 1 ? run.name : run.name + " " + run.channels[c].name,
                      .starts = {},
-                     .own_estimate = runs[r].noise[c].from_the_run,
+                     .own_estimate = runs[r].noise[c].from_the_run && !runs[r].noise[c].pooled,
                      .freedom = runs[r].noise[c].freedom,
                      .bands = known_bands(runs[r], c)});
     Eigen::Index at = 0;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "measurement/noise/pooled_levels.hpp"
 #include "measurement/noise/spikes.hpp"
 #include "measurement/replay/prediction.hpp"
 
@@ -55,7 +57,7 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
   if (!level.from_the_run) return;
   const std::vector<double>& measured = prepared.run->channels[channel].values;
   std::string colour = std::move(level.colour);
-  if (!prepared.set_aside[channel].empty()) level = level_without_outliers(prepared, channel, measured);
+  if (!prepared.set_aside[channel].empty() || level.pooled) level = level_without_outliers(prepared, channel, measured);
   if (const auto predicted = predictions_of(prepared, channel, predictions)) {
     std::vector<double> left = measured;
     for (std::size_t i = 0; i < left.size(); ++i) left[i] -= (*predicted)[i];
@@ -71,6 +73,17 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
     }
   }
   level.colour = std::move(colour);
+}
+
+// The levels that runs tell of themselves, of each instrument together.
+void pool_levels(std::span<replay::PreparedRun> runs) {
+  std::map<std::string, std::vector<noise::NoiseLevel*>> by_channel;
+  for (replay::PreparedRun& prepared : runs) {
+    if (!prepared.is_motion()) continue;
+    for (noise::NoiseLevel& level : prepared.noise)
+      if (level.from_the_run) by_channel[level.channel].push_back(&level);
+  }
+  for (const auto& [channel, levels] : by_channel) noise::pool_levels(levels);
 }
 
 }  // namespace
@@ -107,6 +120,7 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
       take_noise_anew(prepared, c, fitted.runs[r].predictions);
     }
   }
+  pool_levels(runs);
   return any;
 }
 

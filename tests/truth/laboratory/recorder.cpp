@@ -21,13 +21,23 @@ struct Part {
 constexpr std::array<Part, 3> parts{
     {{-0.3872983346207417, 5.0 / 18.0}, {0.0, 8.0 / 18.0}, {0.3872983346207417, 5.0 / 18.0}}};
 
+}  // namespace
+
 double current_at(const Experiment& experiment, double time) {
   const auto after = std::upper_bound(experiment.times.begin(), experiment.times.end(), time + 1e-9);
   const auto index = std::max<std::ptrdiff_t>(after - experiment.times.begin() - 1, 0);
   return experiment.currents[static_cast<std::size_t>(index)];
 }
 
-}  // namespace
+std::vector<double> input_changes(const PlannedRun& run) {
+  std::vector<double> out;
+  for (const double time : run.experiment.times) {
+    if (time < run.begins) continue;
+    if (!out.empty() && time - run.begins < out.back() + 1e-6) out.pop_back();
+    out.push_back(time - run.begins);
+  }
+  return out;
+}
 
 std::vector<double> picture_times(const Request& request, const PlannedRun& run) {
   std::vector<double> out;
@@ -42,13 +52,7 @@ std::vector<double> input_times_of(const Request& request, const PlannedRun& run
     case InputLog::beside_pictures:
       return picture_times(request, run);
     case InputLog::every_change:
-      // Nearer than the file's last digit they would be one time there; the later one is what holds.
-      for (const double time : run.experiment.times) {
-        if (time < run.begins) continue;
-        if (!out.empty() && time - run.begins < out.back() + 1e-6) out.pop_back();
-        out.push_back(time - run.begins);
-      }
-      break;
+      return input_changes(run);
     case InputLog::own_samples:
       for (int i = 0; i / request.clocks.own_rate < run.duration; ++i) out.push_back(i / request.clocks.own_rate);
       break;

@@ -12,6 +12,13 @@ namespace truth::laboratory {
 [[nodiscard]] std::vector<double> picture_times(const Request& request, const PlannedRun& run);
 [[nodiscard]] std::vector<double> input_times_of(const Request& request, const PlannedRun& run);
 
+/// The times at which a run's input changes, s from its beginning. Changes nearer than a file's last digit are one: the
+/// later, whose current is what holds.
+[[nodiscard]] std::vector<double> input_changes(const PlannedRun& run);
+
+/// The current that the driver holds at a time of the experiment, A.
+[[nodiscard]] double current_at(const Experiment& experiment, double time);
+
 /// The bench: films fingers and writes down what it sees.
 class Recorder {
  public:

@@ -7,6 +7,7 @@
 
 #include "truth/declared_finger.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
+#include "truth/laboratory/recorder.hpp"
 #include "truth/laboratory/run_keys.hpp"
 #include "truth/text_file.hpp"
 
@@ -39,10 +40,8 @@ bool has_two_clocks(const ClockFaults& clocks) {
 
 std::string input_of(const PlannedRun& run) {
   std::string text = "time_s,current_A\n";
-  for (std::size_t i = 0; i < run.experiment.times.size(); ++i)
-    if (run.experiment.times[i] >= run.begins)
-      fmt::format_to(std::back_inserter(text), "{:.6f},{:.6f}\n", run.experiment.times[i] - run.begins,
-                     run.experiment.currents[i]);
+  for (const double time : input_changes(run))
+    fmt::format_to(std::back_inserter(text), "{:.6f},{:.6f}\n", time, current_at(run.experiment, run.begins + time));
   return text;
 }
 

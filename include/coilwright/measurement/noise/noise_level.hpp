@@ -16,6 +16,7 @@ struct NoiseLevel {
   double resolution{};  ///< smallest step between two distinct values of the record; 0: they are all the same
   bool given{};         ///< whether the set gives it; otherwise it is estimated
   bool from_the_run{};  ///< whether it was estimated from the run itself, not from a record of still instruments
+  bool pooled{};        ///< whether other runs of the same instrument tell more of it than the run itself
   double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of its square; infinite if given
   std::string source{};                                      ///< "given", or how it was estimated
   /// The least that the noise can be: resolution / sqrt(12).

@@ -19,6 +19,7 @@
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
 #include "measurement/compare/settled_model_error.hpp"
+#include "measurement/compare/thinned_windows.hpp"
 #include "measurement/fit/outliers.hpp"
 
 namespace coilwright::measurement::compare {
@@ -74,6 +75,18 @@ Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs
   return out;
 }
 
+std::size_t windows_of(std::span<const replay::PreparedRun> runs) {
+  std::size_t count = 0;
+  for (const replay::PreparedRun& run : runs) count += run.windows.size();
+  return count;
+}
+
+double values_of(std::span<const replay::PreparedRun> runs) {
+  double count = 0.0;
+  for (const replay::PreparedRun& run : runs) count += static_cast<double>(run.values());
+  return count;
+}
+
 struct ApplicableKinds {
   std::vector<const EffectKind*> kinds{};
   std::vector<ComparedHypothesis> inapplicable{};
@@ -109,19 +122,25 @@ class HypothesisSearch {
     const FittedHypothesis before = counted(recalibrated_at_its_error());
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
+    const std::optional<FittedHypothesis> before_search = thin_if_far(before);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
 
-    const Screened screened = counted(screen(before));
-    std::vector<FittedHypothesis> all = compare_levels(before, screened);
+    std::vector<FittedHypothesis> all = compare_levels(before_search ? *before_search : before);
     if (found_outliers_) return {.value = std::nullopt, .simulated_runs = simulated_runs_};
+    std::vector<ComparedHypothesis> on_some_windows;
+    if (before_search) {
+      std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
+      std::vector<FittedHypothesis> others = std::exchange(all, back_on_all_windows(best));
+      on_some_windows = compared_on_some_windows(*before_search, others);
+    }
     Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
     Attribution out{.steps = {before}, .overdispersion = overdispersion_};
     std::ranges::move(selection.steps, std::back_inserter(out.steps));
     out.rivals = std::move(selection.rivals);
     out.indistinguishable = std::move(selection.indistinguishable);
-    for (auto* part : {&selection.ranked, &applicable.inapplicable, &failed_, &selection.ruled_out})
+    for (auto* part : {&selection.ranked, &on_some_windows, &applicable.inapplicable, &failed_, &selection.ruled_out})
       std::ranges::move(*part, std::back_inserter(out.compared));
     return {.value = std::move(out), .simulated_runs = simulated_runs_ + selection.simulated_runs};
   }
@@ -154,7 +173,8 @@ class HypothesisSearch {
   }
 
   // All hypotheses of one effect, two, ..., until one leaves white noise or another effect is not worth its runs.
-  std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before, const Screened& screened) {
+  std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before) {
+    const Screened screened = counted(screen(before));
     Level level = counted(single_effects(before, screened));
     std::vector<FittedHypothesis> all;
     overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
@@ -207,7 +227,7 @@ class HypothesisSearch {
     if (!may_find_outliers_ || level.empty() || leaves_noise(level)) return false;
     FittedHypothesis best = level.front();
     for (int step = 0; step < most_steps; ++step) {
-      if (!fit::set_outliers_aside_if_much(request_.runs, best.fit)) break;
+      if (!fit::set_outliers_aside_if_much(runs_, best.fit)) break;
       found_outliers_ = true;
       CountedFit anew = fit_exactly(
           runs_, {.hypothesis = best.hypothesis, .start = best.fit.values, .local_numbers_from = &best.fit});
@@ -215,7 +235,53 @@ class HypothesisSearch {
       if (!anew.value) break;
       best = std::move(*anew.value);
     }
+    for (std::size_t r = 0; r < thinned_.size(); ++r) {
+      request_.runs[r].set_aside = thinned_[r].set_aside;
+      request_.runs[r].noise = thinned_[r].noise;
+    }
     return found_outliers_;
+  }
+
+  // Where the recalibrated model is far from the noise on long records, the search goes on with some of their windows.
+  // Returns the recalibrated model fitted to them; nothing where all windows stay.
+  [[nodiscard]] std::optional<FittedHypothesis> thin_if_far(const FittedHypothesis& before) {
+    if (before.whiteness.level < search_effort.weighs_model_error) return std::nullopt;
+    std::optional<std::vector<replay::PreparedRun>> some = thinned(runs_);
+    if (!some) return std::nullopt;
+    std::optional<FittedHypothesis> there =
+        counted(fit_exactly(*some, {.hypothesis = before.hypothesis, .start = before.fit.values}));
+    if (!there) return std::nullopt;
+    thinned_ = std::move(*some);
+    runs_ = thinned_;
+    report(fmt::format("hypotheses are compared on {} of {} windows, and judged on all", windows_of(runs_),
+                       windows_of(request_.runs)));
+    return there;
+  }
+
+  // What is said of hypotheses that are not among the best on some windows: of all windows, as if these were alike.
+  [[nodiscard]] std::vector<ComparedHypothesis> compared_on_some_windows(const FittedHypothesis& before,
+                                                                         const std::vector<FittedHypothesis>& all) {
+    const double share = values_of(thinned_) / values_of(request_.runs);
+    std::vector<ComparedHypothesis> out;
+    for (const FittedHypothesis& each : all) {
+      Evidence evidence = evidence_between(thinned_, before, each, overdispersion_);
+      for (double* sum : {&evidence.chi_square_before, &evidence.chi_square_after, &evidence.quasi_bic_gain})
+        *sum /= share;
+      out.push_back({.effects = each.kinds(),
+                     .evidence = std::move(evidence),
+                     .remark = fmt::format("was fitted to {} of {} windows only, where others are better",
+                                           windows_of(thinned_), windows_of(request_.runs))});
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::vector<FittedHypothesis> back_on_all_windows(const std::vector<FittedHypothesis>& best) {
+    runs_ = request_.runs;
+    report(fmt::format("the best {} hypotheses are fitted to all windows", best.size()));
+    std::vector<FittedHypothesis> all = counted(on_all_windows(runs_, best));
+    if (const FittedHypothesis* nearest_of_all = nearest(all))
+      overdispersion_ = overdispersion_of(runs_, *nearest_of_all);
+    return all;
   }
 
   [[nodiscard]] Counted<Screened> screen(const FittedHypothesis& base) const {
@@ -284,7 +350,8 @@ class HypothesisSearch {
   }
 
   const AttributionRequest& request_;
-  std::span<const replay::PreparedRun> runs_;
+  std::vector<replay::PreparedRun> thinned_;  // some windows of the runs; empty where the search uses all
+  std::span<replay::PreparedRun> runs_;
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
   std::vector<ComparedHypothesis> failed_;

@@ -87,6 +87,10 @@ struct SearchEffort {
   /// Where the recalibrated model leaves more than so many times the noise, hypotheses are compared with priors that
   /// are weighed by what it leaves. Less, and effects may reach the noise, against which they are to be weighed.
   double weighs_model_error = 10.0;
+  /// There the search uses some windows of long records, so that about so many samples of all runs together remain,
+  /// and at least so many windows of each run; what it finds is fitted and judged on all of them.
+  std::size_t thinned_samples = 4000;
+  std::size_t fewest_windows = 6;
   /// If the answer leaves less than this fraction of that, they held too much: the comparison begins anew with its own.
   double much_less_model_error = 0.1;
   /// Fall of chi-square, in units of the overdispersion, that counts as a better optimum than that of the fit; smaller

@@ -110,7 +110,8 @@ ApplicableKinds applicable_kinds(const actuator::EffectCatalogue& catalogue, con
 class HypothesisSearch {
  public:
   // While `may_find_outliers`, the search ends where the best hypothesis of a size shows more of them. While
-  // `may_weigh_priors`, the runs get the model error of the recalibrated model if that is far from the noise.
+  // `may_weigh_priors`, the runs get the model error of the recalibrated model if that is far from the noise, and long
+  // records are searched in part.
   HypothesisSearch(const AttributionRequest& request, bool may_find_outliers, bool may_weigh_priors)
       : request_(request),
         runs_(request.runs),
@@ -122,10 +123,10 @@ class HypothesisSearch {
     const FittedHypothesis before = counted(recalibrated_at_its_error());
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
-    const std::optional<FittedHypothesis> before_search = thin_if_far(before);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
+    const std::optional<FittedHypothesis> before_search = thin_if_far(before);
 
     std::vector<FittedHypothesis> all = compare_levels(before_search ? *before_search : before);
     if (found_outliers_) return {.value = std::nullopt, .simulated_runs = simulated_runs_};
@@ -245,7 +246,8 @@ class HypothesisSearch {
   // Where the recalibrated model is far from the noise on long records, the search goes on with some of their windows.
   // Returns the recalibrated model fitted to them; nothing where all windows stay.
   [[nodiscard]] std::optional<FittedHypothesis> thin_if_far(const FittedHypothesis& before) {
-    if (before.whiteness.level < search_effort.weighs_model_error) return std::nullopt;
+    // Begun anew, because the answer leaves far less, it looks for what all samples show.
+    if (!may_weigh_priors_ || before.whiteness.level < search_effort.weighs_model_error) return std::nullopt;
     std::optional<std::vector<replay::PreparedRun>> some = thinned(runs_);
     if (!some) return std::nullopt;
     std::optional<FittedHypothesis> there =

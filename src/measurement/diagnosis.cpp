@@ -135,6 +135,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
 
   compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared), options.progress);
   compare::Attribution& found = pruned.attribution;
+  compare::widen_by_rivals(pruned.estimates, found.rivals, pruned.overdispersion);
   const std::vector<compare::Estimate>& estimates = pruned.estimates;
   const auto idle_before = compare::idle_numbers(runs, found.before());
   const auto idle_after = found.steps.size() == 1

@@ -52,7 +52,13 @@ std::string calibration_text(const Diagnosis& diagnosis) {
     row.push_back(declared ? fmt::format("declared {}", number_text(*declared)) : "");
     table.row(std::move(row));
   }
-  return "  Numbers fitted freely:\n" + table.text(4, {left, right, left, left});
+  std::string text = "  Numbers fitted freely:\n" + table.text(4, {left, right, left, left});
+  if (!diagnosis.indistinguishable.empty())
+    text +=
+        "    Their intervals, and those of the declared numbers, contain what each of the effects that these data "
+        "cannot\n"
+        "    tell apart makes of them; the values are those with the effects reported.\n";
+  return text;
 }
 
 // The declared numbers, those first that moved furthest.

@@ -31,6 +31,11 @@ struct EstimatedHypothesis {
                                             double overdispersion,
                                             const std::function<void(const std::string&)>& progress = {});
 
+/// Widens the intervals of the calibration until they contain those of the rivals, from the curvature at their optima:
+/// a stiffness is another one where a coil's lag is a late camera, and the data tell neither. `estimates` are those of
+/// estimated(), of the same declared model; the values stay.
+void widen_by_rivals(std::vector<Estimate>& estimates, std::span<const FittedHypothesis> rivals, double overdispersion);
+
 /// The estimates of one effect, discrete choices included, in the order of its kind's parameters.
 [[nodiscard]] std::vector<Estimate> estimates_of_effect(const FittedHypothesis& fitted,
                                                         const std::vector<Estimate>& estimates, std::size_t effect);

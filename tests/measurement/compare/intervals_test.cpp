@@ -117,5 +117,37 @@ TEST(Intervals, AreTakenAtABetterOptimumThatAProfileReaches) {
   EXPECT_GT(all[2].upper, stop);
 }
 
+// What two models that the data cannot tell apart make of a mass is as open as both say; its value is the first's.
+TEST(Intervals, ContainThoseOfRivals) {
+  const replay::DeclaredModel declared = slide(2.2, 2.5);
+  const fit::Hypothesis plain(declared, {});
+  const auto fitted = [&](double scale) {
+    Normal normal(7);
+    const auto run = slide_run(200, {}, [&] { return noise_sigma * normal(); });
+    std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, plain.model_at(plain.start()))};
+    auto found = fit::fit({.hypothesis = &plain, .runs = runs, .start = plain.start()});
+    EXPECT_TRUE(found.value);
+    FittedHypothesis out{.hypothesis = plain, .fit = std::move(*found.value)};
+    out.fit.values *= scale;
+    return out;
+  };
+  const auto mass_of = [&](double scale) {
+    std::vector<Estimate> all = estimated({}, fitted(1.0), 1.0).estimates;
+    const std::vector<FittedHypothesis> rivals{fitted(scale)};
+    widen_by_rivals(all, rivals, 1.0);
+    return all[0];
+  };
+  const Estimate alone = mass_of(1.0);
+  const double half_width = alone.upper - alone.value;
+  EXPECT_NEAR(alone.value - alone.lower, half_width, 1e-12);
+  const Estimate with_heavier = mass_of(1.3);
+  EXPECT_EQ(with_heavier.value, alone.value);
+  EXPECT_EQ(with_heavier.lower, alone.lower);
+  EXPECT_NEAR(with_heavier.upper, 1.3 * alone.value + half_width, 1e-9);
+  const Estimate with_lighter = mass_of(0.8);
+  EXPECT_NEAR(with_lighter.lower, 0.8 * alone.value - half_width, 1e-9);
+  EXPECT_EQ(with_lighter.upper, alone.upper);
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::compare

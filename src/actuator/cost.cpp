@@ -26,8 +26,8 @@ Cost cost_of(const Design& design, const Assembly& assembly) {
           .wires = 0.5};
 }
 
-double gripper_cost(double finger_cost) {
-  return 2.0 * finger_cost + driver_and_supply_cost;
+double gripper_cost(double finger_cost, int fingers) {
+  return fingers * finger_cost + driver_and_supply_cost;
 }
 
 }  // namespace coilwright::actuator

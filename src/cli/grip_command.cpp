@@ -45,6 +45,7 @@ struct Options {
   ActuatorOptions actuator;
   double mounting_angle = 30.0;
   double spacing = 70.0;
+  int fingers = 2;
   std::string polarity = "same";
   std::string shape = "sphere";
   double width{};
@@ -81,6 +82,7 @@ struct Answer {
 
 ObjectShape shape_of(const Options& options) {
   if (options.shape == "box") return ObjectShape::box;
+  if (options.shape == "upright_cylinder") return ObjectShape::upright_cylinder;
   return options.shape == "cylinder" ? ObjectShape::cylinder : ObjectShape::sphere;
 }
 
@@ -109,7 +111,8 @@ Answer answer_of(const Options& options) {
   const Gripper gripper = at_place(options.actuator.file, [&] {
     return Gripper(design, {.angle = options.mounting_angle / degrees,
                             .spacing = options.spacing * 1e-3,
-                            .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite});
+                            .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
+                            .fingers = options.fingers});
   });
   const Object object = object_of(options);
   const bool is_of_file = !options.current && file.operating_point;
@@ -117,10 +120,10 @@ Answer answer_of(const Options& options) {
   const GraspTask task{.current = current, .open_current = options.open_current, .acceleration = options.acceleration};
   Answer out{.current = current,
              .is_of_file = is_of_file,
-             .grasp = at_place("--width-mm, --centre-x-mm, --centre-below-palm-mm",
+             .grasp = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm",
                                [&] { return systems::gripper::grasp(gripper, object, task); })};
   out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
-  out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total());
+  out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), options.fingers);
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
   if (design.magnet.grade != nullptr)
     out.demagnetisation_margin = actuator::InnerFields(design, gripper.assembly())
@@ -166,14 +169,25 @@ std::string verdict_of(const Options& options, const Answer& answer) {
                      what, grasp.load, grasp.capacity_is_bound ? "more than " : "", grasp.capacity, grasp.margin());
 }
 
-std::string contacts_text(const Grasp& grasp) {
+// Of more than two fingers one stands for all.
+bool is_shown(const Options& options, const GraspContact& contact) {
+  return options.fingers == 2 || contact.finger == 0;
+}
+
+const char* finger_name(const Options& options, const GraspContact& contact) {
+  if (options.fingers > 2) return "each";
+  return contact.finger == 0 ? "left" : "right";
+}
+
+std::string contacts_text(const Options& options, const Grasp& grasp) {
   if (grasp.contacts.empty()) return {};
   std::string text = fmt::format("  {:<7}{:>6}{:>12}{:>9}{:>9}{:>10}{:>11}\n", "finger", "link", "along mm", "x mm",
                                  "y mm", "normal N", "friction N");
   for (const GraspContact& each : grasp.contacts)
-    text += fmt::format("  {:<7}{:>6}{:>12.2f}{:>9.2f}{:>9.2f}{:>10.4f}{:>11.4f}\n",
-                        each.finger == 0 ? "left" : "right", each.link, each.along * 1e3, each.position.x() * 1e3,
-                        each.position.y() * 1e3, each.normal, each.friction);
+    if (is_shown(options, each))
+      text += fmt::format("  {:<7}{:>6}{:>12.2f}{:>9.2f}{:>9.2f}{:>10.4f}{:>11.4f}\n", finger_name(options, each),
+                          each.link, each.along * 1e3, each.position.x() * 1e3, each.position.y() * 1e3, each.normal,
+                          each.friction);
   return text;
 }
 
@@ -211,44 +225,58 @@ std::string as_text(const Options& options, const Answer& answer) {
   const Grasp& grasp = answer.grasp;
   std::string text = verdict_of(options, answer);
   if (grasp.both_touched)
-    text += fmt::format("Both fingers touch it after {:.3g} ms{}.\n", grasp.closing_time * 1e3,
-                        grasp.contacts.empty() ? ", and bend past it: in the end neither touches it" : "");
+    text += fmt::format(
+        "{} fingers touch it after {:.3g} ms{}.\n",
+        options.fingers == 2 ? "Both" : fmt::format("All {}", options.fingers), grasp.closing_time * 1e3,
+        grasp.contacts.empty()
+            ? fmt::format(", and bend past it: in the end {} touches it", options.fingers == 2 ? "neither" : "none")
+            : "");
   text += fmt::format("\nFingers {}\n", grasp.holds          ? "while they hold it"
                                         : grasp.both_touched ? "on the object, before its support is taken away"
                                                              : "where they end");
-  text += contacts_text(grasp);
-  text += fmt::format("  bending {:.4g} deg left, {:.4g} deg right; their magnets {} each other with up to {:.3g} N\n",
-                      grasp.left.sum() * degrees, grasp.right.sum() * degrees,
-                      options.polarity == "same" ? "repel" : "attract", grasp.magnet_force);
+  text += contacts_text(options, grasp);
+  const double left = grasp.left.sum() * degrees;
+  const char* act = options.polarity == "same" ? "repel" : "attract";
+  if (options.fingers == 2)
+    text +=
+        fmt::format("  bending {:.4g} deg left, {:.4g} deg right; their magnets {} each other with up to {:.3g} N\n",
+                    left, grasp.right.sum() * degrees, act, grasp.magnet_force);
+  else
+    text += fmt::format("  bending {:.4g} deg each; magnets that face each other {}, two of them with up to {:.3g} N\n",
+                        left, act, grasp.magnet_force);
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
   return text + heat_text(answer) + magnets_text(answer) +
          fmt::format(
-             "\nTwo such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table "
+             "\n{} such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table "
              "III "
              "{:.0f} USD.\n",
-             answer.cost, actuator::PneumaticGripperCost{}.total()) +
+             options.fingers == 2 ? "Two" : fmt::format("{}", options.fingers), answer.cost,
+             actuator::PneumaticGripperCost{}.total()) +
          "\nIt rests on: friction and place of the object as given, rigid segments, coils and magnets at 20 degC, an "
-         "object "
-         "that\nmoves in the plane of the fingers only.\n";
+         "object that\n" +
+         (options.fingers == 2 ? "moves in the plane of the fingers only.\n"
+                               : "stays on the gripper's axis, and fingers that all do the same.\n");
 }
 
 Json optional_number(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
-std::string as_json(const Answer& answer) {
+std::string as_json(const Options& options, const Answer& answer) {
   const Grasp& grasp = answer.grasp;
   Json contacts = Json::array();
   for (const GraspContact& each : grasp.contacts)
-    contacts.add(Json::object({{"finger", each.finger == 0 ? "left" : "right"},
-                               {"link", each.link},
-                               {"along_mm", each.along * 1e3},
-                               {"x_mm", each.position.x() * 1e3},
-                               {"y_mm", each.position.y() * 1e3},
-                               {"normal_N", each.normal},
-                               {"friction_N", each.friction}}));
-  Json out = Json::object({{"current_A", answer.current},
+    if (is_shown(options, each))
+      contacts.add(Json::object({{"finger", finger_name(options, each)},
+                                 {"link", each.link},
+                                 {"along_mm", each.along * 1e3},
+                                 {"x_mm", each.position.x() * 1e3},
+                                 {"y_mm", each.position.y() * 1e3},
+                                 {"normal_N", each.normal},
+                                 {"friction_N", each.friction}}));
+  Json out = Json::object({{"fingers", options.fingers},
+                           {"current_A", answer.current},
                            {"holds", grasp.holds},
                            {"touches", grasp.both_touched},
                            {"load_N", grasp.load},
@@ -278,11 +306,12 @@ void add_object_options(CLI::App& command, Options& options) {
         ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(most))));
   };
   command
-      .add_option("--shape", options.shape,
-                  "sphere, cylinder (its axis across the fingers' plane) or box (default sphere)")
-      ->check(word_rule({"sphere", "cylinder", "box"}));
+      .add_option(
+          "--shape", options.shape,
+          "sphere, cylinder (its axis across the fingers' plane), box, or upright_cylinder (a cup; default sphere)")
+      ->check(word_rule({"sphere", "cylinder", "box", "upright_cylinder"}));
   up_to(1e3, "--width-mm", options.width, "Diameter, or width of a box between the fingers, mm")->required();
-  up_to(1e3, "--height-mm", options.height, "Height of a box, mm");
+  up_to(1e3, "--height-mm", options.height, "Height of a box or an upright cylinder, mm");
   // Contacts are solved to a share of the fingers' impulses: what weighs less than a milligram is lost in that.
   command.add_option("--mass-g", options.mass, "Mass of the object, g, at least 0.001")
       ->check(number_rule(text::Rule::between(1e-3, 1e5)))
@@ -301,16 +330,23 @@ void add_gripper_options(CLI::App& command, Options& options) {
       .add_option("--mounting-angle-deg", options.mounting_angle,
                   "Of each straight finger with the gripper's axis, outwards, deg (default 30)")
       ->check(number_rule(text::Rule::between(-89.0, 89.0)));
-  command.add_option("--spacing-mm", options.spacing, "Between the two base joints, mm (default 70)")
+  command
+      .add_option(
+          "--fingers", options.fingers,
+          "How many, evenly round the gripper's axis (default 2); more than two hold a sphere or an upright cylinder")
+      ->check(number_rule(text::Rule::between(2.0, systems::gripper::most_fingers)));
+  command
+      .add_option("--spacing-mm", options.spacing,
+                  "Between the two base joints, or diameter of the circle of more, mm (default 70)")
       ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1e3))));
   command
       .add_option("--polarity", options.polarity,
-                  "same (identical fingers, whose magnets repel) or opposite (default same)")
+                  "same (identical fingers, whose magnets repel) or opposite (every second one turned; default same)")
       ->check(word_rule({"same", "opposite"}));
   command
       .add_option(
           "--current-A", options.current,
-          "In every coil of both fingers, A (default that of the actuator's operating point, or the paper's 1.4)")
+          "In every coil of all fingers, A (default that of the actuator's operating point, or the paper's 1.4)")
       ->check(number_rule(text::Rule::between(-100.0, 100.0)));
   command
       .add_option("--open-current-A", options.open_current,
@@ -332,21 +368,23 @@ void add_gripper_options(CLI::App& command, Options& options) {
 
 void add_grip_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("grip", "Close two fingers on an object, lift it, and load it until it slips");
+  CLI::App* command = app.add_subcommand("grip", "Close fingers on an object, lift it, and load it until it slips");
   add_actuator_options(*command, options->actuator);
   add_object_options(*command, *options);
   add_gripper_options(*command, *options);
   command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
   command->footer(
-      "Two like fingers hang from a palm, mirrored, and close in one plane. The object stands on a smooth support\n"
-      "until both hold it; the support is then taken away, the load put on within 0.3 s and held for 0.2 s.\n\n"
+      "Two like fingers hang from a palm, mirrored, and close in one plane; more stand evenly round the gripper's "
+      "axis\n"
+      "and all do the same. The object stands on a smooth support until they hold it; the support is then taken away, "
+      "the load put on within 0.3 s and held for 0.2 s.\n\n"
       "Example:\n"
       "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
   command->callback([options] {
-    if (options->shape == "box" && options->height == 0.0)
-      throw CLI::ValidationError("--height-mm", "is needed for a box");
+    if (object_of(*options).has_flat_sides() && options->height == 0.0)
+      throw CLI::ValidationError("--height-mm", "is needed for a box and an upright cylinder");
     const Answer answer = answer_of(*options);
-    std::cout << (options->json ? as_json(answer) : as_text(*options, answer));
+    std::cout << (options->json ? as_json(*options, answer) : as_text(*options, answer));
   });
 }
 

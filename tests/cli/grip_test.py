@@ -25,6 +25,17 @@ class Grip(ProgramTest):
         self.assertEqual(answer["pneumatic_cost_USD"], 607)
         self.assertIn("cost 44 USD; the pneumatic gripper of the paper's Table III 607 USD.\n", text)
 
+    def test_three_fingers_hold_half_as_much_again_as_two(self):
+        text = run("grip", FINGER, *BALL, "--fingers", "3").stdout
+        self.assertIn("All 3 fingers touch it after ", text)
+        self.assertRegex(text, r"\n  each +1 ")
+        self.assertIn("\n3 such fingers with driver and supply cost 52 USD;", text)
+        two = json.loads(run("grip", FINGER, *BALL, "--json").stdout)
+        three = json.loads(run("grip", FINGER, *BALL, "--fingers", "3", "--json").stdout)
+        self.assertEqual((two["fingers"], three["fingers"]), (2, 3))
+        self.assertAlmostEqual(three["capacity_N"] / two["capacity_N"], 1.5, delta=0.05)
+        self.assertEqual([each["finger"] for each in three["contacts"]], ["each"])
+
     def test_finds_the_least_current_and_friction(self):
         answer = json.loads(
             run("grip", FINGER, *BALL, "--least-current-up-to-A", "1.4", "--least-friction-up-to", "2", "--json").stdout)
@@ -82,7 +93,10 @@ class Grip(ProgramTest):
             (("--width-mm", "100", "--mass-g", "40", "--friction", "0.8"), "object must leave the open fingers free; got"),
             (("--width-mm", "60", "--mass-g", "40", "--friction", "0"), "--friction"),
             (("--width-mm", "60", "--mass-g", "1e-9", "--friction", "1"), '--mass-g: must be from 0.001 to 100000; got "1e-9"'),
-            (("--shape", "box", "--width-mm", "60", "--mass-g", "40", "--friction", "1"), "--height-mm: is needed for a box"),
+            (("--shape", "box", "--width-mm", "60", "--mass-g", "40", "--friction", "1"), "--height-mm: is needed for a box and an upright cylinder"),
+            ((*BALL, "--fingers", "9"), '--fingers: must be from 2 to 8; got "9"'),
+            ((*BALL, "--fingers", "3", "--polarity", "opposite"), "mounting.fingers must be an even number"),
+            ((*BALL, "--fingers", "3", "--shape", "cylinder"), "object must be a sphere or an upright_cylinder"),
             ((*BALL, "--mounting-angle-deg", "90"), "--mounting-angle-deg"),
             ((*BALL, "--polarity", "up"), '--polarity: must be one of "same", "opposite"; got "up"'),
         ):

@@ -31,8 +31,8 @@ struct PneumaticGripperCost {
   [[nodiscard]] double total() const { return silicone_and_moulds + hoses + pressure_regulator + compressor; }
 };
 
-/// Price of a gripper of two such fingers with driver and supply, US$.
-[[nodiscard]] double gripper_cost(double finger_cost);
+/// Price of a gripper of so many such fingers with driver and supply, US$.
+[[nodiscard]] double gripper_cost(double finger_cost, int fingers = 2);
 
 [[nodiscard]] Cost cost_of(const Design& design, const Assembly& assembly);
 

@@ -11,8 +11,8 @@ using systems::gripper::ObjectShape;
 using systems::gripper::Polarity;
 using Number = BlockNumber<GripperTask>;
 
-// As `grip` has options. A height belongs to a box alone.
-std::vector<Number> numbers_of(ObjectShape shape) {
+// As `grip` has options. A height belongs to what has flat sides alone, a place beside the axis to two fingers.
+std::vector<Number> numbers_of(const GripperTask& base) {
   constexpr auto required = Number::Presence::required;
   std::vector<Number> out{{.key = "mounting_angle_deg",
                            .rule = Rule::between(-89.0, 89.0),
@@ -38,7 +38,7 @@ std::vector<Number> numbers_of(ObjectShape shape) {
                            .set = [](GripperTask& task, double value) { task.object.friction = value; },
                            .presence = required},
                           {.key = "centre_x_mm",
-                           .rule = Rule::between(-1e3, 1e3),
+                           .rule = base.mounting.fingers > 2 ? Rule::between(0.0, 0.0) : Rule::between(-1e3, 1e3),
                            .get = [](const GripperTask& task) { return task.object.centre.x(); },
                            .set = [](GripperTask& task, double value) { task.object.centre.x() = value; }},
                           {.key = "centre_below_palm_mm",
@@ -58,13 +58,22 @@ std::vector<Number> numbers_of(ObjectShape shape) {
                            .get = [](const GripperTask& task) { return task.most_current; },
                            .set = [](GripperTask& task, double value) { task.most_current = value; },
                            .kind = Number::Kind::of_computation}};
-  if (shape == ObjectShape::box)
+  if (base.object.has_flat_sides())
     out.push_back({.key = "height_mm",
                    .rule = up_to(1e3),
                    .get = [](const GripperTask& task) { return task.object.height; },
                    .set = [](GripperTask& task, double value) { task.object.height = value; },
                    .presence = required});
   return out;
+}
+
+// What no number of the study changes.
+void require_possible(ObjectReader& in, const GripperTask& task) {
+  const int fingers = task.mounting.fingers;
+  if (fingers > 2 && !task.object.is_round_about_the_axis())
+    throw in.at("fingers").error("must be 2 unless shape is sphere or upright_cylinder");
+  if (fingers % 2 == 1 && task.mounting.polarity == Polarity::opposite)
+    throw in.at("fingers").error("must be even where polarity is opposite");
 }
 
 void require_no_states(const actuator::Design& design) {
@@ -78,12 +87,16 @@ void require_no_states(const actuator::Design& design) {
 SystemBlock read_gripper_block(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     GripperTask task;
-    task.object.shape = in.choice_or<ObjectShape>(
-        "shape", ObjectShape::sphere,
-        {{"sphere", ObjectShape::sphere}, {"cylinder", ObjectShape::cylinder}, {"box", ObjectShape::box}});
+    task.object.shape = in.choice_or<ObjectShape>("shape", ObjectShape::sphere,
+                                                  {{"sphere", ObjectShape::sphere},
+                                                   {"cylinder", ObjectShape::cylinder},
+                                                   {"box", ObjectShape::box},
+                                                   {"upright_cylinder", ObjectShape::upright_cylinder}});
+    task.mounting.fingers = in.integer_or("fingers", 2, Rule::between(2, systems::gripper::most_fingers));
     task.mounting.polarity = in.choice_or<Polarity>("polarity", Polarity::same,
                                                     {{"same", Polarity::same}, {"opposite", Polarity::opposite}});
-    const std::vector<Number> numbers = numbers_of(task.object.shape);
+    require_possible(in, task);
+    const std::vector<Number> numbers = numbers_of(task);
     read_numbers<GripperTask>(in, numbers, task);
     return SystemBlock{.quantities = systems::gripper::gripper_quantities(task_by("gripper", numbers, task)),
                        .variables = variables_of<GripperTask>("gripper", numbers, task),

@@ -114,7 +114,7 @@ std::vector<FacePoint> face_points(const Gripper& gripper, int finger, const mec
   const Placement here = placement(gripper.mounting(), finger);
   const mechanics::LinkFrames frames = gripper.finger().chain().frames(angles);
   std::vector<FacePoint> out;
-  if (object.shape == ObjectShape::box) {
+  if (object.has_flat_sides()) {
     add_corners(gripper, finger, here, frames, object, pose, out);
     add_tip(gripper, finger, here, frames, object, pose, out);
   } else {

@@ -166,11 +166,14 @@ ResultQuantity of_design(std::string name, std::string meaning, double scale, Re
 
 std::vector<ResultQuantity> gripper_quantities(const TaskOf& task) {
   const Results results(task);
+  // The same in all designs: a whole number is no variable.
+  const int fingers = task({}).mounting.fingers;
   return {
-      of_design("gripper_mass_g", "mass of both fingers without palm and wires", 140.0,
-                [](const DesignView& d) -> Value { return 2e3 * d.performance.mass; }),
-      of_design("gripper_cost_USD", "cost of both fingers, driver and supply", 44.0,
-                [](const DesignView& d) -> Value { return actuator::gripper_cost(d.performance.cost); }),
+      of_design("gripper_mass_g", "mass of all fingers without palm and wires", 140.0,
+                [fingers](const DesignView& d) -> Value { return 1e3 * fingers * d.performance.mass; }),
+      of_design(
+          "gripper_cost_USD", "cost of all fingers, driver and supply", 44.0,
+          [fingers](const DesignView& d) -> Value { return actuator::gripper_cost(d.performance.cost, fingers); }),
       of_design("gripper_friction", "coefficient of friction between object and fingers that is assumed", 1.0,
                 [task](const DesignView& d) -> Value { return task(simulation::settings_of(d)).object.friction; }),
       results.of_grasp("grip_margin",

@@ -129,11 +129,11 @@ void Scene::add_contacts(const CoordinateVector& position, const CoordinateVecto
   }
   if (!actions.support) return;
   // A smooth plane under the lowest points of the object.
-  const double half_width = object_.shape == ObjectShape::box ? 0.5 * object_.width : 0.0;
+  const double half_width = object_.has_flat_sides() ? 0.5 * object_.width : 0.0;
   const std::array<double, 2> feet{-half_width, half_width};
   for (std::size_t i = 0; i < (half_width > 0.0 ? 2U : 1U); ++i) {
     const Vector2d foot =
-        object_.shape == ObjectShape::box
+        object_.has_flat_sides()
             ? Vector2d(pose.centre + Eigen::Rotation2Dd(pose.angle) * Vector2d(feet[i], -object_.half_height()))
             : Vector2d(pose.centre - Vector2d(0.0, object_.half_height()));
     if (foot.y() - support_height_ <= closed_gap) out.contacts.push_back(of_object(joints_, pose, foot, {0.0, 1.0}));

@@ -28,7 +28,9 @@ struct Counted {
       : table(gripper_quantities([task, calls = calls](const simulation::Settings&) {
           ++*calls;
           return task;
-        })) {}
+        })) {
+    *calls = 0;  // asked once for the number of fingers
+  }
   std::shared_ptr<std::atomic<int>> calls = std::make_shared<std::atomic<int>>(0);
   simulation::QuantityTable table;
 };
@@ -79,6 +81,16 @@ TEST(GripperQuantities, ArePureFunctionsOfTheDesign) {
 // Table III of the paper: 44 US$ for a gripper.
 TEST(GripperQuantities, CostWhatThePaperSays) {
   EXPECT_NEAR(value(Counted(ball()).table, "gripper_cost_USD", finger()), 44.0, 0.05);
+}
+
+// A finger is 8 US$ in that table, driver and supply 28.
+TEST(GripperQuantities, CountTheFingers) {
+  GripperTask task = ball();
+  task.mounting.fingers = 3;
+  const auto design = finger();
+  const Counted three(task);
+  EXPECT_DOUBLE_EQ(value(three.table, "gripper_mass_g", design), 3e3 * design.performance.mass);
+  EXPECT_NEAR(value(three.table, "gripper_cost_USD", design), 52.0, 0.05);
 }
 
 // From a coefficient that does not hold to one that does, the margin grows and changes its sign where holding begins.

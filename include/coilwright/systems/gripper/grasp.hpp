@@ -12,7 +12,7 @@ namespace coilwright::systems::gripper {
 
 /// What a gripper is asked to do with an object.
 struct GraspTask {
-  double current{};       ///< in every coil of both fingers, A, from t = 0; finite
+  double current{};       ///< in every coil of all fingers, A, from t = 0; finite
   double open_current{};  ///< before that, while the object is put between them, A; below zero it opens them; finite
   double acceleration{};  ///< upwards, that the hold must survive beside gravity, m/s^2; finite, >= 0
   double step = 2e-4;     ///< of the time stepping, s; > 0, at most 5e-4
@@ -52,7 +52,7 @@ struct Grasp {
 /// Below -1 a finger does not reach it: -1 less what is missing over the object's width.
 [[nodiscard]] double holding_margin(const Grasp& grasp, const Object& object);
 
-/// The open fingers leave no room for the object.
+/// The open fingers leave no room for the object, or more than two leave each other none.
 class NoRoom : public std::invalid_argument {
  public:
   /// With an overlap > 0, m, and what() to say.
@@ -66,8 +66,14 @@ class NoRoom : public std::invalid_argument {
 
 /// Closes on an object that stands on a smooth support, takes the support away, loads it with its weight and the
 /// acceleration within 0.3 s, holds for 0.2 s, and loads on until it is lost. Rigid segments and object, dry friction
-/// by Moreau and Jean's time stepping, first order in the step. Throws std::invalid_argument for a task or an object
-/// that breaks a rule, NoRoom for an object that the open fingers touch; std::runtime_error if they find no rest.
+/// by Moreau and Jean's time stepping, first order in the step.
+///
+/// More than two fingers do all the same, and the object rises, sinks and turns as between two of them that carry
+/// their share of it: it has to be round about the gripper's axis and on it. Contacts are those of two; load and
+/// capacity those of all. That a ball could roll out between three fingers is not seen.
+///
+/// Throws std::invalid_argument for a task or an object that breaks a rule, NoRoom for an object that the open fingers
+/// touch, or fingers that meet their neighbours around it; std::runtime_error if they find no rest.
 [[nodiscard]] Grasp grasp(const Gripper& gripper, const Object& object, const GraspTask& task);
 
 /// The least current, A, up to `most`, with which the object is held, to 0.5 %; nothing if `most` does not hold it, and

@@ -11,16 +11,19 @@ namespace coilwright::systems::gripper {
 
 /// How the magnets of the second finger are built in, seen from the first.
 enum class Polarity {
-  same,     ///< two identical fingers: facing each other, their magnets repel
-  opposite  ///< the second finger's coils and magnets are all turned: the magnets attract, currents act alike
+  same,     ///< identical fingers: facing each other, their magnets repel
+  opposite  ///< every second finger's coils and magnets are all turned: two that face each other attract, currents act
+            ///< alike
 };
 
-/// How two like fingers are mounted.
+/// How like fingers are mounted.
 struct Mounting {
   double angle{};    ///< of each straight finger with the gripper's axis, outwards, rad; between -pi/2 and pi/2
-  double spacing{};  ///< between the two base joints, m; finite, > 0
-  Polarity polarity = Polarity::same;
+  double spacing{};  ///< diameter of the circle on which the base joints lie, of two fingers their distance, m; > 0
+  Polarity polarity = Polarity::same;  ///< opposite: of an even number of fingers
+  int fingers = 2;                     ///< evenly round the axis; 2 to most_fingers
 };
+inline constexpr int most_fingers = 8;
 
 /// One magnet of a finger.
 struct FingerMagnet {
@@ -28,10 +31,11 @@ struct FingerMagnet {
   double sense = 1.0;  ///< +1: polarised along its link
 };
 
-/// Two fingers that hang from a palm and close towards each other, in one plane.
+/// Fingers that hang from a palm and close towards its axis, each in a plane through it.
 ///
-/// The first is left, at x = -spacing/2, the second is its mirror image. The gripping face of each segment is the lower
-/// side of the bottom layer, half its thickness from the hinge line.
+/// The first is left, at x = -spacing/2, the second of two is its mirror image. More than two stand evenly round the
+/// axis and do all the same: what is said of the left one is said of each. The gripping face of each segment is the
+/// lower side of the bottom layer, half its thickness from the hinge line, as wide as the finger.
 class Gripper {
  public:
   /// Throws std::invalid_argument for a mounting that breaks its rule, a design that cannot be built (naming the first
@@ -55,16 +59,24 @@ class Gripper {
   /// Of one finger, base first.
   [[nodiscard]] const std::vector<FingerMagnet>& magnets() const noexcept { return magnets_; }
 
-  /// What the magnets of one finger do to the other finger.
+  /// How deep the sides of neighbouring fingers are in each other at these joint angles, m; negative: what is left
+  /// between them. Of two fingers, which face each other, minus infinity.
+  [[nodiscard]] double overlap_of_neighbours(const mechanics::JointVector& angles) const;
+
+  /// What the magnets of the other fingers do to a finger.
   struct Pull {
     mechanics::JointVector left, right;  ///< torques on the joints, N m
     double largest_force{};              ///< between two of the magnets, N
   };
-  /// At these joint angles, rad. Exact for the magnets; coils on the other finger's magnets are left out (in the
-  /// prototype at 1.4 A a coil's moment is 4 % of a magnet's).
+  /// At these joint angles, rad. Of more than two fingers all others are bent as the one that is asked for. Exact for
+  /// the magnets; coils on the other finger's magnets are left out (in the prototype at 1.4 A a coil's moment is 4 % of
+  /// a magnet's).
   [[nodiscard]] Pull magnet_torques(const mechanics::JointVector& left, const mechanics::JointVector& right) const;
 
  private:
+  [[nodiscard]] mechanics::JointVector torques_among_alike(const mechanics::JointVector& angles,
+                                                           double& largest_force) const;
+
   actuator::Assembly assembly_;
   Mounting mounting_;
   double face_offset_;

@@ -5,29 +5,38 @@
 
 namespace coilwright::systems::gripper {
 
-/// Cross-section of an object in the plane in which two fingers close.
+/// What an object is to the plane in which two fingers close.
 enum class ObjectShape {
   sphere,
   cylinder,  ///< its axis lies across the plane
-  box
+  box,
+  upright_cylinder  ///< a cup: its axis is that of the gripper
 };
 
-/// "sphere", "cylinder", "box".
+/// "sphere", "cylinder", "box", "upright_cylinder".
 [[nodiscard]] std::string_view name_of(ObjectShape shape);
 
 /// What a gripper is to lift: rigid, moved in the plane of the fingers only.
 struct Object {
   ObjectShape shape = ObjectShape::sphere;
   double width{};     ///< between the fingers: diameter, or width of a box, m; finite, > 0
-  double height{};    ///< of a box, m; finite, > 0; not read for the other shapes
+  double height{};    ///< of a box or an upright cylinder, m; finite, > 0; not read for the other shapes
   double mass{};      ///< kg; finite, > 0
   double friction{};  ///< coefficient against the fingers' silicone; finite, >= 0
   /// Centre in the gripper's frame, m: x from the middle between the fingers, y upwards from the line through both base
   /// joints, below zero for an object below the palm.
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
 
+  /// Whether its section in the plane is a rectangle, and not round.
+  [[nodiscard]] bool has_flat_sides() const {
+    return shape == ObjectShape::box || shape == ObjectShape::upright_cylinder;
+  }
+  /// Whether it is the same from all sides of the gripper's axis: what more than two fingers can hold alike.
+  [[nodiscard]] bool is_round_about_the_axis() const {
+    return (shape == ObjectShape::sphere || shape == ObjectShape::upright_cylinder) && centre.x() == 0.0;
+  }
   /// Half its height, m.
-  [[nodiscard]] double half_height() const { return 0.5 * (shape == ObjectShape::box ? height : width); }
+  [[nodiscard]] double half_height() const { return 0.5 * (has_flat_sides() ? height : width); }
   /// About its centre in the plane, of a homogeneous body, kg m^2.
   [[nodiscard]] double inertia() const;
 };

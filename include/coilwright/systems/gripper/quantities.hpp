@@ -9,7 +9,7 @@
 
 namespace coilwright::systems::gripper {
 
-/// How two fingers are mounted and what they are to lift. The current with which they close is that of the operating
+/// How fingers are mounted and what they are to lift. The current with which they close is that of the operating
 /// point.
 struct GripperTask {
   Mounting mounting{.angle = 0.5235987755982988, .spacing = 0.07};  ///< the paper's 30 deg; it gives no spacing
@@ -21,8 +21,9 @@ struct GripperTask {
 };
 
 /// What a gripper does with its task, for studies: objectives, limits, expressions and columns. `task` gives the task
-/// of one design, whose settings may vary; it must be pure. Two fingers of the design are mounted, close and lift only
-/// where one of these is asked for, and once for all of them; `grip_least_current_A` takes a dozen grasps more.
+/// of one design, whose settings may vary, but not the number of fingers; it must be pure. The fingers of the design
+/// are mounted, close and lift only where one of these is asked for, and once for all of them; `grip_least_current_A`
+/// takes a dozen grasps more.
 ///
 /// A design whose open fingers leave no room for the object has none of the values of a grasp, and says by how much.
 [[nodiscard]] std::vector<simulation::ResultQuantity> gripper_quantities(

@@ -1,4 +1,4 @@
-"""Scenes for MuJoCo: two fingers about an object, and a crawling robot. By what `coilwright export` writes of the
+"""Scenes for MuJoCo: fingers about an object, and a crawling robot. By what `coilwright export` writes of the
 finger, and by the geometry of docs/theory/systems.md.
 
 The bodies of a finger are those of actuator.xml: each has its joint at its own origin and its axis along -z; the hinge
@@ -130,16 +130,28 @@ def scene(gravity, contact, values):
     return root, xml.SubElement(root, "worldbody"), touch
 
 
+def mounted(case):
+    """Of each finger the prefix of its names, the side from which it reaches inwards, and how far the plane of that is
+    turned about the vertical, rad. Two are mirror images in one plane, more are the left one, turned."""
+    count = case.get("fingers", 2)
+    if count == 2:
+        return [("left_", 1.0, 0.0), ("right_", -1.0, 0.0)]
+    return [(f"finger{k}_", 1.0, 2.0 * math.pi * k / count) for k in range(count)]
+
+
 def gripper(finger, case, contact):
-    """Left and right finger, the object and its support. Two slides and a hinge keep the object in the plane."""
+    """The fingers, the object and its support. Two slides and a hinge keep the object in the plane of two fingers;
+    between more it is free."""
     sign = 1.0 if case["polarity"] == "same" else -1.0
+    fingers = mounted(case)
     root, world, touch = scene(finger.gravity, contact, {
         "current_A": case["current_A"], "load_N": case["load_N"], "friction": case["friction"],
-        "left_moment_Am2": finger.moment, "right_moment_Am2": sign * finger.moment})
+        **{prefix + "moment_Am2": (1.0, sign)[k % 2] * finger.moment for k, (prefix, _, _) in enumerate(fingers)}})
     deep = 0.02  # of the boxes that stand for the faces, behind these
-    for prefix, side in (("left_", 1.0), ("right_", -1.0)):
+    for prefix, side, plane in fingers:
         turned = side * math.radians(case["mounting_angle_deg"])
-        base = xml.SubElement(world, "body", name=prefix + "base", axisangle=f"0 1 0 {turned:.17g}",
+        palm = xml.SubElement(world, "body", name=prefix + "palm", axisangle=f"0 0 1 {plane:.17g}")
+        base = xml.SubElement(palm, "body", name=prefix + "base", axisangle=f"0 1 0 {turned:.17g}",
                               pos=numbers([-0.5e-3 * side * case["spacing_mm"], 0, 0]))
         first = finger.links(prefix, side < 0)
         base.append(first)
@@ -168,8 +180,13 @@ def gripper(finger, case, contact):
                            pos=numbers([1e-3 * case.get("centre_x_mm", 0.0), 0, -below]))
     xml.SubElement(object_, "inertial", pos="0 0 0", mass=f"{mass}", diaginertia=numbers([inertia] * 3))
     xml.SubElement(object_, "joint", name="object_x", type="slide", axis="1 0 0")
+    if len(fingers) > 2:
+        xml.SubElement(object_, "joint", name="object_y", type="slide", axis="0 1 0")
     xml.SubElement(object_, "joint", name="object_z", type="slide", axis="0 0 1")
-    xml.SubElement(object_, "joint", name="object_angle", type="hinge", axis="0 1 0")
+    if len(fingers) == 2:
+        xml.SubElement(object_, "joint", name="object_angle", type="hinge", axis="0 1 0")
+    else:
+        xml.SubElement(object_, "joint", name="object_attitude", type="ball")
     rubbing = {"friction": f"{case['friction']} 0 0", "condim": "3", **touch}
     if case["shape"] == "box":
         # Sides meet fingertips, corners meet faces and the support.

@@ -1,4 +1,4 @@
-// What MuJoCo makes of two fingers that grip an object, and of a robot that crawls.
+// What MuJoCo makes of fingers that grip an object, and of a robot that crawls.
 // usage: second_engine grip|crawl SCENE.xml TORQUE.csv
 //
 // Prints JSON, SI. The scene has the bodies; its numeric elements say what is done with them (see second_engine.py).
@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -200,6 +201,24 @@ struct Pose {
   std::map<std::string, Touch> contacts;
 };
 
+// A finger's magnet as a dipole. Its site is named after the finger: "left_magnet".
+struct Dipole {
+  std::string finger;  // "left_"
+  int site{};
+  double moment{};  // A m^2
+};
+
+std::vector<Dipole> dipoles(const mjModel* model) {
+  const std::string end = "magnet";
+  std::vector<Dipole> out;
+  for (int s = 0; s < model->nsite; ++s) {
+    const std::string name = mj_id2name(model, mjOBJ_SITE, s);
+    const std::string finger = name.substr(0, name.size() - end.size());
+    out.push_back({.finger = finger, .site = s, .moment = number(model, finger + "moment_Am2")});
+  }
+  return out;
+}
+
 class Gripping {
  public:
   Gripping(mjModel* model, mjData* data, const Tables& tables)
@@ -209,8 +228,7 @@ class Gripping {
         joints_(driven_joints(model, tables)),
         object_(id_of(model, mjOBJ_BODY, "object")),
         height_(model->jnt_dofadr[id_of(model, mjOBJ_JOINT, "object_z")]),
-        magnets_{id_of(model, mjOBJ_SITE, "left_magnet"), id_of(model, mjOBJ_SITE, "right_magnet")},
-        moments_{number(model, "left_moment_Am2"), number(model, "right_moment_Am2")},
+        dipoles_(dipoles(model)),
         weight_(model->body_mass[object_] * -model->opt.gravity[2]) {
     actions = [this](const mjModel*, mjData*) { apply(); };
   }
@@ -231,21 +249,26 @@ class Gripping {
       data_->qfrc_applied[joint.rate] += current_ * joint.table->at(data_->qpos[joint.position]);
     data_->qfrc_applied[height_] += weight_ - load_;  // the load is put on as a force, whatever the mass
     if (!pull_) return;
-    std::array<Vector, 2> moment{}, place{};
-    for (std::size_t f = 0; f < 2; ++f)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto site = static_cast<std::size_t>(magnets_[f]);
-        moment[f][i] = moments_[f] * data_->site_xmat[9 * site + 3 * i + 2];
-        place[f][i] = data_->site_xpos[3 * site + i];
-      }
+    for (std::size_t second = 0; second < dipoles_.size(); ++second)
+      for (std::size_t first = 0; first < second; ++first) add_pull(dipoles_[first], dipoles_[second]);
+  }
+
+  void add_pull(const Dipole& first, const Dipole& second) {
+    const auto place = [this](const Dipole& dipole) { return data_->site_xpos + 3 * dipole.site; };
+    const auto moment = [this](const Dipole& dipole) {
+      Vector out{};
+      for (std::size_t i = 0; i < 3; ++i)
+        out[i] = dipole.moment * data_->site_xmat[9 * static_cast<std::size_t>(dipole.site) + 3 * i + 2];
+      return out;
+    };
     Vector between{}, back{};
-    for (std::size_t i = 0; i < 3; ++i) between[i] = place[1][i] - place[0][i];
-    const DipolePull pull = dipole_pull(moment[0], moment[1], between);
+    for (std::size_t i = 0; i < 3; ++i) between[i] = place(second)[i] - place(first)[i];
+    const DipolePull pull = dipole_pull(moment(first), moment(second), between);
     for (std::size_t i = 0; i < 3; ++i) back[i] = -pull.force[i];
-    mj_applyFT(model_, data_, pull.force.data(), pull.torque_on_second.data(), place[1].data(),
-               model_->site_bodyid[magnets_[1]], data_->qfrc_applied);
-    mj_applyFT(model_, data_, back.data(), pull.torque_on_first.data(), place[0].data(),
-               model_->site_bodyid[magnets_[0]], data_->qfrc_applied);
+    mj_applyFT(model_, data_, pull.force.data(), pull.torque_on_second.data(), place(second),
+               model_->site_bodyid[second.site], data_->qfrc_applied);
+    mj_applyFT(model_, data_, back.data(), pull.torque_on_first.data(), place(first), model_->site_bodyid[first.site],
+               data_->qfrc_applied);
   }
 
   void advance(double time, const std::function<void()>& after) {
@@ -277,25 +300,22 @@ class Gripping {
       mj_contactForce(model_, data_, c, force.data());
       // The frame's rows are the normal, from the first geom to the second, and two tangents.
       const double sign = first ? -1.0 : 1.0;
-      double along_x = 0.0;
-      double along_z = 0.0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        along_x += sign * force[i] * contact.frame[3 * i];
-        along_z += sign * force[i] * contact.frame[3 * i + 2];
+      Vector along{}, normal{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < 3; ++i) along[axis] += sign * force[i] * contact.frame[3 * i + axis];
+        normal[axis] = sign * contact.frame[axis];
       }
-      // A tangent that points upwards.
-      const double nx = sign * contact.frame[0];
-      const double nz = sign * contact.frame[2];
-      const double up = nx > 0.0 ? 1.0 : -1.0;
+      const double pressed = dot(along.data(), normal.data());
       Touch& touch = to[mj_id2name(model_, mjOBJ_BODY, other)];
-      touch.normal += (along_x * nx + along_z * nz) / steps;
-      touch.friction += up * (-along_x * nz + along_z * nx) / steps;
+      touch.normal += pressed / steps;
+      // Along the tangent that points upwards.
+      touch.friction += (along[2] - pressed * normal[2]) / std::sqrt(1.0 - normal[2] * normal[2]) / steps;
       touch.x = contact.pos[0];
       touch.z = contact.pos[2];
     }
   }
 
-  // Whether both fingers give all the friction upwards that they can: the object begins to slip.
+  // Whether all fingers give all the friction upwards that they can: the object begins to slip.
   [[nodiscard]] bool slips() const {
     std::map<std::string, Touch> found;
     add_touches(found, 1.0);
@@ -305,11 +325,12 @@ class Gripping {
     });
   }
 
-  [[nodiscard]] bool touches(char finger) const {
+  // Adds the fingers that touch the object.
+  void add_touching(std::set<std::string>& fingers) const {
     std::map<std::string, Touch> found;
     add_touches(found, 1.0);
-    return std::any_of(found.begin(), found.end(),
-                       [&](const auto& each) { return each.first[0] == finger && each.second.normal > 0.0; });
+    for (const auto& [body, touch] : found)
+      if (touch.normal > 0.0) fingers.insert(body.substr(0, body.find('_')));
   }
 
   [[nodiscard]] double finger_energy() const {
@@ -326,15 +347,14 @@ class Gripping {
     model_->opt.disableflags &= ~mjDSBL_CONTACT;
     current_ = number(model_, "current_A");
     load_ = weight_;
-    bool left = false;
-    bool right = false;
+    std::set<std::string> touched;
     double still = 0.0;
     for (double time = model_->opt.timestep; time <= 1.0 && still <= 0.02; time += model_->opt.timestep) {
       stepper_.step();
-      left = left || touches('l');
-      right = right || touches('r');
-      if (left && right && closing_time_ < 0.0) closing_time_ = time;
-      still = left && right && finger_energy() < 1e-8 ? still + model_->opt.timestep : 0.0;
+      add_touching(touched);
+      const bool all = touched.size() == dipoles_.size();
+      if (all && closing_time_ < 0.0) closing_time_ = time;
+      still = all && finger_energy() < 1e-8 ? still + model_->opt.timestep : 0.0;
     }
     const double steps = std::round(0.02 / model_->opt.timestep);
     advance(0.02, [&] { add_touches(closed_.contacts, steps); });
@@ -391,8 +411,7 @@ class Gripping {
   Stepper stepper_;
   std::vector<Driven> joints_;
   int object_, height_;
-  std::array<int, 2> magnets_;
-  std::array<double, 2> moments_;
+  std::vector<Dipole> dipoles_;
   double weight_;
   bool pull_ = false;
   double current_ = 0.0;

@@ -54,6 +54,9 @@ GRIPS = {
     "ball": BALL,  # the example of coilwright help grip
     "ball, magnets attract": {**BALL, "polarity": "opposite"},
     "ball, 120 mm": {**BALL, "width_mm": 120, "spacing_mm": 140, "mass_g": 20},
+    # In space, and free: nothing keeps the ball on the axis but the fingers.
+    "ball, 3 fingers": {**BALL, "fingers": 3, "mass_g": 60},
+    "ball, 4, attract": {**BALL, "fingers": 4, "mass_g": 60, "polarity": "opposite"},
     "box": BOX,
     "box, 110 mm": {**BOX, "width_mm": 110, "spacing_mm": 130},
     "box, 1.05 A": {**BOX, "width_mm": 40, "spacing_mm": 60, "mounting_angle_deg": 20, "friction": 1, "current_A": 1.05},
@@ -127,22 +130,28 @@ def crawl_in_engine(case, contact=LANDING):
 
 
 def bending(pose):
-    """Of the left finger and of the right one, deg."""
+    """Of each finger, which has two joints, deg."""
     angles = [math.degrees(angle) for angle in pose["angles_rad"]]
-    half = len(angles) // 2
-    return sum(angles[:half]), sum(angles[half:])
+    return [first + second for first, second in zip(angles[::2], angles[1::2], strict=True)]
+
+
+def by_finger(answer):
+    """The program's contacts under the engine's names. Of more than two fingers it says one for each."""
+    names = ["left", "right"] if answer["fingers"] == 2 else [f"finger{k}" for k in range(answer["fingers"])]
+    return {f"{name}_link{each['link'] + 1}": each for each in answer["contacts"] for name in names
+            if each["finger"] in (name, "each")}
 
 
 class Gripper(unittest.TestCase):
     def assert_same(self, ours, theirs):
-        self.assertEqual({f"{each['finger']}_link{each['link'] + 1}" for each in ours["contacts"]},
-                         set(theirs["contacts"]))
-        self.assertEqual(len(ours["contacts"]), 2)
-        for each in ours["contacts"]:
-            other = theirs["contacts"][f"{each['finger']}_link{each['link'] + 1}"]
+        self.assertEqual(set(by_finger(ours)), set(theirs["contacts"]))
+        self.assertEqual(len(theirs["contacts"]), ours["fingers"])
+        for name, each in by_finger(ours).items():
+            other = theirs["contacts"][name]
             self.assertAlmostEqual(each["normal_N"], other["normal_N"], delta=FORCE * other["normal_N"])
             self.assertAlmostEqual(each["friction_N"], other["friction_N"], delta=FORCE * other["normal_N"])
-        for side, angle in zip(("left", "right"), bending(theirs), strict=True):
+        sides = ("left", "right") if ours["fingers"] == 2 else ("left",) * ours["fingers"]
+        for side, angle in zip(sides, bending(theirs), strict=True):
             self.assertAlmostEqual(ours[f"bending_{side}_deg"], angle, delta=BENDING)
 
     def test_fingers_press_and_bend_as_in_the_engine(self):
@@ -198,7 +207,8 @@ def print_tables():
         ours, theirs = grip(name), grip_in_engine(name)
         text = f"{'':56}"
         if ours["holds"]:
-            one, other = ours["contacts"][0], theirs["held"]["contacts"]["left_link2"]
+            one = ours["contacts"][0]
+            other = theirs["held"]["contacts"][next(iter(by_finger(ours)))]
             text = (f"{one['normal_N']:8.5f}  {other['normal_N']:8.5f}  {one['friction_N']:8.5f}  {other['friction_N']:8.5f}"
                     f"  {ours['bending_left_deg']:7.3f}  {bending(theirs['held'])[0]:7.3f}")
         print(f"{name:22}  {text}  {ours['capacity_N']:8.5f}  {theirs['slipping_load_N']:8.5f}")

@@ -12,6 +12,7 @@
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/idle_numbers.hpp"
 #include "measurement/compare/intervals.hpp"
+#include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/correction/find_correction.hpp"
@@ -73,12 +74,19 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// Sets outliers aside, as the declared model shows them once it is recalibrated. The recalibration itself is repeated
-// by the comparison; returns the number of runs simulated here.
+// Sets outliers aside, as the declared model shows them once it is recalibrated, from the same starts as the comparison
+// does that again; returns the number of runs simulated here.
 long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const fit::Hypothesis& declared) {
-  const auto fitted = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
-  if (fitted.value) (void)fit::set_outliers_aside(runs, *fitted.value);
-  return fitted.simulated_runs;
+  auto best = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
+  if (!best.value) return best.simulated_runs;
+  const compare::FittedHypothesis first{.hypothesis = declared, .fit = *best.value};
+  for (const compare::PlannedFit& other : compare::with_other_starts(first, 0)) {
+    auto there = fit::fit(compare::fit_request_of(runs, other));
+    best.simulated_runs += there.simulated_runs;
+    if (there.value && there.value->objective() < best.value->objective()) best.value = std::move(there.value);
+  }
+  (void)fit::set_outliers_aside(runs, *best.value);
+  return best.simulated_runs;
 }
 
 std::vector<Outliers> outliers_of(const std::vector<replay::PreparedRun>& runs) {

@@ -84,6 +84,10 @@ std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::u
     PlannedFit plan{.hypothesis = fitted.hypothesis, .start = fitted.fit.values, .local_numbers_from = &fitted.fit};
     plan.start[at] = is_near_other ? numbers[i].declared : *numbers[i].other_start;
     out.push_back(std::move(plan));
+    // A face that the finger does not have may have bent all other numbers, and the clocks of the runs, and may still
+    // be touched where its prior has ended.
+    out.push_back(from_declared_numbers(fitted, effects));
+    out.back().start[at] = *numbers[i].other_start;
   }
   return out;
 }

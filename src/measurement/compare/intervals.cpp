@@ -19,11 +19,29 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// The square of Birge's ratio of the declared numbers: 1 as long as chance can have moved them together as far as they
+// are.
+double squared_birge_ratio(const FittedHypothesis& fitted) {
+  if (probability_of_declared_numbers(fitted) >= decision_thresholds.least_probability) return 1.0;
+  const auto count = std::ranges::count_if(fitted.hypothesis.parameters(), &fit::FitParameter::has_prior);
+  return std::max(1.0, fitted.fit.prior_chi_square / static_cast<double>(count));
+}
+
+// What data and priors say together of the numbers. Where some are off by far more than their tolerances, nobody knows
+// that of the others to be better: all tolerances are taken larger by Birge's ratio.
+Eigen::MatrixXd information(const FittedHypothesis& fitted) {
+  const fit::Fit& there = fitted.fit;
+  const double squared_ratio = squared_birge_ratio(fitted);
+  if (squared_ratio == 1.0) return there.normal_matrix;
+  const Eigen::MatrixXd prior = fitted.hypothesis.prior_jacobian(there.values, there.model_error);
+  return there.normal_matrix - (1.0 - 1.0 / squared_ratio) * prior.transpose() * prior;
+}
+
 // Standard deviations from the curvature at the optimum; infinite for parameters that the data do not determine.
 Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overdispersion) {
   const Eigen::Index p = fitted.hypothesis.size();
   const Eigen::VectorXd scales = fitted.hypothesis.scales();
-  const Eigen::MatrixXd scaled = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
+  const Eigen::MatrixXd scaled = scales.asDiagonal() * information(fitted) * scales.asDiagonal();
   Eigen::VectorXd out = Eigen::VectorXd::Constant(p, infinity);
   if (p == 0) return out;
   // A direction that the data do not determine leaves only those parameters undetermined that contribute to it.

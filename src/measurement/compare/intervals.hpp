@@ -24,9 +24,11 @@ struct EstimatedHypothesis {
                                                       FittedHypothesis fitted);
 
 /// 95 % intervals of all parameters: of the calibration from the curvature at the optimum, of the numbers of effects
-/// from the profile likelihood. If a profile reaches a better optimum than the fit had found, the hypothesis is
-/// refitted from there first, and its intervals are those at the better optimum.
-/// `progress` is told now and then how many ends are known; it may be called from several threads, one at a time.
+/// from the profile likelihood. Where declared numbers are off, all together, by more than chance has it (1 %), the
+/// tolerances behind the former are taken larger by Birge's ratio, the root of the mean square of the tolerances moved
+/// (R. T. Birge, Phys. Rev. 40 (1932) 207). If a profile reaches a better optimum than the fit had found, the
+/// hypothesis is refitted from there first, and its intervals are those at the better optimum. `progress` is told now
+/// and then how many ends are known; it may be called from several threads, one at a time.
 [[nodiscard]] EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted,
                                             double overdispersion,
                                             const std::function<void(const std::string&)>& progress = {});

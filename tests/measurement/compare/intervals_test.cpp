@@ -117,6 +117,39 @@ TEST(Intervals, AreTakenAtABetterOptimumThatAProfileReaches) {
   EXPECT_GT(all[2].upper, stop);
 }
 
+// Of two declared numbers with tolerances the data tell the mass alone. Where that is far from what was declared, the
+// other one is as uncertain as both together have shown to be.
+TEST(Intervals, TakeTolerancesForTooSmallWhereANumberIsFarOff) {
+  constexpr double tolerance = 0.02;  // kg
+  constexpr double unseen = 0.5;
+  const auto interval_of_the_unseen = [&](double declared_mass) {
+    replay::DeclaredModel declared = slide(declared_mass, true_damping);
+    declared.calibration.front().tolerance = replay::Tolerance{.deviation = tolerance};
+    declared.calibration.front().scale = tolerance;
+    declared.calibration.front().calibrated = false;
+    declared.calibration.push_back({.key = "unseen",
+                                    .declared = 0.0,
+                                    .lower = -10.0,
+                                    .upper = 10.0,
+                                    .scale = unseen,
+                                    .tolerance = replay::Tolerance{.deviation = unseen},
+                                    .calibrated = false});
+    Normal normal(11);
+    const auto run = slide_run(400, {}, [&] { return noise_sigma * normal(); });
+    const fit::Hypothesis plain(declared, {});
+    const std::vector runs{replay::prepare_run(run, declared, plain.model_at(plain.start()))};
+    auto found = fit::fit({.hypothesis = &plain, .runs = runs, .start = plain.start()});
+    EXPECT_TRUE(found.value);
+    const FittedHypothesis fitted{.hypothesis = plain, .fit = std::move(*found.value)};
+    return estimated(runs, fitted, 1.0).estimates[2];
+  };
+  const Estimate near = interval_of_the_unseen(true_mass + tolerance);
+  EXPECT_NEAR(near.upper, 1.96 * unseen, 1e-3 * unseen);
+  const Estimate far = interval_of_the_unseen(true_mass + 10.0 * tolerance);
+  EXPECT_NEAR(far.upper, 1.96 * unseen * std::sqrt(0.5 * 10.0 * 10.0), 0.1 * unseen * std::sqrt(50.0));
+  EXPECT_NEAR(far.lower, -far.upper, 1e-6);
+}
+
 // What two models that the data cannot tell apart make of a mass is as open as both say; its value is the first's.
 TEST(Intervals, ContainThoseOfRivals) {
   const replay::DeclaredModel declared = slide(2.2, 2.5);

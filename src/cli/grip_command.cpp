@@ -374,10 +374,9 @@ void add_grip_command(CLI::App& app, Outcome&) {
   add_gripper_options(*command, *options);
   command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
   command->footer(
-      "Two like fingers hang from a palm, mirrored, and close in one plane; more stand evenly round the gripper's "
-      "axis\n"
-      "and all do the same. The object stands on a smooth support until they hold it; the support is then taken away, "
-      "the load put on within 0.3 s and held for 0.2 s.\n\n"
+      "Two like fingers hang from a palm, mirrored, and close in one plane; more stand evenly round the\n"
+      "gripper's axis and all do the same. The object stands on a smooth support until they hold it; the support\n"
+      "is then taken away, the load put on within 0.3 s and held for 0.2 s.\n\n"
       "Example:\n"
       "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
   command->callback([options] {

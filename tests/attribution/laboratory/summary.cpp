@@ -57,12 +57,13 @@ std::map<std::string, std::vector<Outcome>> by_condition(const std::vector<Outco
 }  // namespace
 
 std::vector<Figure> figures(const std::vector<Outcome>& outcomes) {
-  Count names, verdicts, far, colour, found, invented, two, three, outsiders, wrong, effects, numbers, after, corrected,
-      worse;
+  Count names, verdicts, far, colour, found, invented, two, three, outsiders, wrong, absent, effects, numbers, after,
+      corrected, worse;
   for (const Outcome& outcome : outcomes) {
     const bool explained = outcome.verdict == "explained";
     const std::string& category = outcome.category;
     wrong.add(outcome.explained_wrong);
+    absent.add(explained && outcome.invented);
     if (category == "nothing" || category == "far") names.add(outcome.false_name);
     if (category == "nothing") verdicts.add(outcome.right_verdict);
     if (category == "far") far.add(outcome.right_verdict);
@@ -103,6 +104,11 @@ std::vector<Figure> figures(const std::vector<Outcome>& outcomes) {
       {.text = "all of three clear effects", .column = "three", .count = three, .share = 0.5},
       {.text = "outsiders explained", .column = "outside", .count = outsiders, .share = 0.05, .at_most = true},
       {.text = "`explained` and wrong, of all sets", .column = "wrong", .count = wrong, .share = 0.02, .at_most = true},
+      {.text = "  with an effect that is not there",
+       .column = "absent",
+       .count = absent,
+       .share = 0.02,
+       .at_most = true},
       {.text = "true effect parameters inside the 95 % intervals",
        .column = "effect ci",
        .count = effects,

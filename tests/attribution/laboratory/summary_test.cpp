@@ -31,7 +31,7 @@ std::vector<Outcome> a_few() {
       outcome(4, "two", {"coil_lag", "drag"}, "unexplained"), outcome(5, "outsider", {"gusts"}, "partly_explained"),
       outcome(6, "colour_unknown", {}, "unexplained"),        outcome(7, "far", {}, "declared_numbers_off")};
   all[0].right_verdict = true;
-  all[1].false_name = all[1].explained_wrong = true;
+  all[1].false_name = all[1].explained_wrong = all[1].invented = true;
   all[1].reported = {"creep"};
   all[2].found = true;
   all[2].after_over_noise = 1.05;
@@ -68,6 +68,7 @@ TEST(LaboratoryFigures, CountTheSetsThatTheyName) {
   expect("two", 0, 0);  // nobody could see them
   expect("outside", 0, 1);
   expect("wrong", 2, 8);
+  expect("absent", 2, 8);
   expect("effect ci", 1, 2);
   expect("after", 1, 2);
   expect("corrected", 1, 1);

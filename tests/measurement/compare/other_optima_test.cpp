@@ -24,19 +24,26 @@ TEST(OtherStarts, AreWhereAnotherValleyMayBe) {
   declared.calibration.front().other_start = 3.0 * true_mass;
   const FittedHypothesis plain = fitted_with(declared, {});
   const std::vector<PlannedFit> of_plain = with_other_starts(plain, 1);
-  ASSERT_EQ(of_plain.size(), 1u);
+  ASSERT_EQ(of_plain.size(), 2u);
   EXPECT_EQ(of_plain[0].start[0], 3.0 * true_mass);
 
   // A fit that ended near the other start is tried from the declared number.
   FittedHypothesis moved = plain;
   moved.fit.values[0] = 2.9 * true_mass;
-  EXPECT_EQ(with_other_starts(moved, 1)[0].start[0], true_mass);
+  moved.fit.values[1] = 0.1 * true_damping;
+  const std::vector<PlannedFit> of_moved = with_other_starts(moved, 1);
+  EXPECT_EQ(of_moved[0].start[0], true_mass);
+  EXPECT_EQ(of_moved[0].start[1], 0.1 * true_damping);
+  // And wherever it ended, from the other start with nothing bent yet by what is to be left.
+  EXPECT_EQ(of_moved[1].start[0], 3.0 * true_mass);
+  EXPECT_EQ(of_moved[1].start[1], true_damping);
+  EXPECT_EQ(of_moved[1].local_numbers_from, nullptr);
 
   FittedHypothesis friction =
       fitted_with(declared, {{.kind = standard_effects().find("dry_friction"), .values = {1.0}}});
   friction.fit.values[0] = 1.1 * true_mass;
   const std::vector<PlannedFit> of_friction = with_other_starts(friction, 1);
-  ASSERT_EQ(of_friction.size(), 3u);
+  ASSERT_EQ(of_friction.size(), 4u);
   EXPECT_EQ(of_friction[0].start[0], true_mass);  // from the declared number
   EXPECT_EQ(of_friction[0].start[2], 1.0);
   EXPECT_NEAR(of_friction[1].start[2], 0.3, 1e-12);

@@ -48,6 +48,8 @@ What was assumed
   Runs kept from the fit, for the errors only: b.csv
   Numbers fitted freely:
     joint_stiffness_Nmm_rad  12.4  12.3 to 12.5 (95 %)
+    Their intervals, and those of the declared numbers, contain what each of the effects that these data cannot
+    tell apart makes of them; the values are those with the effects reported.
   2 declared numbers could move, each at the price of its tolerance (one standard deviation); in the fit with the effects found:
                                   declared  tolerance       moved to  tolerances moved
     /measured/tip_segment_mass_g        20  0.5                 20.5              +1.0

@@ -1,6 +1,7 @@
 #include "archive/database.hpp"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <system_error>
 
@@ -14,6 +15,12 @@ namespace fs = std::filesystem;
 // Another process holds the file for milliseconds at a time.
 constexpr int busy_timeout = 10'000;  // ms
 
+// It is there while a change is made that the log does not take: of the way of logging itself, at a run's begin and
+// end.
+fs::path journal_of(const fs::path& archive) {
+  return archive.string() + "-journal";
+}
+
 text::InputError error_about(const fs::path& path, const std::string& rule) {
   return text::InputError({.file = path.string(), .place = {}, .rule = rule, .value = {}});
 }
@@ -26,6 +33,12 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
     application = database.execAndGet("PRAGMA application_id").getInt();
     version = database.execAndGet("PRAGMA user_version").getInt();
   } catch (const SQLite::Exception& error) {
+    // No file of another kind has a journal that SQLite takes for its own.
+    if (error.getErrorCode() == SQLITE_READONLY)
+      throw error_about(path,
+                        fmt::format("was left half-changed by a run that was killed, and is put right only where it "
+                                    "may be written: copy it there with {}",
+                                    journal_of(path).filename().string()));
     throw error_about(path, std::string("is no archive of a study: ") + error.what());
   }
   if (application != application_id) throw error_about(path, "is no archive of a study: another program wrote it");
@@ -54,6 +67,8 @@ SQLite::Database open(const fs::path& path, int flags) {
 }  // namespace
 
 SQLite::Database open_to_read(const fs::path& path) {
+  // A change that was cut short is taken back by the next who opens the file, but not by one who may only read.
+  if (fs::exists(journal_of(path))) static_cast<void>(open(path, SQLite::OPEN_READWRITE));
   return open(path, SQLite::OPEN_READONLY);
 }
 

@@ -90,8 +90,9 @@ void create(const fs::path& path, const Contents& contents) {
       SQLite::Database database(part.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
       write_contents(database, contents);
     });
-    // A log that was left by a run that was killed belongs to the file that is replaced.
-    for (const char* log : {"-wal", "-shm"}) remove_quietly(path.string() + log);
+    // What a run that was killed left beside the file belongs to the one that is replaced, and would be played into
+    // this.
+    for (const char* log : {"-wal", "-shm", "-journal"}) remove_quietly(path.string() + log);
     std::error_code error;
     fs::rename(part, path, error);
     if (error) throw text::OutputError(path, error.message(), preparing);

@@ -10,7 +10,7 @@ import subprocess
 import unittest
 
 from archived_runs import ARCHIVE, designs_of, end, results_of, start, stop_with_designs
-from program import HANGS, ProgramTest, run
+from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
 
 ENDLESS = {"max_evaluations": 1000000, "algorithm": "isres"}
@@ -72,6 +72,50 @@ class Folders(ArchivedStudy):
         self.assertEqual(result.stderr, f"coilwright: out: holds a run of this study that has not ended ({count} designs "
                                         "recorded): --resume goes on with it, --force starts anew\n")
         self.assertEqual(designs_of(self.folder / "out"), before)
+
+    def leave_half_changed(self, out="out"):
+        """As a kill leaves the archive in the middle of a change that the write-ahead log does not take."""
+        archive = self.folder / out / ARCHIVE
+        with contextlib.closing(sqlite3.connect(archive, isolation_level=None)) as database:
+            for line in ("PRAGMA journal_mode = DELETE", "PRAGMA cache_size = 1", "BEGIN", "UPDATE designs SET mass_g = -1"):
+                database.execute(line)
+            left = {path: path.read_bytes() for path in archive.parent.glob(ARCHIVE + "*")}
+            database.execute("ROLLBACK")
+        for path, content in left.items():
+            path.write_bytes(content)
+        self.assertEqual(sorted(path.name for path in left), [ARCHIVE, ARCHIVE + "-journal"])
+        return archive
+
+    def test_what_a_kill_left_half_changed_is_taken_back(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 300, "seed": 5})
+        answer = self.run_well("pareto")
+        recorded = designs_of(self.folder / "out")
+        for option in ("--resume", "--force"):
+            with self.subTest(option):
+                self.leave_half_changed()
+                self.assertEqual(self.run_well("pareto", option), answer)
+                self.assertEqual(len(designs_of(self.folder / "out")), len(recorded))
+                self.assertNotIn(-1, [value for row in designs_of(self.folder / "out") for value in row])
+        self.leave_half_changed()
+        self.run_well("pareto", "--reuse", "out", out="reused")
+
+    @unittest.skipUnless(os.geteuid() == 0, "only the superuser can become one who may not write")
+    def test_what_a_kill_left_half_changed_needs_a_folder_that_may_be_written(self):
+        write_study(self, search={"max_evaluations": 300})
+        self.run_well("size")
+        archive = self.leave_half_changed()
+        for path in (self.folder, archive.parent):
+            path.chmod(0o755)
+        try:
+            result = subprocess.run([PROGRAM, "archive", "list", "out"], cwd=self.folder, user="nobody", capture_output=True,
+                                    encoding="utf-8", timeout=HANGS, check=False)
+        except PermissionError:
+            self.skipTest("the program lies where others may not go")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(result.stderr, "coilwright: out/archive.sqlite: was left half-changed by a run that was killed, and "
+                                        "is put right only where it may be written: copy it there with "
+                                        "archive.sqlite-journal\n")
+        self.assertNotIn(-1, [value for row in designs_of(self.folder / "out") for value in row])
 
     def test_another_run_s_archive_is_refused_and_says_what_differs(self):
         write_study(self, objectives=FRONT, search={"max_evaluations": 20, "seed": 5})

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,6 +21,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/thermal/steady_state.hpp"
+#include "coilwright/units/angle.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
 #include "word_rule.hpp"
@@ -37,8 +37,6 @@ using systems::gripper::Object;
 using systems::gripper::ObjectShape;
 using systems::gripper::Polarity;
 using text::Json;
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 // As on the command line, each in the unit of its name.
 struct Options {
@@ -109,7 +107,7 @@ Answer answer_of(const Options& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   const actuator::Design design = design_in(file, options.actuator, "a gripper needs a design (actuator/1)");
   const Gripper gripper = at_place(options.actuator.file, [&] {
-    return Gripper(design, {.angle = options.mounting_angle / degrees,
+    return Gripper(design, {.angle = options.mounting_angle / units::degrees_per_radian,
                             .spacing = options.spacing * 1e-3,
                             .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
                             .fingers = options.fingers});
@@ -235,12 +233,12 @@ std::string as_text(const Options& options, const Answer& answer) {
                                         : grasp.both_touched ? "on the object, before its support is taken away"
                                                              : "where they end");
   text += contacts_text(options, grasp);
-  const double left = grasp.left.sum() * degrees;
+  const double left = grasp.left.sum() * units::degrees_per_radian;
   const char* act = options.polarity == "same" ? "repel" : "attract";
   if (options.fingers == 2)
     text +=
         fmt::format("  bending {:.4g} deg left, {:.4g} deg right; their magnets {} each other with up to {:.3g} N\n",
-                    left, grasp.right.sum() * degrees, act, grasp.magnet_force);
+                    left, grasp.right.sum() * units::degrees_per_radian, act, grasp.magnet_force);
   else
     text += fmt::format("  bending {:.4g} deg each; magnets that face each other {}, two of them with up to {:.3g} N\n",
                         left, act, grasp.magnet_force);
@@ -282,8 +280,8 @@ std::string as_json(const Options& options, const Answer& answer) {
                            {"load_N", grasp.load},
                            {"capacity_N", grasp.capacity},
                            {"capacity_is_lower_bound", grasp.capacity_is_bound},
-                           {"bending_left_deg", grasp.left.sum() * degrees},
-                           {"bending_right_deg", grasp.right.sum() * degrees},
+                           {"bending_left_deg", grasp.left.sum() * units::degrees_per_radian},
+                           {"bending_right_deg", grasp.right.sum() * units::degrees_per_radian},
                            {"magnet_force_N", grasp.magnet_force},
                            {"settling_mm", grasp.settling * 1e3},
                            {"contacts", std::move(contacts)}});
@@ -380,8 +378,12 @@ void add_grip_command(CLI::App& app, Outcome&) {
       "Example:\n"
       "  coilwright grip configs/actuators/paper_finger.json --width-mm 60 --mass-g 40 --friction 0.8");
   command->callback([options] {
-    if (object_of(*options).has_flat_sides() && options->height == 0.0)
+    const bool has_height = object_of(*options).has_flat_sides();
+    if (has_height && options->height == 0.0)
       throw CLI::ValidationError("--height-mm", "is needed for a box and an upright cylinder");
+    if (!has_height && options->height != 0.0)
+      throw CLI::ValidationError("--height-mm", "belongs to a box and an upright cylinder: --width-mm is all that a " +
+                                                    options->shape + " has");
     const Answer answer = answer_of(*options);
     std::cout << (options->json ? as_json(*options, answer) : as_text(*options, answer));
   });

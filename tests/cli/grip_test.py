@@ -94,6 +94,7 @@ class Grip(ProgramTest):
             (("--width-mm", "60", "--mass-g", "40", "--friction", "0"), "--friction"),
             (("--width-mm", "60", "--mass-g", "1e-9", "--friction", "1"), '--mass-g: must be from 0.001 to 100000; got "1e-9"'),
             (("--shape", "box", "--width-mm", "60", "--mass-g", "40", "--friction", "1"), "--height-mm: is needed for a box and an upright cylinder"),
+            ((*BALL, "--height-mm", "30"), "--height-mm: belongs to a box and an upright cylinder: --width-mm is all that a sphere has"),
             ((*BALL, "--fingers", "9"), '--fingers: must be from 2 to 8; got "9"'),
             ((*BALL, "--fingers", "3", "--polarity", "opposite"), "mounting.fingers must be an even number"),
             ((*BALL, "--fingers", "3", "--shape", "cylinder"), "object must be a sphere or an upright_cylinder"),

@@ -12,8 +12,8 @@
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/idle_numbers.hpp"
 #include "measurement/compare/intervals.hpp"
-#include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
+#include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
@@ -74,19 +74,12 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// Sets outliers aside, as the declared model shows them once it is recalibrated, from the same starts as the comparison
-// does that again; returns the number of runs simulated here.
-long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const fit::Hypothesis& declared) {
-  auto best = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
-  if (!best.value) return best.simulated_runs;
-  const compare::FittedHypothesis first{.hypothesis = declared, .fit = *best.value};
-  for (const compare::PlannedFit& other : compare::with_other_starts(first, 0)) {
-    auto there = fit::fit(compare::fit_request_of(runs, other));
-    best.simulated_runs += there.simulated_runs;
-    if (there.value && there.value->objective() < best.value->objective()) best.value = std::move(there.value);
-  }
-  (void)fit::set_outliers_aside(runs, *best.value);
-  return best.simulated_runs;
+// Sets outliers aside, as the declared model shows them once it is recalibrated; returns the number of runs simulated
+// here.
+long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
+  const auto fitted = compare::recalibrated(runs, declared);
+  (void)fit::set_outliers_aside(runs, fitted.value.fit);
+  return fitted.simulated_runs;
 }
 
 std::vector<Outliers> outliers_of(const std::vector<replay::PreparedRun>& runs) {
@@ -129,7 +122,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);
-  const long simulated_for_outliers = set_outliers_aside(runs, as_declared);
+  const long simulated_for_outliers = set_outliers_aside(runs, declared);
   timer.end_phase("noise and outliers", simulated_for_outliers);
 
   compare::Attribution compared = compare::attribute({.runs = runs,

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "measurement/compare/hypothesis_extension.hpp"
@@ -15,11 +15,13 @@
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
+#include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/rig_scale.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
 #include "measurement/compare/settled_model_error.hpp"
-#include "measurement/compare/thinned_windows.hpp"
+#include "measurement/compare/some_windows.hpp"
+#include "measurement/compare/staged_fit.hpp"
 #include "measurement/fit/outliers.hpp"
 
 namespace coilwright::measurement::compare {
@@ -49,42 +51,6 @@ std::string names(const FittedHypothesis& fitted) {
 
 std::string effects_text(std::size_t count) {
   return fmt::format("{} effect{}", count, count == 1 ? "" : "s");
-}
-
-// The inputs of the first run that the model cannot follow by itself.
-std::string inputs_that_fail(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    if (!fit::evaluate_at(fit_request_of(runs.subspan(r, 1), plan)).value) return "the inputs of " + runs[r].run->name;
-  return "these inputs";
-}
-
-Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
-                                       const replay::DeclaredModel& declared) {
-  PlannedFit plan{.hypothesis = fit::Hypothesis(declared, {})};
-  plan.start = plan.hypothesis.start();
-  auto fitted = fit_exactly(runs, plan);
-  if (!fitted.value)
-    throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(runs, plan));
-  Counted<FittedHypothesis> out{.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
-  const FittedHypothesis first = out.value;
-  for (const PlannedFit& other : with_other_starts(first, 0)) {
-    auto there = fit_exactly(runs, other);
-    out.simulated_runs += there.simulated_runs;
-    if (there.value && there.value->fit.objective() < out.value.fit.objective()) out.value = std::move(*there.value);
-  }
-  return out;
-}
-
-std::size_t windows_of(std::span<const replay::PreparedRun> runs) {
-  std::size_t count = 0;
-  for (const replay::PreparedRun& run : runs) count += run.windows.size();
-  return count;
-}
-
-double values_of(std::span<const replay::PreparedRun> runs) {
-  double count = 0.0;
-  for (const replay::PreparedRun& run : runs) count += static_cast<double>(run.values());
-  return count;
 }
 
 struct ApplicableKinds {
@@ -120,28 +86,30 @@ class HypothesisSearch {
 
   // Nothing if more outliers were set aside.
   Counted<std::optional<Attribution>> run() {
-    const FittedHypothesis before = counted(recalibrated_at_its_error());
+    const FittedHypothesis before =
+        counted(may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
+                                  : recalibrated(request_.runs, *request_.declared));
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
-    const std::optional<FittedHypothesis> before_search = thin_if_far(before);
+    const std::optional<FittedHypothesis> on_some = on_some_windows_if_far(before);
 
-    std::vector<FittedHypothesis> all = compare_levels(before_search ? *before_search : before);
+    std::vector<FittedHypothesis> all = compare_levels(on_some ? *on_some : before);
     if (found_outliers_) return {.value = std::nullopt, .simulated_runs = simulated_runs_};
-    std::vector<ComparedHypothesis> on_some_windows;
-    if (before_search) {
-      std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
-      std::vector<FittedHypothesis> others = std::exchange(all, back_on_all_windows(best));
-      on_some_windows = compared_on_some_windows(*before_search, others);
+    std::vector<ComparedHypothesis> on_some_only;
+    if (on_some) {
+      const std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
+      const std::vector<FittedHypothesis> others = std::exchange(all, back_on_all_windows(best));
+      on_some_only = some_windows_->compared(*on_some, others, overdispersion_);
     }
     Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
     Attribution out{.steps = {before}, .overdispersion = overdispersion_};
     std::ranges::move(selection.steps, std::back_inserter(out.steps));
     out.rivals = std::move(selection.rivals);
     out.indistinguishable = std::move(selection.indistinguishable);
-    for (auto* part : {&selection.ranked, &on_some_windows, &applicable.inapplicable, &failed_, &selection.ruled_out})
+    for (auto* part : {&selection.ranked, &on_some_only, &applicable.inapplicable, &failed_, &selection.ruled_out})
       std::ranges::move(*part, std::back_inserter(out.compared));
     return {.value = std::move(out), .simulated_runs = simulated_runs_ + selection.simulated_runs};
   }
@@ -152,21 +120,6 @@ class HypothesisSearch {
   Value counted(Counted<Value> result) {
     simulated_runs_ += result.simulated_runs;
     return std::move(result.value);
-  }
-
-  [[nodiscard]] Counted<FittedHypothesis> recalibrated_at_its_error() const {
-    constexpr int most_rounds = 2;
-    Counted<FittedHypothesis> out = recalibrated(runs_, *request_.declared);
-    for (int round = 0; may_weigh_priors_ && round < most_rounds; ++round) {
-      const bool is_far = out.value.whiteness.level >= search_effort.weighs_model_error;
-      const double model_error = is_far ? model_error_of(runs_, out.value) : 1.0;
-      if (is_same_model_error(model_error, replay::model_error_of(runs_))) break;
-      set_model_error(request_.runs, model_error);
-      Counted<FittedHypothesis> anew = recalibrated(runs_, *request_.declared);
-      anew.simulated_runs += out.simulated_runs;
-      out = std::move(anew);
-    }
-    return out;
   }
 
   void report(const std::string& line) const {
@@ -236,51 +189,30 @@ class HypothesisSearch {
       if (!anew.value) break;
       best = std::move(*anew.value);
     }
-    for (std::size_t r = 0; r < thinned_.size(); ++r) {
-      request_.runs[r].set_aside = thinned_[r].set_aside;
-      request_.runs[r].noise = thinned_[r].noise;
-    }
+    if (some_windows_) some_windows_->hand_on_outliers();
     return found_outliers_;
   }
 
   // Where the recalibrated model is far from the noise on long records, the search goes on with some of their windows.
   // Returns the recalibrated model fitted to them; nothing where all windows stay.
-  [[nodiscard]] std::optional<FittedHypothesis> thin_if_far(const FittedHypothesis& before) {
+  [[nodiscard]] std::optional<FittedHypothesis> on_some_windows_if_far(const FittedHypothesis& before) {
     // Begun anew, because the answer leaves far less, it looks for what all samples show.
     if (!may_weigh_priors_ || before.whiteness.level < search_effort.weighs_model_error) return std::nullopt;
-    std::optional<std::vector<replay::PreparedRun>> some = thinned(runs_);
+    std::unique_ptr<SomeWindows> some = SomeWindows::of(request_.runs);
     if (!some) return std::nullopt;
     std::optional<FittedHypothesis> there =
-        counted(fit_exactly(*some, {.hypothesis = before.hypothesis, .start = before.fit.values}));
+        counted(fit_exactly(some->runs(), {.hypothesis = before.hypothesis, .start = before.fit.values}));
     if (!there) return std::nullopt;
-    thinned_ = std::move(*some);
-    runs_ = thinned_;
-    report(fmt::format("hypotheses are compared on {} of {} windows, and judged on all", windows_of(runs_),
-                       windows_of(request_.runs)));
+    some_windows_ = std::move(some);
+    runs_ = some_windows_->runs();
+    report(fmt::format("hypotheses are compared on {}, and judged on all", some_windows_->text()));
     return there;
-  }
-
-  // What is said of hypotheses that are not among the best on some windows: of all windows, as if these were alike.
-  [[nodiscard]] std::vector<ComparedHypothesis> compared_on_some_windows(const FittedHypothesis& before,
-                                                                         const std::vector<FittedHypothesis>& all) {
-    const double share = values_of(thinned_) / values_of(request_.runs);
-    std::vector<ComparedHypothesis> out;
-    for (const FittedHypothesis& each : all) {
-      Evidence evidence = evidence_between(thinned_, before, each, overdispersion_);
-      for (double* sum : {&evidence.chi_square_before, &evidence.chi_square_after, &evidence.quasi_bic_gain})
-        *sum /= share;
-      out.push_back({.effects = each.kinds(),
-                     .evidence = std::move(evidence),
-                     .remark = fmt::format("was fitted to {} of {} windows only, where others are better",
-                                           windows_of(thinned_), windows_of(request_.runs))});
-    }
-    return out;
   }
 
   [[nodiscard]] std::vector<FittedHypothesis> back_on_all_windows(const std::vector<FittedHypothesis>& best) {
     runs_ = request_.runs;
     report(fmt::format("the best {} hypotheses are fitted to all windows", best.size()));
-    std::vector<FittedHypothesis> all = counted(on_all_windows(runs_, best));
+    std::vector<FittedHypothesis> all = counted(some_windows_->on_all(best));
     if (const FittedHypothesis* nearest_of_all = nearest(all))
       overdispersion_ = overdispersion_of(runs_, *nearest_of_all);
     return all;
@@ -352,8 +284,8 @@ class HypothesisSearch {
   }
 
   const AttributionRequest& request_;
-  std::vector<replay::PreparedRun> thinned_;  // some windows of the runs; empty where the search uses all
-  std::span<replay::PreparedRun> runs_;
+  std::unique_ptr<SomeWindows> some_windows_;  // null where the search uses all
+  std::span<replay::PreparedRun> runs_;        // with all windows, or some
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
   std::vector<ComparedHypothesis> failed_;

@@ -57,7 +57,8 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
   if (!level.from_the_run) return;
   const std::vector<double>& measured = prepared.run->channels[channel].values;
   std::string colour = std::move(level.colour);
-  if (!prepared.set_aside[channel].empty() || level.pooled) level = level_without_outliers(prepared, channel, measured);
+  // Its own: what was drawn to other runs is drawn anew from there.
+  level = level_without_outliers(prepared, channel, measured);
   if (const auto predicted = predictions_of(prepared, channel, predictions)) {
     std::vector<double> left = measured;
     for (std::size_t i = 0; i < left.size(); ++i) left[i] -= (*predicted)[i];

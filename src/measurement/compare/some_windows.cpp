@@ -1,5 +1,6 @@
-#include "measurement/compare/thinned_windows.hpp"
+#include "measurement/compare/some_windows.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -38,14 +39,26 @@ std::vector<std::string> names_of_effects(const FittedHypothesis& fitted) {
   return out;
 }
 
+std::size_t windows_of(std::span<const replay::PreparedRun> runs) {
+  std::size_t count = 0;
+  for (const replay::PreparedRun& run : runs) count += run.windows.size();
+  return count;
+}
+
+double values_of(std::span<const replay::PreparedRun> runs) {
+  double count = 0.0;
+  for (const replay::PreparedRun& run : runs) count += static_cast<double>(run.values());
+  return count;
+}
+
 }  // namespace
 
-std::optional<std::vector<replay::PreparedRun>> thinned(std::span<const replay::PreparedRun> runs) {
+std::unique_ptr<SomeWindows> SomeWindows::of(std::span<replay::PreparedRun> all) {
   std::size_t samples = 0;
-  for (const replay::PreparedRun& run : runs)
+  for (const replay::PreparedRun& run : all)
     for (const replay::SampleRange& range : run.sample_ranges()) samples += range.samples();
   const std::size_t wanted = samples / search_effort.thinned_samples;
-  std::vector<replay::PreparedRun> out(runs.begin(), runs.end());
+  std::vector<replay::PreparedRun> out(all.begin(), all.end());
   bool any = false;
   for (replay::PreparedRun& run : out) {
     const std::size_t block = std::min(wanted, run.windows.size() / search_effort.fewest_windows);
@@ -53,7 +66,48 @@ std::optional<std::vector<replay::PreparedRun>> thinned(std::span<const replay::
     run.windows = one_of_each_block(run.windows, block);
     any = true;
   }
-  return any ? std::optional(std::move(out)) : std::nullopt;
+  if (!any) return nullptr;
+  return std::unique_ptr<SomeWindows>(new SomeWindows(all, std::move(out)));
+}
+
+std::string SomeWindows::text() const {
+  return fmt::format("{} of {} windows", windows_of(some_), windows_of(all_));
+}
+
+void SomeWindows::hand_on_outliers() const {
+  for (std::size_t r = 0; r < some_.size(); ++r) {
+    all_[r].set_aside = some_[r].set_aside;
+    all_[r].noise = some_[r].noise;
+  }
+}
+
+std::vector<ComparedHypothesis> SomeWindows::compared(const FittedHypothesis& before,
+                                                      std::span<const FittedHypothesis> others,
+                                                      double overdispersion) const {
+  const double share = values_of(some_) / values_of(all_);
+  std::vector<ComparedHypothesis> out;
+  for (const FittedHypothesis& each : others) {
+    Evidence evidence = evidence_between(some_, before, each, overdispersion);
+    for (double* sum : {&evidence.chi_square_before, &evidence.chi_square_after, &evidence.quasi_bic_gain})
+      *sum /= share;
+    out.push_back({.effects = each.kinds(),
+                   .evidence = std::move(evidence),
+                   .remark = fmt::format("was fitted to {} only, where others are better", text())});
+  }
+  return out;
+}
+
+Counted<std::vector<FittedHypothesis>> SomeWindows::on_all(std::span<const FittedHypothesis> best) const {
+  std::vector<Counted<std::optional<FittedHypothesis>>> found(best.size());
+  tbb::parallel_for(std::size_t{0}, best.size(), [&](std::size_t i) {
+    found[i] = fit_exactly(all_, {.hypothesis = best[i].hypothesis, .start = best[i].fit.values});
+  });
+  Counted<std::vector<FittedHypothesis>> out;
+  for (auto& each : found) {
+    out.simulated_runs += each.simulated_runs;
+    if (each.value) out.value.push_back(std::move(*each.value));
+  }
+  return out;
 }
 
 std::vector<FittedHypothesis> split_off_the_best(std::vector<FittedHypothesis>& all, double overdispersion) {
@@ -74,20 +128,6 @@ std::vector<FittedHypothesis> split_off_the_best(std::vector<FittedHypothesis>& 
   }
   all = std::move(others);
   return best;
-}
-
-Counted<std::vector<FittedHypothesis>> on_all_windows(std::span<const replay::PreparedRun> runs,
-                                                      const std::vector<FittedHypothesis>& some) {
-  std::vector<Counted<std::optional<FittedHypothesis>>> found(some.size());
-  tbb::parallel_for(std::size_t{0}, some.size(), [&](std::size_t i) {
-    found[i] = fit_exactly(runs, {.hypothesis = some[i].hypothesis, .start = some[i].fit.values});
-  });
-  Counted<std::vector<FittedHypothesis>> out;
-  for (auto& each : found) {
-    out.simulated_runs += each.simulated_runs;
-    if (each.value) out.value.push_back(std::move(*each.value));
-  }
-  return out;
 }
 
 }  // namespace coilwright::measurement::compare

@@ -1,0 +1,57 @@
+#include "measurement/compare/recalibration.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "measurement/compare/model_error.hpp"
+#include "measurement/compare/other_optima.hpp"
+#include "measurement/compare/search_effort.hpp"
+#include "measurement/compare/staged_fit.hpp"
+
+namespace coilwright::measurement::compare {
+namespace {
+
+// The inputs of the first run that the model cannot follow by itself.
+std::string inputs_that_fail(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (!fit::evaluate_at(fit_request_of(runs.subspan(r, 1), plan)).value) return "the inputs of " + runs[r].run->name;
+  return "these inputs";
+}
+
+}  // namespace
+
+fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
+                                            const replay::DeclaredModel& declared) {
+  PlannedFit plan{.hypothesis = fit::Hypothesis(declared, {})};
+  plan.start = plan.hypothesis.start();
+  auto fitted = fit_exactly(runs, plan);
+  if (!fitted.value)
+    throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(runs, plan));
+  fit::Counted<FittedHypothesis> out{.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
+  const FittedHypothesis first = out.value;
+  for (const PlannedFit& other : with_other_starts(first, 0)) {
+    auto there = fit_exactly(runs, other);
+    out.simulated_runs += there.simulated_runs;
+    if (there.value && there.value->fit.objective() < out.value.fit.objective()) out.value = std::move(*there.value);
+  }
+  return out;
+}
+
+fit::Counted<FittedHypothesis> recalibrated_at_its_error(std::span<replay::PreparedRun> runs,
+                                                         const replay::DeclaredModel& declared) {
+  constexpr int most_rounds = 2;
+  auto out = recalibrated(runs, declared);
+  for (int round = 0; round < most_rounds; ++round) {
+    const bool is_far = out.value.whiteness.level >= search_effort.weighs_model_error;
+    const double model_error = is_far ? model_error_of(runs, out.value) : 1.0;
+    if (is_same_model_error(model_error, replay::model_error_of(runs))) break;
+    set_model_error(runs, model_error);
+    auto anew = recalibrated(runs, declared);
+    anew.simulated_runs += out.simulated_runs;
+    out = std::move(anew);
+  }
+  return out;
+}
+
+}  // namespace coilwright::measurement::compare

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "measurement/compare/fitted_hypothesis.hpp"
+
+namespace coilwright::measurement::compare {
+
+/// The declared model without any effect, recalibrated: its declared numbers fitted from where they are, and from where
+/// with_other_starts() begins (without faces that the finger may not have); the best of them. Throws
+/// std::runtime_error, which names the run, if it cannot be simulated as it is declared.
+[[nodiscard]] fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
+                                                          const replay::DeclaredModel& declared);
+
+/// The same. Where it leaves more than SearchEffort::weighs_model_error times the noise, the runs get its model error,
+/// and it is fitted again with priors that weigh as much against what it leaves.
+[[nodiscard]] fit::Counted<FittedHypothesis> recalibrated_at_its_error(std::span<replay::PreparedRun> runs,
+                                                                       const replay::DeclaredModel& declared);
+
+}  // namespace coilwright::measurement::compare

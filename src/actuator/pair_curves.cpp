@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "actuator/parts/axial_curves.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
@@ -15,9 +16,6 @@ namespace {
 
 // Far beyond what a joint of segments can open to before they fold onto each other.
 constexpr double widest_angle = 120.0 * std::numbers::pi / 180.0;
-
-// Relative to a curve's largest value; two orders below the 1e-5 to which a coil is wound.
-constexpr double curve_tolerance = 1e-6;
 
 magnetics::ThickCoil thick_coil(const Design& design, const Dimensions& size) {
   return magnetics::ThickCoil({.inner_radius = design.coil.inner_radius,

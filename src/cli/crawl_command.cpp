@@ -17,6 +17,7 @@
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/thermal/transient.hpp"
+#include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
 #include "number_rule.hpp"
@@ -117,7 +118,6 @@ using Rows = std::vector<std::pair<std::string, std::optional<double>>>;
 
 // Every number by its key; the table prints the same rows.
 Rows rows_of(const Answer& answer) {
-  constexpr double degrees = 57.29577951308232;
   const systems::Crawl& crawl = answer.crawl;
   const systems::CrawlPowers& powers = crawl.powers;
   Rows rows{{"mass_g", answer.mass * 1e3},
@@ -128,8 +128,8 @@ Rows rows_of(const Answer& answer) {
             {"power_W", powers.electrical},
             {"run_time_s", crawl.run_time},
             {"distance_per_charge_m", crawl.distance_per_charge},
-            {"largest_bending_deg", crawl.largest_bending * degrees},
-            {"smallest_bending_deg", crawl.smallest_bending * degrees}};
+            {"largest_bending_deg", crawl.largest_bending * units::degrees_per_radian},
+            {"smallest_bending_deg", crawl.smallest_bending * units::degrees_per_radian}};
   for (std::size_t i = 0; i < crawl.lifts.size(); ++i)
     rows.emplace_back(fmt::format("lift_{}_mm", point_name(i, crawl.lifts.size())), crawl.lifts[i] * 1e3);
   for (const auto& [key, watts] : {std::pair{"copper_heat_mW", powers.copper},

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include "coilwright/simulation/linear_model.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
+#include "coilwright/units/angle.hpp"
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
@@ -52,17 +52,17 @@ LinearModel linear_model(const Options& options) {
 }
 
 std::string as_table(const LinearModel& model) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
   const bool one_input = model.b.cols() == 1;
   const auto row = [](std::string_view name, double value) { return fmt::format("{:<26} {:>12.5g}\n", name, value); };
   std::string text;
   for (Eigen::Index i = 0; i < model.b.cols(); ++i)
     text += row(one_input ? "current_A" : fmt::format("current{}_A", i + 1), model.currents[i]);
-  text += row("bending_angle_deg", model.angles.sum() * degrees);
+  text += row("bending_angle_deg", model.angles.sum() * units::degrees_per_radian);
   for (Eigen::Index j = 0; j < model.angles.size(); ++j)
-    text += row(fmt::format("theta{}_deg", j + 1), model.angles[j] * degrees);
+    text += row(fmt::format("theta{}_deg", j + 1), model.angles[j] * units::degrees_per_radian);
   for (Eigen::Index i = 0; model.dc_gain && i < model.b.cols(); ++i)
-    text += row(one_input ? "dc_gain_deg_A" : fmt::format("dc_gain{}_deg_A", i + 1), (*model.dc_gain)(0, i) * degrees);
+    text += row(one_input ? "dc_gain_deg_A" : fmt::format("dc_gain{}_deg_A", i + 1),
+                (*model.dc_gain)(0, i) * units::degrees_per_radian);
   for (std::size_t i = 0; i < model.modes.size(); ++i)
     text += row(fmt::format("natural_frequency{}_Hz", i + 1), model.modes[i].natural_frequency) +
             row(fmt::format("damping_ratio{}", i + 1), model.modes[i].damping_ratio);

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -27,6 +26,7 @@
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
+#include "coilwright/units/angle.hpp"
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
@@ -159,15 +159,14 @@ std::vector<std::string> columns_of(const actuator::Model& model, const Commande
 void write(std::ostream& stream, const std::vector<std::string>& columns, const CommandedInput& command,
            const Recording& recording) {
   const std::vector<State>& states = recording.states;
-  constexpr double degrees = 180.0 / std::numbers::pi;
   text::CsvWriter csv(stream, columns);
   std::vector<double> row;
   for (std::size_t i = 0; i < states.size(); ++i) {
     row.assign(1, command.times[i]);
     row.insert(row.end(), command.rows[i].begin(), command.rows[i].end());
-    for (const double angle : states[i].angles) row.push_back(angle * degrees);
-    row.push_back(recording.bending[i] * degrees);
-    row.push_back(states[i].rates.sum() * degrees);
+    for (const double angle : states[i].angles) row.push_back(angle * units::degrees_per_radian);
+    row.push_back(recording.bending[i] * units::degrees_per_radian);
+    row.push_back(states[i].rates.sum() * units::degrees_per_radian);
     csv.row(row);
   }
 }
@@ -191,16 +190,15 @@ void run_simulate(const Options& options) {
   write(file.stream(), columns, command, recording);
   file.commit();
   if (options.json) {
-    constexpr double degrees = 180.0 / std::numbers::pi;
     const auto [least, greatest] = std::ranges::minmax(recording.bending);
     double fastest = 0.0;
     for (const State& state : recording.states) fastest = std::max(fastest, std::abs(state.rates.sum()));
     std::cout << written_json(std::array<std::filesystem::path, 1>{options.out})
                      .set("samples", recording.states.size())
-                     .set("least_bending_angle_deg", least * degrees)
-                     .set("greatest_bending_angle_deg", greatest * degrees)
-                     .set("last_bending_angle_deg", recording.bending.back() * degrees)
-                     .set("greatest_bending_speed_deg_s", fastest * degrees)
+                     .set("least_bending_angle_deg", least * units::degrees_per_radian)
+                     .set("greatest_bending_angle_deg", greatest * units::degrees_per_radian)
+                     .set("last_bending_angle_deg", recording.bending.back() * units::degrees_per_radian)
+                     .set("greatest_bending_speed_deg_s", fastest * units::degrees_per_radian)
                      .text();
   }
   std::cerr << remark_on_samples(options, command);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/step_response.hpp"
+#include "coilwright/units/angle.hpp"
 #include "control/profile_search.hpp"
 
 namespace coilwright::control {
@@ -21,8 +21,6 @@ namespace {
 
 using actuator::Model;
 using mechanics::JointVector;
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 void check(const Model& model, const ReachTask& task) {
   const auto require = [](bool met, const char* name, const char* rule, double value) {
@@ -80,11 +78,11 @@ double holding_current(const Model& model, const ReachTask& task) {
   const double low = angle(task.lowest_current) - task.angle;
   const double high = angle(task.highest_current) - task.angle;
   if (low * high > 0.0) {
-    const double a = (low + task.angle) * degrees;
-    const double b = (high + task.angle) * degrees;
-    throw std::invalid_argument(
-        fmt::format("angle must be from {:.4g} to {:.4g} deg, which {:.4g} to {:.4g} A hold; got {:.6g} deg",
-                    std::min(a, b), std::max(a, b), task.lowest_current, task.highest_current, task.angle * degrees));
+    const double a = (low + task.angle) * units::degrees_per_radian;
+    const double b = (high + task.angle) * units::degrees_per_radian;
+    throw std::invalid_argument(fmt::format(
+        "angle must be from {:.4g} to {:.4g} deg, which {:.4g} to {:.4g} A hold; got {:.6g} deg", std::min(a, b),
+        std::max(a, b), task.lowest_current, task.highest_current, task.angle * units::degrees_per_radian));
   }
   if (low == 0.0) return task.lowest_current;
   if (high == 0.0) return task.highest_current;
@@ -149,8 +147,8 @@ Reach reach(const Model& model, const ReachTask& task) {
   const JointVector start = at_rest(held, task.start_current).angles;
   if (std::abs(task.angle - start.sum()) < 1e-3)
     throw std::invalid_argument(
-        fmt::format("angle must differ from where the motion starts, {:.4g} deg; got {:.4g} deg", start.sum() * degrees,
-                    task.angle * degrees));
+        fmt::format("angle must differ from where the motion starts, {:.4g} deg; got {:.4g} deg",
+                    start.sum() * units::degrees_per_radian, task.angle * units::degrees_per_radian));
   require_not_sticking(held, current);
   const std::vector<Model> models = fingers(model, task);
   const simulation::Mode mode = mode_at(held, current, start);

@@ -15,7 +15,7 @@
 namespace coilwright::magnetics {
 namespace {
 
-constexpr double rule_error = 1e-8;
+constexpr double inner_rule_error = 1e-8;
 
 void check(const CylinderSize& size) {
   require_positive("cylinder radius", size.radius);
@@ -65,7 +65,8 @@ double flux(const SheetBody& source, double radius, double height) {
     const double offset = nearest * source.outer_radius;
     const double to_ends =
         std::hypot(radius - source.inner_radius, offset) + std::hypot(radius - source.outer_radius, offset);
-    const int order = gauss_order_of_blocks(gauss_rate(to_ends, source.outer_radius - source.inner_radius), rule_error);
+    const int order =
+        gauss_order_of_blocks(gauss_rate(to_ends, source.outer_radius - source.inner_radius), inner_rule_error);
     for (FacePair& face : faces) face.nodes.rule = gauss_legendre(std::min(order, max_gauss_order));
     return sum_of_inductance_integrals(faces, radius);
   }
@@ -78,7 +79,7 @@ double mean_field(const SheetBody& source, const CylinderSize& within, double di
   const double clearance = std::max(std::abs(distance) - half - source.half_length, 0.0);
   const double across = within.radius - std::clamp(within.radius, source.inner_radius, source.outer_radius);
   const double to_ends = std::hypot(clearance, across) + std::hypot(clearance + within.length, across);
-  const double needed = gauss_nodes_needed(gauss_rate(to_ends, within.length), std::log(rule_error));
+  const double needed = gauss_nodes_needed(gauss_rate(to_ends, within.length), std::log(inner_rule_error));
   const QuadratureRule along = gauss_legendre(static_cast<int>(std::clamp(std::ceil(needed), 4.0, 32.0)));
   double mean = 0.0;
   for (std::size_t i = 0; i < along.count; ++i)
@@ -98,7 +99,7 @@ FaceValues face_field(const SheetBody& source, const CylinderSize& within, doubl
     radius[i] = within.radius * static_cast<double>(i % half) / half;
     height[i] = distance + (i < half ? -inside : inside);
   }
-  field_of_sheets(source, std::log(rule_error), {.radius = radius, .height = height},
+  field_of_sheets(source, std::log(inner_rule_error), {.radius = radius, .height = height},
                   {.radial = radial, .axial = axial});
   for (double& value : axial) value *= source.surface_current;
   return axial;

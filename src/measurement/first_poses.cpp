@@ -4,21 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "coilwright/simulation/initial_state.hpp"
+#include "coilwright/units/angle.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/rig_change.hpp"
 
 namespace coilwright::measurement {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double far = 5.0 / degrees;
+constexpr double far = 5.0 / units::degrees_per_radian;
 // Of the noise: nearer may be noise.
-constexpr double deviations = 10.0;
+constexpr double most_deviations = 10.0;
 
 // What an angle channel would show of a pose; nothing of another quantity.
 std::optional<double> shown(const actuator::Model& model, const data::Channel& channel,
@@ -51,13 +50,14 @@ std::optional<data::Warning> far_first_pose(std::span<const replay::PreparedRun>
       const std::optional<double> expected = shown(model, run.channels[c], *rest);
       if (!expected) continue;
       const double seen = first_reading(run.channels[c]);
-      if (std::abs(seen - *expected) <= std::max(far, deviations * prepared.noise[c].sigma)) continue;
+      if (std::abs(seen - *expected) <= std::max(far, most_deviations * prepared.noise[c].sigma)) continue;
       return data::Warning{
           .run = run.name,
           .text = fmt::format("{} begins at {:.3g} deg, where the declared model rests at {:.3g} deg. If the angle is "
                               "counted from its rest, add {:.3g} deg to the record: 0 is a straight finger, and "
                               "no effect moves the zero of a sensor by more than 10 deg",
-                              run.channels[c].name, degrees * seen, degrees * *expected, degrees * (*expected - seen))};
+                              run.channels[c].name, units::degrees_per_radian * seen,
+                              units::degrees_per_radian * *expected, units::degrees_per_radian * (*expected - seen))};
     }
   }
   return std::nullopt;

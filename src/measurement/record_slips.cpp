@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 
 #include "coilwright/measurement/record_slip.hpp"
 #include "coilwright/simulation/initial_state.hpp"
+#include "coilwright/units/angle.hpp"
 #include "measurement/data/usual_interval.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/prediction.hpp"
@@ -23,7 +23,6 @@
 namespace coilwright::measurement {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 // Of the miss as written, and of the variation of the records: far from what any effect changes.
 constexpr double far_better = 0.25;
 constexpr double follows = 0.5;
@@ -61,7 +60,8 @@ bool counts_frames(const data::Run& run) {
 
 std::vector<Slip> slips_of(const data::Run& run) {
   std::vector<Slip> out;
-  out.push_back({.angle = degrees, .looks_like = "an angle in radians", .remedy = "name the column ..._rad"});
+  out.push_back(
+      {.angle = units::degrees_per_radian, .looks_like = "an angle in radians", .remedy = "name the column ..._rad"});
   out.push_back({.angle = -1.0,
                  .looks_like = "an angle that is counted the other way",
                  .remedy = "turn its sign: bending that opens the slits is positive"});
@@ -132,7 +132,7 @@ std::optional<Sums> sums_of(const data::Run& run, const Slip& slip, const replay
 }
 
 double rms(double squares, std::size_t count) {
-  return degrees * std::sqrt(squares / static_cast<double>(count));
+  return units::degrees_per_radian * std::sqrt(squares / static_cast<double>(count));
 }
 
 std::string column_of(const data::Run& run, const Slip& slip) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
@@ -15,6 +14,7 @@
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/page/chart.hpp"
 #include "coilwright/page/poses.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -24,7 +24,6 @@ using mechanics::JointVector;
 using simulation::EvaluatedDesign;
 using simulation::StepMotion;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t response_samples = 601;
 constexpr std::size_t heating_samples = 121;
 constexpr std::size_t torque_samples = 91;
@@ -35,7 +34,7 @@ const simulation::FreeMotion& motion_of(const EvaluatedDesign& evaluated) {
 
 std::vector<double> bending_angles(const StepMotion& motion) {
   std::vector<double> angles;
-  for (const simulation::State& state : motion.states) angles.push_back(state.angles.sum() * degrees);
+  for (const simulation::State& state : motion.states) angles.push_back(state.angles.sum() * units::degrees_per_radian);
   return angles;
 }
 
@@ -103,17 +102,20 @@ Figure response_figure(const EvaluatedDesign& evaluated, const StepMotion& motio
               .series = {{.name = "bending angle", .x = motion.times, .y = bending_angles(motion)}}};
   for (Eigen::Index joint = 0; joint < motion.states.front().angles.size(); ++joint) {
     Series series{.name = fmt::format("joint {}", joint + 1), .x = motion.times, .y = {}};
-    for (const simulation::State& state : motion.states) series.y.push_back(state.angles[joint] * degrees);
+    for (const simulation::State& state : motion.states)
+      series.y.push_back(state.angles[joint] * units::degrees_per_radian);
     chart.series.push_back(std::move(series));
   }
   const simulation::FreeMotion& free = motion_of(evaluated);
-  chart.series.push_back(
-      {.name = "bending angle in the end", .x = {}, .y = {free.steady_angles.sum() * degrees}, .mark = Mark::level});
+  chart.series.push_back({.name = "bending angle in the end",
+                          .x = {},
+                          .y = {free.steady_angles.sum() * units::degrees_per_radian},
+                          .mark = Mark::level});
   chart.description = fmt::format(
       "From rest at {:.1f} deg the current steps to {:.4g} A; the bending angle reaches {:.1f} deg at most and ends at "
       "{:.1f} deg. Magnets are as warm as holding that current makes them.",
-      free.rest_angles.sum() * degrees, evaluated.point.current, free.peak_angle * degrees,
-      free.steady_angles.sum() * degrees);
+      free.rest_angles.sum() * units::degrees_per_radian, evaluated.point.current,
+      free.peak_angle * units::degrees_per_radian, free.steady_angles.sum() * units::degrees_per_radian);
   return figure_of(chart);
 }
 
@@ -121,7 +123,7 @@ Figure speed_figure(const StepMotion& motion) {
   Series series{.name = "rate of the bending angle", .x = motion.times, .y = {}};
   double fastest = 0.0;
   for (const simulation::State& state : motion.states) {
-    series.y.push_back(state.rates.sum() * degrees);
+    series.y.push_back(state.rates.sum() * units::degrees_per_radian);
     fastest = std::max(fastest, std::abs(series.y.back()));
   }
   return figure_of(
@@ -148,7 +150,7 @@ Figure torque_figure(const EvaluatedDesign& evaluated) {
   std::vector<std::vector<double>> hold(joints);
   for (std::size_t i = 0; i < torque_samples; ++i) {
     const double angle = lower + (upper - lower) * static_cast<double>(i) / static_cast<double>(torque_samples - 1);
-    angles.push_back(angle * degrees);
+    angles.push_back(angle * units::degrees_per_radian);
     const JointVector hinges = model.hinge_torques(JointVector::Constant(model.joints(), angle));
     std::vector<double> sums(joints, 0.0);
     for (const HingePair& pair : model.magnetics().hinge_pairs())

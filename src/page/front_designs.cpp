@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/page/design_figures.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -24,17 +24,16 @@ using sizing::DesignProblem;
 using sizing::EvaluatedDesign;
 using text::Json;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::size_t samples = 201;
 
 // The same program gives the same bits; another version of it may move a number by what its log says, which is more.
-constexpr double same = 1e-6;
+constexpr double same_number = 1e-6;
 
 bool agrees(const sizing::Evaluation& evaluation, const FrontTable& front, std::size_t row) {
   if (!evaluation.failure.empty() || evaluation.objectives.size() != front.objectives.size()) return false;
   for (std::size_t i = 0; i < front.objectives.size(); ++i) {
     const std::optional<double> told = front.texts.number(front.objectives[i], row);
-    if (!told || std::abs(evaluation.objectives[i] - *told) > same * std::abs(*told)) return false;
+    if (!told || std::abs(evaluation.objectives[i] - *told) > same_number * std::abs(*told)) return false;
   }
   return true;
 }
@@ -60,7 +59,7 @@ Json poses_of(const EvaluatedDesign& design, const std::optional<simulation::Ste
 Json angles_of(const simulation::StepMotion& motion) {
   Json out = Json::array();
   for (const simulation::State& state : motion.states)
-    out.add(std::round(100.0 * state.angles.sum() * degrees) / 100.0);
+    out.add(std::round(100.0 * state.angles.sum() * units::degrees_per_radian) / 100.0);
   return out;
 }
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <stdexcept>
 
 #include "coilwright/text/markup.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -19,7 +19,6 @@ using exports::BodyPlan;
 using exports::PlacedPart;
 using mechanics::JointVector;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double edge = 4.0;         // mm around a body
 constexpr double bar_length = 10.0;  // mm
 
@@ -59,8 +58,8 @@ std::string segments_from(const BodyPlan& plan, const JointVector& angles, std::
                     rectangle("layer", start, end - start, 0.0, plan.bottom_layer) + part_svg(plan, plan.parts[i]);
   if (i >= plan.joints.size()) return out;
   return out + fmt::format("<g transform=\"rotate({:.4f} {:.3f} {:.3f})\">\n{}</g>\n",
-                           angles[static_cast<Eigen::Index>(i)] * degrees, mm(plan.hinge_height), mm(end),
-                           segments_from(plan, angles, i + 1));
+                           angles[static_cast<Eigen::Index>(i)] * units::degrees_per_radian, mm(plan.hinge_height),
+                           mm(end), segments_from(plan, angles, i + 1));
 }
 
 PosedPoint turned(const PosedPoint& point, double angle, const PosedPoint& about) {
@@ -94,8 +93,9 @@ Box box_of(const BodyPlan& plan, const std::vector<Pose>& poses, double base_til
 
 std::string angles_text(const JointVector& angles) {
   std::vector<std::string> each;
-  for (const double angle : angles) each.push_back(fmt::format("{:.1f}", angle * degrees));
-  return fmt::format("joint angles {} deg, bending angle {:.1f} deg", fmt::join(each, ", "), angles.sum() * degrees);
+  for (const double angle : angles) each.push_back(fmt::format("{:.1f}", angle * units::degrees_per_radian));
+  return fmt::format("joint angles {} deg, bending angle {:.1f} deg", fmt::join(each, ", "),
+                     angles.sum() * units::degrees_per_radian);
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ std::vector<Figure> pose_figures(const BodyPlan& plan, const std::vector<Pose>& 
         box.left - edge, box.top - edge, width, height, text::escaped(said));
     svg += fmt::format("<line class=\"wall\" x1=\"{:.3f}\" y1=\"{:.3f}\" x2=\"{:.3f}\" y2=\"{:.3f}\"/>\n", -0.5 * edge,
                        0.0, mm(plan.height) + 0.5 * edge, 0.0);
-    svg += fmt::format("<g transform=\"rotate({:.4f})\">\n{}</g>\n", base_tilt * degrees,
+    svg += fmt::format("<g transform=\"rotate({:.4f})\">\n{}</g>\n", base_tilt * units::degrees_per_radian,
                        segments_from(plan, pose.angles, 0));
     const double row = box.bottom + 1.2 * edge;
     const double start = box.left;

@@ -20,7 +20,7 @@ using measurement::correction::NamelessCorrection;
 // A product of two functions if the best one has this share of the sum of squares.
 constexpr double nearly_all = 0.95;
 
-std::string value_text(const CorrectionAxis& axis, double value) {
+std::string axis_value_text(const CorrectionAxis& axis, double value) {
   return in_unit_text(value, formats::variable_unit(name_of(axis.variable)));
 }
 
@@ -33,8 +33,8 @@ std::string variables_text(const NamelessCorrection& found) {
 std::string place_text(const NamelessCorrection& found, const CorrectionPlace& place) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < place.at.size(); ++i)
-    parts.push_back(
-        fmt::format("{} {}", name_of(found.torque.axes[i].variable), value_text(found.torque.axes[i], place.at[i])));
+    parts.push_back(fmt::format("{} {}", name_of(found.torque.axes[i].variable),
+                                axis_value_text(found.torque.axes[i], place.at[i])));
   return fmt::format("{} at {}",
                      in_unit_text(place.torque, formats::error_unit(measurement::data::ChannelKind::torque)),
                      fmt::join(parts, ", "));
@@ -43,8 +43,8 @@ std::string place_text(const NamelessCorrection& found, const CorrectionPlace& p
 std::string ranges_text(const NamelessCorrection& found) {
   std::vector<std::string> parts;
   for (const CorrectionAxis& axis : found.torque.axes)
-    parts.push_back(fmt::format("{} from {} to {}", name_of(axis.variable), value_text(axis, axis.nodes.front()),
-                                value_text(axis, axis.nodes.back())));
+    parts.push_back(fmt::format("{} from {} to {}", name_of(axis.variable), axis_value_text(axis, axis.nodes.front()),
+                                axis_value_text(axis, axis.nodes.back())));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -18,7 +18,7 @@ using enum TextTable::Align;
 constexpr std::size_t most_pairs = 20;
 
 // "0.21 Nmm" of torque_Nmm.
-std::string value_text(const actuator::Effect& effect, std::size_t number) {
+std::string parameter_text(const actuator::Effect& effect, std::size_t number) {
   const std::string_view key = effect.kind->parameters()[number].key;
   const std::string value = fmt::format("{:.3g}", units::from_memory(effect.values[number], key));
   const auto parts = units::split_unit(key);
@@ -38,7 +38,7 @@ std::string shape_text(const VisibleEffect& effect) {
   std::string out;
   for (std::size_t i = 0; i < effect.effect.values.size(); ++i) {
     if (i == effect.main) continue;
-    out += (out.empty() ? "at " : ", ") + name_text(effect.effect, i) + " " + value_text(effect.effect, i);
+    out += (out.empty() ? "at " : ", ") + name_text(effect.effect, i) + " " + parameter_text(effect.effect, i);
   }
   return out;
 }
@@ -47,7 +47,7 @@ std::string strengths_text(const ExperimentPlan& plan) {
   TextTable table;
   for (const VisibleEffect& each : plan.effects) {
     const std::string strength =
-        each.main ? name_text(each.effect, *each.main) + " " + value_text(each.effect, *each.main) : "there or not";
+        each.main ? name_text(each.effect, *each.main) + " " + parameter_text(each.effect, *each.main) : "there or not";
     const std::string shape = shape_text(each);
     if (each.visible)
       table.row({std::string(each.effect.kind->id()), strength, shape});

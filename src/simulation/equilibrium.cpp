@@ -1,4 +1,5 @@
 #include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/units/angle.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -89,8 +90,7 @@ std::optional<JointVector> find_equilibrium(const actuator::Model& model, const 
 }
 
 std::vector<JointVector> stable_equilibria(const actuator::Model& model, const actuator::CoilCurrents& currents) {
-  constexpr double degree = std::numbers::pi / 180.0;
-  constexpr double starts[] = {-2.0 * degree, 20.0 * degree, 60.0 * degree, 110.0 * degree};
+  constexpr double starts[] = {-2.0 * units::degree, 20.0 * units::degree, 60.0 * units::degree, 110.0 * units::degree};
   const int n = model.joints();
   const int poses = n >= 4 ? 256 : 1 << (2 * n);
   std::vector<JointVector> found;

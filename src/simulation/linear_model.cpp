@@ -6,12 +6,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/units/angle.hpp"
 #include "linear_system.hpp"
 
 namespace coilwright::simulation {
@@ -53,14 +53,14 @@ JointVector equilibrium_under(const Model& model, const CoilCurrents& currents) 
 // Beyond its curve a pair's torque goes on as a straight line, which no measurement and no theory has. Below, where it
 // starts, faces press: they give way by hundredths of a degree.
 void require_known_torque(const Model& model, const JointVector& angles, const CoilCurrents& currents) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
   for (const actuator::HingePair& pair : model.magnetics().hinge_pairs()) {
     const double last = pair.torque_per_ampere->upper();
     if (angles[pair.joint] > last)
       throw std::runtime_error(
           fmt::format("rests with joint {} at {:.4g} deg under {}, and its torque is known up to "
                       "{:.4g} deg",
-                      pair.joint + 1, angles[pair.joint] * degrees, text_of(currents), last * degrees));
+                      pair.joint + 1, angles[pair.joint] * units::degrees_per_radian, text_of(currents),
+                      last * units::degrees_per_radian));
   }
 }
 

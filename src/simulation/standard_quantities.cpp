@@ -1,17 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "coilwright/simulation/quantity.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::simulation {
 namespace {
 
 using actuator::HeldCases;
 using Value = std::optional<double>;
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 constexpr auto no_change = "the current does not change the bending angle";
 constexpr auto no_current_allowed = "the surroundings are as hot as a limit already";
@@ -171,28 +169,30 @@ std::vector<ResultQuantity> rows() {
       of_design("axial_force_N", "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
                 [](const DesignView& d) -> Value { return d.performance.axial_force; }),
       of_cold("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
-              [](const MotionSummary& motion) { return motion.rest_angles.sum() * degrees; }),
-      of_motion("steady_angle_deg", "bending angle at the end of a step from rest", 60.0,
-                [](const FreeMotion& motion) -> Value { return motion.steady_angles.sum() * degrees; }),
+              [](const MotionSummary& motion) { return motion.rest_angles.sum() * units::degrees_per_radian; }),
+      of_motion(
+          "steady_angle_deg", "bending angle at the end of a step from rest", 60.0,
+          [](const FreeMotion& motion) -> Value { return motion.steady_angles.sum() * units::degrees_per_radian; }),
       of_pose(
           HeldCases::free, "stroke_deg", "change of the bending angle from rest to steady", 40.0,
           [](const DesignView& d) -> Value {
             const std::optional<FreeMotion>& motion = d.performance.free.motion;
             if (!motion) return std::nullopt;
-            return (motion->steady_angles.sum() - motion->rest_angles.sum()) * degrees;
+            return (motion->steady_angles.sum() - motion->rest_angles.sum()) * units::degrees_per_radian;
           },
           runaway),
-      of_motion("peak_bending_speed_deg_s", "largest speed of the bending angle in a step from rest", 1500.0,
-                [](const FreeMotion& motion) -> Value { return motion.peak_bending_speed * degrees; }),
+      of_motion(
+          "peak_bending_speed_deg_s", "largest speed of the bending angle in a step from rest", 1500.0,
+          [](const FreeMotion& motion) -> Value { return motion.peak_bending_speed * units::degrees_per_radian; }),
       of_motion("peak_speed_time_s", "time at which the bending speed is largest", 0.03,
                 [](const FreeMotion& motion) -> Value { return motion.peak_speed_time; }),
       of_motion(
           "rise_time_s", "time from 10 to 90 % of the change of the bending angle", 0.03,
           [](const FreeMotion& motion) { return motion.rise_time; }, no_change),
       of_motion("peak_angle_deg", "largest bending angle in a step from rest", 100.0,
-                [](const FreeMotion& motion) -> Value { return motion.peak_angle * degrees; }),
+                [](const FreeMotion& motion) -> Value { return motion.peak_angle * units::degrees_per_radian; }),
       of_motion("peak_joint_angle_deg", "largest angle of any one joint in a step from rest", 50.0,
-                [](const FreeMotion& motion) -> Value { return motion.peak_joint_angle * degrees; }),
+                [](const FreeMotion& motion) -> Value { return motion.peak_joint_angle * units::degrees_per_radian; }),
       of_motion("overshoot_pct", "excess over the steady angle, relative to the change", 50.0,
                 [](const FreeMotion& motion) -> Value { return motion.overshoot * 100.0; }),
       of_motion(
@@ -207,12 +207,12 @@ std::vector<ResultQuantity> rows() {
                1.0, &Grasp::grasp_force),
       of_cold("contact_force_no_current_N", "force against that wall without current", 0.1,
               [](const MotionSummary& motion) { return motion.contact_force_no_current; }),
-      of_design_cold(HeldCases::free, "steady_angle_cold_deg",
-                     "the same as steady_angle_deg with everything at 20 degC", 60.0,
-                     [](const MotionSummary& motion) { return motion.steady_angles.sum() * degrees; }),
+      of_design_cold(
+          HeldCases::free, "steady_angle_cold_deg", "the same as steady_angle_deg with everything at 20 degC", 60.0,
+          [](const MotionSummary& motion) { return motion.steady_angles.sum() * units::degrees_per_radian; }),
       of_design_cold(HeldCases::free, "peak_bending_speed_cold_deg_s",
                      "the same as peak_bending_speed_deg_s with everything at 20 degC", 1500.0,
-                     [](const MotionSummary& motion) { return motion.peak_bending_speed * degrees; }),
+                     [](const MotionSummary& motion) { return motion.peak_bending_speed * units::degrees_per_radian; }),
       of_design_cold(HeldCases::gripping, "grasp_force_cold_N", "the same as grasp_force_N with everything at 20 degC",
                      1.0, [](const MotionSummary& motion) { return motion.grasp_force; }),
       of_design(

@@ -18,7 +18,7 @@ using mechanics::JointVector;
 
 constexpr double settling_band = 0.02;  // of the change: the usual convention
 constexpr double smallest_change = 1e-6;
-constexpr int most_steps = 200'000;
+constexpr int most_steps_till_settled = 200'000;
 
 double change_to(const JointVector& equilibrium, const JointVector& rest) {
   return std::max(std::abs(equilibrium.sum() - rest.sum()), smallest_change);
@@ -106,7 +106,7 @@ std::optional<StepResponse> step_response(const actuator::Model& model, const ac
                 {.currents = currents, .applied = JointVector::Zero(n)});
   BendingRecord record(stepper.bending());
   JointPeak joint_peak(stepper.now());
-  for (int step = 0; step < most_steps && stepper.time() < limits.longest; ++step) {
+  for (int step = 0; step < most_steps_till_settled && stepper.time() < limits.longest; ++step) {
     stepper.step();
     const State now = stepper.now();
     if (!now.angles.allFinite() || now.angles.lpNorm<Eigen::Infinity>() > std::numbers::pi) return std::nullopt;

@@ -1,9 +1,9 @@
 #include "coilwright/systems/crawl_quantities.hpp"
+#include "coilwright/units/angle.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <new>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,7 +21,6 @@ using Value = std::optional<double>;
 using TaskOf = std::function<CrawlTask(const Settings&)>;
 using CrawlResult = std::variant<Crawl, NoValue>;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr auto no_crawl = "the robot cannot be tried on the ground";
 
 // Current of all coils in a pulse over what the cell delivers.
@@ -100,9 +99,9 @@ std::vector<ResultQuantity> crawl_quantities(const TaskOf& task) {
           of_crawl(result, "crawl_distance_per_charge_m", "distance on one charge, at the cell's full voltage", 30.0,
                    [](const Crawl& crawl) { return crawl.distance_per_charge; }),
           of_crawl(result, "crawl_largest_bending_deg", "largest bending angle on the ground", 30.0,
-                   [](const Crawl& crawl) { return crawl.largest_bending * degrees; }),
+                   [](const Crawl& crawl) { return crawl.largest_bending * units::degrees_per_radian; }),
           of_crawl(result, "crawl_smallest_bending_deg", "smallest bending angle on the ground", 10.0,
-                   [](const Crawl& crawl) { return crawl.smallest_bending * degrees; })};
+                   [](const Crawl& crawl) { return crawl.smallest_bending * units::degrees_per_radian; })};
 }
 
 }  // namespace coilwright::systems

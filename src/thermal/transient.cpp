@@ -27,14 +27,14 @@ double charged(double rate, double time) {
   return rate == 0.0 ? time : -std::expm1(-rate * time) / rate;
 }
 
-struct Hottest {
+struct HottestSpot {
   double excess{};  // above the limit, K
   std::size_t node{};
 };
 
-Hottest hottest(const Network& network, const NodeVector& temperatures) {
+HottestSpot hottest_spot(const Network& network, const NodeVector& temperatures) {
   const NodeVector hot_spots = network.hot_spots(temperatures);
-  Hottest worst{.excess = -std::numeric_limits<double>::infinity(), .node = 0};
+  HottestSpot worst{.excess = -std::numeric_limits<double>::infinity(), .node = 0};
   for (std::size_t i = 0; i < network.nodes().size(); ++i) {
     if (network.nodes()[i].kind == NodeKind::silicone) continue;
     const double excess = hot_spots(static_cast<Eigen::Index>(i)) - network.nodes()[i].temperature_limit;
@@ -55,7 +55,7 @@ void check(const Overload& overload) {
 // A time by which the limit is passed; the caller has made sure that it will be.
 double time_beyond(const Transient& transient, const Network& network) {
   double time = 1.0 / transient.rates().cwiseAbs().maxCoeff();
-  while (hottest(network, transient.temperatures(time)).excess <= 0.0) time *= 2.0;
+  while (hottest_spot(network, transient.temperatures(time)).excess <= 0.0) time *= 2.0;
   return time;
 }
 
@@ -101,21 +101,21 @@ std::optional<TimeToLimit> time_to_limit(const Network& network, const Overload&
   const SteadyState before = steady_state(network, same_in_every_coil(network, squared(overload.holding_current)));
   require(before.outcome == Outcome::settles, {"holding_current"}, "below the runaway current",
           overload.holding_current);
-  const Hottest held = hottest(network, before.temperatures);
+  const HottestSpot held = hottest_spot(network, before.temperatures);
   if (held.excess >= 0.0) return TimeToLimit{.time = 0.0, .node = held.node};
 
   const NodeVector load = same_in_every_coil(network, squared(overload.overload_current));
   const SteadyState after = steady_state(network, load);
-  if (after.outcome == Outcome::settles && hottest(network, after.temperatures).excess <= 0.0) return std::nullopt;
+  if (after.outcome == Outcome::settles && hottest_spot(network, after.temperatures).excess <= 0.0) return std::nullopt;
 
   const Transient transient(network, {.mean_square_currents = load, .initial = before.temperatures});
-  const auto excess = [&](double time) { return hottest(network, transient.temperatures(time)).excess; };
+  const auto excess = [&](double time) { return hottest_spot(network, transient.temperatures(time)).excess; };
   std::uintmax_t steps = 200;
   const boost::math::tools::eps_tolerance<double> close_enough(32);  // 2^-32 = 2e-10
   const auto bracket =
       boost::math::tools::toms748_solve(excess, 0.0, time_beyond(transient, network), close_enough, steps);
   const double time = 0.5 * (bracket.first + bracket.second);
-  return TimeToLimit{.time = time, .node = hottest(network, transient.temperatures(time)).node};
+  return TimeToLimit{.time = time, .node = hottest_spot(network, transient.temperatures(time)).node};
 }
 
 }  // namespace coilwright::thermal

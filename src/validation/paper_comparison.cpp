@@ -1,7 +1,6 @@
 #include "coilwright/validation/paper_comparison.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -14,6 +13,7 @@
 #include "coilwright/magnetics/inner_field.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/thermal/steady_state.hpp"
+#include "coilwright/units/angle.hpp"
 #include "coilwright/validation/paper_finger.hpp"
 
 namespace coilwright::validation {
@@ -22,7 +22,6 @@ namespace {
 using actuator::Design;
 using simulation::Performance;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double full_current = 1.4;  // A, the prototype's maximum
 
 // References printed to n digits are met to half a unit of the last one.
@@ -133,7 +132,7 @@ void add_bench(Table& table) {
   const magnetics::HingeGeometry bench{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 13.5e-3};
   const magnetics::ThickCoil coil = paper_coil(magnetics::CurrentDistribution::uniform);
   const auto torque = [&](magnetics::Fidelity fidelity, double angle) {
-    return magnetics::hinge_torque_per_ampere(coil, paper_magnet(), bench, fidelity, angle / degrees);
+    return magnetics::hinge_torque_per_ampere(coil, paper_magnet(), bench, fidelity, angle / units::degrees_per_radian);
   };
   const std::pair<double, double> known[] = {{15.0, 1.017}, {45.0, 0.948}, {60.0, 0.905}, {82.5, 0.84}};
   for (const auto& [angle, ratio] : known)
@@ -146,17 +145,20 @@ void add_motion(Table& table) {
   const Design finger = paper_finger();
   const Performance full = performance(finger, full_current);
   const char* independent = "errata, computed independently";
-  table.add("rest angle joint 1 deg", independent, 13.52, full.cold.rest_angles[0] * degrees, to_rounding,
-            "same model");
-  table.add("rest angle joint 2 deg", independent, 7.55, full.cold.rest_angles[1] * degrees, to_rounding, "same model");
+  table.add("rest angle joint 1 deg", independent, 13.52, full.cold.rest_angles[0] * units::degrees_per_radian,
+            to_rounding, "same model");
+  table.add("rest angle joint 2 deg", independent, 7.55, full.cold.rest_angles[1] * units::degrees_per_radian,
+            to_rounding, "same model");
   const std::pair<double, double> steps[] = {{0.35, 38.29}, {0.7, 48.98}, {1.05, 57.04}, {1.4, 63.62}};
   for (const auto& [current, angle] : steps)
     table.add("steady angle deg at " + std::to_string(current).substr(0, 4) + " A", independent, angle,
-              performance(finger, current).cold.steady_angles.sum() * degrees, to_rounding, "same model");
-  table.add("steady angle deg at 1.4 A", "section V.A, measured", 62.8, full.cold.steady_angles.sum() * degrees,
-            {1.0, 1.03}, "within the paper's mean error of 0.98 deg");
-  table.add("peak speed deg/s at 1.4 A", independent, 1708.0, full.cold.peak_bending_speed * degrees, to_rounding,
-            "same model");
+              performance(finger, current).cold.steady_angles.sum() * units::degrees_per_radian, to_rounding,
+              "same model");
+  table.add("steady angle deg at 1.4 A", "section V.A, measured", 62.8,
+            full.cold.steady_angles.sum() * units::degrees_per_radian, {1.0, 1.03},
+            "within the paper's mean error of 0.98 deg");
+  table.add("peak speed deg/s at 1.4 A", independent, 1708.0, full.cold.peak_bending_speed * units::degrees_per_radian,
+            to_rounding, "same model");
   table.add("contact force N without current", "section V.A, measured", 0.14, full.cold.contact_force_no_current,
             {0.96, 1.04}, "two digits printed");
   table.add("grasp force N at 1.4 A", "section V.A, measured", 1.19, full.cold.grasp_force, {0.92, 1.0},
@@ -170,7 +172,9 @@ void add_motion(Table& table) {
 void add_closed_gaps(Table& table) {
   const char* measured = "Fig. 13, measured";
   Design finger = paper_finger();
-  const auto speed = [&] { return performance(finger, full_current).cold.peak_bending_speed * degrees; };
+  const auto speed = [&] {
+    return performance(finger, full_current).cold.peak_bending_speed * units::degrees_per_radian;
+  };
   table.add("peak speed deg/s, paper's model", measured, 1491.0, speed(), {1.13, 1.16},
             "no inertia of segments, coaxial force, no current lag");
   finger.choices.masses = actuator::SegmentMass::rigid_bodies;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "coilwright/winding/copper.hpp"
+#include "winding/mil.hpp"
 
 namespace coilwright::winding {
 namespace {
@@ -16,8 +17,6 @@ struct Row {
   double insulated_mils;  // NEMA MW 1000 single film, maximum overall diameter (Centelsa's catalogue of magnet wire)
   double ampacity;        // chassis wiring, Handbook of Electronic Tables and Formulas (as printed by PowerStream)
 };
-
-constexpr double mil = 25.4e-6;  // m
 
 constexpr std::array<Row, thinnest_gauge - thickest_gauge + 1> rows{{
     {33.9, 11.0}, {30.3, 9.0}, {27.0, 7.0}, {24.3, 4.7}, {21.7, 3.5},  // 20 to 24

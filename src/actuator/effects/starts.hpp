@@ -1,14 +1,14 @@
 #pragma once
 
-#include <numbers>
 #include <vector>
 
 #include "coilwright/actuator/model/described_effect.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::actuator::effects {
 
 /// How many degrees a radian has: 5.0 / degrees is an angle of 5 degrees.
-inline constexpr double degrees = 180.0 / std::numbers::pi;
+inline constexpr double degrees = units::degrees_per_radian;
 
 /// `count` >= 2 values from `low` to `high`, equally far apart in logarithm; 0 < low. Where high <= low: low alone.
 [[nodiscard]] std::vector<double> log_spread(double low, double high, int count);

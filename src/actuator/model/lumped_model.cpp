@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <boost/math/interpolators/barycentric_rational.hpp>
 #include <functional>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/magnetics/curve.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -16,9 +16,8 @@ namespace {
 using magnetics::Curve;
 
 // A curve over the whole working range of a joint, exact to a millionth of its largest torque.
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double swing_back = -30.0 * degree;  // nothing stops the joints of a lumped model without a contact
-constexpr Curve::Spec pair_range{.lower = -2.0 * degree, .upper = 120.0 * degree, .tolerance = 1e-6};
+constexpr double swing_back = -30.0 * units::degree;  // nothing stops the joints of a lumped model without a contact
+constexpr Curve::Spec pair_range{.lower = -2.0 * units::degree, .upper = 120.0 * units::degree, .tolerance = 1e-6};
 
 HingePair pair_of(const PairDimensions& dimensions) {
   const auto parts = std::make_shared<const HingePairParts>(

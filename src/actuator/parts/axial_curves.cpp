@@ -8,9 +8,6 @@
 namespace coilwright::actuator {
 namespace {
 
-// Relative to a curve's largest value; two orders below the 1e-5 to which a coil is wound.
-constexpr double curve_tolerance = 1e-6;
-
 // W(z) = integral of the force from z to infinity; beyond the curve the force is that of two dipoles, which leaves z F
 // / 3.
 magnetics::Curve energy_of(const magnetics::Curve& force) {

@@ -6,6 +6,10 @@
 
 namespace coilwright::actuator {
 
+/// To which the curves of an actuator are made, relative to their largest value: two orders below the 1e-5 to which a
+/// coil is wound.
+inline constexpr double curve_tolerance = 1e-6;
+
 /// Force between two coaxial components over the distance of their centres, and its energy.
 struct AxialCurves {
   std::shared_ptr<const magnetics::Curve> force;   ///< on the second, N (per A for each coil)

@@ -15,9 +15,6 @@ namespace {
 
 using magnetics::ThickCoil;
 
-// Of a curve's largest value: as for the other pairs of an actuator.
-constexpr double curve_tolerance = 1e-6;
-
 bool alike(const ThickCoil& a, const ThickCoil& b) {
   return a.inner_radius() == b.inner_radius() && a.outer_radius() == b.outer_radius() && a.length() == b.length() &&
          a.turns_radial() == b.turns_radial() && a.turns_axial() == b.turns_axial() && a.winding() == b.winding();

@@ -22,7 +22,7 @@ using actuator::LumpedModel;
 using actuator::Model;
 using actuator::ModelSpec;
 
-constexpr std::string_view tilt = "base_tilt";
+constexpr std::string_view tilt_effect = "base_tilt";
 
 // The stages of `spec` by their numbers, without the effects.
 LumpedModel numbers_of(const ModelSpec& spec) {
@@ -42,8 +42,8 @@ LumpedModel numbers_of(const ModelSpec& spec) {
 
 // A tilt of the chain as an effect, together with one that is among them.
 void set_tilt(std::vector<Effect>& effects, double angle) {
-  const actuator::EffectKind* kind = actuator::standard_effects().find(tilt);
-  const auto own = std::ranges::find_if(effects, [](const Effect& effect) { return effect.kind->id() == tilt; });
+  const actuator::EffectKind* kind = actuator::standard_effects().find(tilt_effect);
+  const auto own = std::ranges::find_if(effects, [](const Effect& effect) { return effect.kind->id() == tilt_effect; });
   if (own != effects.end()) {
     angle += own->values.front();
     effects.erase(own);
@@ -52,7 +52,7 @@ void set_tilt(std::vector<Effect>& effects, double angle) {
   if (!(angle >= rule.lower && angle <= rule.upper))
     throw std::invalid_argument(
         fmt::format("a lumped model is tilted by the effect {}, which must be from {:.6g} to {:.6g} deg; got {:.6g}",
-                    tilt, rule.lower * 180.0 / std::numbers::pi, rule.upper * 180.0 / std::numbers::pi,
+                    tilt_effect, rule.lower * 180.0 / std::numbers::pi, rule.upper * 180.0 / std::numbers::pi,
                     angle * 180.0 / std::numbers::pi));
   if (angle != 0.0) effects.push_back({.kind = kind, .values = {angle}});
 }

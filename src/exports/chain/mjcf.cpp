@@ -28,10 +28,6 @@ constexpr double impedance = 0.9;
 constexpr double longest_step = 1e-4;     // s
 constexpr double steps_per_radian = 5.0;  // of the fastest oscillation in a stop, at the least
 
-std::string joint_name(int joint) {
-  return fmt::format("joint{}", joint + 1);
-}
-
 // A stop that is as stiff at rest as the faces, and rebounds with their damping ratio. MuJoCo's constraint of a joint
 // with the inverse inertia A pushes with k r / ((1 - d) A) at rest where solref is (-k, -b) and the impedance d is
 // constant, and moves with the frequency sqrt(k).
@@ -43,14 +39,6 @@ struct Stop {
 Stop stop_of(const FaceContact& faces, double mobility) {
   const double softness = (1.0 - impedance) * mobility;
   return {.k = faces.stiffness * softness, .b = faces.damping * mobility * std::sqrt(1.0 - impedance)};
-}
-
-// Where a joint may be: from where its faces meet to where its torque ceases to be known.
-double upper_limit(int joint, const std::vector<TorqueTable>& tables) {
-  double upper = std::numbers::pi;
-  for (const TorqueTable& table : tables)
-    if (table.joint == joint) upper = std::min(upper, table.angles.back());
-  return upper;
 }
 
 double step_for(const actuator::Model& model) {
@@ -82,7 +70,7 @@ void add_joint(xml_node body, int joint, const actuator::Model& model, const std
   }
   const Stop stop = stop_of(hinge.contact, model.chain().joint_mobility()[joint]);
   set(node, "limited", "true");
-  set(node, "range", words({hinge.contact.closing_angle, upper_limit(joint, tables)}));
+  set(node, "range", words({hinge.contact.closing_angle, last_angle(joint, tables)}));
   // A zero would turn the meaning of both numbers.
   set(node, "solreflimit", words({-stop.k, -std::max(stop.b, 1e-9 * std::sqrt(stop.k))}));
   set(node, "solimplimit", words({impedance, impedance, 0.001, 0.5, 2.0}));

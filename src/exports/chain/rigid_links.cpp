@@ -57,4 +57,8 @@ std::string planar_inertia_remark() {
          "its bending for all axes";
 }
 
+std::string joint_name(int joint) {
+  return fmt::format("joint{}", joint + 1);
+}
+
 }  // namespace coilwright::exports

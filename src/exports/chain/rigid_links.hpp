@@ -8,6 +8,9 @@
 
 namespace coilwright::exports {
 
+/// What a joint is called in every format: "joint1" is the first.
+[[nodiscard]] std::string joint_name(int joint);
+
 /// A link of a planar chain as a body in space. Its frame is at its joint; at angle 0 it is that of the world, z up, so
 /// that the link hangs along -z. Joints turn about -y: a positive angle bends the chain towards +x, and opens the slits
 /// on its -x side.

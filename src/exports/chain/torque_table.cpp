@@ -51,6 +51,13 @@ std::vector<TorqueTable> torque_tables(const actuator::Model& model) {
   return tables;
 }
 
+double last_angle(int joint, const std::vector<TorqueTable>& tables) {
+  double last = std::numbers::pi;
+  for (const TorqueTable& table : tables)
+    if (table.joint == joint) last = std::min(last, table.angles.back());
+  return last;
+}
+
 double largest_torque(const TorqueTable& table) {
   double largest = 0.0;
   for (const double torque : table.torques) largest = std::max(largest, std::abs(torque));

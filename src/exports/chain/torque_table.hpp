@@ -21,6 +21,9 @@ struct TorqueTable {
 /// there would be more than 480 (MuJoCo takes 500 numbers a row of data).
 [[nodiscard]] std::vector<TorqueTable> torque_tables(const actuator::Model& model);
 
+/// Where the torque at a joint ceases to be known, rad: its tables end there. Half a turn where it has none.
+[[nodiscard]] double last_angle(int joint, const std::vector<TorqueTable>& tables);
+
 /// Largest torque per ampere of a table, N m/A.
 [[nodiscard]] double largest_torque(const TorqueTable& table);
 

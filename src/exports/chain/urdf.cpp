@@ -30,19 +30,8 @@ std::string link_name(int link) {
   return link < 0 ? "base" : fmt::format("link{}", link + 1);
 }
 
-std::string joint_name(int joint) {
-  return fmt::format("joint{}", joint + 1);
-}
-
 double rest_angle(const actuator::Hinge& hinge) {
   return hinge.torque_offset == 0.0 ? 0.0 : hinge.torque_offset / hinge.stiffness;
-}
-
-double upper_limit(int joint, const std::vector<TorqueTable>& tables) {
-  double upper = std::numbers::pi;
-  for (const TorqueTable& table : tables)
-    if (table.joint == joint) upper = std::min(upper, table.angles.back());
-  return upper;
 }
 
 void add_link(xml_node robot, int link, const RigidLink& body) {
@@ -151,7 +140,7 @@ std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings
   add_base(robot, model.chain().base_tilt());
   for (int j = 0; j < model.joints(); ++j) {
     const RigidLink& body = links[static_cast<std::size_t>(j)];
-    add_joint(robot, j, body, model.hinges()[j], upper_limit(j, tables));
+    add_joint(robot, j, body, model.hinges()[j], last_angle(j, tables));
     add_link(robot, j, body);
   }
   std::vector<ExportedFile> files{{.name = "actuator.urdf",

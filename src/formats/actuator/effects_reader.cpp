@@ -20,7 +20,7 @@ using actuator::EffectKind;
 using actuator::EffectParameter;
 
 // Where the catalogue sets no bound. Far: a rig of 100 kg has drags and stops of 1e9 in the units of a finger.
-constexpr double largest_number = 1e12;
+constexpr double largest_parameter = 1e12;
 
 const EffectKind& read_kind(const Node& node, const EffectCatalogue& known) {
   if (const EffectKind* kind = known.find(node.text())) return *kind;
@@ -40,7 +40,8 @@ double read_choice(const Node& node, const EffectParameter& parameter) {
 
 double read_parameter(const Node& node, const EffectParameter& parameter) {
   if (!parameter.choices.empty()) return read_choice(node, parameter);
-  const double value = units::to_memory(node.number(Rule::between(-largest_number, largest_number)), parameter.key);
+  const double value =
+      units::to_memory(node.number(Rule::between(-largest_parameter, largest_parameter)), parameter.key);
   // In SI: a bound that was written comes back as the very bound, which a rule in the file's unit may miss by a digit.
   if (value < parameter.lower || value > parameter.upper) throw node.error(rule_of(parameter).text());
   return value;
@@ -85,7 +86,7 @@ Effect read_effect(const Node& node, const EffectCatalogue& known, const std::ve
 Rule rule_of(const EffectParameter& parameter) {
   const double lower = units::from_memory(parameter.lower, parameter.key);
   const double upper = units::from_memory(parameter.upper, parameter.key);
-  return Rule::between(std::max(lower, -largest_number), std::min(upper, largest_number));
+  return Rule::between(std::max(lower, -largest_parameter), std::min(upper, largest_parameter));
 }
 
 std::vector<Effect> read_effects(ObjectReader& in, const EffectCatalogue& known) {

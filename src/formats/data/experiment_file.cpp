@@ -10,6 +10,7 @@
 
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "formats/data/experiment_rules.hpp"
 #include "formats/data/input_shape_format.hpp"
 #include "formats/data/instruments_format.hpp"
 #include "formats/data/run_words.hpp"
@@ -22,10 +23,6 @@ using namespace measurement::data;
 using namespace measurement::experiment;
 
 // Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.
-constexpr Rule level_rule = Rule::between(-1e6, 1e6);
-constexpr Rule time_rule = Rule::between(0.0, 1e5);
-constexpr Rule duration_rule = Rule::above(0.0).and_also(Rule::at_most(1e5));
-constexpr Rule rate_rule = Rule::above(0.0).and_also(Rule::at_most(1e6));
 constexpr Rule angle_rule = Rule::between(-180.0, 180.0);  // deg
 constexpr double most_samples = 1e6;
 constexpr std::size_t most_points = 100'000;
@@ -85,7 +82,7 @@ void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, do
   clock.offset_sigma = in.quantity_or("clock_offset_s", clock.offset_sigma, time_rule);
   clock.rate_sigma = in.number_or("clock_rate", clock.rate_sigma, Rule::between(0.0, 0.2));
   if (const auto how = in.find("input_hold")) hold = read_input_hold(*how);
-  input_rate = in.quantity_or("input_rate_Hz", input_rate, rate_rule);
+  input_rate = in.quantity_or("input_rate_Hz", input_rate, frequency_rule);
 }
 
 // The name of a run is that of its file, beside dataset.json.
@@ -105,8 +102,8 @@ void require_samples(const ObjectReader& in, const PlannedRun& planned) {
 }
 
 void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
-  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, rate_rule)
-                               : in.quantity("sampling_rate_Hz", rate_rule);
+  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
+                               : in.quantity("sampling_rate_Hz", frequency_rule);
   planned.input = read_input_shape(in.at("input"), planned.plan.drive);
   const auto* table = in.at("input").find("file") ? std::get_if<TableShape>(&planned.input) : nullptr;
   const double of_file = table == nullptr ? 0.0 : table->times.back() - table->times.front();
@@ -150,8 +147,8 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
 
 // Nothing moves: only how long and how often the camera looks.
 void read_still(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
-  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, rate_rule)
-                               : in.quantity("sampling_rate_Hz", rate_rule);
+  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
+                               : in.quantity("sampling_rate_Hz", frequency_rule);
   planned.duration = in.quantity("duration_s", duration_rule);
   require_samples(in, planned);
   std::vector<std::string> measure = defaults.measure;
@@ -227,7 +224,7 @@ Experiment read_experiment_file(const Document& document) {
     experiment.name = in.text("name");
     (void)in.text_or("description", "");
     Defaults defaults;
-    defaults.rate = in.optional_quantity("sampling_rate_Hz", rate_rule);
+    defaults.rate = in.optional_quantity("sampling_rate_Hz", frequency_rule);
     if (const auto measure = in.find("measure")) defaults.measure = read_measure(*measure);
     experiment.instruments = read_instruments(in);
     read_recording(in, defaults.clock, defaults.hold, defaults.input_rate);

@@ -9,6 +9,7 @@
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
+#include "formats/data/experiment_rules.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -18,10 +19,6 @@ using namespace measurement::experiment;
 using measurement::data::Drive;
 
 // Bounds far beyond any rig, and low enough that a wrong file is refused before it is simulated.
-constexpr Rule level_rule = Rule::between(-1e6, 1e6);
-constexpr Rule time_rule = Rule::between(0.0, 1e5);
-constexpr Rule duration_rule = Rule::above(0.0).and_also(Rule::at_most(1e5));
-constexpr Rule frequency_rule = Rule::above(0.0).and_also(Rule::at_most(1e6));
 constexpr std::size_t most_rows = 1'000'000;
 
 std::string_view unit_of(Drive drive) {

@@ -11,6 +11,7 @@
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
+#include "formats/data/experiment_rules.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -18,8 +19,6 @@ namespace {
 using namespace text;
 using namespace measurement::experiment;
 using measurement::data::Drive;
-
-constexpr Rule frequency_rule = Rule::above(0.0).and_also(Rule::at_most(1e6));
 
 // What instruments are called in the file and on the command line.
 struct InstrumentKey {

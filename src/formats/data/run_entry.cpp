@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "coilwright/text/json/object_reader.hpp"
+#include "formats/data/experiment_rules.hpp"
 #include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {
@@ -16,8 +17,6 @@ using measurement::data::Start;
 
 // In the column's unit. Outside, no instrument: a fit would drown in it, or overflow.
 constexpr Rule sigma_rule = Rule::between(1e-12, 1e12);
-// Far beyond any laboratory, and near enough that nothing overflows.
-constexpr Rule time_rule = Rule::between(0.0, 1e5);  // s
 constexpr Rule rate_rule = Rule::between(0.0, 1.0);  // relative
 
 // The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
+#include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/data/default_tolerances.hpp"
 
@@ -23,8 +23,6 @@ using actuator::TorqueCurveError;
 using measurement::replay::AsBuiltNumber;
 using measurement::replay::CalibrationParameter;
 using measurement::replay::ForceCurveNumber;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // What a model can differ in.
 struct Differing {
@@ -228,8 +226,8 @@ CalibrationParameter difference_parameter(const PlannedNumber& number) {
     out.lower = curve->order == 0 ? -0.9 : -0.3;
     out.upper = curve->order == 0 ? 9.0 : 0.3;
   } else if (number.name == "face_closing_deg") {
-    out.lower = number.declared - 45.0 * degree;
-    out.upper = number.declared + 45.0 * degree;
+    out.lower = number.declared - 45.0 * units::degree;
+    out.upper = number.declared + 45.0 * units::degree;
   } else {
     out.lower = -1.9;  // beyond 2, a joint has less than nothing
     out.upper = 1.9;

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
@@ -28,7 +28,7 @@ Json numbered(Json names, Eigen::Index joints, const char* pattern) {
   return names;
 }
 
-Json state_names(const simulation::LinearModel& model) {
+Json names_of_states(const simulation::LinearModel& model) {
   const Eigen::Index n = model.angles.size();
   Json names = numbered(numbered(Json::array(), n, "theta{}_rad"), n, "rate{}_rad_s");
   for (int k = 1; k <= model.effect_states; ++k) names.add(fmt::format("effect_state{}", k));
@@ -39,7 +39,7 @@ Json numbers_of(const auto& values) {
   return Json::numbers({values.data(), static_cast<std::size_t>(values.size())});
 }
 
-Json input_names(const simulation::LinearModel& model) {
+Json names_of_inputs(const simulation::LinearModel& model) {
   if (model.b.cols() == 1) return Json::array({"current_A"});
   return numbered(Json::array(), model.b.cols(), "current{}_A");
 }
@@ -54,7 +54,6 @@ Json modes_of(const simulation::LinearModel& model) {
 }  // namespace
 
 Json to_json(const simulation::LinearModel& model) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
   const Eigen::Index n = model.angles.size();
   std::vector<double> angles;
   for (const double angle : model.angles) angles.push_back(units::from_memory(angle, "angle_deg"));
@@ -72,14 +71,14 @@ Json to_json(const simulation::LinearModel& model) {
     out.set("coil_currents_A", numbers_of(model.currents));
   out.set("joint_angles_deg", Json::numbers(angles));
   out.set("bending_angle_deg", units::from_memory(model.angles.sum(), "angle_deg"));
-  out.set("states", state_names(model)).set("inputs", input_names(model));
+  out.set("states", names_of_states(model)).set("inputs", names_of_inputs(model));
   out.set("outputs", numbered(Json::array({"bending_angle_rad"}), n, "theta{}_rad"));
   out.set("A", rows_of(model.a)).set("B", rows_of(model.b)).set("C", rows_of(model.c)).set("D", rows_of(model.d));
   const char* gain = one_input ? "dc_gain_deg_A" : "dc_gains_deg_A";
   if (!model.dc_gain) {
     out.set(gain, nullptr);
   } else {
-    const Eigen::VectorXd gains = degrees * model.dc_gain->row(0);
+    const Eigen::VectorXd gains = units::degrees_per_radian * model.dc_gain->row(0);
     out.set(gain, one_input ? Json(gains[0]) : numbers_of(gains));
   }
   out.set("modes", modes_of(model)).set("eigenvalues", std::move(eigenvalues)).set("stable", model.stable());

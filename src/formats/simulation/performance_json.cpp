@@ -1,7 +1,7 @@
 #include "coilwright/formats/simulation/performance_json.hpp"
+#include "coilwright/units/angle.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,13 +16,11 @@ using simulation::MotionSummary;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-
 // null where a thermal runaway leaves none.
 Json in_degrees(const mechanics::JointVector* angles) {
   if (angles == nullptr) return nullptr;
   std::vector<double> out;
-  for (const double angle : *angles) out.push_back(angle * degrees);
+  for (const double angle : *angles) out.push_back(angle * units::degrees_per_radian);
   return Json::numbers(out);
 }
 

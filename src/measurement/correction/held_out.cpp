@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_groups = 5;
 // From the fit to all runs to that without a group it is not far.
-constexpr fit::FitEffort effort{.iterations = 2, .tolerance = 1e-2};
+constexpr fit::FitEffort short_effort{.iterations = 2, .tolerance = 1e-2};
 
 }  // namespace
 
@@ -28,7 +28,7 @@ fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::Prepa
                                     .local_numbers_from = &others.fit,
                                     .derivatives_from = &others.fit,
                                     .updates_derivatives = true,
-                                    .effort = effort});
+                                    .effort = short_effort});
     out.simulated_runs += refitted.simulated_runs;
     if (!refitted.value) continue;
     const fit::PartOfFit left_out = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups == group; });

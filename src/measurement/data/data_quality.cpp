@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "coilwright/units/angle.hpp"
 #include "measurement/data/usual_interval.hpp"
 
 namespace coilwright::measurement::data {
@@ -32,8 +33,6 @@ constexpr double largest_current = 100.0;                 // A
 constexpr double longest_interval = 1.5;                  // s between samples of a motion
 constexpr double coldest = -60.0;                         // degC
 constexpr double hottest = 400.0;                         // degC
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 bool constant(std::span<const double> values) {
   return std::ranges::adjacent_find(values, std::ranges::not_equal_to()) == values.end();
@@ -91,7 +90,7 @@ std::string in_unit(double value, const Channel& channel) {
   switch (channel.kind) {
     case ChannelKind::bending_angle:
     case ChannelKind::joint_angle:
-      return fmt::format("{:.6g} deg", value * degrees);
+      return fmt::format("{:.6g} deg", value * units::degrees_per_radian);
     case ChannelKind::joint_rate:
       return fmt::format("{:.6g} rad/s", value);
     case ChannelKind::torque:
@@ -145,7 +144,8 @@ std::optional<std::string> implausible_angle(const std::string& name, std::span<
   const auto [lowest, highest] = std::ranges::minmax(values);
   const double angle = highest > -lowest ? highest : lowest;
   if (std::abs(angle) <= largest_angle) return std::nullopt;
-  return fmt::format("{} reaches {:.6g} deg, more than two turns: is the unit right?", name, angle * degrees);
+  return fmt::format("{} reaches {:.6g} deg, more than two turns: is the unit right?", name,
+                     angle * units::degrees_per_radian);
 }
 
 std::optional<std::string> implausible_temperature(const Channel& channel) {

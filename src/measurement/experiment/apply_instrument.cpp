@@ -11,8 +11,6 @@
 namespace coilwright::measurement::experiment {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
 // Boost's generator and distributions, not those of the standard library, which leaves the numbers that
 // std::normal_distribution draws to each implementation.
 using Generator = boost::random::mt19937_64;
@@ -39,7 +37,7 @@ std::vector<double> white(Generator& generator, std::size_t count) {
 // First order, exact between samples, stationary from the first one on: standard deviation 1.
 std::vector<double> low_passed(std::vector<double> noise, std::span<const double> times, double frequency) {
   for (std::size_t i = 1; i < noise.size(); ++i) {
-    const double kept = std::exp(-two_pi * frequency * (times[i] - times[i - 1]));
+    const double kept = std::exp(-2.0 * std::numbers::pi * frequency * (times[i] - times[i - 1]));
     noise[i] = kept * noise[i - 1] + std::sqrt(1.0 - kept * kept) * noise[i];
   }
   return noise;
@@ -92,9 +90,9 @@ std::vector<double> apply_instrument(const Instrument& instrument, const NoiseSt
   }
   if (instrument.hum > 0.0 && !times.empty()) {
     Generator generator = generator_of(stream, 2);
-    const double phase = two_pi * boost::random::uniform_real_distribution<double>(0.0, 1.0)(generator);
+    const double phase = 2.0 * std::numbers::pi * boost::random::uniform_real_distribution<double>(0.0, 1.0)(generator);
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] += instrument.hum * std::sin(two_pi * instrument.hum_frequency * times[i] + phase);
+      values[i] += instrument.hum * std::sin(2.0 * std::numbers::pi * instrument.hum_frequency * times[i] + phase);
   }
   add_outliers(instrument, stream, values);
   if (instrument.resolution > 0.0)

@@ -8,20 +8,18 @@
 namespace coilwright::measurement::experiment {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
 struct Level {
   double time{};
   double duration{};
 
   double operator()(const StepShape& step) const { return time < step.at ? step.before : step.after; }
   double operator()(const SineShape& sine) const {
-    return sine.offset + sine.amplitude * std::sin(two_pi * sine.frequency * time);
+    return sine.offset + sine.amplitude * std::sin(2.0 * std::numbers::pi * sine.frequency * time);
   }
   // The phase is the integral of the frequency.
   double operator()(const ChirpShape& chirp) const {
     const double mean_frequency = chirp.from + 0.5 * (chirp.to - chirp.from) * time / duration;
-    return chirp.offset + chirp.amplitude * std::sin(two_pi * mean_frequency * time);
+    return chirp.offset + chirp.amplitude * std::sin(2.0 * std::numbers::pi * mean_frequency * time);
   }
   double operator()(const HoldShape& hold) const { return time < hold.from || time >= hold.until ? 0.0 : hold.level; }
   double operator()(const PulseShape& pulse) const {

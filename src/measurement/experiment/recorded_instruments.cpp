@@ -12,8 +12,6 @@ namespace {
 
 using replay::PreparedRun;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
 // Sum of the squared distances of the bands from a spectrum whose level is free, each with its number of coefficients.
 template <class Density>
 double distance(const std::vector<noise::NoiseColour::Band>& bands, const Density& density) {
@@ -128,9 +126,9 @@ NoiseColour nearest_colour(const noise::NoiseColour& recorded) {
   const double rate = 2.0 * recorded.bands.back().to;
   constexpr double ratio = 1.1;
   for (double corner = 0.005 * rate; corner < 0.5 * rate; corner *= ratio) {
-    const double kept = std::exp(-two_pi * corner / rate);
+    const double kept = std::exp(-2.0 * std::numbers::pi * corner / rate);
     try_out({.kind = low_pass, .frequency = std::round(1000.0 * corner) / 1000.0}, [&](double frequency) {
-      return 1.0 / (1.0 - 2.0 * kept * std::cos(two_pi * frequency / rate) + kept * kept);
+      return 1.0 / (1.0 - 2.0 * kept * std::cos(2.0 * std::numbers::pi * frequency / rate) + kept * kept);
     });
   }
   return out;

@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "coilwright/actuator/model/model.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -15,7 +15,6 @@ using actuator::CoilCurrents;
 using actuator::Model;
 using mechanics::JointVector;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr int poses = 16;
 // Half a tolerance: far above the 4e-7 to which curves are interpolated, and still in proportion to a millionth.
 constexpr double step_over_tolerance = 0.5;
@@ -46,8 +45,8 @@ Scene scene(const Model& model, int i) {
             .torques = JointVector::Zero(n)};
   for (int j = 0; j < n; ++j) {
     const bool closed = i % 4 == 3 && (i / 4) % n == j;
-    out.angles[j] = closed ? model.hinges()[static_cast<std::size_t>(j)].contact.closing_angle - 1.0 * degree
-                           : (5.0 + 50.0 * spread(i, j)) * degree;
+    out.angles[j] = closed ? model.hinges()[static_cast<std::size_t>(j)].contact.closing_angle - 1.0 * units::degree
+                           : (5.0 + 50.0 * spread(i, j)) * units::degree;
     out.rates[j] = 12.0 * (spread(i, j + 7) - 0.5);
   }
   for (int c = 0; c < model.coils(); ++c) out.currents[c] = 3.0 * (spread(i, c + 3) - 0.4);

@@ -16,7 +16,7 @@ namespace {
 constexpr double least_share = 0.003;  // of the range: less is the resolution of a logger
 constexpr double most_alike = 0.2;     // of the neighbours: more, and the column is a command
 constexpr double edge_deviations = 8.0;
-constexpr std::size_t fewest_samples = 40;
+constexpr std::size_t fewest_samples_of_level = 40;
 constexpr std::size_t shortest_level = 3;  // samples on each side of an edge
 
 double median(std::vector<double> values) {
@@ -51,7 +51,7 @@ struct SmoothColumn {
 };
 
 std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std::vector<double>& values) {
-  if (values.size() < fewest_samples) return std::nullopt;
+  if (values.size() < fewest_samples_of_level) return std::nullopt;
   std::size_t alike = 0;
   for (std::size_t i = 1; i < values.size(); ++i) alike += values[i] == values[i - 1] ? 1 : 0;
   if (static_cast<double>(alike) > most_alike * static_cast<double>(values.size())) return std::nullopt;

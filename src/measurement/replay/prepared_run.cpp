@@ -15,7 +15,7 @@ namespace {
 
 using actuator::Model;
 
-constexpr std::size_t fewest_samples = 5;  // in a window
+constexpr std::size_t fewest_samples_of_window = 5;  // in a window
 
 std::invalid_argument misfit(const data::Run& run, const std::string& rule) {
   return std::invalid_argument(fmt::format("{}: {}", run.name, rule));
@@ -61,10 +61,11 @@ std::vector<Window> windows_of(const data::Run& run) {
     first = last;
   }
   // A remainder too short to determine its initial state is left out.
-  if (out.size() > 1 && out.back().samples() < 2 * fewest_samples) out.pop_back();
+  if (out.size() > 1 && out.back().samples() < 2 * fewest_samples_of_window) out.pop_back();
   for (const Window& window : out)
-    if (window.samples() < fewest_samples)
-      throw misfit(run, fmt::format("needs at least {} samples in a window; got {}", fewest_samples, window.samples()));
+    if (window.samples() < fewest_samples_of_window)
+      throw misfit(run, fmt::format("needs at least {} samples in a window; got {}", fewest_samples_of_window,
+                                    window.samples()));
   return out;
 }
 

@@ -1,8 +1,8 @@
 #include "coilwright/report/simulation/correction_text.hpp"
+#include "coilwright/units/angle.hpp"
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <vector>
 
 namespace coilwright::report {
@@ -18,12 +18,11 @@ struct Shown {
 };
 
 Shown shown(CorrectionVariable variable) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
   switch (variable) {
     case CorrectionVariable::angle:
-      return {.name = "joint angles", .unit = "deg", .per_si = degrees};
+      return {.name = "joint angles", .unit = "deg", .per_si = units::degrees_per_radian};
     case CorrectionVariable::rate:
-      return {.name = "joint rates", .unit = "deg/s", .per_si = degrees};
+      return {.name = "joint rates", .unit = "deg/s", .per_si = units::degrees_per_radian};
     case CorrectionVariable::current:
       break;
   }

@@ -1,10 +1,10 @@
 #include "coilwright/report/simulation/performance_text.hpp"
+#include "coilwright/units/angle.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -18,7 +18,6 @@ using simulation::MotionSummary;
 using simulation::QuantityTable;
 using simulation::ResultQuantity;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr std::string_view modes_name = "modes (Hz, damping ratio)";
 
 // A quantity with its value, if it has one.
@@ -48,7 +47,7 @@ std::string joint_lines(std::size_t width, const mechanics::JointVector& rest, c
     if (angles == nullptr)
       text += " none";
     else
-      for (const double angle : *angles) text += fmt::format(" {:.2f}", angle * degrees);
+      for (const double angle : *angles) text += fmt::format(" {:.2f}", angle * units::degrees_per_radian);
     text += '\n';
   };
   line("joint_angles_deg", motion == nullptr ? nullptr : &motion->steady_angles);

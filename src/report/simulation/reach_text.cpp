@@ -1,14 +1,12 @@
 #include "coilwright/report/simulation/reach_text.hpp"
+#include "coilwright/units/angle.hpp"
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <optional>
 
 namespace coilwright::report {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 std::string seconds(const std::optional<double>& time, double followed) {
   return time ? fmt::format("{:.3f}", *time) : fmt::format("> {:.2f}", followed);
@@ -35,8 +33,8 @@ std::string to_text(const control::Reach& reach, const control::ReachTask& task)
   const control::Arrival& whole = reach.profiles.front().nominal;
   std::string out = fmt::format(
       "From {:.2f} to {:.2f} deg; {:.4g} A hold it. Slowest motion there: {:.3g} Hz, damping ratio {:.3g}.\n\n",
-      whole.start * degrees, whole.end * degrees, reach.current, reach.mode.natural_frequency,
-      reach.mode.damping_ratio);
+      whole.start * units::degrees_per_radian, whole.end * units::degrees_per_radian, reach.current,
+      reach.mode.natural_frequency, reach.mode.damping_ratio);
   out += fmt::format("{:<27}{:>23}{:>25}\n", "", "settling time s", "overshoot %");
   out += fmt::format("{:<27}{:>11}{:>12}{:>13}{:>12}\n", "profile", "as it is", "at worst", "as it is", "at worst");
   for (const control::ProfileQuality& each : reach.profiles)
@@ -55,7 +53,7 @@ std::string to_text(const control::Reach& reach, const control::ReachTask& task)
     out += fmt::format(
         "Such fingers end between {:.1f} and {:.1f} deg: no profile without a sensor mends that; measure k of yours "
         "(coilwright diagnose).\n",
-        reach.least_end * degrees, reach.greatest_end * degrees);
+        reach.least_end * units::degrees_per_radian, reach.greatest_end * units::degrees_per_radian);
   return out;
 }
 

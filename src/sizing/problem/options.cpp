@@ -11,36 +11,36 @@
 namespace coilwright::sizing {
 namespace {
 
-constexpr std::array<std::pair<Algorithm, std::string_view>, 11> names{{{Algorithm::automatic, "automatic"},
-                                                                        {Algorithm::cobyla, "cobyla"},
-                                                                        {Algorithm::bobyqa, "bobyqa"},
-                                                                        {Algorithm::sbplx, "sbplx"},
-                                                                        {Algorithm::neldermead, "neldermead"},
-                                                                        {Algorithm::slsqp, "slsqp"},
-                                                                        {Algorithm::mma, "mma"},
-                                                                        {Algorithm::isres, "isres"},
-                                                                        {Algorithm::crs2, "crs2"},
-                                                                        {Algorithm::esch, "esch"},
-                                                                        {Algorithm::direct_l, "direct_l"}}};
+constexpr std::array<std::pair<Algorithm, std::string_view>, 11> algorithm_names{{{Algorithm::automatic, "automatic"},
+                                                                                  {Algorithm::cobyla, "cobyla"},
+                                                                                  {Algorithm::bobyqa, "bobyqa"},
+                                                                                  {Algorithm::sbplx, "sbplx"},
+                                                                                  {Algorithm::neldermead, "neldermead"},
+                                                                                  {Algorithm::slsqp, "slsqp"},
+                                                                                  {Algorithm::mma, "mma"},
+                                                                                  {Algorithm::isres, "isres"},
+                                                                                  {Algorithm::crs2, "crs2"},
+                                                                                  {Algorithm::esch, "esch"},
+                                                                                  {Algorithm::direct_l, "direct_l"}}};
 
 }  // namespace
 
 std::string_view name_of(Algorithm algorithm) {
-  return std::ranges::find(names, algorithm, &std::pair<Algorithm, std::string_view>::first)->second;
+  return std::ranges::find(algorithm_names, algorithm, &std::pair<Algorithm, std::string_view>::first)->second;
 }
 
 Algorithm algorithm_named(std::string_view name) {
-  const auto found = std::ranges::find(names, name, &std::pair<Algorithm, std::string_view>::second);
-  if (found != names.end()) return found->first;
+  const auto found = std::ranges::find(algorithm_names, name, &std::pair<Algorithm, std::string_view>::second);
+  if (found != algorithm_names.end()) return found->first;
   std::vector<std::string_view> known;
-  for (const auto& entry : names) known.push_back(entry.second);
+  for (const auto& entry : algorithm_names) known.push_back(entry.second);
   throw std::invalid_argument(fmt::format("algorithm: must be one of {}; got \"{}\"", fmt::join(known, ", "), name));
 }
 
 const std::vector<Algorithm>& algorithms() {
   static const std::vector<Algorithm> all = [] {
     std::vector<Algorithm> list;
-    for (const auto& entry : names) list.push_back(entry.first);
+    for (const auto& entry : algorithm_names) list.push_back(entry.first);
     return list;
   }();
   return all;

@@ -1,20 +1,18 @@
 #include "coilwright/systems/rig/stiffness_gauge.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/units/angle.hpp"
 #include "systems/check.hpp"
 #include "systems/rig/models_of.hpp"
+#include "systems/rig/rounding.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
 
 using actuator::Model;
 using mechanics::JointVector;
-
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double rounding = 1e-8;  // of an angle that was turned from degrees, or of a height from millimetres
 
 int joint_of(const Model& model, const StiffnessGauge& gauge) {
   const int joint = gauge.joint.value_or(model.joints() - 1);
@@ -38,8 +36,8 @@ double arm_of(const Model& model, const StiffnessGauge& gauge, int joint) {
 void check(const StiffnessGauge& gauge) {
   require_some(!gauge.angles.empty(), "the angles");
   for (const double angle : gauge.angles)
-    require(angle > 0.0 && angle <= 120.0 * degree + rounding, "angle", "> 0 and at most 120 deg", angle / degree,
-            "deg");
+    require(angle > 0.0 && angle <= 120.0 * units::degree + rounding, "angle", "> 0 and at most 120 deg",
+            angle / units::degree, "deg");
 }
 
 JointVector open_at(const Model& model, int joint, double angle) {
@@ -52,7 +50,7 @@ JointVector open_at(const Model& model, int joint, double angle) {
 
 StiffnessGauge paper_stiffness_gauge() {
   StiffnessGauge gauge;
-  for (int step = 1; step <= 6; ++step) gauge.angles.push_back(15.0 * step * degree);
+  for (int step = 1; step <= 6; ++step) gauge.angles.push_back(15.0 * step * units::degree);
   return gauge;
 }
 

@@ -1,25 +1,23 @@
 #include "coilwright/systems/rig/torque_bench.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
+#include "coilwright/units/angle.hpp"
 #include "systems/check.hpp"
 #include "systems/rig/applicable_effects.hpp"
 #include "systems/rig/models_of.hpp"
+#include "systems/rig/rounding.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
 
 using actuator::Design;
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double widest_angle = 120.0 * degree;  // where a design's torque curves end
-// A millionth of a degree for angles that were turned from degrees.
-constexpr double rounding = 1e-8;
+constexpr double widest_angle = 120.0 * units::degree;  // where a design's torque curves end
 
 void check(const TorqueBench& bench) {
   require(bench.axis_offset > 0.0, "axis offset", "finite and > 0", bench.axis_offset * 1e3, "mm");
@@ -27,7 +25,8 @@ void check(const TorqueBench& bench) {
   require(bench.current != 0.0, "current", "finite and not 0", bench.current, "A");
   require_some(!bench.angles.empty(), "the angles");
   for (const double angle : bench.angles)
-    require(angle >= 0.0 && angle <= widest_angle + rounding, "angle", "from 0 to 120 deg", angle / degree, "deg");
+    require(angle >= 0.0 && angle <= widest_angle + rounding, "angle", "from 0 to 120 deg", angle / units::degree,
+            "deg");
 }
 
 // The first two neighbours of which one is a coil and one a magnet. Every layout has some.
@@ -41,7 +40,7 @@ actuator::Layout first_pair(const actuator::Layout& layout) {
 
 TorqueBench paper_torque_bench(const Design& design) {
   TorqueBench bench{.axis_offset = actuator::dimensions(design).axis_offset + 2e-3};
-  for (int step = 0; step < 12; ++step) bench.angles.push_back(step * 7.5 * degree);
+  for (int step = 0; step < 12; ++step) bench.angles.push_back(step * 7.5 * units::degree);
   return bench;
 }
 

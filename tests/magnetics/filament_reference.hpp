@@ -27,7 +27,7 @@ inline Real sheet_force(Real a, Real l1, Real b, Real l2, Real distance) {
   Real sum = 0;
   const auto up_to = [&](Real to) {
     if (to > from && to <= l1 / 2) {
-      sum += boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(difference, from, to, 8, 1e-13L);
+      sum += boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(difference, from, to, 8, 1e-12L);
       from = to;
     }
   };
@@ -43,8 +43,8 @@ inline Real thick_force(Real inner, Real outer, Real l1, Real b, Real l2, Real d
   const auto at = [&](Real a) { return sheet_force(a, l1, b, l2, distance); };
   using Rule = boost::math::quadrature::gauss_kronrod<Real, 31>;
   if (inner < b && b < outer)
-    return (Rule::integrate(at, inner, b, 4, 1e-12L) + Rule::integrate(at, b, outer, 4, 1e-12L)) / (outer - inner);
-  return Rule::integrate(at, inner, outer, 4, 1e-12L) / (outer - inner);
+    return (Rule::integrate(at, inner, b, 4, 1e-11L) + Rule::integrate(at, b, outer, 4, 1e-11L)) / (outer - inner);
+  return Rule::integrate(at, inner, outer, 4, 1e-11L) / (outer - inner);
 }
 
 }  // namespace coilwright::magnetics::filament_reference

@@ -14,6 +14,7 @@
 #include "coilwright/report/drive_text.hpp"
 #include "coilwright/systems/driven_actuator.hpp"
 #include "coilwright/systems/driven_motion.hpp"
+#include "coilwright/systems/warm_up.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "commands.hpp"
@@ -40,8 +41,8 @@ struct Options {
   int actuators = 1;
   double coil_temperature = 20.0;
   bool warm{false};
-  std::optional<double> motion;
-  double interval = 1.0;
+  std::optional<double> motion, warm_up;
+  std::optional<double> interval;
   std::string out;
   bool json{false};
 };
@@ -84,6 +85,26 @@ systems::DriveQuestion question_of(const Options& options) {
   return question;
 }
 
+// Between rows, s; `usual` in ms.
+double interval_of(const Options& options, double duration, double usual) {
+  return std::min(options.interval.value_or(usual) * 1e-3, duration);
+}
+
+// Follows how it warms into its file, if that is asked for.
+std::optional<systems::WarmUp> follow_warm_up(const Options& options, const actuator::Design& design,
+                                              const actuator::Assembly& assembly,
+                                              const systems::DriveQuestion& question,
+                                              const systems::DrivenActuator& driven) {
+  if (!options.warm_up) return std::nullopt;
+  systems::WarmUp found =
+      warm_up(design, assembly, question, driven,
+              {.duration = *options.warm_up, .interval = interval_of(options, *options.warm_up, 1000.0)});
+  text::OutputFile file(options.out);
+  formats::write_warm_up(file.stream(), found);
+  file.commit();
+  return found;
+}
+
 // Follows the motion into its file, if one is asked for.
 std::optional<systems::MotionSummary> follow(const Options& options, const actuator::Design& design,
                                              const actuator::Assembly& assembly, const systems::DriveQuestion& question,
@@ -91,7 +112,7 @@ std::optional<systems::MotionSummary> follow(const Options& options, const actua
   if (!options.motion) return std::nullopt;
   const std::vector<systems::MotionSample> motion =
       drive_motion(design, assembly, question, driven,
-                   {.duration = *options.motion, .interval = std::min(options.interval * 1e-3, *options.motion)});
+                   {.duration = *options.motion, .interval = interval_of(options, *options.motion, 1.0)});
   text::OutputFile file(options.out);
   formats::write_motion(file.stream(), motion);
   file.commit();
@@ -109,7 +130,9 @@ void run_drive(const Options& options) {
       throw CLI::ValidationError("--supply-voltage-V", "with --duty and --mean-A the voltage is what is looked for");
     if (*options.duty == 0.0) throw CLI::ValidationError("--duty", "must be > 0 with --mean-A; got 0");
   }
-  if (options.motion)
+  if (!options.out.empty() && !options.motion && !options.warm_up)
+    throw CLI::ValidationError("--out", "requires --motion-s or --warm-up-s");
+  if (!options.out.empty())
     keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
                 std::array<std::filesystem::path, 1>{options.out});
   formats::ActuatorFile file = read_actuator(options.actuator);
@@ -119,12 +142,15 @@ void run_drive(const Options& options) {
   try {
     const systems::DrivenActuator driven = systems::drive_actuator(design, assembly, question);
     const std::optional<systems::MotionSummary> motion = follow(options, design, assembly, question, driven);
+    const std::optional<systems::WarmUp> warmed = follow_warm_up(options, design, assembly, question, driven);
     if (options.json) {
       text::Json out = formats::to_json(driven);
       if (motion) out.set("motion", formats::to_json(*motion));
+      if (warmed) out.set("warm_up", formats::to_json(*warmed));
       report_stream(options.out) << out.text();
     } else {
-      report_stream(options.out) << report::to_text(driven, question) << (motion ? report::to_text(*motion) : "");
+      report_stream(options.out) << report::to_text(driven, question) << (motion ? report::to_text(*motion) : "")
+                                 << (warmed ? report::to_text(*warmed) : "");
     }
   } catch (const std::invalid_argument& rule) {
     throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
@@ -199,14 +225,24 @@ void add_driver(CLI::App& command, Options& options) {
       ->needs(cell);
 }
 
-void add_motion(CLI::App& command, Options& options) {
+// What is followed over time.
+void add_course(CLI::App& command, Options& options) {
   auto* motion = command.add_option("--motion-s", options.motion, "Follows the motion from rest for this long, s")
                      ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e4))));
-  auto* out = command.add_option("--out", options.out, "CSV file to write the motion to")->needs(motion);
+  auto* warm_up =
+      command
+          .add_option("--warm-up-s", options.warm_up,
+                      "Follows for this long how the actuator warms from the temperature of its surroundings, s")
+          ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e5))))
+          ->excludes(motion);
+  auto* out = command.add_option("--out", options.out, "CSV file to write the motion or the warm-up to");
   motion->needs(out);
-  command.add_option("--interval-ms", options.interval, "Between rows of the motion, ms (default 1)")
+  warm_up->needs(out);
+  command
+      .add_option("--interval-ms", options.interval,
+                  "Between rows of that file, ms (default 1 for a motion, 1000 for a warm-up)")
       ->check(number_rule(Rule::between(1e-3, 1e6)))
-      ->needs(motion);
+      ->needs(out);
 }
 
 }  // namespace
@@ -218,17 +254,19 @@ void add_drive_command(CLI::App& app, Outcome&) {
   add_actuator_options(*command, options->actuator);
   add_asked(*command, *options);
   add_driver(*command, *options);
-  add_motion(*command, *options);
+  add_course(*command, *options);
   command->add_flag("--json", options->json, "Print JSON instead of tables")->disable_flag_override();
   command->footer(
       "The H-bridge's defaults are typical of an integrated driver such as the DRV8870 or DRV8871 on 24 V. All is the\n"
       "periodic steady state without motion; currents of a coil are those of the one that carries most. The motion\n"
-      "starts at rest without current and with a pulse; its coils keep their temperatures.\n\n"
+      "starts at rest without current and with a pulse; its coils keep their temperatures. A warm-up holds duty and\n"
+      "voltage, so that the current falls as the coils warm.\n\n"
       "Examples:\n"
       "  coilwright drive configs/actuators/paper_finger.json --mean-A 1.4 --wiring series --actuators 2\n"
       "  coilwright drive configs/actuators/paper_finger.json --duty 0.5 --frequency-Hz 10 --cell-voltage-V 4.2 \\\n"
       "    --cell-capacity-mAh 150\n"
-      "  coilwright drive configs/actuators/paper_finger.json --mean-A 1.4 --motion-s 0.5 --out motion.csv");
+      "  coilwright drive configs/actuators/paper_finger.json --mean-A 1.4 --motion-s 0.5 --out motion.csv\n"
+      "  coilwright drive configs/actuators/paper_finger.json --mean-A 1.4 --warm-up-s 600 --out warm_up.csv");
   command->callback([options] { run_drive(*options); });
 }
 

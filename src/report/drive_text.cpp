@@ -162,4 +162,24 @@ std::string to_text(const systems::MotionSummary& motion) {
       number(energy.switches + energy.diodes), number(energy.supply), number(energy.work), number(energy.field));
 }
 
+std::string to_text(const systems::WarmUp& warm_up) {
+  const systems::WarmUpSample& start = warm_up.samples.front();
+  const systems::WarmUpSample& end = warm_up.samples.back();
+  std::string out = fmt::format(
+      "Held for {} s from {} degC: coils of {} degC ({} at their hottest place), magnets of {} degC; the mean current "
+      "in "
+      "a coil goes from {} to {} A, and the force with it.\n",
+      number(end.time), number(start.coil_temperatures.maxCoeff()), number(end.coil_temperatures.maxCoeff()),
+      number(end.coil_hot_spot), number(end.magnet_temperature), number(start.mean), number(end.mean));
+  if (warm_up.limit)
+    out += fmt::format("{} {} is the first to pass its limit, {} degC, after {} s: do not hold it longer.\n",
+                       warm_up.limit->kind == thermal::NodeKind::coil ? "Coil" : "Magnet", warm_up.limit->number,
+                       number(warm_up.limit->limit), number(warm_up.limit->time));
+  else
+    out += "No coil and no magnet passes its limit in that time.\n";
+  if (warm_up.melting_time)
+    out += fmt::format("Copper would melt after {} s, where this ends.\n", number(*warm_up.melting_time));
+  return out;
+}
+
 }  // namespace coilwright::report

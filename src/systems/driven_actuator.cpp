@@ -12,7 +12,9 @@
 #include "coilwright/drive/settings.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "systems/check.hpp"
+#include "systems/copper.hpp"
 #include "systems/driven_coils.hpp"
+#include "systems/like_actuators.hpp"
 #include "systems/motional_effect.hpp"
 
 namespace coilwright::systems {
@@ -28,8 +30,6 @@ using drive::Setting;
 // falls as a coil warms, that of a current grows by less than 0.81 of the change where the end is below melting.
 constexpr double temperature_closeness = 1e-9;
 constexpr int most_rounds = 2000;
-
-constexpr double copper_melts = 1085.0;  // degC, CRC Handbook
 
 // Heat over what the mean current suggests: 2.5 % of current, as a good ammeter reads.
 constexpr double worth_a_warning = 1.05;
@@ -59,17 +59,9 @@ Driver driver_at(const DriveQuestion& question, double voltage) {
   return driver_of(other);
 }
 
-// All actuators' coils on the driver, one actuator after the other.
 drive::CoilBank bank_of(const Design& design, const Assembly& assembly, const DriveQuestion& question,
                         const Eigen::VectorXd& temperatures) {
-  const drive::CoilBank one = coil_bank(design, assembly, question.wiring, temperatures);
-  const Eigen::Index coils = one.resistances.size();
-  drive::CoilBank all{.resistances = one.resistances.replicate(question.actuators, 1),
-                      .inductances = Eigen::MatrixXd::Zero(coils * question.actuators, coils * question.actuators),
-                      .wiring = question.wiring};
-  for (int i = 0; i < question.actuators; ++i)
-    all.inductances.block(i * coils, i * coils, coils, coils) = one.inductances;
-  return all;
+  return of_like_actuators(coil_bank(design, assembly, question.wiring, temperatures), question.actuators);
 }
 
 struct Solved {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <Eigen/Eigenvalues>
 
@@ -10,6 +9,7 @@
 
 #include "check.hpp"
 #include "coilwright/thermal/steady_state.hpp"
+#include "hottest_spot.hpp"
 
 namespace coilwright::thermal {
 namespace {
@@ -25,22 +25,6 @@ NodeVector capacity_roots(const Network& network) {
 // int_0^t exp(-rate s) ds, for rates of either sign and near zero.
 double charged(double rate, double time) {
   return rate == 0.0 ? time : -std::expm1(-rate * time) / rate;
-}
-
-struct HottestSpot {
-  double excess{};  // above the limit, K
-  std::size_t node{};
-};
-
-HottestSpot hottest_spot(const Network& network, const NodeVector& temperatures) {
-  const NodeVector hot_spots = network.hot_spots(temperatures);
-  HottestSpot worst{.excess = -std::numeric_limits<double>::infinity(), .node = 0};
-  for (std::size_t i = 0; i < network.nodes().size(); ++i) {
-    if (network.nodes()[i].kind == NodeKind::silicone) continue;
-    const double excess = hot_spots(static_cast<Eigen::Index>(i)) - network.nodes()[i].temperature_limit;
-    if (excess > worst.excess) worst = {.excess = excess, .node = i};
-  }
-  return worst;
 }
 
 void check(const Overload& overload) {

@@ -76,6 +76,34 @@ class Drive(ProgramTest):
             self.assertAlmostEqual(spent / motion["supply_J"], 1.0, places=5)
             self.assertIn("\nPulses from rest for 0.1 s: bending 21.07 deg before, ", run("drive", FINGER, *arguments).stdout)
 
+    def test_follows_how_the_actuator_warms(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "warm_up.csv"
+            arguments = ("--mean-A", "1.4", "--warm-up-s", "600", "--out", str(out))
+            found = answer(*arguments)["warm_up"]
+            with out.open(encoding="utf-8") as table:
+                rows = list(csv.DictReader(table))
+            self.assertEqual(len(rows), 601)
+            self.assertEqual(float(rows[0]["coil1_degC"]), found["start"]["coil_temperature_degC"])
+            self.assertEqual(float(rows[-1]["mean_current_A"]), found["end"]["mean_current_A"])
+            means = [float(row["mean_current_A"]) for row in rows]
+            self.assertEqual(means, sorted(means, reverse=True))
+            limit = found["first_limit"]
+            spots = {"coil": "coil_hot_spot_degC", "magnet": "magnet_temperature_degC"}
+            before, after = (float(rows[int(limit["time_s"]) + i][spots[limit["part"]]]) for i in (0, 1))
+            self.assertTrue(before <= limit["limit_degC"] <= after, (before, limit, after))
+            text = run("drive", FINGER, *arguments).stdout
+            self.assertRegex(text, r"\nHeld for 600 s from 2\d degC: coils of [\d.]+ degC \([\d.]+ at their hottest place\), "
+                                   r"magnets of [\d.]+ degC; the mean current in a coil goes from 1\.\d+ to 0\.\d+ A, and "
+                                   r"the force with it\.\n(Coil|Magnet) \d is the first to pass its limit, \d+ degC, after "
+                                   r"[\d.]+ s: do not hold it longer\.\n$")
+
+    def test_says_where_copper_would_melt(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "warm_up.csv"
+            text = run("drive", FINGER, "--mean-A", "8", "--supply-voltage-V", "200", "--warm-up-s", "3600", "--out", str(out)).stdout
+            self.assertRegex(text, r"\nCopper would melt after [\d.]+ s, where this ends\.\n$")
+
     def test_refuses_what_makes_no_sense(self):
         for arguments, message in (
             ((), "--duty: or --mean-A is needed: what is set, or what is wanted"),
@@ -95,7 +123,12 @@ class Drive(ProgramTest):
              "paper_finger.json: coil temperature must be given: held for good, this drive heats the coils beyond 1085 "
              "degC, where copper melts"),
             (("--duty", "0.5", "--motion-s", "0.1"), "--motion-s requires --out"),
-            (("--duty", "0.5", "--out", "x.csv"), "--out requires --motion-s"),
+            (("--duty", "0.5", "--out", "x.csv"), "--out: requires --motion-s or --warm-up-s"),
+            (("--duty", "0.5", "--warm-up-s", "60"), "--warm-up-s requires --out"),
+            (("--duty", "0.5", "--warm-up-s", "60", "--motion-s", "1", "--out", "x.csv"), "excludes"),
+            (("--duty", "0.5", "--warm-up-s", "1e6", "--out", "x.csv"), "--warm-up-s"),
+            (("--duty", "0.5", "--warm-up-s", "1e5", "--interval-ms", "10", "--out", "x.csv"),
+             "interval must be at least 0.1 s, for 1000000 samples; got 0.01 s"),
             (("--duty", "0.5", "--motion-s", "0", "--out", "x.csv"), "--motion-s"),
             (("--duty", "0.5", "--motion-s", "0.1", "--out", FINGER), "paper_finger.json"),
             (("--duty", "0.5", "--motion-s", "300", "--out", "x.csv"),

@@ -4,6 +4,7 @@
 
 #include "coilwright/systems/driven_actuator.hpp"
 #include "coilwright/systems/driven_motion.hpp"
+#include "coilwright/systems/warm_up.hpp"
 
 namespace coilwright::report {
 
@@ -12,5 +13,8 @@ namespace coilwright::report {
 
 /// A motion on that driver, as sentences.
 [[nodiscard]] std::string to_text(const systems::MotionSummary& motion);
+
+/// How it warms under that drive, as sentences.
+[[nodiscard]] std::string to_text(const systems::WarmUp& warm_up);
 
 }  // namespace coilwright::report

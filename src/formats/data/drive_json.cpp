@@ -35,6 +35,25 @@ Json number_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+Json to_json(const systems::WarmUpSample& sample) {
+  return Json::object({in_unit("time_s", sample.time),
+                       {"coil_temperature_degC", sample.coil_temperatures.maxCoeff()},
+                       {"coil_hot_spot_degC", sample.coil_hot_spot},
+                       {"magnet_temperature_degC", sample.magnet_temperature},
+                       in_unit("circuit_resistance_Ohm", sample.resistance),
+                       in_unit("mean_current_A", sample.mean),
+                       in_unit("rms_current_A", sample.rms),
+                       in_unit("supply_mean_A", sample.supply_mean),
+                       in_unit("heat_W", sample.heat)});
+}
+
+Json to_json(const systems::PassedLimit& limit) {
+  return Json::object({in_unit("time_s", limit.time),
+                       {"part", limit.kind == thermal::NodeKind::coil ? "coil" : "magnet"},
+                       {"number", limit.number},
+                       {"limit_degC", limit.limit}});
+}
+
 }  // namespace
 
 Json to_json(const systems::DrivenActuator& driven) {
@@ -103,6 +122,30 @@ void write_motion(std::ostream& out, const std::vector<systems::MotionSample>& m
       row.emplace_back(each);
     csv.row(row);
     before = &sample;
+  }
+}
+
+Json to_json(const systems::WarmUp& warm_up) {
+  return Json::object({{"start", to_json(warm_up.samples.front())},
+                       {"end", to_json(warm_up.samples.back())},
+                       {"first_limit", warm_up.limit ? to_json(*warm_up.limit) : Json(nullptr)},
+                       {"melting_time_s", number_or_null(warm_up.melting_time)}});
+}
+
+void write_warm_up(std::ostream& out, const systems::WarmUp& warm_up) {
+  std::vector<std::string> columns{"time_s"};
+  for (Eigen::Index c = 1; c <= warm_up.samples.front().coil_temperatures.size(); ++c)
+    columns.push_back(fmt::format("coil{}_degC", c));
+  columns.insert(columns.end(), {"coil_hot_spot_degC", "magnet_temperature_degC", "circuit_resistance_Ohm",
+                                 "mean_current_A", "rms_current_A", "supply_mean_A", "heat_W"});
+  text::CsvWriter csv(out, columns);
+  for (const systems::WarmUpSample& sample : warm_up.samples) {
+    std::vector<text::CsvCell> row{sample.time};
+    for (const double each : sample.coil_temperatures) row.emplace_back(each);
+    for (const double each : {sample.coil_hot_spot, sample.magnet_temperature, sample.resistance, sample.mean,
+                              sample.rms, sample.supply_mean, sample.heat})
+      row.emplace_back(each);
+    csv.row(row);
   }
 }
 

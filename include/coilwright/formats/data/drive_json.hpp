@@ -5,6 +5,7 @@
 
 #include "coilwright/systems/driven_actuator.hpp"
 #include "coilwright/systems/driven_motion.hpp"
+#include "coilwright/systems/warm_up.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -19,5 +20,13 @@ namespace coilwright::formats {
 /// speed, the current of each coil, that of the driver and its mean since the row before, and where the energy has
 /// gone.
 void write_motion(std::ostream& out, const std::vector<systems::MotionSample>& motion);
+
+/// How a driven actuator warms, as `drive --warm-up-s --json` prints it under "warm_up": its first and last sample, and
+/// the first part to pass its limit or null.
+[[nodiscard]] text::Json to_json(const systems::WarmUp& warm_up);
+
+/// Its samples as CSV: time, the mean temperature of each coil, the hottest place of the coils, the warmest magnet, the
+/// resistance that the driver sees, currents of the coil that carries most, that of the supply, and the coils' heat.
+void write_warm_up(std::ostream& out, const systems::WarmUp& warm_up);
 
 }  // namespace coilwright::formats

@@ -19,7 +19,7 @@ from exported import export, evaluated
 class Contact:
     """How stiff MuJoCo's contacts are. Approach decays within `time`, s; `damping` 1 is critical, and with more a body
     that lands does not rebound. A constraint lacks the share `give` of its force, and friction `ratio` times less.
-    `coulomb`: friction is Coulomb's and not the engine's (second_engine.cpp)."""
+    `coulomb`: friction is Coulomb's and not the engine's (stepper.hpp)."""
     step: float = 2e-5  # of time, s
     time: float = 1e-4
     damping: float = 1.0

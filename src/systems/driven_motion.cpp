@@ -13,6 +13,7 @@
 #include "systems/check.hpp"
 #include "systems/driven_coils.hpp"
 #include "systems/driven_phase.hpp"
+#include "systems/require_timing.hpp"
 
 namespace coilwright::systems {
 namespace {
@@ -191,15 +192,11 @@ void check(const Model& model, const MotionDrive& drive, const MotionTiming& tim
   require(drive.actuators >= 1, "actuators", ">= 1", drive.actuators);
   require(drive.pulses.frequency > 0.0, "frequency", "> 0", drive.pulses.frequency, "Hz");
   require(drive.pulses.duty >= 0.0 && drive.pulses.duty <= 1.0, "duty", "from 0 to 1", drive.pulses.duty);
-  require(timing.duration > 0.0, "duration", "> 0", timing.duration, "s");
-  require(timing.interval > 0.0 && timing.interval <= timing.duration, "interval",
-          fmt::format("> 0 and at most the duration, {:.6g} s", timing.duration), timing.interval, "s");
+  require_timing(timing);
   require(timing.duration * drive.pulses.frequency <= most_pulses, "duration",
           fmt::format("at most {:.6g} s, the time of {:.0f} pulses", most_pulses / drive.pulses.frequency, most_pulses),
           timing.duration, "s");
-  require(timing.duration / timing.interval <= most_pulses, "interval",
-          fmt::format("at least {:.6g} s, for {:.0f} samples", timing.duration / most_pulses, most_pulses),
-          timing.interval, "s");
+  require_samples(timing, most_pulses);
   require_no_effects_up_to(model, actuator::Stage::magnetics, "currents or magnetics");
   if (start.internal.size() != model.internal_states())
     throw std::invalid_argument(fmt::format("start: {} states of the effects are needed; got {}",

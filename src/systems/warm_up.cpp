@@ -1,7 +1,5 @@
 #include "coilwright/systems/warm_up.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,9 +9,9 @@
 #include "coilwright/actuator/coil_bank.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/thermal/temperature_course.hpp"
-#include "systems/check.hpp"
 #include "systems/copper.hpp"
 #include "systems/like_actuators.hpp"
+#include "systems/require_timing.hpp"
 
 namespace coilwright::systems {
 namespace {
@@ -113,13 +111,8 @@ PassedLimit passed(const thermal::Network& network, double time, std::size_t nod
 
 WarmUp warm_up(const actuator::Design& design, const actuator::Assembly& assembly, const DriveQuestion& question,
                const DrivenActuator& answer, const MotionTiming& timing) {
-  require(timing.duration > 0.0, "duration", "> 0", timing.duration, "s");
-  require(timing.interval > 0.0 && timing.interval <= timing.duration, "interval",
-          fmt::format("> 0 and at most the duration, {:.6g} s", timing.duration), timing.interval, "s");
-  require(timing.duration / timing.interval <= most_warm_up_samples, "interval",
-          fmt::format("at least {:.6g} s, for {:.0f} samples", timing.duration / most_warm_up_samples,
-                      most_warm_up_samples),
-          timing.interval, "s");
+  require_timing(timing);
+  require_samples(timing, most_warm_up_samples);
   const Warming warming(design, assembly, question, answer);
   const thermal::TemperatureCourse course =
       temperature_course(warming.network(), [&](const NodeVector& temperatures) { return warming.heat(temperatures); },

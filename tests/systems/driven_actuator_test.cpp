@@ -8,8 +8,8 @@
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/thermal/steady_state.hpp"
-#include "coilwright/validation/paper_finger.hpp"
 #include "error_text.hpp"
+#include "systems/paper_finger.hpp"
 
 namespace coilwright::systems {
 namespace {
@@ -18,16 +18,6 @@ using actuator::Assembly;
 using drive::BankWiring;
 using testing::Contains;
 using testing::IsEmpty;
-
-const actuator::Design& finger() {
-  static const actuator::Design design = validation::paper_finger();
-  return design;
-}
-
-const Assembly& assembly() {
-  static const Assembly built = actuator::assemble_or_throw(finger());
-  return built;
-}
 
 DrivenActuator driven(const DriveQuestion& question) {
   return drive_actuator(finger(), assembly(), question);

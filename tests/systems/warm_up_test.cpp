@@ -10,23 +10,11 @@
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/thermal/transient.hpp"
-#include "coilwright/validation/paper_finger.hpp"
 #include "error_text.hpp"
+#include "systems/paper_finger.hpp"
 
 namespace coilwright::systems {
 namespace {
-
-using actuator::Assembly;
-
-const actuator::Design& finger() {
-  static const actuator::Design design = validation::paper_finger();
-  return design;
-}
-
-const Assembly& assembly() {
-  static const Assembly built = actuator::assemble_or_throw(finger());
-  return built;
-}
 
 DriveQuestion at_duty(double voltage, double duty) {
   return {.driver = drive::HBridge{.supply_voltage = voltage}, .duty = duty};

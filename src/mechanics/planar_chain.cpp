@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coilwright/mechanics/ldlt.hpp"
 #include "mechanics/check_link.hpp"
 
 namespace coilwright::mechanics {
@@ -25,23 +26,6 @@ namespace {
 // A torque at joint j acts on phi_j and reacts on phi_{j-1}: dV/dtheta_j is the sum of dV/dphi_k over k >= j.
 void absolute_to_joint(JointVector& torques) {
   for (int j = static_cast<int>(torques.size()) - 2; j >= 0; --j) torques[j] += torques[j + 1];
-}
-
-// x with M x = rhs, in place; M positive definite, its upper triangle used up. LDL^T in three loops: Eigen's LLT of a
-// matrix whose size is only known at run time costs more than the rest of a right-hand side of two joints.
-inline void solve_in_place(JointMatrix& mass, JointVector& rhs, int n) {
-  for (int j = 0; j < n; ++j) {
-    const double inverse = 1.0 / mass(j, j);
-    for (int k = j + 1; k < n; ++k) {
-      const double factor = mass(j, k) * inverse;
-      for (int i = j + 1; i <= k; ++i) mass(i, k) -= mass(j, i) * factor;
-      rhs[k] -= factor * rhs[j];
-    }
-    rhs[j] *= inverse;
-    for (int k = j + 1; k < n; ++k) mass(j, k) *= inverse;
-  }
-  for (int k = n - 1; k > 0; --k)
-    for (int j = 0; j < k; ++j) rhs[j] -= mass(j, k) * rhs[k];
 }
 
 }  // namespace
@@ -187,7 +171,9 @@ JointVector PlanarChain::accelerations_of(const JointVector& angles, const Joint
   JointVector force(n);
   for (int j = 0; j < n; ++j) force[j] = torques[j] - (j + 1 < n ? torques[j + 1] : 0.0) - velocity[j] - weight[j];
   JointMatrix mass = absolute_mass_matrix<Count>(tilted);
-  solve_in_place(mass, force, n);
+  factorize_ldlt(mass, n);
+  solve_lower_ldlt(mass, n, force);
+  solve_upper_ldlt(mass, n, force);
   for (int j = n - 1; j > 0; --j) force[j] -= force[j - 1];
   return force;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "actuator/model/effect_row.hpp"
+#include "actuator/model/move_with_chain.hpp"
 #include "actuator/model/spec_checks.hpp"
 
 namespace coilwright::actuator {
@@ -219,17 +219,11 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
   if (camera_states_ > 0) (void)shown(angles, rates, internal.data(), internal_slopes.data());
 }
 
-// With a0 what the chain would do by itself, theta'' = a0 - M^-1 C u'' leaves (m - C^T M^-1 C) u'' = f - C^T a0 for the
-// bodies, whose masses m are a diagonal.
 void Model::accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCurrents& strength, const double* states,
                               double* slopes, JointVector& accelerations) const {
-  using Couplings =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mechanics::max_joints, max_bodies>;
-  using BodyMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_bodies, max_bodies>;
-  using BodyVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_bodies, 1>;
-  const int n = joints();
-  std::array<EffectTerm::Body, max_bodies> bodies;
-  for (int b = 0; b < bodies_; ++b) bodies[static_cast<std::size_t>(b)].coupling = JointVector::Zero(n);
+  std::array<EffectTerm::Body, max_bodies> places;
+  const std::span bodies = std::span(places).first(static_cast<std::size_t>(bodies_));
+  for (EffectTerm::Body& body : bodies) body.coupling = JointVector::Zero(joints());
   std::size_t first = 0;
   for (const Term& term : terms_) {
     const int count = term.held ? 0 : term.effect->bodies();
@@ -237,22 +231,9 @@ void Model::accelerate_bodies(const EffectTerm::Kinematics& motion, const CoilCu
     term.effect->describe_bodies(motion, strength, states + term.first, &bodies[first]);
     first += static_cast<std::size_t>(count);
   }
-  Couplings coupling(n, bodies_);
-  BodyVector mass(bodies_);
-  BodyVector force(bodies_);
-  for (int b = 0; b < bodies_; ++b) {
-    const EffectTerm::Body& body = bodies[static_cast<std::size_t>(b)];
-    coupling.col(b) = body.coupling;
-    mass[b] = body.mass;
-    force[b] = body.force;
-  }
-  const Couplings given_way = spec_.chain.mass_matrix(motion.angles).llt().solve(coupling);
-  BodyMatrix free_mass = -coupling.transpose() * given_way;
-  free_mass.diagonal() += mass;
-  force -= coupling.transpose() * accelerations;
-  const BodyVector moved = free_mass.llt().solve(force);
-  accelerations -= given_way * moved;
-  int at = 0;
+  std::array<double, max_bodies> moved;
+  move_with_chain(spec_.chain.mass_matrix(motion.angles), bodies, accelerations, std::span(moved).first(bodies.size()));
+  std::size_t at = 0;
   for (const Term& term : terms_) {
     const int count = term.held ? 0 : term.effect->bodies();
     for (int b = 0; b < count; ++b) {

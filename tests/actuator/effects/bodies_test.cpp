@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "actuator/effects/rig.hpp"
 #include "coilwright/actuator/model/model.hpp"
@@ -153,6 +157,52 @@ TEST(MountCompliance, FadesWithTheMassRatio) {
     const JointVector firmly = slope_of(firm, at, 0.7).rates;
     EXPECT_NEAR((moved_so - firmly).norm() / firmly.norm(), 0.0, 5.0 * ratio);
   }
+}
+
+// The equations that EffectTerm::Body states, with each body described by a term of its own: two joints and one, two or
+// three bodies, and sizes for which nothing is unrolled.
+TEST(Bodies, SolveTheirEquationsTogetherWithTheChain) {
+  const std::vector<std::vector<std::pair<std::string_view, Numbers>>> rows = {
+      {{"mount_compliance", {mount_frequency, mount_ratio}}},
+      {{"backlash", {0.02}}},
+      {{"backlash", {0.02}}, {"mount_compliance", {mount_frequency, mount_ratio}}}};
+  RandomMotion random;
+  for (const Configuration configuration : {Configuration::A, Configuration::B, Configuration::C, Configuration::D})
+    for (const auto& row : rows) {
+      ModelSpec spec = frictionless(configuration);
+      const Model alone(spec);
+      std::vector<std::unique_ptr<const EffectTerm>> terms;
+      for (const auto& [id, values] : row) {
+        const EffectKind* kind = standard_effects().find(id);
+        spec.effects.push_back({.kind = kind, .values = values});
+        terms.push_back(kind->build(values, spec));
+      }
+      const Model model(spec);
+      Motion at = random(model.joints(), 0.0);
+      at.internal.clear();
+      const JointVector free = slope_of(alone, at, 0.9).rates;
+      for (const auto& term : terms)
+        for (int i = 0; i < term->states(); ++i) at.internal.push_back(0.007 * std::cos(1.0 + i));
+      const Motion slope = slope_of(model, at, 0.9);
+
+      JointVector joints = model.chain().mass_matrix(at.angles) * (slope.rates - free);
+      const double largest = (model.chain().mass_matrix(at.angles) * free).cwiseAbs().maxCoeff();
+      std::size_t first = 0;
+      for (const auto& term : terms) {
+        std::vector<EffectTerm::Body> bodies(term->bodies(), {.coupling = JointVector::Zero(model.joints())});
+        term->describe_bodies({.chain = model.chain(), .angles = at.angles, .rates = at.rates}, model.all_coils(0.9),
+                              &at.internal[first], bodies.data());
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+          const double moved_by = slope.internal[first + bodies.size() + b];
+          EXPECT_EQ(slope.internal[first + b], at.internal[first + bodies.size() + b]);
+          joints += bodies[b].coupling * moved_by;
+          EXPECT_NEAR(bodies[b].coupling.dot(slope.rates) + bodies[b].mass * moved_by, bodies[b].force,
+                      1e-11 * (std::abs(bodies[b].force) + std::abs(bodies[b].mass * moved_by)));
+        }
+        first += 2 * bodies.size();
+      }
+      EXPECT_LT(joints.cwiseAbs().maxCoeff(), 1e-10 * largest) << row.front().first << ", " << model.joints();
+    }
 }
 
 // A coil of 1 N m/A at every angle on a body of its own.

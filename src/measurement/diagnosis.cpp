@@ -15,6 +15,7 @@
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/search_effort.hpp"
+#include "measurement/compare/staged_fit.hpp"
 #include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/diagnosis_warnings.hpp"
@@ -74,12 +75,18 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-// Sets outliers aside, as the declared model shows them once it is recalibrated; returns the number of runs simulated
-// here.
+// Sets outliers aside, as the declared model shows them once it is recalibrated, and once more without what is
+// suspected then; returns the number of runs simulated here.
 long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
   const auto fitted = compare::recalibrated(runs, declared);
   (void)fit::set_outliers_aside(runs, fitted.value.fit);
-  return fitted.simulated_runs;
+  const auto trimmed = fit::with_suspects_aside(runs, fitted.value.fit);
+  if (!trimmed) return fitted.simulated_runs;
+  const auto anew = compare::fit_exactly(*trimmed, {.hypothesis = fitted.value.hypothesis,
+                                                    .start = fitted.value.fit.values,
+                                                    .local_numbers_from = &fitted.value.fit});
+  if (anew.value) (void)fit::set_outliers_aside(runs, anew.value->fit);
+  return fitted.simulated_runs + anew.simulated_runs;
 }
 
 std::vector<Outliers> outliers_of(const std::vector<replay::PreparedRun>& runs) {

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/units/angle.hpp"
@@ -27,12 +28,11 @@ std::optional<double> shown(const actuator::Model& model, const data::Channel& c
   return std::nullopt;
 }
 
-// The median of the first three: a picture that was misread is no pose.
-double first_reading(const data::Channel& channel) {
-  std::vector<double> first(channel.values.begin(),
-                            channel.values.begin() + std::min<std::ptrdiff_t>(3, std::ssize(channel.values)));
-  std::ranges::sort(first);
-  return first[first.size() / 2];
+// Of the first three the one nearest to what is expected: a picture that was misread is no pose, and the third may be
+// of a finger that moves already.
+double first_reading(const data::Channel& channel, double expected) {
+  const auto first = std::span(channel.values).first(std::min<std::size_t>(3, channel.values.size()));
+  return *std::ranges::min_element(first, {}, [&](double value) { return std::abs(value - expected); });
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::optional<data::Warning> far_first_pose(std::span<const replay::PreparedRun>
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const std::optional<double> expected = shown(model, run.channels[c], *rest);
       if (!expected) continue;
-      const double seen = first_reading(run.channels[c]);
+      const double seen = first_reading(run.channels[c], *expected);
       if (std::abs(seen - *expected) <= std::max(far, most_deviations * prepared.noise[c].sigma)) continue;
       return data::Warning{
           .run = run.name,

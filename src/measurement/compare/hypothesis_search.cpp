@@ -139,11 +139,13 @@ class HypothesisSearch {
       std::ranges::stable_sort(level, {}, bic);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      level = counted(with_better_optima(
-          runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
-            report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
-          }));
-      std::ranges::stable_sort(level, {}, bic);
+      if (is_worth_other_starts(before, level)) {
+        level = counted(with_better_optima(
+            runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
+              report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
+            }));
+        std::ranges::stable_sort(level, {}, bic);
+      }
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
         overdispersion_ = std::min(overdispersion_, overdispersion_of(runs_, best));
@@ -171,6 +173,16 @@ class HypothesisSearch {
       level = std::move(next);
     }
     return all;
+  }
+
+  // Where the model without effects leaves noise and the best of a level (sorted) is not decisively better, other
+  // optima of it would only fit the noise.
+  [[nodiscard]] bool is_worth_other_starts(const FittedHypothesis& before, const Level& level) const {
+    return !before.whiteness.is_white() || (!level.empty() && is_decisive(before, level.front()));
+  }
+
+  [[nodiscard]] bool is_decisive(const FittedHypothesis& before, const FittedHypothesis& best) const {
+    return quasi_bic(before, overdispersion_) - quasi_bic(best, overdispersion_) >= decision_thresholds.decisive_gain;
   }
 
   // Whether the best of a level (sorted) shows samples that no motion can show, and enough of them to begin anew; they
@@ -228,8 +240,7 @@ class HypothesisSearch {
   [[nodiscard]] bool another_is_decisive(const FittedHypothesis& before, const Level& level) {
     if (level.empty()) return false;
     const FittedHypothesis& best = level.front();
-    if (quasi_bic(before, overdispersion_) - quasi_bic(best, overdispersion_) < decision_thresholds.decisive_gain)
-      return false;
+    if (!is_decisive(before, best)) return false;
     const double per_number = penalty_per_number(best, overdispersion_);
     const Screened more = counted(screen(best));
     return std::ranges::any_of(more, [&](const ScreenedEffect& each) {

@@ -12,6 +12,7 @@
 #include "measurement/compare/effect_strength.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
+#include "measurement/compare/reached_limits.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
@@ -236,6 +237,10 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
   const auto restart = [&](FittedHypothesis& best) {
     const FittedHypothesis as_found = best;
     take_better(with_other_starts(as_found, seed), best);
+    const FittedHypothesis restarted = best;
+    Counted<std::vector<PlannedFit>> limits = from_reached_limits(runs, restarted);
+    out.simulated_runs += limits.simulated_runs;
+    take_better(std::move(limits.value), best);
     if (is_far_from_noise(as_found)) return;
     Counted<std::vector<PlannedFit>> promising = most_promising(runs, from_own_starts(as_found, scale));
     out.simulated_runs += promising.simulated_runs;

@@ -3,9 +3,11 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
+#include "measurement/compare/reached_limits.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
@@ -29,11 +31,26 @@ fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun>
   if (!fitted.value)
     throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(runs, plan));
   fit::Counted<FittedHypothesis> out{.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
+  // True if one of them is better.
+  const auto take_best = [&](const std::vector<PlannedFit>& plans) {
+    bool any = false;
+    for (const PlannedFit& other : plans) {
+      auto there = fit_exactly(runs, other);
+      out.simulated_runs += there.simulated_runs;
+      if (!there.value || !(there.value->fit.objective() < out.value.fit.objective())) continue;
+      out.value = std::move(*there.value);
+      any = true;
+    }
+    return any;
+  };
   const FittedHypothesis first = out.value;
-  for (const PlannedFit& other : with_other_starts(first, 0)) {
-    auto there = fit_exactly(runs, other);
-    out.simulated_runs += there.simulated_runs;
-    if (there.value && there.value->fit.objective() < out.value.fit.objective()) out.value = std::move(*there.value);
+  take_best(with_other_starts(first, 0));
+  constexpr int most_moves = 3;
+  for (int move = 0; move < most_moves; ++move) {
+    const FittedHypothesis from = out.value;
+    const fit::Counted<std::vector<PlannedFit>> plans = from_reached_limits(runs, from);
+    out.simulated_runs += plans.simulated_runs;
+    if (!take_best(plans.value)) break;
   }
   return out;
 }

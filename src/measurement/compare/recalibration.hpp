@@ -7,8 +7,9 @@
 namespace coilwright::measurement::compare {
 
 /// The declared model without any effect, recalibrated: its declared numbers fitted from where they are, and from where
-/// with_other_starts() begins (without faces that the finger may not have); the best of them. Throws
-/// std::runtime_error, which names the run, if it cannot be simulated as it is declared.
+/// with_other_starts() begins (without faces that the finger may not have), and from the best of them with faces where
+/// they leave less (from_reached_limits); the best of all. Throws std::runtime_error, which names the run, if it cannot
+/// be simulated as it is declared.
 [[nodiscard]] fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
                                                           const replay::DeclaredModel& declared);
 

@@ -78,12 +78,12 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
   if (base.hypothesis.effects().empty() && probability_of_declared_numbers(base) < search_effort.numbers_pulled_away)
     for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
   // The linearisation that scaled the guesses may have led where the effect has lost its shape, or to next to nothing.
-  // Where a model leaves very much, most effects do next to nothing, and long records take their time.
-  const bool is_very_far = base.whiteness.level >= search_effort.weighs_model_error;
-  const double worth_a_start =
-      base.whiteness.is_white() ? 0.0 : search_effort.next_to_nothing * base.chi_square_above_noise();
+  // Where a model leaves very much, most effects do next to nothing, and long records take their time; where it leaves
+  // noise, most effects end absent, which is a bound.
+  const bool is_worth_more = base.whiteness.level < search_effort.weighs_model_error && !base.whiteness.is_white();
+  const double worth_a_start = search_effort.next_to_nothing * base.chi_square_above_noise();
   if (!best ||
-      (!is_very_far && (ends_at_a_bound(*best) || base.fit.objective() - best->fitted.objective() < worth_a_start)))
+      (is_worth_more && (ends_at_a_bound(*best) || base.fit.objective() - best->fitted.objective() < worth_a_start)))
     for (const std::vector<Effect>& guess : further) try_from(guess, true, search_effort.own_start_fit);
   // A guess may be so strong that its fit diverges: it is repeated near the model without the effect.
   if (!best || best->fitted.objective() >= base.fit.objective())

@@ -25,7 +25,8 @@ struct ShortFit {
 /// Best result of a short fit from each of several guesses, each a set of effects that are added to `base` together;
 /// tried from the declared numbers too where `base` has no effect and its declared numbers are far off. Where the best
 /// ends with a number of an effect at its bound, or explains next to nothing of what is above the noise, from the
-/// declared numbers with each of `further` too, unless `base` is very far from the noise (SearchEffort). Nothing if
+/// declared numbers with each of `further` too, unless `base` leaves noise or is very far from it (SearchEffort).
+/// Nothing if
 /// none of them can be simulated. Refers to `base`.
 [[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(
     std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,

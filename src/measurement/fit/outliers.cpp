@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -87,6 +88,33 @@ void pool_levels(std::span<replay::PreparedRun> runs) {
   for (const auto& [channel, levels] : by_channel) noise::pool_levels(levels);
 }
 
+// Values far from 0 compared with most of them, up to three in a row; none where they are many: then what is left is no
+// noise with outliers.
+std::vector<char> far_from_all(const std::vector<double>& values, double least) {
+  constexpr double deviations = 4.0;
+  constexpr std::size_t longest = 3;
+  constexpr std::size_t of_them = 10;
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(value));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  constexpr double normal_median = 0.67449;
+  const double limit = deviations * std::max(*middle / normal_median, least);
+  std::vector<char> out(values.size(), 0);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::size_t end = i;
+    while (end < values.size() && std::abs(values[end]) > limit) ++end;
+    if (end - i <= longest) {
+      std::fill(out.begin() + static_cast<std::ptrdiff_t>(i), out.begin() + static_cast<std::ptrdiff_t>(end), char{1});
+      found += end - i;
+    }
+    i = std::max(i, end);
+  }
+  if (of_them * found > values.size()) std::ranges::fill(out, char{0});
+  return out;
+}
+
 }  // namespace
 
 bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) {
@@ -123,6 +151,33 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
   }
   pool_levels(runs);
   return any;
+}
+
+std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(std::span<const replay::PreparedRun> runs,
+                                                                    const Fit& fitted) {
+  std::vector<replay::PreparedRun> out(runs.begin(), runs.end());
+  bool any = false;
+  for (std::size_t r = 0; r < out.size(); ++r) {
+    replay::PreparedRun& prepared = out[r];
+    if (!prepared.is_motion()) continue;
+    const data::Run& run = *prepared.run;
+    prepared.whiteners.resize(run.channels.size());
+    prepared.set_aside.resize(run.channels.size());
+    for (std::size_t c = 0; c < run.channels.size(); ++c) {
+      const std::optional<std::vector<double>> predicted = predictions_of(prepared, c, fitted.runs[r].predictions);
+      if (!predicted) continue;
+      std::vector<double> apart = run.channels[c].values;
+      for (std::size_t i = 0; i < apart.size(); ++i) apart[i] -= (*predicted)[i];
+      const std::vector<char> suspects = far_from_all(apart, prepared.noise[c].sigma);
+      for (std::size_t i = 0; i < suspects.size(); ++i) {
+        if (suspects[i] == 0 || prepared.is_set_aside(c, i)) continue;
+        if (prepared.set_aside[c].empty()) prepared.set_aside[c].assign(run.samples(), 0);
+        prepared.set_aside[c][i] = 1;
+        any = true;
+      }
+    }
+  }
+  return any ? std::optional(std::move(out)) : std::nullopt;
 }
 
 bool set_outliers_aside_if_much(std::span<replay::PreparedRun> runs, const Fit& fitted) {

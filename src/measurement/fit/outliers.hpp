@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,8 +14,15 @@ namespace coilwright::measurement::fit {
 /// itself tells it. True if any sample was set aside that was not before.
 [[nodiscard]] bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted);
 
-/// The same, but only if what is set aside makes up much of what the fit leaves over: a fifth of its squared residual
-/// above the noise. Otherwise the runs stay as they are, and it returns false.
+/// The runs with those samples set aside, too, that are suspected only: up to three in a row that lie more than four
+/// robust standard deviations of what the fit leaves of their channel from its prediction, if they are at most a tenth
+/// of the channel. Outliers that pull at the few pictures of a run, and at its clock, hide themselves among what is
+/// left; a fit without the suspects shows which of them no motion can show. Nothing where there are none.
+[[nodiscard]] std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(
+    std::span<const replay::PreparedRun> runs, const Fit& fitted);
+
+/// As set_outliers_aside(), but only if what is set aside makes up much of what the fit leaves over: a fifth of its
+/// squared residual above the noise. Otherwise the runs stay as they are, and it returns false.
 [[nodiscard]] bool set_outliers_aside_if_much(std::span<replay::PreparedRun> runs, const Fit& fitted);
 
 }  // namespace coilwright::measurement::fit

@@ -20,7 +20,7 @@ using actuator::EffectCatalogue;
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr std::uint64_t seeds = 5;
 
-// A short catalogue: a diagnosis of a set takes a second.
+// A short catalogue: a diagnosis of a set takes seconds.
 const EffectCatalogue& few_effects() {
   static const EffectCatalogue few = [] {
     std::vector<const actuator::EffectKind*> kinds;
@@ -105,7 +105,6 @@ TEST_P(PlanAndDiagnosis, AgreeOnWhatCanBeFound) {
   EXPECT_GE(strong, 4);
 }
 
-// Not base_tilt, of which the plan promises too much: it was found in 2 of 5 twins at twice the planned strength.
 INSTANTIATE_TEST_SUITE_P(Effects, PlanAndDiagnosis,
                          testing::Values("dry_friction", "quadratic_drag", "base_tilt", "measurement_delay"));
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "measurement/fit/fit.hpp"
@@ -55,6 +57,54 @@ TEST(OutliersOfARoundedRecord, LeaveNoLessNoiseThanRoundingMakes) {
   for (Eigen::Index i = 0; i < predictions.size(); ++i) predictions[i] = 1e-6 * std::sin(0.01 * static_cast<double>(i));
   (void)set_outliers_aside(runs, *there.value);
   EXPECT_GE(runs.front().noise.front().sigma, count / std::sqrt(12.0) * (1.0 - 1e-9));
+}
+
+// Forty pictures of a slide whose clock may be off. Three of them are misread by so much that a fit moves the clock.
+struct MisreadRecord {
+  MisreadRecord() {
+    Normal normal(3);
+    run = slide_run(40, {}, [&] { return noise_sigma * normal(); });
+    run.clock.offset_sigma = 0.05;
+    for (const std::size_t i : misread_ones) run.channels.front().values[i] += 30.0 * noise_sigma;
+    runs.push_back(replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start())));
+  }
+  [[nodiscard]] Fit fitted(std::span<const replay::PreparedRun> to) const {
+    auto out = fit({.hypothesis = &hypothesis, .runs = to, .start = hypothesis.start()});
+    EXPECT_TRUE(out.value.has_value());
+    return std::move(*out.value);
+  }
+  [[nodiscard]] std::vector<std::size_t> set_aside() const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < run.times.size(); ++i)
+      if (runs.front().is_set_aside(0, i)) out.push_back(i);
+    return out;
+  }
+
+  const std::vector<std::size_t> misread_ones{11, 20, 30};
+  replay::DeclaredModel declared = slide(true_mass, true_damping);
+  Hypothesis hypothesis{declared, {}};
+  data::Run run;
+  std::vector<replay::PreparedRun> runs{};
+};
+
+TEST(SuspectedOutliers, AreThoseFarFromWhatMostSamplesLeave) {
+  const MisreadRecord record;
+  const Fit fitted = record.fitted(record.runs);
+  const auto without = with_suspects_aside(record.runs, fitted);
+  ASSERT_TRUE(without.has_value());
+  for (std::size_t i = 0; i < record.run.times.size(); ++i)
+    EXPECT_EQ(without->front().is_set_aside(0, i), std::ranges::count(record.misread_ones, i) > 0) << i;
+  EXPECT_TRUE(record.set_aside().empty());  // only suspected
+  // The clock without them.
+  const double clock = record.fitted(*without).runs.front().local_numbers.front().front();
+  EXPECT_NEAR(clock, 0.0, 0.01);
+  EXPECT_GT(std::abs(fitted.runs.front().local_numbers.front().front()), std::abs(clock));
+}
+
+TEST(SuspectedOutliers, AreNoneWhereManySamplesAreFar) {
+  MisreadRecord record;
+  for (std::size_t i = 12; i < 18; i += 2) record.run.channels.front().values[i] += 30.0 * noise_sigma;
+  EXPECT_FALSE(with_suspects_aside(record.runs, record.fitted(record.runs)).has_value());
 }
 
 }  // namespace

@@ -15,14 +15,17 @@
 namespace coilwright::measurement::fit {
 namespace {
 
-// The predictions of one channel, one per sample of the run; nothing where windows leave samples out.
-std::optional<std::vector<double>> predictions_of(const replay::PreparedRun& prepared, std::size_t channel,
-                                                  const Eigen::VectorXd& predictions) {
+// What a fit leaves of a channel, one value per sample of the run; nothing where windows leave samples out.
+std::optional<std::vector<double>> left_of(const replay::PreparedRun& prepared, std::size_t channel,
+                                           const Eigen::VectorXd& predictions) {
+  const std::vector<double>& measured = prepared.run->channels[channel].values;
   std::vector<double> out;
   Eigen::Index at = 0;
   for (const replay::SampleRange& range : prepared.sample_ranges()) {
     const auto n = static_cast<Eigen::Index>(range.samples());
-    for (Eigen::Index i = 0; i < n; ++i) out.push_back(predictions[at + static_cast<Eigen::Index>(channel) * n + i]);
+    for (Eigen::Index i = 0; i < n; ++i)
+      out.push_back(measured[range.first + static_cast<std::size_t>(i)] -
+                    predictions[at + static_cast<Eigen::Index>(channel) * n + i]);
     at += n * static_cast<Eigen::Index>(prepared.run->channels.size());
   }
   if (out.size() != prepared.run->samples()) return std::nullopt;
@@ -60,10 +63,8 @@ void take_noise_anew(replay::PreparedRun& prepared, std::size_t channel, const E
   std::string colour = std::move(level.colour);
   // Its own: what was drawn to other runs is drawn anew from there.
   level = level_without_outliers(prepared, channel, measured);
-  if (const auto predicted = predictions_of(prepared, channel, predictions)) {
-    std::vector<double> left = measured;
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] -= (*predicted)[i];
-    noise::NoiseLevel of_left = level_without_outliers(prepared, channel, left);
+  if (const auto left = left_of(prepared, channel, predictions)) {
+    noise::NoiseLevel of_left = level_without_outliers(prepared, channel, *left);
     // What a smooth prediction leaves of a rounded record has values in between.
     of_left.resolution = level.resolution;
     of_left.sigma = std::max(of_left.sigma, level.of_rounding());
@@ -88,31 +89,11 @@ void pool_levels(std::span<replay::PreparedRun> runs) {
   for (const auto& [channel, levels] : by_channel) noise::pool_levels(levels);
 }
 
-// Values far from 0 compared with most of them, up to three in a row; none where they are many: then what is left is no
-// noise with outliers.
-std::vector<char> far_from_all(const std::vector<double>& values, double least) {
-  constexpr double deviations = 4.0;
-  constexpr std::size_t longest = 3;
-  constexpr std::size_t of_them = 10;
-  std::vector<double> sizes;
-  for (const double value : values) sizes.push_back(std::abs(value));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  constexpr double normal_median = 0.67449;
-  const double limit = deviations * std::max(*middle / normal_median, least);
-  std::vector<char> out(values.size(), 0);
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    std::size_t end = i;
-    while (end < values.size() && std::abs(values[end]) > limit) ++end;
-    if (end - i <= longest) {
-      std::fill(out.begin() + static_cast<std::ptrdiff_t>(i), out.begin() + static_cast<std::ptrdiff_t>(end), char{1});
-      found += end - i;
-    }
-    i = std::max(i, end);
-  }
-  if (of_them * found > values.size()) std::ranges::fill(out, char{0});
-  return out;
+// True if the sample was not aside before.
+bool set_aside(replay::PreparedRun& prepared, std::size_t channel, std::size_t sample) {
+  std::vector<char>& aside = prepared.set_aside[channel];
+  if (aside.empty()) aside.assign(prepared.run->samples(), 0);
+  return std::exchange(aside[sample], char{1}) == 0;
 }
 
 }  // namespace
@@ -136,11 +117,7 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
         const Eigen::VectorXd apart = measured.segment(first, n) - fitted.runs[r].predictions.segment(at, n);
         const std::vector<char> found = noise::spikes({apart.data(), range.samples()}, least_scale(prepared.noise[c]));
         for (std::size_t i = 0; i < found.size(); ++i) {
-          if (found[i] == 0) continue;
-          if (prepared.set_aside[c].empty()) prepared.set_aside[c].assign(run.samples(), 0);
-          char& aside = prepared.set_aside[c][range.first + i];
-          if (aside == 0) changed[c] = 1;
-          aside = 1;
+          if (found[i] != 0 && set_aside(prepared, c, range.first + i)) changed[c] = 1;
         }
       }
     }
@@ -164,17 +141,11 @@ std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(std::span<co
     prepared.whiteners.resize(run.channels.size());
     prepared.set_aside.resize(run.channels.size());
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
-      const std::optional<std::vector<double>> predicted = predictions_of(prepared, c, fitted.runs[r].predictions);
-      if (!predicted) continue;
-      std::vector<double> apart = run.channels[c].values;
-      for (std::size_t i = 0; i < apart.size(); ++i) apart[i] -= (*predicted)[i];
-      const std::vector<char> suspects = far_from_all(apart, prepared.noise[c].sigma);
-      for (std::size_t i = 0; i < suspects.size(); ++i) {
-        if (suspects[i] == 0 || prepared.is_set_aside(c, i)) continue;
-        if (prepared.set_aside[c].empty()) prepared.set_aside[c].assign(run.samples(), 0);
-        prepared.set_aside[c][i] = 1;
-        any = true;
-      }
+      const auto left = left_of(prepared, c, fitted.runs[r].predictions);
+      if (!left) continue;
+      const std::vector<char> suspects = noise::far_values(*left, prepared.noise[c].sigma);
+      for (std::size_t i = 0; i < suspects.size(); ++i)
+        if (suspects[i] != 0 && set_aside(prepared, c, i)) any = true;
     }
   }
   return any ? std::optional(std::move(out)) : std::nullopt;

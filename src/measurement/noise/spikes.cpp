@@ -34,6 +34,18 @@ std::vector<double> from_neighbours(std::span<const double> values) {
   return out;
 }
 
+// What lasts longer is an event, not a spike.
+void drop_events(std::vector<char>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    std::size_t end = i;
+    while (end < found.size() && found[end] != 0) ++end;
+    if (end - i > longest_spike)
+      std::fill(found.begin() + static_cast<std::ptrdiff_t>(i), found.begin() + static_cast<std::ptrdiff_t>(end),
+                char{0});
+    i = std::max(i, end);
+  }
+}
+
 }  // namespace
 
 std::vector<char> spikes(std::span<const double> values, double least) {
@@ -51,14 +63,21 @@ std::vector<char> spikes(std::span<const double> values, double least) {
     const double scale = std::max(median(sizes) / normal_median, least);
     out[i] = scale > 0.0 && std::abs(apart[i]) > deviations * scale ? 1 : 0;
   }
-  // What lasts longer is an event, not a spike.
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    std::size_t end = i;
-    while (end < out.size() && out[end] != 0) ++end;
-    if (end - i > longest_spike)
-      std::fill(out.begin() + static_cast<std::ptrdiff_t>(i), out.begin() + static_cast<std::ptrdiff_t>(end), char{0});
-    i = std::max(i, end);
-  }
+  drop_events(out);
+  return out;
+}
+
+std::vector<char> far_values(std::span<const double> values, double least) {
+  constexpr double far = 4.0;         // standard deviations
+  constexpr std::size_t one_of = 10;  // more are no exceptions
+  std::vector<char> out(values.size(), 0);
+  if (values.empty()) return out;
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(value));
+  const double limit = far * std::max(median(sizes) / normal_median, least);
+  for (std::size_t i = 0; i < values.size(); ++i) out[i] = std::abs(values[i]) > limit ? 1 : 0;
+  drop_events(out);
+  if (one_of * static_cast<std::size_t>(std::ranges::count(out, 1)) > out.size()) std::ranges::fill(out, char{0});
   return out;
 }
 

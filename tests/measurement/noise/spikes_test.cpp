@@ -87,5 +87,26 @@ TEST(Spikes, AreBridgedByAStraightLine) {
   for (std::size_t i = 0; i < ramp.size(); ++i) EXPECT_NEAR(bridged[i], ramp[i], 1e-12) << i;
 }
 
+TEST(FarValues, AreUpToThreeInARowAndAFewInAll) {
+  std::vector<double> values(40);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = i % 2 == 0 ? 0.67449 : -0.67449;  // deviation 1
+  values[5] = 4.1;
+  values[20] = -9.0;
+  values[30] = 3.9;
+  std::vector<char> expected(values.size(), 0);
+  expected[5] = expected[20] = 1;
+  EXPECT_EQ(far_values(values, 0.1), expected);
+  expected[5] = 0;
+  EXPECT_EQ(far_values(values, 1.5), expected);  // a least deviation
+
+  std::vector<double> event = values;
+  for (std::size_t i = 10; i < 14; ++i) event[i] = 9.0;
+  expected[5] = 1;
+  EXPECT_EQ(far_values(event, 0.1), expected);
+  for (const std::size_t i : {10u, 24u, 34u}) values[i] = 9.0;
+  EXPECT_EQ(std::ranges::count(far_values(values, 0.1), 1), 0);  // five of forty
+  EXPECT_TRUE(far_values({}, 0.1).empty());
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::noise

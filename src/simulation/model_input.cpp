@@ -32,6 +32,13 @@ void ModelInput::require_fits(const Model& model) const {
   if (!straight.empty() && straight.size() != times.size())
     throw std::invalid_argument(
         fmt::format("input: one flag per time, {} here, or none; got {}", times.size(), straight.size()));
+  if (!passed.empty() && passed.size() != times.size())
+    throw std::invalid_argument(
+        fmt::format("input: one flag per time, {} here, or none; got {}", times.size(), passed.size()));
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (passes(i) && (i == 0 || !goes_straight(i - 1) || !goes_straight(i)))
+      throw std::invalid_argument(fmt::format(
+          "input: sample {} is passed without a corner, and the input does not go straight on both sides of it", i));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1]))
       throw std::invalid_argument(fmt::format("input: time must increase; sample {} is at {} s", i, times[i]));
@@ -52,6 +59,10 @@ ModelInput ModelInput::part(std::size_t first, std::size_t last) const {
   ModelInput out{.times = samples(times), .currents = samples(currents)};
   if (!joint_torques.empty()) out.joint_torques = samples(joint_torques);
   if (!straight.empty()) out.straight = samples(straight);
+  if (!passed.empty()) {
+    out.passed = samples(passed);
+    if (!out.passed.empty()) out.passed.front() = out.passed.back() = 0;
+  }
   return out;
 }
 

@@ -72,7 +72,13 @@ void Stepper::derive(const PackedState& values, PackedState& slopes, double time
   };
   if (growth_) {
     const double since = time - start_time_;
-    under(input_.currents + since * growth_->per_second.currents, input_.applied + since * growth_->per_second.applied);
+    Input now{.currents = input_.currents + since * growth_->per_second.currents,
+              .applied = input_.applied + since * growth_->per_second.applied};
+    if (growth_->per_second_squared) {
+      now.currents += since * since * growth_->per_second_squared->currents;
+      now.applied += since * since * growth_->per_second_squared->applied;
+    }
+    under(now.currents, now.applied);
   } else {
     under(input_.currents, input_.applied);
   }

@@ -27,7 +27,7 @@ struct boost::numeric::odeint::is_resizeable<coilwright::simulation::PackedState
 
 namespace coilwright::simulation {
 
-/// The model's equation of motion under an input that is constant or grows evenly, in steps of Dormand and Prince's
+/// The model's equation of motion under an input that is constant or grows (Growth), in steps of Dormand and Prince's
 /// 5(4) pair (Boost.Odeint), and of a Rosenbrock method while faces are pressed together that would ring faster than
 /// the motion changes.
 class Stepper {
@@ -36,9 +36,10 @@ class Stepper {
     actuator::CoilCurrents currents;  ///< A
     mechanics::JointVector applied;   ///< N m
   };
-  /// An input that grows from what it is at the start.
+  /// An input that grows from what it is at the start: by so much a second, and a second squared.
   struct Growth {
     Input per_second;
+    std::optional<Input> per_second_squared{};  ///< nothing: evenly
   };
   /// Allowed error of one step in every state x: absolute + relative (|x| + h |dx/dt|).
   struct Tolerance {

@@ -152,6 +152,51 @@ TEST(Simulate, GoesStraightBetweenSamplesWhereTheInputDoes) {
   EXPECT_LT(before, 1e-5);
 }
 
+// A parabola through rows that are passed is the limit of straight lines between ever more of them.
+TEST(Simulate, PassesRowsOnAParabolaWithoutACorner) {
+  const Model model = finger(Configuration::B).model;
+  const State start{.angles = rest_of(model), .rates = straight(model)};
+  const auto input = [&](int parts, bool passed) {
+    ModelInput out;
+    for (int k = 0; k <= parts; ++k) {
+      const double time = 0.1 * k / parts;
+      out.times.push_back(time);
+      out.currents.push_back(model.all_coils(0.3 + 20.0 * time - 150.0 * time * time));
+      out.straight.push_back(k < parts ? 1 : 0);
+      out.passed.push_back(passed && k > 0 && k < parts ? 1 : 0);
+    }
+    return out;
+  };
+  const Accuracy fine{.relative = 1e-10};
+  const State end = simulate(model, input(4, true), start, fine).back();
+  EXPECT_LT(largest_difference(simulate(model, input(7, true), start, fine).back(), end), 1e-8);
+  double before = 0.0;
+  for (const int parts : {25, 50, 100, 200}) {
+    const double error = largest_difference(simulate(model, input(parts, false), start, fine).back(), end);
+    if (before > 0.0) {
+      EXPECT_LT(error, before / 3.0);  // of second order
+    }
+    before = error;
+  }
+  EXPECT_LT(before, 1e-5);
+}
+
+TEST(Simulate, RefusesToPassWhereTheInputIsHeld) {
+  const Model model = finger(Configuration::B).model;
+  const State start{.angles = rest_of(model), .rates = straight(model)};
+  const ModelInput input{.times = {0.0, 0.1, 0.2},
+                         .currents = std::vector<actuator::CoilCurrents>(3, model.all_coils(1.0)),
+                         .straight = {1, 0, 0},
+                         .passed = {0, 1, 0}};
+  try {
+    (void)simulate(model, input, start, {.relative = 1e-6});
+    FAIL();
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_STREQ(refused.what(),
+                 "input: sample 1 is passed without a corner, and the input does not go straight on both sides of it");
+  }
+}
+
 TEST(Simulate, MayEndAtRest) {
   const Model model = finger(Configuration::B).model;
   const State start{.angles = rest_of(model), .rates = straight(model)};

@@ -18,10 +18,19 @@ struct ModelInput {
   /// the last row has no next.
   std::vector<char> straight{};
 
+  /// A row a time: whether the input passes this row without a corner, so that no integration needs to stop there. From
+  /// a row that has none of it to the next such one the input is the parabola through both and the row in the middle of
+  /// those between them (by their number), and goes straight where there are none. Empty: nowhere. Only rows to and
+  /// from which it goes straight may be passed so.
+  std::vector<char> passed{};
+
   /// Whether it goes straight from row `row`.
   [[nodiscard]] bool goes_straight(std::size_t row) const {
     return row + 1 < times.size() && !straight.empty() && straight[row] != 0;
   }
+
+  /// Whether it passes row `row` without a corner.
+  [[nodiscard]] bool passes(std::size_t row) const { return !passed.empty() && passed[row] != 0; }
 
   /// Throws std::invalid_argument naming the sample and the rule when times do not increase, or when a row does not
   /// have one value per coil (joint) of `model`.

@@ -139,7 +139,7 @@ class HypothesisSearch {
       std::ranges::stable_sort(level, {}, bic);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      if (is_worth_other_starts(before, level)) {
+      if (is_worth_other_starts(before, level, of_the_size_before)) {
         level = counted(with_better_optima(
             runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
               report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
@@ -176,9 +176,14 @@ class HypothesisSearch {
   }
 
   // Where the model without effects leaves noise and the best of a level (sorted) is not decisively better, other
-  // optima of it would only fit the noise.
-  [[nodiscard]] bool is_worth_other_starts(const FittedHypothesis& before, const Level& level) const {
-    return !before.whiteness.is_white() || (!level.empty() && is_decisive(before, level.front()));
+  // optima of it would only fit the noise. Where it leaves much and no hypothesis of the level explains more than next
+  // to nothing of that, effects were tried from starts of their own already.
+  [[nodiscard]] bool is_worth_other_starts(const FittedHypothesis& before, const Level& level,
+                                           double of_the_size_before) const {
+    if (level.empty()) return false;
+    if (before.whiteness.is_white()) return is_decisive(before, level.front());
+    const double explained = of_the_size_before - nearest(level)->fit.objective();
+    return leaves_noise(level) || explained >= search_effort.next_to_nothing * before.chi_square_above_noise();
   }
 
   [[nodiscard]] bool is_decisive(const FittedHypothesis& before, const FittedHypothesis& best) const {

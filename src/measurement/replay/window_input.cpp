@@ -18,6 +18,10 @@ using simulation::ModelInput;
 // Less than this share of what the input does in a window is no bend.
 constexpr double least_bend = 0.003;
 
+// A row that is off a parabola by less than this share of what the input does in a window is no corner: an angle of 50
+// deg is then 5e-4 deg off at most.
+constexpr double least_corner = 1e-5;
+
 // Between rows at most this far apart a cubic gives the motion of a finger at 10 Hz within 1e-5 of its amplitude.
 constexpr double densest_needed = 0.004;  // s
 // The input reaches so far beyond the samples for each standard deviation of the clocks.
@@ -156,6 +160,49 @@ std::size_t parts_of(double duration) {
   return std::max<std::size_t>(dense, duration > never_bent * (1.0 + 1e-6) ? 2 : 1);
 }
 
+// Whether the rows between two lie on the parabola through these and the middle one (Newton's form), within `most`.
+bool is_parabola(const std::vector<double>& times, const std::vector<Row>& rows, std::size_t first, std::size_t last,
+                 double most) {
+  const std::size_t middle = first + (last - first) / 2;
+  for (std::size_t column = 0; column < rows[first].size(); ++column) {
+    const auto slope = [&](std::size_t a, std::size_t b) {
+      return (rows[b][column] - rows[a][column]) / (times[b] - times[a]);
+    };
+    const double early = slope(first, middle);
+    const double bend = (slope(first, last) - early) / (times[last] - times[middle]);
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double on_it =
+          rows[first][column] + (times[i] - times[first]) * (early + bend * (times[i] - times[middle]));
+      if (!(std::abs(rows[i][column] - on_it) <= most)) return false;
+    }
+  }
+  return true;
+}
+
+// Rows of a straight input at which an integration need not stop: pieces as long as they are parabolas, each of the
+// lengths tried twice the one before. Empty: none.
+std::vector<char> passed_rows(const std::vector<double>& times, const std::vector<Row>& rows,
+                              const std::vector<char>& straight, double most) {
+  constexpr std::size_t longest = 32;  // rows
+  std::vector<char> out(rows.size(), 0);
+  bool any = false;
+  for (std::size_t first = 0; first + 1 < rows.size();) {
+    std::size_t end = first;  // of what goes straight on from there
+    while (end + 1 < rows.size() && straight[end] != 0 && end - first < longest) ++end;
+    std::size_t last = first + 1;
+    for (std::size_t length = 2; first + length <= end; length *= 2) {
+      if (!is_parabola(times, rows, first, first + length, most)) break;
+      last = first + length;
+    }
+    for (std::size_t i = first + 1; i < last; ++i) {
+      out[i] = 1;
+      any = true;
+    }
+    first = last;
+  }
+  return any ? out : std::vector<char>{};
+}
+
 // From sample to sample, straight, and what a smooth curve from edge to edge has more: a step of at least `edge` is an
 // edge in the middle.
 Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::optional<double> edge) {
@@ -176,7 +223,8 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
       smooth.emplace(times, rows, i, last);
     }
     if (step == 0.0) {
-      out.add(times[i], from, i);
+      // What is held already goes on.
+      if (i == 0 || out.straight.back() != 0 || out.rows.back() != from) out.add(times[i], from, i);
     } else if (edge && step >= *edge) {
       out.add(times[i], from, i);
       out.add(times[i] + 0.5 * duration, to, i + 1, 0.5 * duration);
@@ -194,7 +242,40 @@ Rows between_samples(const data::Run& run, const std::vector<Row>& rows, std::op
   return out;
 }
 
-Rows rows_of(const data::Run& run, const std::vector<Row>& rows) {
+// Held from sample to sample, in steps so fine that a straight line through the middles of what is held moves a finger
+// as they do: it takes (w h)^2 / 24 more from a sine of frequency w than steps of h, 7e-4 at 10 Hz and 2 ms. An edge
+// stays one.
+Rows between_middles(const data::Run& run, const std::vector<Row>& rows) {
+  const std::vector<double>& times = run.times_of_inputs();
+  const double edge = edge_of(rows);
+  const auto is_fine = [&](std::size_t i) {
+    return i + 1 == rows.size() || times[i + 1] - times[i] <= densest_needed * (1.0 + 1e-6);
+  };
+  const auto goes_on = [&](std::size_t i) {
+    if (i + 1 == rows.size() || !is_fine(i) || !is_fine(i + 1)) return false;
+    const double step = size_of_step(rows[i], rows[i + 1]);
+    return step > 0.0 && step < edge;
+  };
+  Rows out;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool comes_straight = i > 0 && goes_on(i - 1);
+    if (!comes_straight && (i == 0 || out.straight.back() != 0 || out.rows.back() != rows[i]))
+      out.add(times[i], rows[i], i);
+    if (i + 1 == rows.size()) {
+      if (comes_straight) out.add(times[i], rows[i], i);
+      break;
+    }
+    const double middle = 0.5 * (times[i] + times[i + 1]);
+    if (goes_on(i))
+      out.add_straight(middle, rows[i], i, 0.0);
+    else if (comes_straight)
+      out.add(middle, rows[i], i);
+  }
+  return out;
+}
+
+Rows rows_of(const data::Run& run, const CleanInput& clean) {
+  const std::vector<Row>& rows = clean.rows;
   switch (run.hold) {
     case data::InputHold::zero_order:
       break;
@@ -203,6 +284,8 @@ Rows rows_of(const data::Run& run, const std::vector<Row>& rows) {
     case data::InputHold::unknown_within_sample:
       return between_samples(run, rows, edge_of(rows));
   }
+  // Steps that a command has made are exact; those of a smoothed reading are none.
+  if (clean.sigma > 0.0) return between_middles(run, rows);
   Rows out;
   for (std::size_t i = 0; i < rows.size(); ++i) out.add(run.times_of_inputs()[i], rows[i], i);
   return out;
@@ -247,7 +330,7 @@ std::vector<InputRowErrors> row_errors(const std::vector<InputError>& errors, co
 
 void set_input(Window& window, const data::Run& run, const CleanInput& clean, const actuator::Model& nominal) {
   const std::vector<Row>& rows = clean.rows;
-  const Rows all = rows_of(run, rows);
+  const Rows all = rows_of(run, clean);
   const double first = run.times[window.range.first];
   const double last = run.times[window.range.last - 1];
   const double end = last + reach_of(run, last - first);
@@ -286,7 +369,8 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
   if (row > 0) --row;
   const bool has_begun = all.times[row] <= first;
   if (run.hold == data::InputHold::zero_order) {
-    add(first, all.rows[row], flat, all.samples[row], 0.0, false);
+    add(first, has_begun ? all.at(row, first) : all.rows[row], flat, all.samples[row], all.shares[row],
+        has_begun && all.straight[row] != 0);
   } else {
     // A run starts at rest under its first sample.
     constexpr double instant = 1e-6;  // s
@@ -312,13 +396,18 @@ void set_input(Window& window, const data::Run& run, const CleanInput& clean, co
         false);
   }
   window.input = simulation::model_input(nominal, command);
-  if (std::ranges::find(straight, 1) != straight.end()) window.input.straight = std::move(straight);
   double largest_bend = 0.0;
   double largest = 0.0;
   for (const Row& each : bend.rows) largest_bend = std::max(largest_bend, size_of_step(flat, each));
   for (const Row& each : command.rows) largest = std::max(largest, size_of_step(command.rows.front(), each));
   window.bend = {};
   if (largest_bend > least_bend * largest) window.bend = simulation::model_input(nominal, bend);
+  if (std::ranges::find(straight, 1) != straight.end()) {
+    // A bend lies in the middle between two samples, which are corners then.
+    if (window.bend.times.empty())
+      window.input.passed = passed_rows(command.times, command.rows, straight, least_corner * largest);
+    window.input.straight = std::move(straight);
+  }
   window.errors = row_errors(clean.errors, samples, shares, command, nominal);
   if (current_flows(run.rig)) return;
   window.bend = {};

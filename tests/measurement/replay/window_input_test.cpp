@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <vector>
 
+#include "coilwright/simulation/transient.hpp"
 #include "measurement/fit/hypothesis.hpp"
+#include "measurement/replay/prediction.hpp"
 #include "measurement/slider_model.hpp"
 
 namespace coilwright::measurement::replay {
@@ -95,6 +99,72 @@ TEST(WindowInput, AtTheSamplesIsWhatWasCommanded) {
   const simulation::ModelInput samples = at_samples(window, run);
   ASSERT_EQ(samples.times, run.times);
   for (std::size_t i = 0; i < run.samples(); ++i) EXPECT_EQ(samples.joint_torques[i][0], force_at(i)) << i;
+}
+
+// A mass on a spring and a damper that swings at 8 Hz, as a finger does.
+actuator::Model swing() {
+  const mechanics::Link link{.length = 1.0, .com_along = 1.0, .com_offset = 0.0, .mass = 1.0, .inertia = 0.0};
+  const double rate = 2.0 * std::numbers::pi * 8.0;
+  return actuator::Model({.chain = mechanics::PlanarChain(std::span(&link, 1), 0.0),
+                          .hinges = {actuator::Hinge{.stiffness = rate * rate, .damping = 0.1 * rate}},
+                          .magnetics = {},
+                          .coils = 0,
+                          .tip = {}});
+}
+
+// A step, a hold, and a sine of so many Hz, each held for 2 ms, so large that the step alone would turn it by one.
+data::Run swing_run(double frequency) {
+  constexpr double step = 0.002;
+  const double stiffness = std::pow(2.0 * std::numbers::pi * 8.0, 2);
+  data::Run run{.kind = data::RunKind::transient, .drive = simulation::Drive::torque};
+  for (int i = 0; i < 1500; ++i) {
+    const double time = step * i;
+    const double sine = std::max(0.0, time - 1.0) * 2.0 * std::numbers::pi * frequency;
+    run.times.push_back(time);
+    run.inputs.push_back({time < 0.2 ? 0.0 : stiffness * std::cos(sine)});
+  }
+  return run;
+}
+
+// The same by another way: every step is integrated by itself.
+TEST(WindowInput, TakesTheFineStepsOfASmoothedReadingAsTheirMiddles) {
+  const actuator::Model model = swing();
+  for (const double frequency : {0.5, 2.0, 10.0}) {
+    const data::Run run = swing_run(frequency);
+    Window exact{.range = {0, run.times.size()}};
+    Window smooth{.range = {0, run.times.size()}};
+    set_input(exact, run, {.rows = run.inputs}, model);
+    set_input(smooth, run, {.rows = run.inputs, .sigma = 1e-3}, model);
+    EXPECT_TRUE(exact.input.straight.empty());
+    ASSERT_FALSE(smooth.input.straight.empty());
+    const simulation::State start{.angles = mechanics::JointVector::Zero(1), .rates = mechanics::JointVector::Zero(1)};
+    const auto motion = [&](const Window& window) {
+      return Trajectory{.times = window.input.times,
+                        .states = simulation::simulate(model, window.input, start, {.relative = 1e-9})};
+    };
+    const Trajectory by_steps = motion(exact);
+    const Trajectory by_middles = motion(smooth);
+    double largest = 0.0;
+    double apart = 0.0;
+    for (const double time : run.times) {
+      largest = std::max(largest, std::abs(by_steps.at(time).angles[0]));
+      apart = std::max(apart, std::abs(by_steps.at(time).angles[0] - by_middles.at(time).angles[0]));
+    }
+    EXPECT_GT(largest, 1.0) << frequency;
+    // Straight lines take twice as much from a sine as holding does: (w h)^2 / 12 of it.
+    const double phase = 2.0 * std::numbers::pi * frequency * 0.002;
+    EXPECT_LT(apart, (phase * phase / 24.0 + 1e-5) * largest) << frequency;
+    EXPECT_GT(std::ranges::count(smooth.input.passed, 1), frequency < 5.0 ? 700 : 0) << frequency;
+  }
+}
+
+// Steps that are long beside the motion are made one by one.
+TEST(WindowInput, KeepsLongStepsOfASmoothedReading) {
+  data::Run run = swing_run(0.5);
+  for (std::size_t i = 0; i < run.times.size(); ++i) run.times[i] *= 3.0;
+  Window window{.range = {0, run.times.size()}};
+  set_input(window, run, {.rows = run.inputs, .sigma = 1e-3}, swing());
+  EXPECT_TRUE(window.input.straight.empty());
 }
 
 }  // namespace

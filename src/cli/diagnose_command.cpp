@@ -248,9 +248,10 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   command->add_flag("--json", options->json, "Print diagnosis.json instead of the summary")->disable_flag_override();
   command->footer(
       "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
-      "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which every\n"
-      "other command reads); residuals.csv (every sample as measured and as predicted by the declared, the\n"
-      "recalibrated and the corrected model); provenance.json (program, files, seed). Where a run would separate\n"
+      "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which the\n"
+      "other commands read; crawl and a C header of reach refuse effects that act while they run); residuals.csv\n"
+      "(every sample as measured and as predicted by the declared, the recalibrated and the corrected model);\n"
+      "provenance.json (program, files, seed). Where a run would separate\n"
       "what these data cannot, it also writes next_experiment.json (experiment/1, for plan and twin) and\n"
       "next_experiment.csv (what each explanation expects that run to show). Where no known effect explains all\n"
       "and a torque without a name explains more on runs left out, it also writes corrected_actuator.json with that\n"

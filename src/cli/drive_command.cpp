@@ -44,6 +44,7 @@ struct Options {
   std::optional<double> motion, warm_up;
   std::optional<double> interval;
   std::string out;
+  bool force{false};
   bool json{false};
 };
 
@@ -90,17 +91,26 @@ double interval_of(const Options& options, double duration, double usual) {
   return std::min(options.interval.value_or(usual) * 1e-3, duration);
 }
 
+// A cell gives nothing once it is empty.
+void require_charge(const char* option, double duration, const systems::DrivenActuator& driven) {
+  if (driven.run_time && duration > *driven.run_time)
+    throw CLI::ValidationError(
+        option, fmt::format("must be at most {:.5g} s, which the cell lasts; got {:.5g}", *driven.run_time, duration));
+}
+
 // Follows how it warms into its file, if that is asked for.
 std::optional<systems::WarmUp> follow_warm_up(const Options& options, const actuator::Design& design,
                                               const actuator::Assembly& assembly,
                                               const systems::DriveQuestion& question,
                                               const systems::DrivenActuator& driven) {
   if (!options.warm_up) return std::nullopt;
+  require_charge("--warm-up-s", *options.warm_up, driven);
   systems::WarmUp found =
       warm_up(design, assembly, question, driven,
               {.duration = *options.warm_up, .interval = interval_of(options, *options.warm_up, 1000.0)});
   text::OutputFile file(options.out);
   formats::write_warm_up(file.stream(), found);
+  keep_other_kind(file, table_mark, options.force);
   file.commit();
   return found;
 }
@@ -110,11 +120,13 @@ std::optional<systems::MotionSummary> follow(const Options& options, const actua
                                              const actuator::Assembly& assembly, const systems::DriveQuestion& question,
                                              const systems::DrivenActuator& driven) {
   if (!options.motion) return std::nullopt;
+  require_charge("--motion-s", *options.motion, driven);
   const std::vector<systems::MotionSample> motion =
       drive_motion(design, assembly, question, driven,
                    {.duration = *options.motion, .interval = interval_of(options, *options.motion, 1.0)});
   text::OutputFile file(options.out);
   formats::write_motion(file.stream(), motion);
+  keep_other_kind(file, table_mark, options.force);
   file.commit();
   return summary_of(motion);
 }
@@ -238,6 +250,7 @@ void add_course(CLI::App& command, Options& options) {
   auto* out = command.add_option("--out", options.out, "CSV file to write the motion or the warm-up to");
   motion->needs(out);
   warm_up->needs(out);
+  add_force_option(command, options.force);
   command
       .add_option("--interval-ms", options.interval,
                   "Between rows of that file, ms (default 1 for a motion, 1000 for a warm-up)")

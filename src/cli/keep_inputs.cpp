@@ -42,6 +42,10 @@ void keep_other(text::OutputFile& file, bool force) {
   if (!force && file.would_change()) throw other_content(file.path());
 }
 
+void keep_other_kind(text::OutputFile& file, std::string_view mark, bool force) {
+  if (!force && file.would_replace_other_kind(mark)) throw other_content(file.path());
+}
+
 void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force) {
   if (file.path() == "-") return;  // standard output, and no file of that name
   std::ifstream present(file.path());

@@ -30,6 +30,7 @@ struct Options {
   ActuatorOptions actuator;
   std::vector<double> currents;
   std::string out;
+  bool force{false};
   bool json{false};
 };
 
@@ -89,6 +90,7 @@ void run_linearise(const Options& options) {
   if (!options.out.empty()) {
     text::OutputFile file(options.out);
     file.stream() << json;
+    keep_other_kind(file, json_mark, options.force);
     file.commit();
   }
   report_stream(options.out) << (options.json ? json : as_table(model) + "\n" + std::string(cold_note));
@@ -109,6 +111,7 @@ void add_linearise_command(CLI::App& app, Outcome&) {
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
   command->add_flag("--json", options->json, "Print JSON (linear-model/1) instead of a table")->disable_flag_override();
   command->add_option("--out", options->out, "JSON file to write (linear-model/1)");
+  add_force_option(*command, options->force);
   command->footer(
       "The JSON has x' = A x + B u, y = C x + D u with the names of states, input and outputs, each ending in its\n"
       "unit: deviations of joint angles and rates, of the current in every coil (or, where each has its own, of "

@@ -45,6 +45,7 @@ struct Options {
   double damping_error = 10.0;
   int pieces = 3;
   std::string out, header;
+  bool force{false};
   bool json{false};
 };
 
@@ -120,6 +121,9 @@ void write(const Options& options, const Asked& asked, const control::Reach& rea
   std::optional<text::OutputFile> profile;
   if (!options.header.empty()) header.emplace(options.header).stream() << formats::controller_header(asked.model, best);
   if (!options.out.empty()) write_profile(profile.emplace(options.out).stream(), best.profile, reach.duration);
+  // How each of them begins; the rest of a first line names the profile.
+  if (header) keep_other_kind(*header, "coilwright", options.force);
+  if (profile) keep_other_kind(*profile, table_mark, options.force);
   if (header) header->commit();
   if (profile) profile->commit();
 }
@@ -179,6 +183,7 @@ void add_reach_command(CLI::App& app, Outcome&) {
                       "CSV file to write the best profile to, for simulate --input FILE --interval-s 0.002");
   command->add_option("--c-header", options->header,
                       "C99 file to write: that profile and the model, for a microcontroller");
+  add_force_option(*command, options->force);
   command->add_flag("--json", options->json, "Print JSON (reach/1) instead of a table")->disable_flag_override();
   command->footer(
       "A step makes a finger ring for a second. A profile of a few levels arrives in a seventh of that, without a\n"

@@ -130,6 +130,12 @@ std::string sentence(DriveWarning warning, const DrivenActuator& driven, const D
     case DriveWarning::above_continuous:
       return fmt::format("The rms current of {} A is above the continuous current of {} A: do not hold it for good.",
                          number(driven.coil.rms), number(driven.continuous_current));
+    case DriveWarning::above_straight:
+      return fmt::format(
+          "The rms current of {} A can be held for good with every joint at 30 deg, and not where the actuator is "
+          "straight or closed on an object ({} A straight): there coils heat the magnets more. evaluate tells both "
+          "poses.",
+          number(driven.coil.rms), number(driven.straight_continuous_current));
     case DriveWarning::above_ampacity:
       return fmt::format("The rms current of {} A is above the ampacity of the wire, {} A.", number(driven.coil.rms),
                          number(driven.ampacity));
@@ -166,9 +172,9 @@ std::string to_text(const systems::WarmUp& warm_up) {
   const systems::WarmUpSample& start = warm_up.samples.front();
   const systems::WarmUpSample& end = warm_up.samples.back();
   std::string out = fmt::format(
-      "Held for {} s from {} degC: coils of {} degC ({} at their hottest place), magnets of {} degC; the mean current "
-      "in "
-      "a coil goes from {} to {} A, and the force with it.\n",
+      "Held for {} s with every joint at 30 deg, from {} degC: coils of {} degC ({} at their hottest place), magnets "
+      "of "
+      "{} degC; the mean current in a coil goes from {} to {} A, and the force with it.\n",
       number(end.time), number(start.coil_temperatures.maxCoeff()), number(end.coil_temperatures.maxCoeff()),
       number(end.coil_hot_spot), number(end.magnet_temperature), number(start.mean), number(end.mean));
   if (warm_up.limit)
@@ -176,7 +182,7 @@ std::string to_text(const systems::WarmUp& warm_up) {
                        warm_up.limit->kind == thermal::NodeKind::coil ? "Coil" : "Magnet", warm_up.limit->number,
                        number(warm_up.limit->limit), number(warm_up.limit->time));
   else
-    out += "No coil and no magnet passes its limit in that time.\n";
+    out += "No coil and no magnet passes its limit in that time and pose.\n";
   if (warm_up.melting_time)
     out += fmt::format("Copper would melt after {} s, where this ends.\n", number(*warm_up.melting_time));
   return out;

@@ -184,6 +184,8 @@ std::vector<State> simulate_as_observed(const actuator::Model& model, const Mode
     held.times.push_back(input.times.back() - delay);
     held.currents.push_back(input.currents.back());
     if (!input.joint_torques.empty()) held.joint_torques.push_back(input.joint_torques.back());
+    if (!input.straight.empty()) held.straight.push_back(0);
+    if (!input.passed.empty()) held.passed.push_back(0);
   }
   std::vector<State> out(input.times.size() - times.size(), first);
   std::vector<State> later = simulate_at(model, held, first, times, accuracy);

@@ -165,6 +165,8 @@ std::vector<DriveWarning> warnings_of(const DrivenActuator& answer, const Solved
   warn(answer.driver.powers.coils >= worth_a_warning * answer.heat_by_mean && answer.heat_by_mean > 0.0,
        DriveWarning::ripple);
   warn(answer.coil.rms > answer.continuous_current, DriveWarning::above_continuous);
+  warn(answer.coil.rms <= answer.continuous_current && answer.coil.rms > answer.straight_continuous_current,
+       DriveWarning::above_straight);
   warn(answer.coil.rms > answer.ampacity, DriveWarning::above_ampacity);
   warn(!answer.steady_hot_spot, DriveWarning::runaway);
   return out;
@@ -188,6 +190,8 @@ std::string_view name_of(DriveWarning warning) {
       return "ripple";
     case DriveWarning::above_continuous:
       return "above_continuous";
+    case DriveWarning::above_straight:
+      return "above_straight";
     case DriveWarning::above_ampacity:
       return "above_ampacity";
     case DriveWarning::runaway:

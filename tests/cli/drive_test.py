@@ -93,7 +93,7 @@ class Drive(ProgramTest):
             before, after = (float(rows[int(limit["time_s"]) + i][spots[limit["part"]]]) for i in (0, 1))
             self.assertTrue(before <= limit["limit_degC"] <= after, (before, limit, after))
             text = run("drive", FINGER, *arguments).stdout
-            self.assertRegex(text, r"\nHeld for 600 s from 2\d degC: coils of [\d.]+ degC \([\d.]+ at their hottest place\), "
+            self.assertRegex(text, r"\nHeld for 600 s with every joint at 30 deg, from 2\d degC: coils of [\d.]+ degC \([\d.]+ at their hottest place\), "
                                    r"magnets of [\d.]+ degC; the mean current in a coil goes from 1\.\d+ to 0\.\d+ A, and "
                                    r"the force with it\.\n(Coil|Magnet) \d is the first to pass its limit, \d+ degC, after "
                                    r"[\d.]+ s: do not hold it longer\.\n$")
@@ -103,6 +103,40 @@ class Drive(ProgramTest):
             out = pathlib.Path(folder) / "warm_up.csv"
             text = run("drive", FINGER, "--mean-A", "8", "--supply-voltage-V", "200", "--warm-up-s", "3600", "--out", str(out)).stdout
             self.assertRegex(text, r"\nCopper would melt after [\d.]+ s, where this ends\.\n$")
+
+    def test_follows_no_cell_that_is_empty(self):
+        tiny = ("--mean-A", "0.5", "--cell-voltage-V", "4.2", "--cell-capacity-mAh", "0.1")
+        lasts = answer(*tiny)["run_time_s"]
+        self.assertLess(lasts, 1)
+        for option in ("--motion-s", "--warm-up-s"):
+            with tempfile.TemporaryDirectory() as folder:
+                result = run("drive", FINGER, *tiny, option, "3", "--out", f"{folder}/out.csv")
+                self.assertEqual((result.returncode, result.stdout, list(pathlib.Path(folder).iterdir())), (2, "", []))
+                self.assertEqual(result.stderr, f"coilwright: drive: {option}: must be at most {lasts:.5g} s, which the cell "
+                                                "lasts; got 3 (see coilwright drive --help)\n")
+                self.assertEqual(run("drive", FINGER, *tiny, option, f"{0.9 * lasts}", "--out", f"{folder}/out.csv").returncode, 0)
+
+    def test_another_file_is_kept_and_its_own_kind_replaced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "out.csv"
+            for option in ("--motion-s", "--warm-up-s"):
+                out.write_text("my notes\n", encoding="utf-8")
+                command = ("drive", FINGER, "--mean-A", "1", option, "0.1", "--out", str(out))
+                result = run(*command)
+                self.assertEqual((result.returncode, result.stderr),
+                                 (2, f"coilwright: {out}: cannot be written: it holds something else; --force replaces it, "
+                                     "another --out keeps it\n"))
+                self.assertEqual(out.read_text(encoding="utf-8"), "my notes\n")
+                self.assertEqual(run(*command, "--force").returncode, 0)
+                self.assertEqual(run(*command, "--frequency-Hz", "1000").returncode, 0)
+
+    def test_tells_that_a_straight_actuator_bears_less(self):
+        found = answer("--mean-A", "1", "--frequency-Hz", "20000")
+        self.assertLess(found["straight_continuous_current_A"], found["continuous_current_A"])
+        between = 0.5 * (found["straight_continuous_current_A"] + found["continuous_current_A"])
+        self.assertIn("above_straight", answer("--mean-A", f"{between}", "--frequency-Hz", "20000")["warnings"])
+        below = 0.9 * found["straight_continuous_current_A"]
+        self.assertNotIn("above_straight", answer("--mean-A", f"{below}", "--frequency-Hz", "20000")["warnings"])
 
     def test_refuses_what_makes_no_sense(self):
         for arguments, message in (

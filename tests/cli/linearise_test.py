@@ -91,6 +91,14 @@ class Linearise(ProgramTest):
         self.assertEqual(result.stderr, "".join(
             f"The faces of joint {joint} are pressed: the linear model holds while they stay so.\n" for joint in (1, 2)))
 
+    def test_another_file_is_kept_and_its_own_kind_replaced(self):
+        self.write("out.json", PAPER_FINGER.read_text())
+        command = ["linearise", str(PAPER_FINGER), "--current-A", "1", "--out", "out.json"]
+        self.assert_refused(command, "out.json: cannot be written: it holds something else; --force replaces it, another "
+                                     "--out keeps it")
+        self.assertEqual(run(*command, "--force", cwd=self.folder).returncode, 0)
+        self.assertEqual(run(*command[:3], "0.5", *command[4:], cwd=self.folder).returncode, 0)
+
     def test_what_has_no_linear_model_is_refused(self):
         self.assert_refused(["linearise", "nothing.json", "--current-A", "1"],
                             "nothing.json: cannot be opened: No such file or directory")

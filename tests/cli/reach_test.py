@@ -140,6 +140,15 @@ class Reach(ProgramTest):
         self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "50", "--c-header", "finger.h", "--out", "none/a.csv"),
                             "none/a.csv: cannot be written: No such file or directory")
 
+    def test_another_file_is_kept_and_its_own_kind_replaced(self):
+        for option, name in (("--out", "a.csv"), ("--c-header", "a.h")):
+            self.write(name, "my notes\n")
+            command = ("reach", PAPER_FINGER, "--angle-deg", "40", option, name)
+            self.assert_refused(command, f"{name}: cannot be written: it holds something else; --force replaces it, "
+                                         "another --out keeps it")
+            self.assertEqual(run(*command, "--force", cwd=self.folder).returncode, 0)
+            self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "30", option, name, cwd=self.folder).returncode, 0)
+
     def test_refuses_what_makes_no_sense(self):
         finger = json.loads(PAPER_FINGER.read_text())
         finger["effects"] = [{"id": "coil_lag", "parameters": {"time_constant_ms": 10}}]

@@ -294,5 +294,22 @@ TEST(SimulateSeen, MayBeEarly) {
   }
 }
 
+// The same of a current that goes straight to its last row, where it is held.
+TEST(SimulateSeen, MayBeEarlyUnderAStraightInput) {
+  const Model bare = finger(actuator::Configuration::B).model;
+  const double ahead = 0.03;
+  const Model model = sample::with_effects(bare, {{&sample::camera, {1.0, 0.0, -ahead}}});
+  const State start{.angles = rest_of(bare), .rates = straight(bare)};
+  const ModelInput ramp{.times = {0.0, 0.05, 0.1},
+                        .currents = {bare.all_coils(0.0), bare.all_coils(0.6), bare.all_coils(1.2)},
+                        .straight = {1, 1, 0}};
+  ModelInput longer = ramp;
+  longer.times.push_back(0.1 + ahead);
+  longer.currents.push_back(longer.currents.back());
+  longer.straight.push_back(0);
+  const State at_last = simulate_as_observed(model, ramp, start).back();
+  EXPECT_LT((at_last.angles - simulate(bare, longer, start).back().angles).lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
 }  // namespace
 }  // namespace coilwright::simulation

@@ -44,6 +44,7 @@ enum class DriveWarning {
   discontinuous,     ///< the current is zero for part of each period
   ripple,            ///< the coils have at least 5 % more heat than their mean current would make
   above_continuous,  ///< the rms current is more than can be held for good
+  above_straight,    ///< it can be held for good with open joints, and not where the actuator is straight
   above_ampacity,    ///< the rms current is more than the wire's ampacity
   runaway            ///< at this rms current the coils have no steady temperature below copper's melting
 };

@@ -1,6 +1,7 @@
 #include "measurement/compare/staged_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -20,6 +21,20 @@ fit::Counted<std::optional<FittedHypothesis>> fit_to_its_end(std::span<const rep
   fit.finish();
   const long simulated_runs = fit.simulated_runs();
   return {.value = std::move(fit).result(), .simulated_runs = simulated_runs};
+}
+
+// Whether what is missing may have pulled declared numbers far away: those with tolerances are, all together, hardly
+// likely where they are now, or one that is fitted freely is far from what it was declared to be.
+bool are_numbers_pulled_away(const FittedHypothesis& base) {
+  if (probability_of_declared_numbers(base) < search_effort.numbers_pulled_away) return true;
+  if (base.whiteness.is_white()) return false;
+  const auto& numbers = base.hypothesis.declared().calibration;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i].tolerance) continue;
+    const double moved = std::abs(base.fit.values[static_cast<Eigen::Index>(i)] - numbers[i].declared);
+    if (moved > search_effort.free_number_pulled_away * std::abs(numbers[i].declared)) return true;
+  }
+  return false;
 }
 
 // Whether a number of an effect that is fitted, not chosen, ended at one of its bounds.
@@ -75,7 +90,7 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
   };
   for (const std::vector<Effect>& guess : guesses) try_from(guess);
   // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
-  if (base.hypothesis.effects().empty() && probability_of_declared_numbers(base) < search_effort.numbers_pulled_away)
+  if (base.hypothesis.effects().empty() && are_numbers_pulled_away(base))
     for (const std::vector<Effect>& guess : guesses) try_from(guess, true);
   // The linearisation that scaled the guesses may have led where the effect has lost its shape, or to next to nothing.
   // Where a model leaves very much, most effects do next to nothing, and long records take their time; where it leaves

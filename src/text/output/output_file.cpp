@@ -137,6 +137,18 @@ bool OutputFile::would_change() {
   return !std::equal(Bytes(there), Bytes(), Bytes(mine), Bytes());
 }
 
+bool OutputFile::would_replace_other_kind(std::string_view mark) {
+  if (!would_change()) return false;
+  std::ifstream there(path_, std::ios::binary);
+  std::ifstream mine(sibling_, std::ios::binary);
+  std::string beginning;
+  for (char next{}; !beginning.ends_with(mark) && mine.get(next);) beginning += next;
+  std::string present(beginning.size(), '\0');
+  there.read(present.data(), static_cast<std::streamsize>(present.size()));
+  present.resize(static_cast<std::size_t>(there.gcount()));
+  return !present.empty() && present != beginning;
+}
+
 void OutputFile::commit() {
   close();
   if (path_ == standard_stream) {

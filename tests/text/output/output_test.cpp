@@ -53,6 +53,26 @@ class FileSizeLimit {
   void (*before_handler_)(int){};
 };
 
+TEST(OutputFile, KnowsAFileOfItsOwnKindByItsBeginning) {
+  const TemporaryFolder folder;
+  const auto replaces_other = [&](const std::string& present, const std::string& written, std::string_view mark) {
+    OutputFile file(folder.file("x", present));
+    file.stream() << written;
+    return file.would_replace_other_kind(mark);
+  };
+  EXPECT_FALSE(replaces_other("time_s,x\n0,1\n", "time_s,x\n0,2\n", "\n"));
+  EXPECT_TRUE(replaces_other("time_s,y\n0,1\n", "time_s,x\n0,2\n", "\n"));
+  EXPECT_TRUE(replaces_other("time", "time_s,x\n0,2\n", "\n"));
+  EXPECT_FALSE(replaces_other("", "time_s,x\n0,2\n", "\n"));
+  EXPECT_FALSE(replaces_other("{\"format\": 1, 2}", "{\"format\": 1, 3}", ", "));
+  EXPECT_TRUE(replaces_other("{\"format\": 2, 2}", "{\"format\": 1, 3}", ", "));
+  // No mark at all: only the same whole content is of its kind.
+  EXPECT_TRUE(replaces_other("notes", "other", "\n"));
+  OutputFile alone(folder.path() / "new");
+  alone.stream() << "anything\n";
+  EXPECT_FALSE(alone.would_replace_other_kind("\n"));
+}
+
 TEST(OutputFile, ReplacesWhatStoodThereOnlyOnCommit) {
   const TemporaryFolder folder;
   const auto path = folder.file("x.csv", "before");

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace coilwright::text {
 
@@ -42,6 +43,9 @@ class OutputFile {
   void close();
   /// Closes, and tells whether commit() would replace a file of another content. Throws OutputError (writing).
   [[nodiscard]] bool would_change();
+  /// Closes, and tells whether commit() would replace a file of another kind: one that is not empty and does not begin
+  /// as this one does up to the end of the first `mark` (the header of a table: "\n"). Throws OutputError (writing).
+  [[nodiscard]] bool would_replace_other_kind(std::string_view mark);
   /// Closes, and gives the file its name in one step, replacing what stood there. Throws OutputError (writing).
   void commit();
 

@@ -66,13 +66,13 @@ class StandardOutput(ProgramTest):
                         ["linearise", PAPER_FINGER, "--current-A", "1"],
                         ["drive", PAPER_FINGER, "--mean-A", "1", "--motion-s", "0.1"]):
             with self.subTest(command[0]):
-                to_file = run(*command, "--out", "file", cwd=self.folder)
+                to_file = run(*command, "--out", f"of_{command[0]}", cwd=self.folder)
                 self.assertEqual(to_file.returncode, 0, to_file.stderr)
                 piped = run(*command, "--out", "-", cwd=self.folder)
-                self.assertEqual((piped.returncode, piped.stdout), (0, (self.folder / "file").read_text()))
+                self.assertEqual((piped.returncode, piped.stdout), (0, (self.folder / f"of_{command[0]}").read_text()))
                 # What was printed before is still told.
                 self.assertEqual(piped.stderr.replace(to_file.stderr, ""), to_file.stdout)
-        self.assertEqual(list(self.files()), ["file"])
+        self.assertEqual(sorted(self.files()), ["of_drive", "of_linearise", "of_simulate"])
 
     def test_nothing_comes_out_of_a_command_that_fails(self):
         result = run("simulate", PAPER_FINGER, "--step-A", "1.2", "--duration-s", "1e9", "--out", "-")

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Truth, NothingHidden,
 INSTANTIATE_TEST_SUITE_P(Truth, OneHidden,
                          testing::Values(one("driver_deadband", 1), one("driver_saturation", 1), one("force_gain", 1),
                                          one("dry_friction", 1), one("stiffness_hardening", 1), one("base_tilt", 1),
-                                         one("angle_scale", 1)),
+                                         one("angle_scale", 1), one("mount_compliance", 2)),
                          name_of_case);
 INSTANTIATE_TEST_SUITE_P(Truth, TwoHidden,
                          testing::Values(Hidden{.name = "friction_and_delay",

@@ -144,7 +144,10 @@ class MountCompliance final : public DescribedEffect {
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     const double fastest = fastest_start(scale);
-    return each_with_each(log_spread(slowest_start, fastest, 5), {0.05, 0.2});
+    // A heavy mount rings by itself: a start must be near enough that both keep step for a few swings.
+    constexpr double widest_ratio = 1.4;
+    const int count = 1 + static_cast<int>(std::ceil(std::log(fastest / slowest_start) / std::log(widest_ratio)));
+    return each_with_each(log_spread(slowest_start, fastest, count), {0.05, 0.2});
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {

@@ -155,10 +155,10 @@ void add_export_command(CLI::App& app, Outcome&) {
       ->required()
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
   command
-      ->add_flag("--incomplete", options->incomplete,
-                 "Write a model also where forces between magnets of other hinges, which it cannot have, are more than "
-                 "a twentieth of all; "
-                 "effects that it cannot have are told in any case")
+      ->add_flag(
+          "--incomplete", options->incomplete,
+          "Write a model also where forces between parts that are not neighbours, which it cannot have, are more "
+          "than a twentieth of those between neighbours; effects that it cannot have are told in any case")
       ->disable_flag_override();
   for (const ExportSetting& setting : exports::export_settings())
     command->add_option(option_name(setting), options->settings.emplace_back(), std::string(setting.text))

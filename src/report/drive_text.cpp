@@ -173,8 +173,7 @@ std::string to_text(const systems::WarmUp& warm_up) {
   const systems::WarmUpSample& end = warm_up.samples.back();
   std::string out = fmt::format(
       "Held for {} s with every joint at 30 deg, from {} degC: coils of {} degC ({} at their hottest place), magnets "
-      "of "
-      "{} degC; the mean current in a coil goes from {} to {} A, and the force with it.\n",
+      "of {} degC; the mean current in a coil goes from {} to {} A, and the force with it.\n",
       number(end.time), number(start.coil_temperatures.maxCoeff()), number(end.coil_temperatures.maxCoeff()),
       number(end.coil_hot_spot), number(end.magnet_temperature), number(start.mean), number(end.mean));
   if (warm_up.limit)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "coilwright/simulation/initial_state.hpp"
@@ -121,6 +122,20 @@ TEST(Simulate, FollowsAJumpAfterALongRestAsOneAtTheBeginning) {
   EXPECT_GT(cases, 20);
 }
 
+// That the states of ever more parts, each twice as many, come to `end` as a method of second order does, and near it.
+template <typename StateOf>
+void expect_second_order(const State& end, std::initializer_list<int> numbers_of_parts, const StateOf& state_of) {
+  double before = 0.0;
+  for (const int parts : numbers_of_parts) {
+    const double error = largest_difference(state_of(parts), end);
+    if (before > 0.0) {
+      EXPECT_LT(error, before / 3.0) << parts;
+    }
+    before = error;
+  }
+  EXPECT_LT(before, 1e-5);
+}
+
 // A straight input is the limit of ever finer steps, each at the level in its middle.
 TEST(Simulate, GoesStraightBetweenSamplesWhereTheInputDoes) {
   const Model model = finger(Configuration::B).model;
@@ -129,9 +144,7 @@ TEST(Simulate, GoesStraightBetweenSamplesWhereTheInputDoes) {
       .times = {0.0, 0.05, 0.12, 0.2},
       .currents = {model.all_coils(0.0), model.all_coils(1.4), model.all_coils(0.5), model.all_coils(0.5)},
       .straight = {1, 1, 0, 0}};
-  const State end = simulate(model, line, start, {.relative = 1e-10}).back();
-  double before = 0.0;
-  for (const int parts : {50, 100, 200}) {
+  const auto stairs_of = [&](int parts) {
     ModelInput stairs;
     const auto add = [&](double from, double to, double first, double last) {
       for (int k = 0; k < parts; ++k) {
@@ -143,13 +156,11 @@ TEST(Simulate, GoesStraightBetweenSamplesWhereTheInputDoes) {
     add(0.05, 0.12, 1.4, 0.5);
     stairs.times.insert(stairs.times.end(), {0.12, 0.2});
     stairs.currents.insert(stairs.currents.end(), 2, model.all_coils(0.5));
-    const double error = largest_difference(simulate(model, stairs, start, {.relative = 1e-10}).back(), end);
-    if (before > 0.0) {
-      EXPECT_LT(error, before / 3.0);  // of second order
-    }
-    before = error;
-  }
-  EXPECT_LT(before, 1e-5);
+    return stairs;
+  };
+  const Accuracy fine{.relative = 1e-10};
+  expect_second_order(simulate(model, line, start, fine).back(), {50, 100, 200},
+                      [&](int parts) { return simulate(model, stairs_of(parts), start, fine).back(); });
 }
 
 // A parabola through rows that are passed is the limit of straight lines between ever more of them.
@@ -170,15 +181,8 @@ TEST(Simulate, PassesRowsOnAParabolaWithoutACorner) {
   const Accuracy fine{.relative = 1e-10};
   const State end = simulate(model, input(4, true), start, fine).back();
   EXPECT_LT(largest_difference(simulate(model, input(7, true), start, fine).back(), end), 1e-8);
-  double before = 0.0;
-  for (const int parts : {25, 50, 100, 200}) {
-    const double error = largest_difference(simulate(model, input(parts, false), start, fine).back(), end);
-    if (before > 0.0) {
-      EXPECT_LT(error, before / 3.0);  // of second order
-    }
-    before = error;
-  }
-  EXPECT_LT(before, 1e-5);
+  expect_second_order(end, {25, 50, 100, 200},
+                      [&](int parts) { return simulate(model, input(parts, false), start, fine).back(); });
 }
 
 TEST(Simulate, RefusesToPassWhereTheInputIsHeld) {

@@ -33,8 +33,8 @@ struct SearchEffort {
   /// And where structure remains and one that is fitted freely has moved by more than this share of what was declared:
   /// a mount that gives way made the hinges 30 % softer, from where its own optimum was not reached.
   double free_number_pulled_away = 0.15;
-  /// So are those of several numbers, each from its own starts, where they explain less than this fraction of what is
-  /// above the noise.
+  /// Effects of several numbers are tried from their own starts, too, where they explain less than this fraction of
+  /// what is above the noise.
   double next_to_nothing = 0.05;
   /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square.
   std::size_t own_starts = 6;

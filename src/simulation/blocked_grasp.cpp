@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::simulation {
 namespace {
@@ -86,22 +90,51 @@ mechanics::LinkPoint contact_of(const actuator::Model& model, const actuator::Gr
   return contact;
 }
 
-JointVector touching_pose(const actuator::Model& model, const actuator::GraspPoint& grasp) {
-  check(grasp.opening, "grasp opening", "rad");
-  return JointVector::Constant(model.joints(), grasp.opening / model.joints());
+JointVector bent_alike(const actuator::Model& model, double bending) {
+  return JointVector::Constant(model.joints(), bending / model.joints());
+}
+
+// The bending up to `end` at which the contact of a finger that bends in all joints alike is as far out as it gets;
+// infinite if it goes on outwards. Its x is a sum of a few waves that are slow beside the step.
+double farthest_out(const actuator::Model& model, const mechanics::LinkPoint& contact, double end) {
+  constexpr double step = 5.0 * units::degree;
+  const auto outwards = [&](double bending) {
+    return model.chain().jacobian(contact, bent_alike(model, bending)).row(0).sum();
+  };
+  for (double low = 0.0; low < end; low += step) {
+    const double high = std::min(low + step, end);
+    if (outwards(high) > 0.0) continue;
+    std::uintmax_t calls = 50;
+    const auto tolerance = [](double a, double b) { return std::abs(b - a) < 1e-9; };
+    return boost::math::tools::toms748_solve(outwards, low, high, tolerance, calls).first;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+JointVector touching_pose(const actuator::Model& model, const mechanics::LinkPoint& contact, double opening) {
+  check(opening, "grasp opening", "rad");
+  const double farthest = farthest_out(model, contact, opening);
+  if (opening >= farthest)
+    throw std::invalid_argument(
+        fmt::format("grasp opening must be less than {:.4g} deg, from where on the contact comes back from the wall "
+                    "that it would touch; got {:.6g} deg",
+                    farthest / units::degree, opening / units::degree));
+  return bent_alike(model, opening);
 }
 
 }  // namespace
 
 double wall_position(const actuator::Model& model, const actuator::GraspPoint& grasp) {
-  return model.chain().position(contact_of(model, grasp), touching_pose(model, grasp)).x();
+  const mechanics::LinkPoint contact = contact_of(model, grasp);
+  return model.chain().position(contact, touching_pose(model, contact, grasp.opening)).x();
 }
 
 std::optional<BlockedGrasp> blocked_grasp(const actuator::Model& model, const actuator::CoilCurrents& currents,
                                           const actuator::GraspPoint& grasp) {
-  const JointVector touching = touching_pose(model, grasp);
+  const mechanics::LinkPoint contact = contact_of(model, grasp);
+  const JointVector touching = touching_pose(model, contact, grasp.opening);
   Wall wall{
-      .model = model, .contact = contact_of(model, grasp), .position = wall_position(model, grasp), .stiffness = 0.0};
+      .model = model, .contact = contact, .position = model.chain().position(contact, touching).x(), .stiffness = 0.0};
   const double lever = wall.slope(touching).lpNorm<Eigen::Infinity>();
   // A hundred times what the finger can bring to bear over a radian: each pass below takes two digits off the
   // penetration, and the first one stays shallow enough not to pass through the wall.

@@ -1,5 +1,6 @@
 #include "coilwright/simulation/blocked_grasp.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -149,6 +150,26 @@ TEST(BlockedGrasp, RefusesAWallThatIsNowhere) {
   EXPECT_EQ(text({.opening = 0.0, .height = -0.02}), "grasp height must be finite and >= 0; got -0.02 m");
   EXPECT_EQ(text({.opening = 0.0, .height = 0.03}),
             "grasp height must not lie beyond the tip, 21.2 mm from its joint; got 30 mm");
+}
+
+// Bent by b in two joints alike the tip is at x = l1 sin(b / 2) + l2 sin(b). Its slope is no more than zero from
+// c = cos(b / 2) with 4 l2 c^2 + l1 c - 2 l2 = 0 on: there the tip has been as far out as it gets, and a wall at its x
+// was gone through before. Such walls were once pressed on from behind, without any current too.
+TEST(BlockedGrasp, RefusesAWallBehindTheFinger) {
+  const Model model = actuator::assemble_or_throw(actuator::paper_finger()).model;
+  const double first = model.chain().link(0).length;
+  const double second = model.tip().along;
+  const double cosine = (-first + std::sqrt(first * first + 32.0 * second * second)) / (8.0 * second);
+  const double farthest = 2.0 * std::acos(cosine);
+  const auto grasp = [&](double opening) {
+    return blocked_grasp(model, model.all_coils(1.4), {.opening = opening, .height = {}});
+  };
+  EXPECT_EQ(grasp(farthest - 1e-6).value().force, 0.0);
+  for (const double opening : {farthest + 1e-6, 2.3, std::numbers::pi, 5.5, 2.0 * std::numbers::pi})
+    EXPECT_EQ(error_text([&] { (void)grasp(opening); }),
+              fmt::format("grasp opening must be less than {:.4g} deg, from where on the contact comes back from the "
+                          "wall that it would touch; got {:.6g} deg",
+                          farthest * 180.0 / std::numbers::pi, opening * 180.0 / std::numbers::pi));
 }
 
 TEST(BlockedGrasp, IsNoForceWhereTheFingerWouldRatherLeave) {

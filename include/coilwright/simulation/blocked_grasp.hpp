@@ -19,7 +19,9 @@ struct BlockedGrasp {
 
 /// Static equilibrium of the finger on the wall of `grasp`, by default straight with its tip on it; nothing if there is
 /// none that the finger creeps to from the pose in which it just touches. Joints may turn as far as the wall and their
-/// contacts let them. Throws std::invalid_argument for an opening or a height that is not finite and >= 0.
+/// contacts let them. Throws std::invalid_argument for an opening or a height that is not finite and >= 0, a height
+/// beyond the tip, and an opening from where on the contact of a finger that bends in all joints alike comes back
+/// towards the straight finger (beyond 96.5 deg with the paper's finger): it would have gone through the wall before.
 [[nodiscard]] std::optional<BlockedGrasp> blocked_grasp(const actuator::Model& model,
                                                         const actuator::CoilCurrents& currents,
                                                         const actuator::GraspPoint& grasp = {});

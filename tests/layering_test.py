@@ -11,11 +11,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # so that neither can drift. `formats` and `report` are several libraries, each a layer of its own.
 ROOMS = {
     "units": "",
+    "algebra": "",
     "text": "units",
     "magnetics": "",
     "winding": "",
     "drive": "",
-    "mechanics": "",
+    "mechanics": "algebra",
     "thermal": "",
     "actuator": "units magnetics winding drive mechanics thermal",
     "simulation": "actuator",
@@ -24,7 +25,7 @@ ROOMS = {
     "validation": "simulation",
     "sizing": "simulation",
     "archive": "text sizing",
-    "measurement": "simulation",
+    "measurement": "algebra simulation",
     "formats/actuator": "text actuator",
     "formats/simulation": "text control",
     "formats/data": "formats/actuator formats/simulation measurement systems",

@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "coilwright/algebra/definite.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -47,7 +47,7 @@ Eigen::MatrixXd parameter_covariance(const FittedHypothesis& model, double overd
   Eigen::MatrixXd scaled = scales.asDiagonal() * model.fit.normal_matrix * scales.asDiagonal();
   scaled /= overdispersion;
   scaled.diagonal().array() += 1.0;
-  const Eigen::MatrixXd inverse = scaled.llt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
+  const Eigen::MatrixXd inverse = algebra::inverse_of_definite(scaled);
   return scales.asDiagonal() * inverse * scales.asDiagonal();
 }
 

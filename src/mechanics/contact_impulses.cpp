@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "mechanics/lemke.hpp"
 
 namespace coilwright::mechanics {
@@ -176,10 +176,8 @@ VectorXd refined(const Contacts& contacts, std::span<const Contact> list, const 
   const MatrixXd ways = freedom.leftCols(size);
   const VectorXd speeds = contacts.response * impulses + contacts.speeds;
   const MatrixXd response = contacts.response * ways;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> held;
-  held.setThreshold(1e-9);  // below, two rows are the same
-  held.compute(response(rows, Eigen::all));
-  const VectorXd change = held.solve(-speeds(rows));
+  constexpr double same = 1e-9;  // below, two rows are the same
+  const VectorXd change = algebra::minimum_norm(response(rows, Eigen::all), -speeds(rows), same);
   VectorXd out = impulses + ways * change;
   out.head(count) = out.head(count).cwiseMax(0.0);
   return out;

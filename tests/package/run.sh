@@ -47,7 +47,7 @@ echo "== a user of a component that links what cannot be found"
 refused CMAKE_DISABLE_FIND_PACKAGE_NLopt configure "$here/all" without_nlopt -DCMAKE_DISABLE_FIND_PACKAGE_NLopt=ON
 
 echo "== a user of a component that there is not"
-refused 'coilwright has no component "magnetism"; its components are units, text, magnetics,' \
+refused 'coilwright has no component "magnetism"; its components are units, algebra, text, magnetics,' \
   configure "$here/unknown" unknown
 
 echo "== the installed examples"

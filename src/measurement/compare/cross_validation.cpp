@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "measurement/compare/fit_in_turns.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/fit/part_of_fit.hpp"
@@ -31,7 +31,7 @@ StepWithout step_without(const FittedHypothesis& fitted, std::size_t run) {
   const Eigen::MatrixXd scaled = scales.asDiagonal() * others * scales.asDiagonal();
   // With the gradient g of the run left out and the normal matrix N of the others, the optimum of the others is at
   // +N^-1 g, because at the common optimum all gradients add up to zero.
-  const Eigen::VectorXd step = scaled.completeOrthogonalDecomposition().solve(scales.asDiagonal() * left_out.gradient);
+  const Eigen::VectorXd step = algebra::minimum_norm(scaled, scales.asDiagonal() * left_out.gradient);
   const Eigen::VectorXd shortened = step.cwiseMax(-1.0).cwiseMin(1.0);
   StepWithout out{.values = fitted.hypothesis.clamped(fitted.fit.values + scales.asDiagonal() * shortened),
                   .is_whole = shortened == step};

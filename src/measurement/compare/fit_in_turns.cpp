@@ -1,9 +1,9 @@
 #include "measurement/compare/fit_in_turns.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "measurement/compare/search_effort.hpp"
 
 namespace coilwright::measurement::compare {
@@ -27,7 +27,7 @@ double predicted_fall(const fit::Fit& fitted) {
     if (fitted.at_bound[i]) jacobian.col(static_cast<Eigen::Index>(i)).setZero();
   const Eigen::VectorXd slope = jacobian.transpose() * fitted.stacked_residuals;
   const Eigen::MatrixXd curvature = jacobian.transpose() * jacobian;
-  return slope.dot(curvature.completeOrthogonalDecomposition().solve(slope));
+  return slope.dot(algebra::minimum_norm(curvature, slope));
 }
 
 }  // namespace

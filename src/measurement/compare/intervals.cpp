@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <utility>
 
+#include "coilwright/algebra/spectral.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
@@ -47,15 +47,15 @@ Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overd
   // A direction that the data do not determine leaves only those parameters undetermined that contribute to it.
   constexpr double undetermined = 1e-12;  // fraction of the largest eigenvalue
   constexpr double contribution = 1e-6;   // squared component of a parameter
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
-  const double least = undetermined * modes.eigenvalues().maxCoeff();
+  const algebra::SymmetricModes modes = algebra::symmetric_modes(scaled);
+  const double least = undetermined * modes.values.maxCoeff();
   for (Eigen::Index i = 0; i < p; ++i) {
     double variance = 0.0;
     double hidden = 0.0;
     for (Eigen::Index k = 0; k < p; ++k) {
-      const double share = modes.eigenvectors()(i, k) * modes.eigenvectors()(i, k);
-      if (modes.eigenvalues()[k] > least)
-        variance += share / modes.eigenvalues()[k];
+      const double share = modes.vectors(i, k) * modes.vectors(i, k);
+      if (modes.values[k] > least)
+        variance += share / modes.values[k];
       else
         hidden += share;
     }

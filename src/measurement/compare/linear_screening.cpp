@@ -2,11 +2,11 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "measurement/compare/effect_strength.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/fit/residual_blocks.hpp"
@@ -35,8 +35,7 @@ fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRe
     row += rows;
   }
   if (base.jacobian.cols() == 0) return {.value = std::move(out), .simulated_runs = there.simulated_runs};
-  const Eigen::VectorXd absorbed =
-      base.normal_matrix.completeOrthogonalDecomposition().solve(base.jacobian.transpose() * out);
+  const Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * out);
   return {.value = Eigen::VectorXd(out - base.jacobian * absorbed), .simulated_runs = there.simulated_runs};
 }
 

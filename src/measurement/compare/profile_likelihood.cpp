@@ -1,6 +1,5 @@
 #include "measurement/compare/profile_likelihood.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/search_effort.hpp"
 
@@ -24,8 +24,7 @@ bool is_magnitude(const fit::FitParameter& parameter, double value) {
 Eigen::VectorXd valley(const FittedHypothesis& fitted, Eigen::Index parameter) {
   const Eigen::VectorXd scales = fitted.hypothesis.scales();
   const Eigen::MatrixXd normal = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
-  const Eigen::VectorXd column =
-      normal.completeOrthogonalDecomposition().solve(Eigen::VectorXd::Unit(scales.size(), parameter));
+  const Eigen::VectorXd column = algebra::minimum_norm(normal, Eigen::VectorXd::Unit(scales.size(), parameter));
   Eigen::VectorXd out = Eigen::VectorXd::Zero(scales.size());
   if (!(column[parameter] > 0.0) || !column.allFinite()) return out;
   out = scales.cwiseProduct(column) / (column[parameter] * scales[parameter]);

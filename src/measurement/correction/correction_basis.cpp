@@ -1,8 +1,9 @@
 #include "measurement/correction/correction_basis.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "coilwright/algebra/spectral.hpp"
 
 namespace coilwright::measurement::correction {
 namespace {
@@ -159,9 +160,9 @@ std::optional<CorrectionBasis> correction_basis(const CorrectionShape& shape, st
   Eigen::VectorXd near(nodes);
   for (Eigen::Index i = 0; i < nodes; ++i) near[i] = out.visited[static_cast<std::size_t>(i)] != 0 ? 1.0 : 0.0;
   // A square root of the covariance, of which nodes that the motion never came near have no part.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> smooth(covariance(shape));
+  const algebra::SymmetricModes smooth = algebra::symmetric_modes(covariance(shape));
   const Eigen::MatrixXd root =
-      near.asDiagonal() * smooth.eigenvectors() * smooth.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+      near.asDiagonal() * smooth.vectors * smooth.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
   Eigen::MatrixXd along = contributions(out.axes, samples, out.visited.size()) * root;
   // A pose in which the motion rested for long says little more than one through which it went.
   double weights = 0.0;
@@ -170,13 +171,13 @@ std::optional<CorrectionBasis> correction_basis(const CorrectionShape& shape, st
     along.row(static_cast<Eigen::Index>(i)) *= std::sqrt(std::sqrt(weight));
     weights += std::sqrt(weight);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> varying(along.transpose() * along / weights);
-  const double whole = varying.eigenvalues().sum();
+  const algebra::SymmetricModes varying = algebra::symmetric_modes(along.transpose() * along / weights);
+  const double whole = varying.values.sum();
   Eigen::Index count = 0;
   double left = whole;
   while (count < std::min<Eigen::Index>(shape.most_directions, nodes) && left > variance_left_out * whole)
-    left -= varying.eigenvalues()[nodes - 1 - count++];
-  out.directions = root * varying.eigenvectors().rightCols(count).rowwise().reverse();
+    left -= varying.values[nodes - 1 - count++];
+  out.directions = root * varying.vectors.rightCols(count).rowwise().reverse();
   return out;
 }
 

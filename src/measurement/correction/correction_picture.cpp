@@ -1,8 +1,9 @@
 #include "measurement/correction/correction_picture.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <cmath>
+
+#include "coilwright/algebra/definite.hpp"
+#include "coilwright/algebra/spectral.hpp"
 
 namespace coilwright::measurement::correction {
 namespace {
@@ -21,7 +22,7 @@ std::vector<double> products_of(const TorqueCorrection& torque) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> table(torque.torques.data(), static_cast<Eigen::Index>(torque.axes[0].nodes.size()),
                                          static_cast<Eigen::Index>(torque.axes[1].nodes.size()));
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(table).singularValues();
+  const Eigen::VectorXd singular = algebra::singular_values(table);
   std::vector<double> out;
   double sum = 0.0;
   for (Eigen::Index i = 0; i < singular.size(); ++i) {
@@ -36,7 +37,7 @@ double degrees_of_freedom(const FittedCorrection& found) {
   const Eigen::VectorXd scales = found.corrected.hypothesis.scales();
   Eigen::MatrixXd scaled = scales.asDiagonal() * found.corrected.fit.normal_matrix * scales.asDiagonal();
   scaled.diagonal().array() += 1e-9 * scaled.diagonal().maxCoeff();
-  const Eigen::MatrixXd covariance = scaled.llt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
+  const Eigen::MatrixXd covariance = algebra::inverse_of_definite(scaled);
   const Eigen::Index count = found.kind.basis().size();
   // The scale of a coefficient is the deviation of its prior.
   return static_cast<double>(count) - covariance.diagonal().tail(count).sum();

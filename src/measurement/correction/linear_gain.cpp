@@ -1,8 +1,9 @@
 #include "measurement/correction/linear_gain.hpp"
 
-#include <Eigen/Cholesky>
 #include <array>
 #include <limits>
+
+#include "coilwright/algebra/definite.hpp"
 
 namespace coilwright::measurement::correction {
 namespace {
@@ -43,7 +44,7 @@ class Linearised {
     normal.diagonal() += prior_;
     normal.diagonal().tail(n - free_).array() += scales_.tail(n - free_).array().square() / (deviation * deviation);
     Eigen::VectorXd out = Eigen::VectorXd::Zero(n);
-    out.head(count) = -normal.topLeftCorner(count, count).llt().solve(gradient.head(count));
+    out.head(count) = -algebra::solve_definite(normal.topLeftCorner(count, count), gradient.head(count));
     return out;
   }
 

@@ -1,10 +1,10 @@
 #include "measurement/experiment/linearised_records.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/data/usable_runs.hpp"
@@ -74,8 +74,7 @@ Eigen::VectorXd LinearisedRecords::projected_change(const fit::ResidualValues& t
 Eigen::VectorXd LinearisedRecords::beyond_declared(const Eigen::VectorXd& change) const {
   const fit::Fit& base = base_->fit;
   if (base.jacobian.cols() == 0) return change;
-  const Eigen::VectorXd absorbed =
-      base.normal_matrix.completeOrthogonalDecomposition().solve(base.jacobian.transpose() * change);
+  const Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * change);
   return change - base.jacobian * absorbed;
 }
 
@@ -98,7 +97,7 @@ fit::Counted<double> LinearisedRecords::length_after_refit(const Eigen::VectorXd
   double share = 1.0;
   for (int step = 0; step < most_steps && share >= shortest_step; ++step) {
     const Eigen::VectorXd direction =
-        (jacobian.transpose() * jacobian).completeOrthogonalDecomposition().solve(jacobian.transpose() * left);
+        algebra::minimum_norm(jacobian.transpose() * jacobian, jacobian.transpose() * left);
     const Eigen::VectorXd moved = base_->hypothesis.clamped(values - share * scales.cwiseProduct(direction));
     const auto there = blocks.evaluate(moved, fit::Derivatives::none);
     out.simulated_runs += there.simulated_runs;

@@ -2,10 +2,10 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "coilwright/algebra/minimum_norm.hpp"
 #include "measurement/compare/effect_strength.hpp"
 
 namespace coilwright::measurement::experiment {
@@ -81,7 +81,7 @@ ProjectedChanges ProjectedChanges::with(const ProjectedChanges& more) const {
 void ProjectedChanges::project() {
   projected_ = products_;
   if (normal_matrix_.cols() > 0)
-    projected_ -= on_declared_.transpose() * normal_matrix_.completeOrthogonalDecomposition().solve(on_declared_);
+    projected_ -= on_declared_.transpose() * algebra::minimum_norm_columns(normal_matrix_, on_declared_);
 }
 
 double ProjectedChanges::length(std::size_t effect) const {
@@ -100,11 +100,8 @@ double ProjectedChanges::length_beyond(std::size_t effect, std::size_t other) co
       });
   const Eigen::MatrixXd scaled = lengths.cwiseInverse().asDiagonal() * projected_.block(from, from, count, count) *
                                  lengths.cwiseInverse().asDiagonal();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-6);
-  decomposition.compute(scaled);
   const Eigen::VectorXd right = along.cwiseQuotient(lengths);
-  const Eigen::VectorXd shares = decomposition.solve(right);
+  const Eigen::VectorXd shares = algebra::minimum_norm(scaled, right, 1e-6);
   if (shares[0] < 0.0 && !either_sign_[other]) return length(effect);
   return std::sqrt(std::max(0.0, projected_(at, at) - right.dot(shares)));
 }

@@ -1,8 +1,8 @@
 #include "measurement/fit/fit.hpp"
 
-#include <Eigen/QR>
 #include <utility>
 
+#include "coilwright/algebra/least_squares.hpp"
 #include "measurement/fit/least_squares.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 
@@ -11,11 +11,8 @@ namespace {
 
 // Orthonormal columns that span what the local numbers of a window can do to its residuals.
 Eigen::MatrixXd basis_of(const Eigen::MatrixXd& local_jacobian) {
-  const Eigen::Index rows = local_jacobian.rows();
-  const Eigen::Index columns = local_jacobian.cols();
-  if (columns == 0) return Eigen::MatrixXd(rows, 0);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factor(local_jacobian);
-  return factor.householderQ() * Eigen::MatrixXd::Identity(rows, columns);
+  if (local_jacobian.cols() == 0) return {local_jacobian.rows(), 0};
+  return algebra::orthonormal(local_jacobian);
 }
 
 Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, const Optimum& optimum) {

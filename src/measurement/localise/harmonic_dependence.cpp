@@ -1,10 +1,12 @@
 #include "measurement/localise/harmonic_dependence.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "coilwright/algebra/minimum_norm.hpp"
 
 namespace coilwright::measurement::localise {
 namespace {
@@ -13,9 +15,7 @@ namespace {
 struct HarmonicFit {
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   Eigen::Vector3d moments = Eigen::Vector3d::Zero();
-  [[nodiscard]] Eigen::Vector3d coefficients() const {
-    return products.completeOrthogonalDecomposition().solve(moments);
-  }
+  [[nodiscard]] Eigen::Vector3d coefficients() const { return algebra::minimum_norm(products, moments); }
 };
 
 }  // namespace

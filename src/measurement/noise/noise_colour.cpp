@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/tools/minima.hpp>
@@ -14,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "coilwright/algebra/least_squares.hpp"
 #include "measurement/noise/spectrum.hpp"
 
 namespace coilwright::measurement::noise {
@@ -58,7 +58,7 @@ FittedLine without_line(const Series& values, double frequency) {
     basis.row(j) << std::cos(phase), std::sin(phase);
   }
   const Eigen::Map<const Eigen::VectorXd> series(values.data(), n);
-  const Eigen::Vector2d fitted = basis.householderQr().solve(series);
+  const Eigen::Vector2d fitted = algebra::least_squares(basis, series);
   FittedLine out{.amplitude = fitted.norm(), .rest = Series(values.size())};
   Eigen::Map<Eigen::VectorXd>(out.rest.data(), n) = series - basis * fitted;
   return out;

@@ -1,11 +1,11 @@
 #include "measurement/replay/command_shape.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "coilwright/algebra/least_squares.hpp"
 #include "measurement/noise/spectrum.hpp"
 
 namespace coilwright::measurement::replay {
@@ -17,11 +17,6 @@ constexpr Eigen::Index highest_degree = 3;
 constexpr double significant = 4.0;
 
 using Times = Eigen::Map<const Eigen::VectorXd>;
-
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factor(columns);
-  return factor.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
-}
 
 CommandShape projected(Eigen::MatrixXd basis, const Eigen::VectorXd& readings) {
   CommandShape out{.basis = std::move(basis)};
@@ -47,7 +42,7 @@ CommandShape polynomial(const Times& times, const Eigen::VectorXd& readings, dou
   powers.col(0).setOnes();
   for (Eigen::Index k = 1; k <= highest_degree; ++k)
     powers.col(k) = powers.col(k - 1).cwiseProduct(((times.array() - first) / half - 1.0).matrix());
-  const Eigen::MatrixXd basis = orthonormal(powers);
+  const Eigen::MatrixXd basis = algebra::orthonormal(powers);
   Eigen::Index degree = highest_degree;
   while (degree > 0 && std::abs(basis.col(degree).dot(readings)) < significant * sigma) --degree;
   return projected(basis.leftCols(degree + 1), readings);
@@ -69,7 +64,7 @@ std::optional<CommandShape> sine(const Times& times, const Eigen::VectorXd& read
   const double line = 1.0 / (static_cast<double>(spectrum.size) * interval);
   const double middle = static_cast<double>(highest - spectrum.power.begin()) * line;
   const auto left = [&](double frequency) {
-    const Eigen::MatrixXd basis = orthonormal(sine_columns(times, frequency));
+    const Eigen::MatrixXd basis = algebra::orthonormal(sine_columns(times, frequency));
     return (readings - basis * (basis.transpose() * readings)).squaredNorm();
   };
   // Less than half a period is no sine that anybody could tell from a polynomial.
@@ -79,12 +74,12 @@ std::optional<CommandShape> sine(const Times& times, const Eigen::VectorXd& read
                                                                  std::max(slowest, middle) + 2.0 * line, bits)
                                .first;
   const Eigen::MatrixXd columns = sine_columns(times, frequency);
-  const Eigen::VectorXd coefficients = columns.householderQr().solve(readings);
+  const Eigen::VectorXd coefficients = algebra::least_squares(columns, readings);
   Eigen::MatrixXd with_frequency(times.size(), 4);
   const Eigen::ArrayXd since = times.array() - times[0];
   with_frequency << columns,
       (since * (coefficients[2] * columns.col(1).array() - coefficients[1] * columns.col(2).array())).matrix();
-  return projected(orthonormal(with_frequency), readings);
+  return projected(algebra::orthonormal(with_frequency), readings);
 }
 
 }  // namespace

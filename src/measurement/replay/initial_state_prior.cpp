@@ -1,9 +1,10 @@
 #include "measurement/replay/initial_state_prior.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "coilwright/algebra/least_squares.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -34,7 +35,7 @@ ChannelStart start_of(const data::Run& run, const data::Channel& channel, double
     powers.row(static_cast<Eigen::Index>(i)) << 1.0, t, t * t;
     values[static_cast<Eigen::Index>(i)] = channel.values[first + i];
   }
-  const Eigen::VectorXd fitted = powers.householderQr().solve(values);
+  const Eigen::VectorXd fitted = algebra::least_squares(powers, values);
   const Eigen::Matrix3d covariance = (powers.transpose() * powers).inverse() * sigma * sigma;
   return {.value = fitted[0],
           .rate = fitted[1] / duration,

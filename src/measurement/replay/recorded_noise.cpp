@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/algebra/least_squares.hpp"
 #include "measurement/noise/noise_colour.hpp"
 #include "measurement/noise/spikes.hpp"
 
@@ -70,7 +70,7 @@ std::vector<double> without_drift(const std::vector<double>& values) {
       basis(i, k) = std::cos(static_cast<double>(k) *
                              std::acos((2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(n) - 1.0));
   const Eigen::Map<const Eigen::VectorXd> series(values.data(), n);
-  const Eigen::VectorXd left = series - basis * basis.householderQr().solve(series);
+  const Eigen::VectorXd left = series - basis * algebra::least_squares(basis, series);
   return {left.begin(), left.end()};
 }
 

@@ -33,11 +33,13 @@ function(coilwright_warnings target)
     $<$<BOOL:${COILWRIGHT_WERROR}>:-Werror>)
 endfunction()
 
-# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>])
+# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>] [LONG <test>...])
 #
-# Label unit: seconds, and a minute under the sanitizers. What takes longer has a label of its own.
+# Label unit: seconds, and a minute under the sanitizers. What takes longer has a label of its own. LONG: tests, as
+# GoogleTest filters them, that take half a minute or more each and have shorter ones beside them; their label is long,
+# and `scripts/test.sh` leaves them out but for `--long`.
 function(coilwright_test name)
-  cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LINK;LONG" ${ARGN})
   if(NOT TEST_LABEL)
     set(TEST_LABEL unit)
   endif()
@@ -49,5 +51,11 @@ function(coilwright_test name)
     COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   coilwright_warnings(${name})
   coilwright_precompile(${name} TEST)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${TEST_LABEL})
+  list(JOIN TEST_LONG ":" long)
+  if(long)
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${long}" TEST_LIST ${name}_long
+                         PROPERTIES LABELS long)
+    set(others TEST_FILTER "-${long}")
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST ${others} PROPERTIES LABELS ${TEST_LABEL})
 endfunction()

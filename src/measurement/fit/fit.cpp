@@ -73,9 +73,11 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
 
 Counted<std::optional<Fit>> solve(const FitRequest& request, Unknowns unknowns) {
   ResidualBlocks blocks(request);
+  const long to_start = request.local_numbers_from == nullptr ? blocks.start_clock_rates(request.start) : 0;
   const auto optimum = least_squares(request, blocks, unknowns);
-  if (!optimum.value) return {.value = std::nullopt, .simulated_runs = optimum.simulated_runs};
-  return {.value = fit_at(request, blocks.blocks(), *optimum.value), .simulated_runs = optimum.simulated_runs};
+  const long simulated_runs = to_start + optimum.simulated_runs;
+  if (!optimum.value) return {.value = std::nullopt, .simulated_runs = simulated_runs};
+  return {.value = fit_at(request, blocks.blocks(), *optimum.value), .simulated_runs = simulated_runs};
 }
 
 }  // namespace

@@ -60,6 +60,9 @@ class ResidualBlocks {
   [[nodiscard]] std::span<const ResidualBlock> blocks() const noexcept { return blocks_; }
   /// The local numbers of all blocks, one after the other; `evaluate` uses the values that are written here.
   [[nodiscard]] std::span<double> local_numbers() noexcept { return local_numbers_; }
+  /// Writes rates of clocks with which the motions of `parameters` lie nearest to the records, robustly, where clocks
+  /// may be so far apart at the end of a window that a fit could begin on another swing. Returns the simulated runs.
+  long start_clock_rates(const Eigen::VectorXd& parameters);
   /// Evaluates all blocks in parallel, with derivatives by forward differences. Nothing if a model cannot be simulated.
   /// Derivatives where the last call was take its motions over.
   [[nodiscard]] Counted<std::optional<ResidualValues>> evaluate(const Eigen::VectorXd& parameters,

@@ -93,7 +93,13 @@ double LocalNumbers::clock_offset(std::span<const double> values) const {
 }
 
 double LocalNumbers::clock_rate(std::span<const double> values) const {
-  return has_rate_ ? values[clock_ + (has_offset_ ? 1 : 0)] : 0.0;
+  const auto number = clock_rate_number();
+  return number ? values[*number] : 0.0;
+}
+
+std::optional<std::size_t> LocalNumbers::clock_rate_number() const {
+  if (!has_rate_) return std::nullopt;
+  return clock_ + (has_offset_ ? 1 : 0);
 }
 
 std::span<const double> LocalNumbers::line_amplitudes(std::span<const double> values) const {

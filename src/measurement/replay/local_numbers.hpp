@@ -41,6 +41,8 @@ class LocalNumbers {
   [[nodiscard]] std::optional<std::size_t> edge_of(std::size_t i) const;
   [[nodiscard]] double clock_offset(std::span<const double> values) const;  ///< s
   [[nodiscard]] double clock_rate(std::span<const double> values) const;
+  /// Which of the numbers is the rate of the clock, if any.
+  [[nodiscard]] std::optional<std::size_t> clock_rate_number() const;
   /// Four amplitudes a line and angle channel: cosine, sine, and both growing over the window; rad.
   [[nodiscard]] std::span<const double> line_amplitudes(std::span<const double> values) const;
 

@@ -101,6 +101,19 @@ void require_samples(const ObjectReader& in, const PlannedRun& planned) {
         fmt::format("duration_s times sampling_rate_Hz must be from 5 to {:.0f}; got {:g}", most_samples, samples));
 }
 
+// A change after the end of its run is a slip of a number: nothing of it would be recorded.
+void require_change_within(const Node& input, double duration) {
+  const auto require = [duration](const std::optional<Node>& shape, std::string_view key) {
+    if (!shape) return;
+    const auto time = shape->find(key);
+    if (time && time->number() >= duration)
+      throw time->error(fmt::format("must be below the run's duration, {:g} s", duration));
+  };
+  require(input.find("step"), "at_s");
+  require(input.find("release"), "at_s");
+  require(input.find("hold"), "from_s");
+}
+
 void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
   planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
                                : in.quantity("sampling_rate_Hz", frequency_rule);
@@ -110,6 +123,7 @@ void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
   planned.duration =
       of_file > 0.0 ? in.quantity_or("duration_s", of_file, duration_rule) : in.quantity("duration_s", duration_rule);
   require_samples(in, planned);
+  require_change_within(in.at("input"), planned.duration);
 }
 
 void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {

@@ -1,5 +1,6 @@
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -17,6 +18,7 @@ namespace {
 constexpr double near = 0.02;
 constexpr double apart = 0.004;          // between the places at which the end of a window is looked at, s
 constexpr double most_deviations = 3.0;  // of the rate
+constexpr int most_places = 250;         // on either side, which is a second
 // Residuals beyond so many deviations count by their logarithm: misread pictures, and what the model does not say yet.
 constexpr double robust = 3.0;
 
@@ -62,7 +64,7 @@ long ResidualBlocks::start_clock_rates(const Eigen::VectorXd& parameters) {
     const double step = apart / duration_of(prepared, window);
     double best = block.local[number];
     double least = cost_at(best);
-    const auto steps = static_cast<int>(most_deviations * sigma / step);
+    const auto steps = static_cast<int>(std::min<double>(most_places, most_deviations * sigma / step));
     for (int i = -steps; i <= steps; ++i) {
       const double cost = cost_at(i * step);
       if (!(cost < least)) continue;

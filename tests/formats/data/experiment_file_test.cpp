@@ -216,6 +216,14 @@ TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
   EXPECT_EQ(
       refusal(R"({"file": "a.csv", )" + head + R"("input": {"hold": {"level_A": 1, "from_s": 0.5, "until_s": 0.5}}})"),
       "x.json: /runs/0/input/hold/until_s: must exceed from_s (0.5); got 0.5");
+  // Nothing of such a change would be recorded.
+  EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_A": 1, "at_s": 2}}})"),
+            "x.json: /runs/0/input/step/at_s: must be below the run's duration, 2 s; got 2");
+  EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"release": {"level_A": 1, "at_s": 3}}})"),
+            "x.json: /runs/0/input/release/at_s: must be below the run's duration, 2 s; got 3");
+  EXPECT_EQ(
+      refusal(R"({"file": "a.csv", )" + head + R"("input": {"hold": {"level_A": 1, "from_s": 2.5, "until_s": 3}}})"),
+      "x.json: /runs/0/input/hold/from_s: must be below the run's duration, 2 s; got 2.5");
   EXPECT_EQ(refusal(R"({"file": "a.csv", "role": "fit", "duration_s": 0.002, )" + step + "}"),
             "x.json: /runs/0: duration_s times sampling_rate_Hz must be from 5 to 1000000; got 1");
   EXPECT_EQ(refusal(R"({"file": "a.csv", "start_angles_deg": [1, 1], )" + head + step + "}"),

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <span>
+#include <vector>
 
 #include "measurement/fit/fit.hpp"
 #include "measurement/slider_model.hpp"
@@ -19,13 +20,10 @@ constexpr double release = 15.0;  // s
 replay::DeclaredModel on_a_spring(double declared_stiffness, double declared_damping) {
   replay::DeclaredModel declared = slide(declared_stiffness, declared_damping);
   declared.calibration.front().key = "stiffness";
-  declared.build = [](std::span<const double> values) {
-    const mechanics::Link link{.length = 1.0, .com_along = 1.0, .com_offset = 0.0, .mass = true_mass, .inertia = 0.0};
-    return actuator::ModelSpec{.chain = mechanics::PlanarChain(std::span(&link, 1), 0.0),
-                               .hinges = {actuator::Hinge{.stiffness = values[0], .damping = values[1]}},
-                               .magnetics = {},
-                               .coils = 0,
-                               .tip = {}};
+  declared.build = [free = declared.build](std::span<const double> values) {
+    actuator::ModelSpec spec = free(std::array{true_mass, values[1]});
+    spec.hinges.front().stiffness = values[0];
+    return spec;
   };
   return declared;
 }

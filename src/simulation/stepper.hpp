@@ -70,6 +70,8 @@ class Stepper {
   [[nodiscard]] State at(double time) const;
   /// State at the end of the last step.
   [[nodiscard]] State now() const { return unpack(values_); }
+  /// The same as it is kept: without a copy, for whoever looks at every step.
+  [[nodiscard]] const PackedState& packed() const noexcept { return values_; }
   [[nodiscard]] Bending bending() const;
 
  private:

@@ -79,37 +79,52 @@ bool same_input(const ModelInput& signal, std::size_t a, std::size_t b) {
 // its stability trembles by the error of its steps for good, so that rates and slopes never vanish.
 class RestWatch {
  public:
-  RestWatch(const Stepper& stepper, double relative) : relative_(relative) { begin(stepper); }
+  RestWatch(const actuator::Model& model, const Stepper& stepper, double relative)
+      : joints_(static_cast<std::size_t>(model.joints())), relative_(relative) {
+    begin(stepper);
+  }
 
   // Whether it has moved by no more than that for long enough; what it was before is forgotten where it has.
   [[nodiscard]] bool is_over(const Stepper& stepper) {
     constexpr double enough = 0.25;  // s: half a period of 2 Hz, the slowest that a finger of this size swings at
-    const State now = stepper.now();
-    if (!stays(now.angles, from_.angles, 2.0) || !stays(now.internal, from_.internal, 10.0)) begin(stepper);
+    if (!stays(stepper.packed())) begin(stepper);
     return stepper.time() - since_ >= enough;
   }
 
  private:
   void begin(const Stepper& stepper) {
     since_ = stepper.time();
-    from_ = stepper.now();
+    from_ = stepper.packed();
   }
-  // A bristle trembles by more than a joint.
-  [[nodiscard]] bool stays(const auto& now, const auto& from, double errors) const {
-    return ((now - from).array().abs() <= errors * relative_ * from.array().abs() + smallest_move).all();
+  // Angles and states of effects; rates follow. A bristle trembles by more than a joint.
+  [[nodiscard]] bool stays(const PackedState& now) const {
+    const auto stay = [&](std::size_t first, std::size_t last, double errors) {
+      for (std::size_t i = first; i < last; ++i)
+        if (!(std::abs(now[i] - from_[i]) <= errors * relative_ * std::abs(from_[i]) + smallest_move)) return false;
+      return true;
+    };
+    return stay(0, joints_, 2.0) && stay(2 * joints_, now.size(), 10.0);
   }
 
   static constexpr double smallest_move = 1e-8;  // rad, or whatever the state has
+  std::size_t joints_;
   double relative_;
   double since_{};
-  State from_{};
+  PackedState from_{};
 };
 
 // A finger whose joint turns by half a turn has left its torque curves behind; a rig without magnetics may turn freely.
-void check_motion(const actuator::Model& model, const State& state, double time) {
-  if (!state.angles.allFinite() || !state.internal.allFinite())
-    throw std::runtime_error(fmt::format("the motion leaves the model at {:.6g} s: it is not finite", time));
-  if (!model.magnetics().hinge_pairs().empty() && state.angles.lpNorm<Eigen::Infinity>() > std::numbers::pi)
+void check_motion(const actuator::Model& model, const PackedState& state, double time) {
+  const auto joints = static_cast<std::size_t>(model.joints());
+  double largest = 0.0;
+  bool finite = true;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (i >= joints && i < 2 * joints) continue;  // rates
+    finite = finite && std::isfinite(state[i]);
+    if (i < joints) largest = std::max(largest, std::abs(state[i]));
+  }
+  if (!finite) throw std::runtime_error(fmt::format("the motion leaves the model at {:.6g} s: it is not finite", time));
+  if (largest > std::numbers::pi && !model.magnetics().hinge_pairs().empty())
     throw std::runtime_error(
         fmt::format("the motion leaves the model at {:.6g} s: a joint turns beyond 180 degrees", time));
 }
@@ -149,14 +164,14 @@ std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& i
     while (last + 1 < input.times.size() && (same_input(input, sample, last) || input.passes(last))) ++last;
     const double end = input.times[last];
     stepper.start(input.times[sample], now, input_at(model, input, sample), growth_between(model, input, sample, last));
-    RestWatch rest(stepper, accuracy.relative);
+    RestWatch rest(model, stepper, accuracy.relative);
     const bool may_rest = accuracy.ends_at_rest && !input.goes_straight(sample) && !model.has_slow_states();
     const double limit = std::min(all_steps + step_limit(model, end - input.times[sample]), accuracy.most_steps);
     const auto state_at = [&](double time) {
       while (stepper.time() < time) {
         if (may_rest && rest.is_over(stepper)) return stepper.now();
         stepper.step();
-        check_motion(model, stepper.now(), stepper.time());
+        check_motion(model, stepper.packed(), stepper.time());
         if (++all_steps > limit)
           throw std::runtime_error(fmt::format("the motion cannot be followed beyond {:.6g} s", stepper.time()));
       }

@@ -55,6 +55,13 @@ TEST(Curve, KeepsItsErrorBoundForForcesOverDistance) {
   check(force_curve(shells, shells, spec), [&](double z) { return axial_force(shells, 1.0, shells, 1.0, z); });
 }
 
+// The value alone takes a shorter way: it ends at the same bits, inside the range, at its ends and beyond.
+TEST(Curve, HasTheSameValueWithAndWithoutItsDerivative) {
+  const Curve curve = force_curve(coil, magnet, {.lower = 10e-3, .upper = 90e-3, .tolerance = 1e-9});
+  for (double z = 8e-3; z < 100e-3; z += 0.131e-3) ASSERT_EQ(curve.value(z), curve.sample(z).value) << z;
+  for (const double z : {10e-3, 90e-3}) EXPECT_EQ(curve.value(z), curve.sample(z).value) << z;
+}
+
 // Central difference of the function itself: h^2 = 1e-8 of the third derivative and 1e-14 / h of rounding; the
 // interpolant's derivative loses up to the square of its degree per piece, 81 * 2 / width.
 TEST(Curve, HasTheDerivativeOfItsFunction) {

@@ -65,15 +65,10 @@ class Curve {
   [[nodiscard]] Sample sample(double x) const noexcept {
     // Written so that a NaN picks a piece too (and comes out as NaN): the number of the piece is an index.
     const double inside = x > lower_ ? (x < upper_ ? x : upper_) : lower_;
-    const double distance = inside - origin_;
-    // Exponent and first bits of the distance number a cell, which knows the first piece that reaches into it; mostly
-    // that is the one.
-    const auto cell = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(distance) >> shift_) - first_);
-    const Piece* piece = pieces_.data() + piece_of_cell_[cell];
-    while (distance > piece->end) ++piece;
-    const double t = (distance - piece->centre) * piece->scale;
+    const Piece& piece = piece_at(inside);
+    const double t = (inside - origin_ - piece.centre) * piece.scale;
     const double w = t * t;
-    const auto& c = piece->powers;
+    const auto& c = piece.powers;
     // Even and odd powers apart, each with its derivative by w: four short chains instead of one long one.
     double even = c[degree - 1];
     double even_slope = 0.0;
@@ -86,10 +81,25 @@ class Curve {
       odd_slope = odd_slope * w + odd;
       odd = odd * w + c[i + 1];
     }
-    const double slope = (odd + 2.0 * (t * even_slope + w * odd_slope)) * piece->scale;
+    const double slope = (odd + 2.0 * (t * even_slope + w * odd_slope)) * piece.scale;
     return {even + t * odd + slope * (x - inside), slope};
   }
-  [[nodiscard]] double value(double x) const noexcept { return sample(x).value; }            ///< see sample
+  /// The same without the derivative, in half the time inside the range.
+  [[nodiscard]] double value(double x) const noexcept {
+    if (!(x >= lower_ && x <= upper_)) return sample(x).value;
+    const Piece& piece = piece_at(x);
+    const double t = (x - origin_ - piece.centre) * piece.scale;
+    const double w = t * t;
+    const auto& c = piece.powers;
+    double even = c[degree - 1];
+    double odd = c[degree];
+    for (int k = degree - 3; k >= 0; k -= 2) {
+      const auto i = static_cast<std::size_t>(k);
+      even = even * w + c[i];
+      odd = odd * w + c[i + 1];
+    }
+    return even + t * odd;
+  }
   [[nodiscard]] double derivative(double x) const noexcept { return sample(x).derivative; }  ///< see sample
 
   [[nodiscard]] double lower() const noexcept { return lower_; }
@@ -113,6 +123,16 @@ class Curve {
     double scale;   // 1 / half width
     std::array<double, degree + 1> powers;
   };
+
+  // Where `inside` the range lies. Exponent and first bits of the distance number a cell, which knows the first piece
+  // that reaches into it; mostly that is the one.
+  [[nodiscard]] const Piece& piece_at(double inside) const noexcept {
+    const double distance = inside - origin_;
+    const auto cell = static_cast<std::size_t>((std::bit_cast<std::uint64_t>(distance) >> shift_) - first_);
+    const Piece* piece = pieces_.data() + piece_of_cell_[cell];
+    while (distance > piece->end) ++piece;
+    return *piece;
+  }
 
   void resolve(const BatchFunction& function, double tolerance, std::vector<Panel>& panels);
   [[nodiscard]] double refine(const BatchFunction& function, double tolerance, Panel& panel);

@@ -36,11 +36,13 @@ struct Place {
   double share{};        // of the interval to the next one, 0 to 1
 };
 
-Place place_of(const std::vector<double>& times, double time) {
+// `guess` is looked at first, and the interval after it: samples are asked for in their order.
+Place place_of(const std::vector<double>& times, double time, std::size_t guess = 0) {
   if (time <= times.front()) return {};
   if (time >= times.back()) return {.before = times.size() - 1};
-  const auto after = std::upper_bound(times.begin(), times.end(), time);
-  const auto i = static_cast<std::size_t>(after - times.begin()) - 1;
+  const auto is_in = [&](std::size_t i) { return i + 1 < times.size() && times[i] <= time && time < times[i + 1]; };
+  std::size_t i = is_in(guess) ? guess : guess + 1;
+  if (!is_in(i)) i = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin()) - 1;
   return {.before = i, .share = (time - times[i]) / (times[i + 1] - times[i])};
 }
 
@@ -64,8 +66,7 @@ double rate_of(const State& state, const data::Channel& channel) {
 }
 
 // A channel's angle between two states: the cubic's error is 4e-7 of the amplitude at 10 Hz and 500 rows a second.
-double angle_at(const Trajectory& trajectory, const data::Channel& channel, double time) {
-  const Place place = place_of(trajectory.times, time);
+double angle_at(const Trajectory& trajectory, const data::Channel& channel, const Place& place) {
   const State& a = trajectory.states[place.before];
   if (place.share == 0.0) return angle_of(a, channel);
   const State& b = trajectory.states[place.before + 1];
@@ -75,8 +76,7 @@ double angle_at(const Trajectory& trajectory, const data::Channel& channel, doub
          h * (w.slope_a * rate_of(a, channel) + w.slope_b * rate_of(b, channel));
 }
 
-double rate_at(const Trajectory& trajectory, const data::Channel& channel, double time) {
-  const Place place = place_of(trajectory.times, time);
+double rate_at(const Trajectory& trajectory, const data::Channel& channel, const Place& place) {
   const double rate = rate_of(trajectory.states[place.before], channel);
   if (place.share == 0.0) return rate;
   return (1.0 - place.share) * rate + place.share * rate_of(trajectory.states[place.before + 1], channel);
@@ -232,11 +232,13 @@ Eigen::VectorXd observed_values(const Model& model, const PreparedRun& prepared,
   Eigen::Index at = 0;
   for (const data::Channel& channel : run.channels) {
     const bool is_rate = channel.kind == data::ChannelKind::joint_rate;
+    Place place;
     for (Eigen::Index i = 0; i < samples; ++i) {
       const double stamp = run.times[window.range.first + static_cast<std::size_t>(i)];
       const double time = stamp + rate * (stamp - first) + shift;
       const double value = mean_over(time, run.clock.exposure, [&](double when) {
-        return is_rate ? rate_at(trajectory, channel, when) : angle_at(trajectory, channel, when);
+        place = place_of(trajectory.times, when, place.before);
+        return is_rate ? rate_at(trajectory, channel, place) : angle_at(trajectory, channel, place);
       });
       out[at + i] = is_rate ? value : model.observed(value);
     }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "coilwright/algebra/minimum_norm.hpp"
+#include "coilwright/mechanics/cholesky_solve.hpp"
 #include "mechanics/lemke.hpp"
 
 namespace coilwright::mechanics {
@@ -66,11 +67,7 @@ void set(Contacts& out, const MassFactor& mass, const CoordinateVector& velocity
     out.speeds[i] = list[i].normal.dot(velocity);
     out.speeds[count + i] = list[i].tangent.dot(velocity);
   }
-  // Column by column: for so few rows the blocks of a solution of all of them cost more than they save.
-  for (int i = 0; i < 2 * count; ++i) {
-    auto column = out.halves.col(i);
-    mass.matrixL().solveInPlace(column);
-  }
+  for (int i = 0; i < 2 * count; ++i) solve_lower(mass.matrixLLT(), out.halves.col(i));
   out.response.noalias() = out.halves.transpose().lazyProduct(out.halves);
   if (!out.response.allFinite() || !out.speeds.allFinite())
     throw std::invalid_argument("mass, velocities and contacts must be finite");
@@ -283,7 +280,9 @@ ContactStep contact_impulses(const MassFactor& mass, const CoordinateVector& fre
   set(work.contacts, mass, free_velocity, contacts);
   set(work.unknowns, work.contacts, contacts);
   const VectorXd impulses = work.contacts.impulse_unit * impulses_of(work.contacts, work.unknowns, contacts);
-  out.velocities += mass.matrixU().solve(CoordinateVector(work.contacts.halves * impulses));
+  CoordinateVector change = work.contacts.halves.lazyProduct(impulses);
+  solve_upper(mass.matrixLLT(), change);
+  out.velocities += change;
   const int count = static_cast<int>(contacts.size());
   for (int i = 0; i < count; ++i)
     out.impulses[i] = {.normal = impulses[i],

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -58,12 +59,19 @@ FloatingJacobian FloatingChain::jacobian(const FloatingFrames& frames, const Lin
 CoordinateMatrix FloatingChain::mass_matrix(const FloatingFrames& frames) const {
   const int n = coordinates();
   CoordinateMatrix mass = CoordinateMatrix::Zero(n, n);
+  std::array<Eigen::Vector2d, max_coordinates> slopes;  // of a link's centre of mass: the columns of its jacobian()
+  slopes[0] = Eigen::Vector2d::UnitX();
+  slopes[1] = Eigen::Vector2d::UnitY();
   for (int i = 0; i < count_; ++i) {
-    const FloatingJacobian slope = jacobian(frames, centre(i));
+    const Eigen::Vector2d at = position(frames, centre(i));
+    for (int k = 0; k <= i; ++k) {
+      const Eigen::Vector2d lever = at - frames[k].joint;
+      slopes[2 + k] = Eigen::Vector2d(-lever.y(), lever.x());
+    }
     const int last = 3 + i;  // coordinates beyond it do not move this link
     for (int k = 0; k < last; ++k)
       for (int j = 0; j <= k; ++j)
-        mass(j, k) += links_[i].mass * slope.col(j).dot(slope.col(k)) + (j >= 2 ? links_[i].inertia : 0.0);
+        mass(j, k) += links_[i].mass * slopes[j].dot(slopes[k]) + (j >= 2 ? links_[i].inertia : 0.0);
   }
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < k; ++j) mass(k, j) = mass(j, k);
@@ -91,9 +99,15 @@ CoordinateVector FloatingChain::forces_in_lift(const FloatingFrames& frames, con
   double absolute = 0.0;
   for (int i = 0; i < count_; ++i) {
     absolute += rates[2 + i];
-    const Eigen::Vector2d lever = position(frames, centre(i)) - frames[i].joint;
-    const Eigen::Vector2d acceleration = of_joint - absolute * absolute * lever;
-    force += links_[i].mass * jacobian(frames, centre(i)).transpose() * acceleration;
+    const Eigen::Vector2d at = position(frames, centre(i));
+    const Eigen::Vector2d lever = at - frames[i].joint;
+    const Eigen::Vector2d needed = links_[i].mass * (of_joint - absolute * absolute * lever);
+    // By jacobian(): each angle turns the centre about its joint.
+    force.head<2>() += needed;
+    for (int k = 0; k <= i; ++k) {
+      const Eigen::Vector2d arm = at - frames[k].joint;
+      force[2 + k] += arm.x() * needed.y() - arm.y() * needed.x();
+    }
     of_joint -= absolute * absolute * links_[i].length * frames[i].axis();
   }
   return force;

@@ -148,6 +148,14 @@ JointVector PlanarChain::gravity_torques(const JointVector& angles) const {
   return torques;
 }
 
+JointVector PlanarChain::bias_torques(const JointVector& angles, const JointVector& rates) const {
+  // Velocity torques know differences of angles only: those of tilted ones are the same.
+  const Directions tilted = directions(angles, base_tilt_);
+  JointVector torques = absolute_velocity_torques(tilted, rates) + absolute_gravity_torques(tilted);
+  absolute_to_joint(torques);
+  return torques;
+}
+
 JointMatrix PlanarChain::gravity_stiffness(const JointVector& angles) const {
   // V is a sum of functions of one absolute angle each: d2V/dtheta_i dtheta_j is the suffix sum from max(i, j).
   JointMatrix stiffness(joints_, joints_);
@@ -242,6 +250,18 @@ PointJacobian PlanarChain::jacobian(const LinkPoint& point, const JointVector& a
   slope.col(point.link) = point.along * Eigen::Vector2d(cosine, sine) + point.offset * Eigen::Vector2d(sine, -cosine);
   for (int j = 0; j < point.link; ++j) slope.col(j) = links_[j].length * Eigen::Vector2d(d.cosine[j], d.sine[j]);
   for (int j = point.link - 1; j >= 0; --j) slope.col(j) += slope.col(j + 1);
+  return slope;
+}
+
+// Every angle turns what lies beyond its joint about that joint: by 90 degrees of the lever, anticlockwise.
+PointJacobian PlanarChain::jacobian(const LinkPoint& point, const LinkFrames& frames) const {
+  PointJacobian slope = PointJacobian::Zero(2, joints_);
+  if (point.link < 0) return slope;
+  const Eigen::Vector2d at = frames[static_cast<std::size_t>(point.link) + 1].at(point.along, point.offset);
+  for (int j = 0; j <= point.link; ++j) {
+    const Eigen::Vector2d lever = at - frames[static_cast<std::size_t>(j) + 1].joint;
+    slope.col(j) = Eigen::Vector2d(-lever.y(), lever.x());
+  }
   return slope;
 }
 

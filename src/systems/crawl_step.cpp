@@ -39,6 +39,9 @@ CoilCurrents currents_by(const Crawler& crawler, const CoilCurrents& voltages) {
   return (voltages.array() - shared).matrix() / own;
 }
 
+// No foot of a robot comes down faster, m/s: what is too high to land in a step at that speed need not be looked at.
+constexpr double fastest_landing = 10.0;
+
 // What the middle of a step knows that its end needs again.
 struct Middle {
   Coupling coupling;
@@ -75,6 +78,7 @@ mechanics::MiddleOfStep at_middle(const Crawler& crawler, const CoordinateVector
   out.contacts.reserve(crawler.contact_points().size());
   for (const mechanics::LinkPoint& point : crawler.contact_points()) {
     const double gap = chain.position(frames, point).y();
+    if (gap > 0.5 * fastest_landing * step) continue;
     const mechanics::FloatingJacobian slope = chain.jacobian(frames, point);
     out.lands = out.lands || mechanics::lands_too_fast(gap, -slope.row(1).dot(velocity), step);
     if (gap > mechanics::closed_gap) continue;

@@ -148,6 +148,8 @@ TEST(PlanarChain, JacobianIsTheSlopeOfPosition) {
   const JointVector angles = joint_vector({0.31, -0.52, 0.77});
   const LinkPoint tip{.link = 2, .along = 0.021, .offset = 0.004};
   const PointJacobian slope = chain.jacobian(tip, angles);
+  const PointJacobian by_frames = chain.jacobian(tip, chain.frames(angles));
+  EXPECT_LT((by_frames - slope).norm(), 1e-14 * slope.norm());
   for (int i = 0; i < 3; ++i) {
     JointVector ahead = angles;
     JointVector behind = angles;
@@ -156,6 +158,14 @@ TEST(PlanarChain, JacobianIsTheSlopeOfPosition) {
     const Eigen::Vector2d difference = (chain.position(tip, ahead) - chain.position(tip, behind)) / 2e-5;
     EXPECT_LT((slope.col(i) - difference).norm(), 1e-9 * slope.norm());  // truncation step^2 / 6
   }
+}
+
+TEST(PlanarChain, HasVelocityAndGravityTorquesTogetherOrApart) {
+  const PlanarChain chain(uneven_links(), 9.81, 0.4);
+  const JointVector angles = joint_vector({0.31, -0.52, 0.77});
+  const JointVector rates = joint_vector({3.0, -7.0, 5.0});
+  const JointVector apart = chain.velocity_torques(angles, rates) + chain.gravity_torques(angles);
+  EXPECT_LT((chain.bias_torques(angles, rates) - apart).norm(), 1e-14 * apart.norm());
 }
 
 // d(T + V)/dt along the equations of motion must vanish: T'' from the accelerations under test, T and V from the

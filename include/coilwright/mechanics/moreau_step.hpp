@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/mechanics/cholesky_solve.hpp"
 #include "coilwright/mechanics/contact_impulses.hpp"
 
 namespace coilwright::mechanics {
@@ -46,7 +47,9 @@ struct MoreauStep {
 [[nodiscard]] inline MoreauStep end_of_step(const CoordinateVector& middle, const CoordinateVector& velocity,
                                             double step, MiddleOfStep system) {
   const Eigen::LLT<CoordinateMatrix> mass(system.mass);
-  const CoordinateVector free = velocity + step * mass.solve(system.force);
+  solve_lower(mass.matrixLLT(), system.force);
+  solve_upper(mass.matrixLLT(), system.force);
+  const CoordinateVector free = velocity + step * system.force;
   ContactStep after = contact_impulses(mass, free, system.contacts);
   return {.position = middle + 0.5 * step * after.velocities,
           .velocity = after.velocities,

@@ -85,6 +85,8 @@ class PlanarChain {
 
   /// Gravity torques g = dV/dtheta, N m: (12) of the paper without k.
   [[nodiscard]] JointVector gravity_torques(const JointVector& angles) const;
+  /// Both, for the work of one.
+  [[nodiscard]] JointVector bias_torques(const JointVector& angles, const JointVector& rates) const;
 
   /// dg/dtheta, (n, n), N m/rad, symmetric: gravity's part of the stiffness.
   [[nodiscard]] JointMatrix gravity_stiffness(const JointVector& angles) const;
@@ -116,6 +118,8 @@ class PlanarChain {
 
   /// d(position)/dtheta, (2, n), m/rad.
   [[nodiscard]] PointJacobian jacobian(const LinkPoint& point, const JointVector& angles) const;
+  /// The same of a chain whose frames() are known.
+  [[nodiscard]] PointJacobian jacobian(const LinkPoint& point, const LinkFrames& frames) const;
 
  private:
   struct Directions;  // sines and cosines of the absolute link angles

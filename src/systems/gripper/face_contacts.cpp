@@ -18,19 +18,21 @@ Vector2d outwards(const LinkFrame& frame) {
   return {frame.cosine, frame.sine};
 }
 
+using Places = std::array<double, mechanics::max_joints + 1>;
+
 // Where a point is along the axis of every link, base first, and so before, over or beyond its face.
-std::vector<double> places_along(const Gripper& gripper, const mechanics::LinkFrames& frames, const Vector2d& point) {
-  std::vector<double> out;
+Places places_along(const Gripper& gripper, const mechanics::LinkFrames& frames, const Vector2d& point) {
+  Places out{};
   for (int link = -1; link < gripper.finger().joints(); ++link) {
     const LinkFrame& frame = frames[static_cast<std::size_t>(link) + 1];
-    out.push_back((point - frame.joint).dot(frame.axis()));
+    out[static_cast<std::size_t>(link) + 1] = (point - frame.joint).dot(frame.axis());
   }
   return out;
 }
 
 // Whether a point is before the face of a link, or beyond it, and over that of the neighbour there, which is nearer.
 // Over neither it is where the joint between them is bent away from it: an edge, of both.
-bool neighbour_is_nearer(const Gripper& gripper, const std::vector<double>& along, int link) {
+bool neighbour_is_nearer(const Gripper& gripper, const Places& along, int link) {
   const auto at = [&](int each) { return along[static_cast<std::size_t>(each) + 1]; };
   if (link >= 0 && at(link) < gripper.face(link).begin) return at(link - 1) <= gripper.face(link - 1).end;
   if (link + 1 < gripper.finger().joints() && at(link) > gripper.face(link).end)
@@ -42,7 +44,7 @@ bool neighbour_is_nearer(const Gripper& gripper, const std::vector<double>& alon
 void add_round(const Gripper& gripper, int finger, const Placement& placement, const mechanics::LinkFrames& frames,
                double radius, const Vector2d& centre, std::vector<FacePoint>& out) {
   const Vector2d local = placement.in_chain(centre);
-  const std::vector<double> along = places_along(gripper, frames, local);
+  const Places along = places_along(gripper, frames, local);
   for (int link = -1; link < gripper.finger().joints(); ++link) {
     if (neighbour_is_nearer(gripper, along, link)) continue;
     const LinkFrame& frame = frames[static_cast<std::size_t>(link) + 1];
@@ -109,10 +111,9 @@ void add_tip(const Gripper& gripper, int finger, const Placement& placement, con
 
 }  // namespace
 
-std::vector<FacePoint> face_points(const Gripper& gripper, int finger, const mechanics::JointVector& angles,
+std::vector<FacePoint> face_points(const Gripper& gripper, int finger, const mechanics::LinkFrames& frames,
                                    const Object& object, const ObjectPose& pose) {
   const Placement here = placement(gripper.mounting(), finger);
-  const mechanics::LinkFrames frames = gripper.finger().chain().frames(angles);
   std::vector<FacePoint> out;
   if (object.has_flat_sides()) {
     add_corners(gripper, finger, here, frames, object, pose, out);

@@ -23,10 +23,11 @@ struct FacePoint {
   double gap{};              ///< m, below zero where they overlap
 };
 
-/// The candidates between one finger at `angles` (rad) and the object: of a round one the nearest point of every face,
-/// of a box its corners and the fingertip. Places that lie behind a face by more than half the object do not count.
+/// The candidates between one finger, in the frames of its chain, and the object: of a round one the nearest point of
+/// every face, of a box its corners and the fingertip. Places that lie behind a face by more than half the object do
+/// not count.
 [[nodiscard]] std::vector<FacePoint> face_points(const Gripper& gripper, int finger,
-                                                 const mechanics::JointVector& angles, const Object& object,
+                                                 const mechanics::LinkFrames& frames, const Object& object,
                                                  const ObjectPose& pose);
 
 }  // namespace coilwright::systems::gripper

@@ -9,7 +9,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -25,13 +24,16 @@ constexpr double close_time = 1.0;    // at most, until both fingers hold still 
 constexpr double ramp_time = 0.3;     // in which the load is put on
 constexpr double hold_time = 0.2;     // with the whole load
 constexpr double record_time = 0.02;  // at its end, over which the forces are the mean
+constexpr double end_of_hold = ramp_time + hold_time;
+// What is left of a part of the programme that is not worth a step.
+constexpr double shortest_rest = 1e-9;
 
 // An object that sinks faster than this is slipping, m/s: a soft grip settles by millimetres in the 0.3 s of the ramp.
 constexpr double slipping = 0.02;
 // One that sinks slower than this at the end of the hold is at rest.
 constexpr double at_rest = 2e-3;
 // Lost for good, m/s.
-constexpr double lost = 0.3;
+constexpr double lost = 0.1;
 constexpr double most_load = 10.0;  // of the task's
 
 // Over which what the fingers carry is the mean, s: impulses differ from step to step.
@@ -42,11 +44,36 @@ constexpr double still_energy = 1e-8;
 // Fingers that were never faster than this on their way are where they rest, J: they missed it by micrometres.
 constexpr double resting_energy = 1e-12;
 
+// What the fingers carried of late. Of an object that slips that is what they can, and not the load: that has grown by
+// a ninth of the object's weight since it began to slip, however little of it the fingers bear.
+class Carried {
+ public:
+  // N, over a step of `duration`, s.
+  void add(double duration, double force) {
+    steps_.push_back({duration, force});
+    duration_ += duration;
+    while (duration_ - steps_.front().first >= carrying_time) {
+      duration_ -= steps_.front().first;
+      steps_.pop_front();
+    }
+  }
+  // N, over carrying_time and what is left of its first step.
+  [[nodiscard]] double mean() const {
+    double impulse = 0.0;
+    for (const auto& [duration, force] : steps_) impulse += duration * force;
+    return impulse / duration_;
+  }
+
+ private:
+  std::deque<std::pair<double, double>> steps_;
+  double duration_{};
+};
+
 void check(const GraspTask& task) {
   require(true, "current", "finite", task.current);
   require(true, "open_current", "finite", task.open_current);
   require(task.acceleration >= 0.0, "acceleration", "finite and >= 0", task.acceleration);
-  require(task.step > 0.0 && task.step <= 5e-4, "step", "> 0 and <= 0.5 ms", task.step);
+  require(task.step > 0.0 && task.step <= 2e-3, "step", "> 0 and <= 2 ms", task.step);
 }
 
 class Programme {
@@ -70,8 +97,8 @@ class Programme {
   // fastest, near their rest (kinetic damping).
   void settle() {
     double before = 0.0;
-    for (double time = 0.0; time < settle_time; time += task_.step) {
-      scene_.advance({.current = task_.open_current, .apart = true}, task_.step);
+    for (double time = 0.0; time < settle_time;) {
+      time += scene_.advance({.current = task_.open_current, .apart = true}, task_.step);
       scene_.require_apart();
       const double energy = scene_.finger_energy();
       if (energy < before) {
@@ -89,8 +116,9 @@ class Programme {
     bool right = false;
     double still = 0.0;
     std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    for (double time = task_.step; time <= close_time; time += task_.step) {
-      scene_.advance({.current = task_.current, .load = weight, .support = true}, task_.step);
+    for (double time = 0.0; time < close_time;) {
+      const double step = scene_.advance({.current = task_.current, .load = weight, .support = true}, task_.step);
+      time += step;
       left = left || scene_.touches(0);
       right = right || scene_.touches(1);
       for (int f = 0; f < 2; ++f)
@@ -99,14 +127,14 @@ class Programme {
         out_.both_touched = true;
         out_.closing_time = time;
       }
-      still = out_.both_touched && scene_.finger_energy() < still_energy ? still + task_.step : 0.0;
+      still = out_.both_touched && scene_.finger_energy() < still_energy ? still + step : 0.0;
       if (still > record_time) break;
     }
     if (!out_.both_touched) out_.missing = std::max(0.0, std::max(left ? 0.0 : nearest[0], right ? 0.0 : nearest[1]));
   }
 
-  // Adds what touches now to a mean over `steps` steps.
-  void add_contacts(double steps) {
+  // Adds what touched in the last step to a mean of which it is this share.
+  void add_contacts(double share) {
     for (const Scene::Touch& touch : scene_.touches()) {
       if (touch.normal <= 0.0) continue;
       // One entry for each face that presses.
@@ -115,9 +143,9 @@ class Programme {
       mean.link = touch.point.on_finger.link;
       mean.along = touch.point.on_finger.along;
       mean.position = touch.point.position;
-      mean.normal += touch.normal / steps;
+      mean.normal += share * touch.normal;
       // Along +tangent, which a finger's normal towards +x turns upwards and one towards -x downwards.
-      mean.friction += (touch.point.normal.x() > 0.0 ? 1.0 : -1.0) * touch.tangential / steps;
+      mean.friction += (touch.point.normal.x() > 0.0 ? 1.0 : -1.0) * share * touch.tangential;
     }
   }
 
@@ -132,11 +160,11 @@ class Programme {
 
   // Still on its support, with its weight.
   void record_closed() {
-    const double steps = std::round(record_time / task_.step);
-    for (double step = 0.0; step < steps; step += 1.0) {
-      scene_.advance({.current = task_.current, .load = object_.mass * gripper_.gravity(), .support = true},
-                     task_.step);
-      add_contacts(steps);
+    const Actions actions{.current = task_.current, .load = object_.mass * gripper_.gravity(), .support = true};
+    for (double left = record_time; left > shortest_rest;) {
+      const double step = scene_.advance(actions, std::min(task_.step, left));
+      left -= step;
+      add_contacts(step / record_time);
     }
     take_contacts();
   }
@@ -144,24 +172,22 @@ class Programme {
   // The load grows, rests for the hold, and grows on until the object is lost.
   void lift() {
     const double start = scene_.object().centre.y();
-    const double end_of_hold = ramp_time + hold_time;
-    const double steps = std::round(record_time / task_.step);
-    // What the fingers carry of an object that slips is what they can, and not the load: that has grown by a ninth of
-    // the object's weight since it began to slip, however little of it the fingers bear.
-    std::deque<double> carried;
-    const auto window = static_cast<std::size_t>(std::max(1.0, std::round(carrying_time / task_.step)));
+    constexpr double record_from = end_of_hold - record_time;
+    Carried carried;
     double held = 0.0;
     bool judged = false;
-    for (double time = task_.step;; time += task_.step) {
-      const double load = out_.load / ramp_time * (std::min(time, ramp_time) + std::max(0.0, time - end_of_hold));
-      scene_.advance({.current = task_.current, .load = load}, task_.step);
+    for (double time = 0.0;;) {
+      // What is put on within the longest step is there from its start; steps end where the record begins and the hold
+      // does.
+      const double until = time < record_from ? record_from : (judged ? time + task_.step : end_of_hold);
+      const double longest = std::min(task_.step, until - time);
+      const double step = scene_.advance({.current = task_.current, .load = load_at(time + longest)}, longest);
+      time = until - time - step < shortest_rest ? until : time + step;
       const double sinking = -scene_.object_velocity().y();
-      carried.push_back(scene_.lifting_force());
-      if (carried.size() > window) carried.pop_front();
-      if (sinking < slipping)
-        held = std::accumulate(carried.begin(), carried.end(), 0.0) / static_cast<double>(carried.size());
-      if (time > end_of_hold - record_time && time <= end_of_hold) add_contacts(steps);
-      if (!judged && time > end_of_hold) {
+      carried.add(step, scene_.lifting_force());
+      if (sinking < slipping) held = carried.mean();
+      if (!judged && time > record_from) add_contacts(step / record_time);
+      if (!judged && time >= end_of_hold) {
         judged = true;
         out_.holds = std::abs(sinking) < at_rest && scene_.touches(0) && scene_.touches(1);
         if (!out_.holds) break;
@@ -170,13 +196,18 @@ class Programme {
         if (!task_.find_capacity) break;
       }
       if (sinking > lost) break;
-      if (load >= most_load * out_.load) {
+      if (load_at(time) >= most_load * out_.load) {
         out_.capacity_is_bound = true;
         break;
       }
     }
     // What holds its whole load is carried; the mean over a few steps may say a percent less.
     out_.capacity = out_.holds ? std::max(held, out_.load) : held;
+  }
+
+  // At a time after the support was taken away, N.
+  [[nodiscard]] double load_at(double time) const {
+    return out_.load / ramp_time * (std::min(time, ramp_time) + std::max(0.0, time - end_of_hold));
   }
 
   const Gripper& gripper_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "coilwright/mechanics/moreau_step.hpp"
@@ -17,6 +18,10 @@ struct Actions {
   bool apart{};      ///< whether nothing touches: the object stays where it is
 };
 
+/// The farthest that a fingertip or the surface of the object moves in a step, m: in flight, where contacts are met, as
+/// much as in 0.2 ms at 0.5 m/s; what hardly moves takes the longest steps.
+inline constexpr double longest_way = 1e-4;
+
 /// Both fingers and the object, in motion. Coordinates: joints of the left finger, of the right one, x, y and angle of
 /// the object.
 class Scene {
@@ -25,8 +30,9 @@ class Scene {
   /// fingers touch it there, std::runtime_error if they find no rest.
   Scene(const Gripper& gripper, const Object& object, double current);
 
-  /// One step of `duration`, s.
-  void advance(const Actions& actions, double duration);
+  /// One step, of `longest`, s, or as much less as nothing moves by more than longest_way in, and a motion that has
+  /// just been started can be followed in; gives what it took, s.
+  double advance(const Actions& actions, double longest);
 
   /// Takes the speed of everything away.
   void halt() { velocity_.setZero(); }
@@ -60,17 +66,27 @@ class Scene {
                    const Actions& actions, double duration, mechanics::MiddleOfStep& out) const;
   void add_contacts(const mechanics::CoordinateVector& position, const mechanics::CoordinateVector& velocity,
                     double duration, const Actions& actions, mechanics::MiddleOfStep& out);
+  [[nodiscard]] double duration_of_step(const Actions& actions, double longest, double speed);
+  void pull_by_magnets(double way, double duration);
+  // Whether faces of a joint meet within `duration`, s, or press while it moves.
+  [[nodiscard]] bool joints_close(double duration) const;
+  // Of a fingertip or the surface of the object, m/s: none is faster.
+  [[nodiscard]] double fastest() const;
 
   const Gripper& gripper_;
   const Object& object_;
   Eigen::Index joints_;
+  mechanics::JointVector reaches_;  // from each joint to the tip of the straight finger, m
   double support_height_;
   mechanics::CoordinateVector position_, velocity_;
   std::vector<FacePoint> closed_;  // of the contacts of the last step that are a finger's, in their order
   std::vector<Touch> touches_;
   std::array<double, 2> gaps_{};  // m
   Gripper::Pull pull_;
-  double pull_age_;  // s
+  double pull_way_;                   // moved since then, m
+  double pull_age_;                   // s
+  std::optional<Actions> actions_{};  // of the last step
+  double last_step_{};                // s
 };
 
 }  // namespace coilwright::systems::gripper

@@ -15,7 +15,7 @@ struct GraspTask {
   double current{};       ///< in every coil of all fingers, A, from t = 0; finite
   double open_current{};  ///< before that, while the object is put between them, A; below zero it opens them; finite
   double acceleration{};  ///< upwards, that the hold must survive beside gravity, m/s^2; finite, >= 0
-  double step = 2e-4;     ///< of the time stepping, s; > 0, at most 5e-4
+  double step = 2e-3;     ///< the longest of the time stepping, s; > 0, at most 2e-3. What moves takes shorter ones.
   bool find_capacity = true;  ///< whether to go on loading until the object is lost
 };
 

@@ -114,6 +114,14 @@ void require_change_within(const Node& input, double duration) {
   require(input.find("hold"), "from_s");
 }
 
+// A camera closes its shutter before it opens it again.
+void require_exposure_within_a_frame(const ObjectReader& in, const PlannedRun& planned) {
+  const double exposure = planned.plan.clock.exposure;
+  if (exposure * planned.rate > 1.0 + 1e-9)
+    throw in.node().error_without_value(fmt::format(
+        "exposure_s must be at most the time between two samples, {:g} s; got {:g}", 1.0 / planned.rate, exposure));
+}
+
 void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
   planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
                                : in.quantity("sampling_rate_Hz", frequency_rule);
@@ -146,6 +154,7 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
     planned.start_angles = angles->quantities(Length::at_least(1), angle_rule);
   }
   read_time_axis(in, defaults, planned);
+  require_exposure_within_a_frame(in, planned);
   const std::string_view one = run.drive == Drive::torque ? "joint" : "coil";
   if (const auto only = in.find(one)) {
     if (run.drive == Drive::voltage) throw only->error("must not be there under a voltage, which all coils share");

@@ -226,6 +226,9 @@ TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
       "x.json: /runs/0/input/hold/from_s: must be below the run's duration, 2 s; got 2.5");
   EXPECT_EQ(refusal(R"({"file": "a.csv", "role": "fit", "duration_s": 0.002, )" + step + "}"),
             "x.json: /runs/0: duration_s times sampling_rate_Hz must be from 5 to 1000000; got 1");
+  // At 500 Hz, the next picture begins after 2 ms.
+  EXPECT_EQ(refusal(R"({"file": "a.csv", "exposure_s": 0.003, )" + head + step + "}"),
+            "x.json: /runs/0: exposure_s must be at most the time between two samples, 0.002 s; got 0.003");
   EXPECT_EQ(refusal(R"({"file": "a.csv", "start_angles_deg": [1, 1], )" + head + step + "}"),
             R"(x.json: /runs/0/start_angles_deg: must not be there where the start is "at_rest"; got an array of 2)");
   EXPECT_EQ(refusal(R"({"file": "a.csv", "drive": "voltage", "coil": 1, )" + head +

@@ -31,7 +31,7 @@ constexpr const char* everything = R"({
     {"file": "step.csv", "role": "fit", "duration_s": 2, "input": {"step": {"before_A": 0.1, "after_A": 1.3, "at_s": 0.2}}},
     {"file": "sine.csv", "role": "validate", "duration_s": 3, "coil": 2,
      "input": {"sine": {"amplitude_A": 0.7, "offset_A": 0.6, "frequency_Hz": 3}}},
-    {"file": "chirp.csv", "role": "fit", "duration_s": 4, "sampling_rate_Hz": 240, "measure": ["bending_angle_deg"],
+    {"file": "chirp.csv", "role": "fit", "duration_s": 4, "sampling_rate_Hz": 240, "exposure_s": 0.002, "measure": ["bending_angle_deg"],
      "input": {"chirp": {"amplitude_A": 0.4, "offset_A": 0.5, "from_Hz": 0.5, "to_Hz": 12}},
      "rig": {"base_turn_deg": 33, "tip_mass_g": 5.3, "coil": "shorted"}},
     {"file": "hold.csv", "role": "fit", "duration_s": 5, "drive": "voltage",

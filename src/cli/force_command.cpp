@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +13,7 @@
 #include <vector>
 
 #include "coilwright/formats/actuator/pair_file.hpp"
+#include "coilwright/magnetics/overlap.hpp"
 #include "coilwright/magnetics/wrench.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/units/unit.hpp"
@@ -42,6 +46,35 @@ Wrench wrench_on_second(const formats::TwoMagnets& pair, const Pose& pose) {
 
 std::array<double, 3> in_unit(const Eigen::Vector3d& vector, std::string_view name) {
   return {from_si(vector.x(), name), from_si(vector.y(), name), from_si(vector.z(), name)};
+}
+
+bool bodies_overlap(const formats::CoilAndMagnet& pair, const Pose& pose) {
+  return magnetics::overlap(magnetics::outline_of(pair.coil), magnetics::outline_of(pair.magnet), pose);
+}
+
+bool bodies_overlap(const formats::TwoCoils& pair, const Pose& pose) {
+  return magnetics::overlap(magnetics::outline_of(pair.first), magnetics::outline_of(pair.second), pose);
+}
+
+bool bodies_overlap(const formats::TwoMagnets& pair, const Pose& pose) {
+  return magnetics::overlap(magnetics::outline_of(pair.first), magnetics::outline_of(pair.second), pose);
+}
+
+// Says so of poses that no two parts can have.
+void warn_of_overlaps(const formats::PairFile& file, const std::string& name) {
+  std::vector<std::size_t> poses;
+  for (std::size_t i = 0; i < file.poses.size(); ++i)
+    if (std::visit([&](const auto& pair) { return bodies_overlap(pair, file.poses[i]); }, file.bodies))
+      poses.push_back(i + 1);
+  if (poses.empty()) return;
+  constexpr std::size_t most = 5;
+  const std::size_t shown = std::min(most, poses.size());
+  std::cerr << fmt::format(
+      "MIND: {}: in {} {}{} the bodies are in the same place, as no two parts can be: what is computed is that of both "
+      "currents there, to about 0.5 %.\n",
+      name, poses.size() == 1 ? "pose" : "poses",
+      fmt::join(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+      poses.size() > shown ? ", .." : "");
 }
 
 Json as_json(const std::vector<Pose>& poses, const std::vector<Wrench>& wrenches) {
@@ -89,6 +122,7 @@ std::vector<Wrench> wrenches_of(const formats::PairFile& file) {
 void run_force(const Options& options) {
   const formats::PairFile file = formats::read_pair(options.pair);
   const std::vector<Wrench> wrenches = wrenches_of(file);
+  warn_of_overlaps(file, options.pair);
   std::cout << (options.json ? as_json(file.poses, wrenches).text() : as_table(file.poses, wrenches));
 }
 

@@ -44,6 +44,16 @@ class Force(ProgramTest):
             compared += 1
         self.assertGreater(compared, 5)
 
+    def test_says_where_the_bodies_are_in_the_same_place(self):
+        pair = json.loads((DATA / "formats" / "two_magnets.json").read_text())
+        pair["poses"] = [{"position_mm": [0, 0, z], "axis": [0, 0, 1]} for z in (30, 1, 31, 2)]
+        self.write("pair.json", json.dumps(pair))
+        result = run("force", "pair.json", "--json", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr),
+                         (0, "MIND: pair.json: in poses 2, 4 the bodies are in the same place, as no two parts can be: what "
+                             "is computed is that of both currents there, to about 0.5 %.\n"))
+        self.assertEqual(len(json.loads(result.stdout)["poses"]), 4)
+
     def test_poses_two_coils_and_two_magnets(self):
         for name in ("two_coils.json", "two_magnets.json"):
             result = run("force", DATA / "formats" / name, "--json")

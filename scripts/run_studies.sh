@@ -64,6 +64,7 @@ run fastest_finger size
 run strongest_grip size
 run least_ringing size
 run grip_per_mass size
+run split_currents size
 run speed_against_grip pareto
 run speed_grip_mass pareto
 run lightest_gripper size

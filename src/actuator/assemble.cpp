@@ -12,6 +12,7 @@
 #include "actuator/chain_of.hpp"
 #include "actuator/pair_curves.hpp"
 #include "coilwright/actuator/design/current_limit.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/hinges.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
 
@@ -113,6 +114,13 @@ MagneticStage magnetics_of(const Design& design, const Dimensions& size, PairCur
   return {std::move(hinge_pairs), std::move(distant_pairs)};
 }
 
+// Nothing where all carry the whole current.
+CoilCurrents shares_of(const Design& design) {
+  if (has_one_current(design)) return {};
+  const std::vector<double> shares = current_shares(design);
+  return Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
+}
+
 CoilElectrics electrics_of(const Design& design, const winding::Winding& coil) {
   return {.resistance = design.calibration.coil_resistance * coil.resistance(20.0),
           .inductance = coil.inductance(),
@@ -138,7 +146,8 @@ Assembly assemble_fitting(const Design& design) {
                         .tip = {.link = chain.joints() - 1, .along = size.tip_length, .offset = 0.0},
                         .effects = {},
                         .coil_row = coil_row_of(design, size, curves, chain),
-                        .coil_resistance = electrics.resistance},
+                        .coil_resistance = electrics.resistance,
+                        .current_shares = shares_of(design)},
                        design.as_built));
   return {.model = std::move(model),
           .dimensions = size,

@@ -83,6 +83,7 @@ Calibration calibrate(Design design, const Measured& measured) {
   design.calibration = {};
   // Geometry does not depend on forces: the cheap fidelity serves here.
   design.choices.torque = magnetics::Fidelity::line_of_centres;
+  design.coil.current_shares.fill(1.0);  // what was measured was measured with one current in all coils
   require_buildable(design);
   calibrate_pitches(design, measured);
   if (measured.axis_offset)

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "actuator/pair_curves.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/magnetics/constants.hpp"
 
 namespace coilwright::actuator {
@@ -78,10 +79,12 @@ InnerFields::InnerFields(const Design& design, const Assembly& assembly)
   ByDistance of_coil([&](double distance) { return magnetics::axial_field(coil, 1.0, size, distance); });
   ByDistance of_magnet([&](double distance) { return magnetics::axial_field(magnet, size, distance); });
   const std::vector<double> places = centres(design, assembly);
+  const std::vector<double> shares = current_shares(design);
   for (std::size_t i = 0; i < components_; ++i) {
     const Component& own = design.layout[i];
     if (own.kind != ComponentKind::magnet) continue;
     Inside inside{.component = i, .coils = {}, .neighbours = {}};
+    std::size_t coil_number = 0;
     for (std::size_t k = 0; k < components_; ++k) {
       if (k == i) continue;
       const Component& other = design.layout[k];
@@ -89,7 +92,7 @@ InnerFields::InnerFields(const Design& design, const Assembly& assembly)
       const double distance = places[i] - places[k];
       // Positive current sets a coil's moment against a magnet's.
       if (other.kind == ComponentKind::coil) {
-        add(inside.coils, of_coil.at(distance), -sense);
+        add(inside.coils, of_coil.at(distance), -sense * shares[coil_number++]);
       } else {
         AxialField field{};
         add(field, of_magnet.at(distance), sense);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "actuator/heat_chain.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/thermal/paths.hpp"
 #include "coilwright/winding/copper.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
@@ -89,9 +90,12 @@ thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly,
   chain.axis_offset = size.body_radius + design.body.bottom_wall + 0.5 * design.body.bottom_layer;
   chain.silicone_heat_capacity = design.body.density * design.body.heat_capacity;
   const std::size_t count = design.layout.size();
+  const std::vector<double> shares = current_shares(design);
+  std::size_t coil = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool magnet = design.layout[i].kind == ComponentKind::magnet;
     thermal::HeatSegment segment = magnet ? magnet_part(design, size) : coil_part(design, assembly);
+    if (!magnet) segment.current_share = shares[coil++];
     segment.solid_end = i == 0 ? design.body.rear_length : (i + 1 == count ? design.body.front_length : 0.0);
     chain.segments.push_back(segment);
     if (i > 0)

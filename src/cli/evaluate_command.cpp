@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "actuator_input.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/page/evaluation_page.hpp"
+#include "coilwright/report/coil_currents_text.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
@@ -79,6 +81,10 @@ simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, co
 void evaluate(const actuator::Design& design, const formats::ActuatorFile& file, const Options& options) {
   const simulation::OperatingPoint point = operating_point(file, options);
   const actuator::Assembly assembly = assemble(design, options.actuator);
+  if (point.supply.wiring == actuator::Wiring::series && !has_one_current(design))
+    throw text::InputError(
+        {.file = options.wiring ? "--wiring" : options.actuator.file,
+         .rule = "must be parallel: the coils have shares of the current, and in series there is one"});
   const auto result = [&] {
     try {
       return simulation::performance_of(design, assembly, point);
@@ -106,6 +112,9 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     if (!reach.empty()) out.set("torque_correction", formats::to_json(reach));
     std::cout << out.text();
   } else {
+    if (!has_one_current(design))
+      std::cout << fmt::format("With {}: each coil needs a driver of its own.\n",
+                               report::coil_currents_text(design, point.current));
     std::cout << report::to_text(limits) << report::doubts_text(design.calibration) << '\n'
               << report::to_text(view) << report::to_text(view, effects) << report::to_text(reach);
   }

@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "actuator_input.hpp"
+#include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/control/reach.hpp"
 #include "coilwright/formats/simulation/controller_header.hpp"
@@ -76,7 +77,7 @@ Asked read(const Options& options) {
   actuator::Design design = design_in(file, options.actuator, "it has no design");
   actuator::Assembly assembly = assemble(design, options.actuator);
   actuator::Model model = assembly.model;
-  const double ampacity = assembly.coil.current_limit;
+  const double ampacity = actuator::operating_current_limit(design);
   return {.model = std::move(model),
           .bearable = Bearable{.ampacity = ampacity, .design = std::move(design), .assembly = std::move(assembly)}};
 }

@@ -144,6 +144,7 @@ Figure torque_figure(const EvaluatedDesign& evaluated) {
     lower = std::max(lower, pair.torque_per_ampere->lower());
     upper = std::min(upper, pair.torque_per_ampere->upper());
   }
+  const actuator::CoilCurrents currents = model.all_coils(evaluated.point.current);
   std::vector<double> angles;
   const auto joints = static_cast<std::size_t>(model.joints());
   std::vector<std::vector<double>> drive(joints);
@@ -155,7 +156,7 @@ Figure torque_figure(const EvaluatedDesign& evaluated) {
     std::vector<double> sums(joints, 0.0);
     for (const HingePair& pair : model.magnetics().hinge_pairs())
       sums[static_cast<std::size_t>(pair.joint)] +=
-          1e3 * pair.sense * evaluated.point.current * pair.torque_per_ampere->value(angle);
+          1e3 * pair.sense * currents[pair.coil] * pair.torque_per_ampere->value(angle);
     for (std::size_t j = 0; j < joints; ++j) hold[j].push_back(-1e3 * hinges[static_cast<Eigen::Index>(j)]);
     for (const HingePair& pair : model.magnetics().hinge_pairs()) {
       std::vector<double>& curve = drive[static_cast<std::size_t>(pair.joint)];

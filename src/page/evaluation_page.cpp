@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/page/chart.hpp"
 #include "coilwright/page/design_figures.hpp"
 #include "coilwright/simulation/part_limits.hpp"
@@ -56,7 +57,8 @@ std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& l
   std::vector<std::string> figures;
   for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
   const std::string does =
-      fmt::format("With {} A in every coil and a duty of {}: {}.", short_number(design.point.current),
+      fmt::format("With {} A {} and a duty of {}: {}.", short_number(design.point.current),
+                  has_one_current(design.design) ? "in every coil" : "of which the coils carry their shares",
                   short_number(design.point.duty), fmt::join(figures, ", "));
   return cautions_of(limits).empty() ? does + " No part is beyond a limit of its own." : does;
 }

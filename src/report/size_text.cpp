@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/report/coil_currents_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/report/text_table.hpp"
@@ -73,7 +74,7 @@ std::string objective_lines(const formats::SizeReport& report) {
   }
   if (report.best)
     if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
-      text += fmt::format("with {} A in every coil, duty {}\n", short_number(evaluated->point.current),
+      text += fmt::format("with {}, duty {}\n", coil_currents_text(evaluated->design, evaluated->point.current),
                           short_number(evaluated->point.duty));
   if (report.base_seen.failure.empty()) {
     const std::string reasons = reasons_for_infeasibility(report.study, report.base_seen);

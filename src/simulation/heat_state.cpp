@@ -39,10 +39,16 @@ std::optional<double> time_until_limit(const thermal::Network& network, const th
 // On and off about the mean: what a coil on its own takes up in the time that it is on. An upper bound.
 std::optional<double> ripple_of(const OperatingPoint& point, const thermal::Network& network, const Electrics& hot) {
   if (!point.period) return std::nullopt;
+  // All coils store alike, and the one with the largest share is heated most.
   const auto& nodes = network.nodes();
-  const auto coil = std::find_if(nodes.begin(), nodes.end(),
-                                 [](const thermal::Node& node) { return node.kind == thermal::NodeKind::coil; });
-  const double power = point.current * point.current * *hot.resistance;
+  const auto coil = std::max_element(nodes.begin(), nodes.end(), [](const thermal::Node& a, const thermal::Node& b) {
+    const auto heated = [](const thermal::Node& node) {
+      return node.kind == thermal::NodeKind::coil ? std::abs(node.current_share) : -1.0;
+    };
+    return heated(a) < heated(b);
+  });
+  const double current = point.current * coil->current_share;
+  const double power = current * current * *hot.resistance;
   return power * point.duty * (1.0 - point.duty) * *point.period / coil->heat_capacity;
 }
 

@@ -108,9 +108,10 @@ LinearModel linearise(const Model& model, const CoilCurrents& currents) {
 
 LinearModel linearise(const Model& model, double current) {
   LinearModel out = linearise(model, model.all_coils(current));
-  out.b = out.b.rowwise().sum().eval();
-  out.d = out.d.rowwise().sum().eval();
-  if (out.dc_gain) *out.dc_gain = out.dc_gain->rowwise().sum().eval();
+  const CoilCurrents shares = model.current_shares();
+  out.b = (out.b * shares).eval();
+  out.d = (out.d * shares).eval();
+  if (out.dc_gain) *out.dc_gain = (*out.dc_gain * shares).eval();
   return out;
 }
 

@@ -94,8 +94,12 @@ ModelInput model_input(const Model& model, const CommandedInput& command) {
       out.joint_torques.emplace_back(values);
       continue;
     }
-    const CoilCurrents each = command.addressing == Addressing::common ? model.all_coils(row[0]) : CoilCurrents(values);
-    out.currents.push_back(command.drive == Drive::voltage ? model.currents_under(each) : each);
+    const bool common = command.addressing == Addressing::common;
+    if (command.drive == Drive::voltage)
+      out.currents.push_back(
+          model.currents_under(common ? CoilCurrents::Constant(model.coils(), row[0]) : CoilCurrents(values)));
+    else
+      out.currents.push_back(common ? model.all_coils(row[0]) : CoilCurrents(values));
   }
   return out;
 }

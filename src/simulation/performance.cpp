@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coilwright/actuator/cost.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "electrics.hpp"
@@ -19,10 +20,12 @@ namespace {
 using actuator::Assembly;
 using actuator::Design;
 
-// Current by which the first coil's force is worked out, A.
+// Current by which the force of the coil that carries most is worked out, A; of like ones the first.
 double force_current(const actuator::Model& model, const mechanics::JointVector& rest, double current) {
-  if (!model.has_terms()) return current;
-  return held_at_rest(model, rest).strength(rest, model.all_coils(current))[0];
+  Eigen::Index most = 0;
+  (void)model.current_shares().cwiseAbs().maxCoeff(&most);
+  const actuator::CoilCurrents currents = model.all_coils(current);
+  return model.has_terms() ? held_at_rest(model, rest).strength(rest, currents)[most] : currents[most];
 }
 
 // The worse of the two cases; nothing where one runs away, or where the magnets' coercivity is not known.
@@ -56,6 +59,9 @@ NoPerformance with_heat(NoPerformance reason, const Design& design, const Assemb
 
 std::variant<Performance, NoPerformance> performance_of(const Design& design, const Assembly& assembly,
                                                         const OperatingPoint& point) {
+  if (point.supply.wiring == actuator::Wiring::series && !has_one_current(design))
+    return NoPerformance{
+        "coils in series carry one current: shares of it need a driver for each coil (wiring parallel)"};
   std::variant<MotionSummary, NoPerformance> motion = motion_of(assembly.model, point.current, point.grasp);
   if (const auto* reason = std::get_if<NoPerformance>(&motion)) return with_heat(*reason, design, assembly, point);
   Performance out;

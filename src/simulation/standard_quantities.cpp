@@ -166,8 +166,10 @@ ResultQuantity of_cold_electrics(std::string name, std::string meaning, double s
 // One row a quantity: its name with the unit, its meaning, an ordinary magnitude, and how to get it in that unit.
 std::vector<ResultQuantity> rows() {
   return {
-      of_design("axial_force_N", "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
-                [](const DesignView& d) -> Value { return d.performance.axial_force; }),
+      of_design(
+          "axial_force_N",
+          "force of one coil on the adjacent magnet at the rest gap, of shares the largest; repulsion is positive", 2.0,
+          [](const DesignView& d) -> Value { return d.performance.axial_force; }),
       of_cold("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
               [](const MotionSummary& motion) { return motion.rest_angles.sum() * units::degrees_per_radian; }),
       of_motion(
@@ -245,7 +247,7 @@ std::vector<ResultQuantity> rows() {
       of_design("inductance_mH", "inductance of one coil", 1.0,
                 [](const DesignView& d) -> Value { return d.performance.inductance * 1e3; }),
       {.name = "current_A",
-       .meaning = "current in every coil while it is on",
+       .meaning = "current in every coil while it is on; of coils with shares the whole",
        .scale = 1.4,
        .value = [](const DesignView& d) -> Value { return d.point.current; },
        .value_of_lumped = [](const MotionSummary&, double current) -> Value { return current; }},
@@ -254,8 +256,11 @@ std::vector<ResultQuantity> rows() {
                 [](const DesignView& d) -> Value { return d.performance.current_limit; }),
       of_design("current_limit_table_A", "chassis-wiring ampacity of the wire gauge in the table", 1.4,
                 [](const DesignView& d) -> Value { return d.performance.table_limit; }),
-      of_design("current_over_limit", "magnitude of the current divided by that ampacity", 1.0,
-                [](const DesignView& d) -> Value { return std::abs(d.point.current) / d.performance.current_limit; }),
+      of_design("current_over_limit", "magnitude of the largest coil current divided by that ampacity", 1.0,
+                [](const DesignView& d) -> Value {
+                  const double share = d.assembly.model.current_shares().cwiseAbs().maxCoeff();
+                  return std::abs(d.point.current) * share / d.performance.current_limit;
+                }),
       of_design("continuous_current_A", "current that, held indefinitely, brings the hottest coil to its limit", 1.1,
                 [](const DesignView& d) -> Value { return smaller(d, &Heat::continuous_current); }),
       of_design("magnet_continuous_current_A",

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "systems/check.hpp"
 
 namespace coilwright::systems {
@@ -67,6 +68,7 @@ Crawler::Crawler(const actuator::Design& design, const actuator::Assembly& assem
   if (model_.has_terms())
     throw std::invalid_argument(fmt::format("crawler: the actuator must have no effects that act while it runs; got {}",
                                             model_.nominal_spec().effects.size()));
+  require_one_current(design, "a cell through one switch");
   const double current = model_.coils() * pulse_current();
   if (current > parts_.cell.current_limit)
     throw std::invalid_argument(

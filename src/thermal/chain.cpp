@@ -129,7 +129,8 @@ class Builder {
       spec_.nodes.push_back({.kind = segment.kind,
                              .heat_capacity = segment.core_heat_capacity,
                              .resistance = segment.resistance,
-                             .temperature_limit = segment.temperature_limit});
+                             .temperature_limit = segment.temperature_limit,
+                             .current_share = segment.current_share});
     for (std::size_t i = 0; i < boxes_.size(); ++i) add_jacket(i);
     for (std::size_t j = 0; j < chain.joint_angles.size(); ++j) add_joint(j);
     add_solid_end(0);

@@ -18,6 +18,7 @@ void check_node(const Node& node, std::size_t index) {
     require(node.resistance == 0.0, field("resistance"), "0 for a node that is no coil", node.resistance);
   }
   require_not_negative(field("hot_spot_resistance"), node.hot_spot_resistance);
+  require(std::isfinite(node.current_share), field("current_share"), "finite", node.current_share);
   require(std::isfinite(node.temperature_limit), field("temperature_limit"), "finite", node.temperature_limit);
 }
 
@@ -85,15 +86,20 @@ Network::Network(Spec spec) : spec_{std::move(spec)} {
 }
 
 NodeVector Network::ambient_resistance() const {
+  return heating_resistance() * (1.0 + spec_.temperature_coefficient * (spec_.ambient - 20.0));
+}
+
+NodeVector Network::heating_resistance() const {
   NodeVector resistance(size());
-  for (Eigen::Index i = 0; i < size(); ++i) resistance(i) = spec_.nodes[static_cast<std::size_t>(i)].resistance;
-  return resistance * (1.0 + spec_.temperature_coefficient * (spec_.ambient - 20.0));
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const Node& node = spec_.nodes[static_cast<std::size_t>(i)];
+    resistance(i) = node.current_share * node.current_share * node.resistance;
+  }
+  return resistance;
 }
 
 NodeVector Network::resistance_slope() const {
-  NodeVector slope(size());
-  for (Eigen::Index i = 0; i < size(); ++i) slope(i) = spec_.nodes[static_cast<std::size_t>(i)].resistance;
-  return slope * spec_.temperature_coefficient;
+  return heating_resistance() * spec_.temperature_coefficient;
 }
 
 NodeVector Network::hot_spots(const NodeVector& temperatures) const {

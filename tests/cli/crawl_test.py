@@ -80,6 +80,8 @@ class Crawl(ProgramTest):
     def test_a_lumped_model_and_effects_at_work_are_refused(self):
         lumped = DATA / "formats" / "lumped_model.json"
         self.assert_refused(["crawl", lumped, *FEET], f"{lumped}: is a lumped model: a crawler needs a design (actuator/1)")
+        self.assert_refused(["crawl", PAPER_FINGER, *FEET, "--set", "current_share_2=0.5"],
+                            f"{PAPER_FINGER}: coil.current_share_2 must be 1: a cell through one switch drives all coils alike; got 0.5")
         design = json.loads(PAPER_FINGER.read_text())
         design["effects"] = [{"id": "coil_lag", "parameters": {"time_constant_ms": 10}}]
         self.write("lag.json", json.dumps(design))

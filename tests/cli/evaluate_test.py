@@ -117,6 +117,17 @@ class Evaluate(ProgramTest):
                          self.evaluate(PAPER_FINGER, "--current-A", "1.4", "--grasp-opening-deg", "30",
                                        "--grasp-height-mm", "19"))
 
+    def test_a_share_of_a_coil_that_is_not_there_is_refused(self):
+        finger = json.loads(PAPER_FINGER.read_text(encoding="utf-8"))
+        finger["coil"]["current_share_3"] = 0.5
+        self.write("finger.json", json.dumps(finger))
+        self.assert_refused(("evaluate", "finger.json", "--current-A", "1"),
+                            "finger.json: /coil/current_share_3: must be of a coil that there is: the layout has 2; got 0.5")
+        self.assert_refused(("evaluate", PAPER_FINGER, "--current-A", "1", "--set", "current_share_3=0.2"),
+                            "current_share_3=0.2: must be of a coil that there is: the layout has 2")
+        text = run("evaluate", PAPER_FINGER, "--current-A", "1", "--set", "current_share_2=0.2").stdout
+        self.assertTrue(text.startswith("With 1 and 0.2 A in the coils from base to tip: each coil needs a driver of its own.\n"))
+
     def test_duty_changes_temperatures_only(self):
         held = self.evaluate(PAPER_FINGER, "--current-A", "1.05")
         pulsed = self.evaluate(PAPER_FINGER, "--current-A", "1.05", "--duty", "0.36")
@@ -130,6 +141,8 @@ class Evaluate(ProgramTest):
 
     def test_a_supply_drives_coils_in_series_or_in_parallel(self):
         current = ("--current-A", "1.05", "--duty", "0.36", "--supply-resistance-Ohm", "0.3", "--supply-voltage-V", "12")
+        self.assert_refused(("evaluate", PAPER_FINGER, *current, "--wiring", "series", "--set", "current_share_2=0.5"),
+                            "--wiring: must be parallel: the coils have shares of the current, and in series there is one")
         series = self.evaluate(PAPER_FINGER, *current, "--wiring", "series")
         parallel = self.evaluate(PAPER_FINGER, *current)
         self.assertAlmostEqual(series["supply_voltage_cold_V"], 1.05 * (2 * series["coil_resistance_Ohm"] + 0.3), places=9)

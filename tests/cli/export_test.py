@@ -18,6 +18,15 @@ class Export(ProgramTest):
         self.assertEqual(sorted(names), sorted(name for name, content in self.files().items() if content is not None))
         self.assertRegex(use, r"\.$")
 
+    def test_coils_with_shares_of_the_current_are_told(self):
+        split = ("--set", "current_share_2=0.5")
+        lumped = run("export", FINGER, "--as", "lumped", "--out", "lumped", *split, cwd=self.folder)
+        self.assertIn("the shares of the operating current that the coils carry, 1 and 0.5 from base to tip", lumped.stdout + lumped.stderr)
+        run("export", FINGER, "--as", "workshop", "--out", "sheets", *split, cwd=self.folder)
+        page = (self.folder / "sheets" / "workshop.html").read_text(encoding="utf-8")
+        self.assertIn("A of which the coils, base to tip, carry 1 and 0.5 on drivers of their own for good", page)
+        self.assertIn("an H-bridge board for each coil", page)
+
     def test_an_unknown_kind_is_refused_with_those_that_there_are(self):
         result = run("export", FINGER, "--as", "banana", "--out", "out", cwd=self.folder)
         self.assertEqual((result.returncode, result.stdout, self.files()), (2, "", {}))

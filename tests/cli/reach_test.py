@@ -113,28 +113,48 @@ class Reach(ProgramTest):
 
     @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
     def test_the_header_moves_as_the_program(self):
-        result = run("reach", PAPER_FINGER, "--angle-deg", "50", "--out", "profile.csv", "--c-header", "finger.h",
+        self.assert_header_moves_as_the_program(PAPER_FINGER, ("float", "double"))
+
+    @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
+    def test_the_header_has_the_shares_of_the_coils(self):
+        finger = json.loads(PAPER_FINGER.read_text(encoding="utf-8"))
+        finger["coil"]["current_share_2"] = 0.6
+        self.write("shared.json", json.dumps(finger))
+        self.assert_header_moves_as_the_program(self.folder / "shared.json", ("double",))
+
+        header = (self.folder / "finger.h").read_text(encoding="utf-8")
+        self.assertIn("of the current of which the coils, base to tip, carry 1 and 0.6,", header)
+        self.assertNotIn("every coil", header)
+
+    def test_half_the_shares_reach_as_far(self):
+        shares = ("--set", "current_share_1=0.5", "--set", "current_share_2=0.5")
+        half = self.reach("--angle-deg", "50", *shares)  # 47.7 deg at half of the wire's current
+        self.assertAlmostEqual(half["holding_current_A"], 2 * fifty_degrees()[2]["holding_current_A"], places=6)
+
+    def assert_header_moves_as_the_program(self, actuator, reals):
+        result = run("reach", actuator, "--angle-deg", "50", "--out", "profile.csv", "--c-header", "finger.h",
                      cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        start = run("simulate", PAPER_FINGER, "--step-A", "0", "--duration-s", "0.01", "--out", "rest.csv", cwd=self.folder)
+        start = run("simulate", actuator, "--step-A", "0", "--duration-s", "0.01", "--out", "rest.csv", cwd=self.folder)
         self.assertEqual(start.returncode, 0)
         with open(self.folder / "rest.csv", newline="") as file:
             rest = next(csv.DictReader(file))
         angles = ", ".join(str(float(rest[f"theta{j}_deg"]) / 57.29577951308232) for j in (1, 2))
         self.write("main.c", MAIN.replace("START", angles))
         # The microcontroller changes the current at its steps; simulate gets the same.
-        profile = fifty_degrees()[2]["profiles"][-1]
+        profile = self.reach("--angle-deg", "50", actuator=actuator)["profiles"][-1]
         steps = [round(0.0005 * i, 6) for i in range(2001)]
         at_steps = [max(i for i, time in enumerate(profile["time_s"]) if time <= step + 1e-7) for step in steps]
-        motion = self.motion(self.dense({"time_s": steps, "current_A": [profile["current_A"][i] for i in at_steps]}, 1.0))
-        for real, bound in (("float", 0.01), ("double", 0.01)):
+        motion = self.motion(self.dense({"time_s": steps, "current_A": [profile["current_A"][i] for i in at_steps]}, 1.0),
+                             actuator)
+        for real in reals:
             build = subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
                                     f"-DCW_REAL={real}", "main.c", "-o", "main", "-lm"], cwd=self.folder,
                                    capture_output=True, text=True)
             self.assertEqual((build.returncode, build.stderr), (0, ""))
             lines = subprocess.run([str(self.folder / "main")], capture_output=True, text=True).stdout.splitlines()
             worst = max(abs(float(angle) - motion[round(float(time), 6)]) for time, angle in map(str.split, lines))
-            self.assertLess(worst, bound, real)
+            self.assertLess(worst, 0.01, real)
 
     def test_an_output_that_cannot_be_written_leaves_nothing(self):
         self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "50", "--c-header", "finger.h", "--out", "none/a.csv"),

@@ -352,8 +352,9 @@ class SchemasAndProgram(ProgramTest):
         self.assert_same_bounds("actuator", measured, "/measured")
         sections = ("coil", "magnet", "body", "surroundings", "calibration")
         properties = SCHEMAS["actuator.schema.json"]["properties"]
+        # D has four coils, each with its share of the current.
         self.assert_same_bounds("actuator", {
-            "format": "actuator/1", "configuration": "B",
+            "format": "actuator/1", "configuration": "D",
             **{section: defaults(properties[section]) for section in sections}})
 
     def test_bound_the_numbers_of_effects_alike(self):
@@ -388,6 +389,10 @@ class SchemasAndProgram(ProgramTest):
         # The sections that `size` writes are complete.
         written = size_plain_finger(self)
         properties = SCHEMAS["actuator.schema.json"]["properties"]
+        # But for a coil's share of the current, which is written where it is not the whole.
+        whole = {key: 1 for key in properties["coil"]["properties"] if key.startswith("current_share_")}
+        self.assertEqual(len(whole), 4)
+        written["coil"] = {**whole, **written["coil"]}
         for section in ("coil", "magnet", "body", "surroundings", "model", "calibration"):
             self.assertEqual(defaults(properties[section]), written[section])
 

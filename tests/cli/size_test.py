@@ -65,6 +65,24 @@ class Size(ProgramTest):
             margins = [float(row["mass_max_margin_g"]), float(row["thermal_load_max_margin"])]
             self.assertEqual(row["status"] == "ok", min(margins) >= 0)
 
+    def test_finds_how_the_coils_should_share_the_current(self):
+        # Against the wall the base's faces carry what its coil does not: the coil at the tip alone presses hardest.
+        shares = {"values": [0, 0.5, 1]}
+        write_study(self, operating_point={"current_A": 1.2}, objectives=[{"maximise": "grasp_force_N"}],
+                    constraints=[{"quantity": "power_cold_W", "at_most": 6}],
+                    variables={"current_share_1": shares, "current_share_2": shares})
+        text = self.size()
+        self.assertRegex(text, r"\n  current_share_1 +0\n  current_share_2 +1\n")
+        self.assertIn("with 0 and 1.2 A in the coils from base to tip, duty 1\n", text)
+        # All nine designs: none of those that keep the power presses harder, the same currents in both among them.
+        rows = self.table("out/evaluations.csv")
+        self.assertEqual(len(rows), 9)
+        kept = {(row["current_share_1"], row["current_share_2"]): float(row["grasp_force_N"]) for row in rows if row["status"] == "ok"}
+        self.assertGreater(kept["0", "1"], 1.1 * kept["0.5", "0.5"])
+        self.assertIn("0", {row["current_share_1"] for row in rows if "at least one coil must carry" in row["reason"]})
+        coil = self.result("out/actuator.json")["coil"]
+        self.assertEqual((coil["current_share_1"], coil.get("current_share_2", 1)), (0, 1))
+
     def test_says_what_stands_in_the_way_and_what_it_costs(self):
         # Down to 2.6 mm thinner hinges bend faster, until the steady angle is in the way: the limit must bind, and
         # relaxing it must help.

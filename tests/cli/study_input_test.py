@@ -26,7 +26,13 @@ class StudyInput(ProgramTest):
         def constraints(*limits):
             return {"constraints": list(limits)}
 
+        share = {"current_share_2": {"lower": 0, "upper": 1}}
         for changes, message in (
+            ({"variables": {"current_share_3": {"lower": 0, "upper": 1}}},
+             "/variables/current_share_3: must be of a coil that there is: the actuator has 2"),
+            ({"variables": {"current_share_2": {"lower": 0, "upper": 1.5}}}, "/variables/current_share_2/upper: must be from -1 to 1; got 1.5"),
+            ({"variables": share, "operating_point": {"current_A": 1, "wiring": "series"}},
+             "/operating_point/wiring: must be parallel where coils have shares of the current: in series there is one"),
             ({"objective": FRONT[0]}, '/objective: unknown key; the keys here are "actuator", "columns", '
              '"constraints", "crawler", "description", "format", "gripper", "name", "objectives", "operating_point", "search", '
              '"variables"'),

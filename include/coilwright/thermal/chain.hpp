@@ -18,6 +18,7 @@ struct HeatSegment {
   double solid_end{};           ///< silicone beyond the first or last segment (rear or front part), m; >= 0
   double resistance{};          ///< of the coil at 20 degC, ohm; 0 for a magnet
   double temperature_limit{};   ///< of the hottest place, degC
+  double current_share = 1.0;   ///< of the coil in the actuator's current; finite
 };
 
 /// An actuator as a thermal chain: geometry and materials in, Network out.

@@ -27,6 +27,7 @@ struct Node {
   /// Rise of the hottest place above the mean per heat that leaves the node, K/W; finite, >= 0; 0 where it has one
   /// temperature.
   double hot_spot_resistance{};
+  double current_share = 1.0;  ///< of a coil in the current of its actuator, by which limits are stated; finite
 };
 
 /// Conductance between two nodes.
@@ -39,7 +40,8 @@ struct Link {
 /// Lumps linked to each other and to ambient. Temperatures are in degC throughout (only
 /// differences enter: all conductances are constants, so radiation and natural convection are linearised in them).
 ///
-/// A coil makes heat I^2 R20 (1 + alpha (T - 20)): it grows with temperature, which is what makes a runaway possible.
+/// A coil makes heat (share I)^2 R20 (1 + alpha (T - 20)), I being the actuator's current: it grows with temperature,
+/// which is what makes a runaway possible.
 class Network {
  public:
   /// Inputs of a Network.
@@ -59,15 +61,18 @@ class Network {
   [[nodiscard]] double temperature_coefficient() const noexcept { return spec_.temperature_coefficient; }  ///< 1/K
   /// Conductance matrix (n, n), W/K: symmetric, positive definite. Heat leaving the nodes is G (T - ambient).
   [[nodiscard]] const NodeMatrix& conductance() const noexcept { return conductance_; }
-  /// Heat of each node at ambient temperature per mean square current, ohm: R20 (1 + alpha (ambient - 20)).
+  /// Heat of each node at ambient temperature per mean square of the actuator's current, ohm: share^2 R20 (1 + alpha
+  /// (ambient - 20)).
   [[nodiscard]] NodeVector ambient_resistance() const;
-  /// Growth of that heat per kelvin, ohm/K: alpha R20.
+  /// Growth of that heat per kelvin, ohm/K: share^2 alpha R20.
   [[nodiscard]] NodeVector resistance_slope() const;
   /// Temperature of the hottest place of each node, degC, at mean `temperatures` (degC, a value a node): mean plus
   /// hot-spot resistance times the heat that leaves the node, as once its inner profile has formed.
   [[nodiscard]] NodeVector hot_spots(const NodeVector& temperatures) const;
 
  private:
+  [[nodiscard]] NodeVector heating_resistance() const;  // share^2 R20
+
   Spec spec_;
   NodeMatrix conductance_;
 };

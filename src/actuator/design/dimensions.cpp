@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/winding/packing.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
@@ -150,6 +151,15 @@ void check_axis(const Design& design, MisfitList& list) {
   }
 }
 
+void check_shares(const Design& design, MisfitList& list) {
+  const std::vector<double> shares = current_shares(design);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (!(std::abs(shares[i]) <= 1.0))
+      list.add(fmt::format("current_share_{} must be from -1 to 1; got {}", i + 1, shares[i]), 1.0);
+  if (std::ranges::all_of(shares, [](double share) { return share == 0.0; }))
+    list.add("at least one coil must carry a share of the current; got 0 in all", 1.0);
+}
+
 }  // namespace
 
 ConstructionFaults construction_faults(const Design& design) {
@@ -162,6 +172,7 @@ ConstructionFaults construction_faults(const Design& design) {
   check_sizes(design, list);
   check_surroundings(design, list);
   check_calibration(design.calibration, list);
+  check_shares(design, list);
   const double hardness = design.body.shore_hardness;
   if (!(hardness >= 20.0 && hardness <= 80.0))
     list.add(fmt::format("shore hardness must lie in 20 to 80; got {}", hardness), 1.0);

@@ -39,6 +39,16 @@ constexpr Parameter number(std::string_view section, std::string_view key, std::
           .set = &set<Part, Member>};
 }
 
+template <std::size_t Coil>
+constexpr Parameter current_share(std::string_view name) {
+  return {.section = "coil",
+          .key = name,
+          .name = name,
+          .rule = ParameterRule::share,
+          .get = [](const Design& design) { return design.coil.current_shares[Coil]; },
+          .set = [](Design& design, double value) { design.coil.current_shares[Coil] = value; }};
+}
+
 using enum ParameterRule;
 
 // "none", then every grade of the table.
@@ -66,6 +76,10 @@ constexpr std::array table = {
     number<&Design::coil, &CoilDesign::turns_radial>("coil", "turns_radial", "turns_radial", at_least_one),
     number<&Design::coil, &CoilDesign::turns_axial>("coil", "turns_axial", "turns_axial", at_least_one),
     number<&Design::coil, &CoilDesign::wire_gauge>("coil", "wire_gauge_AWG", "wire_gauge_AWG", any),
+    current_share<0>("current_share_1"),
+    current_share<1>("current_share_2"),
+    current_share<2>("current_share_3"),
+    current_share<3>("current_share_4"),
     // Before the numbers that it brings along, so that a file's own count.
     Parameter{.section = "magnet",
               .key = "grade",

@@ -42,6 +42,9 @@ void require_consistent(const Model::Spec& spec) {
   if (static_cast<int>(spec.hinges.size()) != n)
     throw std::invalid_argument(fmt::format("hinges: one per joint, {} here; got {}", n, spec.hinges.size()));
   if (spec.coils < 0) throw std::invalid_argument(fmt::format("coils must be >= 0; got {}", spec.coils));
+  if (spec.current_shares.size() != 0 && (spec.current_shares.size() != spec.coils || !spec.current_shares.allFinite()))
+    throw std::invalid_argument(
+        fmt::format("current_shares: {} finite numbers, or none; got {}", spec.coils, spec.current_shares.size()));
   if (const auto ohm = spec.coil_resistance; ohm && !(std::isfinite(*ohm) && *ohm > 0.0))
     throw std::invalid_argument(fmt::format("coil_resistance must be finite and > 0; got {}", *ohm));
   for (int j = 0; j < n; ++j) {

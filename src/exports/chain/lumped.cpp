@@ -61,6 +61,7 @@ void set_tilt(std::vector<Effect>& effects, double angle) {
 std::vector<std::string> beyond_numbers(const Model& nominal) {
   std::vector<std::string> lines = distant_forces(nominal).lines;
   for (std::string& line : heat_of_a_design(nominal)) lines.push_back(std::move(line));
+  for (std::string& line : shares_of_coils(nominal)) lines.push_back(std::move(line));
   if (nominal.coil_resistance())
     lines.push_back(fmt::format("the coils' resistance of {:.4g} Ohm, so that inputs are currents and no voltages",
                                 *nominal.coil_resistance()));

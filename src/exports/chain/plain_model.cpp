@@ -1,6 +1,7 @@
 #include "exports/chain/plain_model.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,16 @@ std::vector<std::string> heat_of_a_design(const actuator::Model& model) {
   return {"heat: everything is at 20 degC, as in the quantities of evaluate that have cold in their names"};
 }
 
+std::vector<std::string> shares_of_coils(const actuator::Model& model) {
+  const actuator::CoilCurrents shares = model.current_shares();
+  if ((shares.array() == 1.0).all()) return {};
+  const std::vector<double> each(shares.begin(), shares.end());
+  return {
+      fmt::format("the shares of the operating current that the coils carry, {} from base to tip: torques are per "
+                  "ampere in their own coil",
+                  fmt::join(each, " and "))};
+}
+
 PlainModel plain_model(const actuator::Model& model) {
   actuator::ModelSpec spec = model.nominal_spec();
   std::vector<std::string> left_out;
@@ -82,6 +93,7 @@ PlainModel plain_model(const actuator::Model& model) {
   DistantForces distant = distant_forces(plain.model);
   std::ranges::move(distant.lines, std::back_inserter(plain.left_out));
   std::ranges::move(heat_of_a_design(plain.model), std::back_inserter(plain.left_out));
+  std::ranges::move(shares_of_coils(plain.model), std::back_inserter(plain.left_out));
   plain.too_much = std::move(distant.too_much);
   return plain;
 }

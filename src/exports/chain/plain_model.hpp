@@ -30,5 +30,7 @@ struct DistantForces {
 
 /// That everything is at 20 degC, where the model is of a design, which knows its heat; empty for any other.
 [[nodiscard]] std::vector<std::string> heat_of_a_design(const actuator::Model& model);
+/// What its coils carry of one current, where that is not the whole each: links have a current for each.
+[[nodiscard]] std::vector<std::string> shares_of_coils(const actuator::Model& model);
 
 }  // namespace coilwright::exports

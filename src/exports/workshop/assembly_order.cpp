@@ -1,11 +1,13 @@
 #include "exports/workshop/assembly_order.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <sstream>
 
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/thermal/steady_state.hpp"
@@ -140,14 +142,20 @@ std::string cell_text(const WindingSheet& winding) {
 }
 
 // Straight, coils and magnets are nearest to each other, and heat each other most.
+std::string coils_of(const actuator::Design& design) {
+  if (has_one_current(design)) return "in every coil";
+  return fmt::format("of which the coils, base to tip, carry {} on drivers of their own",
+                     fmt::join(actuator::current_shares(design), " and "));
+}
+
 std::string operation_text(const DesignSubject& subject) {
   const auto straight = mechanics::JointVector::Zero(subject.assembly.model.joints());
   const thermal::CurrentLimits limits =
       thermal::current_limits(actuator::heat_network(subject.design, subject.assembly, straight));
   std::string text = fmt::format(
-      "In use. Straight, at {:.4g} degC around it, the actuator holds {:.3g} A in every coil for good; then {} at its "
+      "In use. Straight, at {:.4g} degC around it, the actuator holds {:.3g} A {} for good; then {} at its "
       "limit. From {:.3g} A on nothing holds its temperature: it burns.",
-      subject.design.surroundings.ambient, limits.for_good(),
+      subject.design.surroundings.ambient, limits.for_good(), coils_of(subject.design),
       limits.coils <= limits.magnets ? "the hottest coil is" : "the hottest magnet is", limits.runaway);
   if (subject.design.choices.film == actuator::FilmChoice::calibrated) {
     const thermal::CurrentLimits still =

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "coilwright/actuator/cost.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "exports/workshop/rounded.hpp"
 
@@ -51,7 +52,9 @@ std::vector<BillRow> bill_of_materials(const DesignSubject& subject, const Expor
        .quantity = fmt::format("{}", 2 * winding.coils),
        .price = cost.wires},
       {.item = "driver and supply",
-       .specification = "H-bridge board and power supply, once for all actuators",
+       .specification = has_one_current(subject.design)
+                            ? "H-bridge board and power supply, once for all actuators"
+                            : "power supply and an H-bridge board for each coil, of which the price has one",
        .quantity = "1",
        .price = actuator::driver_and_supply_cost},
   };

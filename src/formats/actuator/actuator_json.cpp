@@ -22,11 +22,20 @@ namespace {
 using namespace text;
 using namespace actuator;
 
+// Without shares of coils that it does not have: another configuration of the same search had them.
+Design of_its_coils(Design design) {
+  for (auto i = static_cast<std::size_t>(coil_count(design.layout)); i < design.coil.current_shares.size(); ++i)
+    design.coil.current_shares[i] = 1.0;
+  return design;
+}
+
 Json section_json(const Design& design, std::string_view section) {
   Json out = Json::object();
   for (const Parameter& parameter : parameters()) {
     if (parameter.section != section) continue;
     const double value = units::from_memory(parameter.get(design), parameter.key);
+    // Hardly an actuator has coils with drivers of their own.
+    if (parameter.rule == ParameterRule::share && value == 1.0) continue;
     if (!parameter.names().empty()) {
       out.set(std::string(parameter.key), parameter.names()[static_cast<std::size_t>(value)]);
       continue;
@@ -149,7 +158,7 @@ Json to_json(const Design& design, const std::string& name, const std::optional<
                            {"name", name},
                            {"layout", layout_json(design.layout)},
                            {"polarity", polarity_json(design.layout)},
-                           {"coil", section_json(design, "coil")},
+                           {"coil", section_json(of_its_coils(design), "coil")},
                            {"magnet", section_json(design, "magnet")},
                            {"body", section_json(design, "body")},
                            {"surroundings", section_json(design, "surroundings")},

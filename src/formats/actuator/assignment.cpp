@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
@@ -61,6 +62,9 @@ actuator::Design with_assignment(actuator::Design design, std::string_view text)
     return design;
   }
   parameter->set(design, units::to_memory(value_of(text, assignment.value, *parameter), parameter->key));
+  if (parameter->rule == actuator::ParameterRule::share && share_without_coil(design) > 0)
+    throw argument_error(text,
+                         fmt::format("must be of a coil that there is: the layout has {}", coil_count(design.layout)));
   return design;
 }
 

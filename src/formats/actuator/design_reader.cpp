@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/calibrate.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
@@ -173,6 +174,8 @@ Rule rule_of(const actuator::Parameter& parameter) {
       return Rule::between(0.0, largest_number);
     case actuator::ParameterRule::at_least_one:
       return Rule::between(1.0, most_turns);
+    case actuator::ParameterRule::share:
+      return Rule::between(-1.0, 1.0);
     case actuator::ParameterRule::any:
       break;
   }
@@ -191,6 +194,10 @@ DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& kno
   if (calibrated_by_first_version(in.node())) set_defaults_of_first_version(design);
   design.layout = read_layout(in);
   for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
+  if (const int number = share_without_coil(design); number > 0)
+    throw in.at("coil")
+        .find(fmt::format("current_share_{}", number))
+        ->error(fmt::format("must be of a coil that there is: the layout has {}", coil_count(design.layout)));
   if (const auto choices = in.find("model")) design.choices = read_choices(*choices, design.choices);
   if (const actuator::ConstructionFaults broken = actuator::construction_faults(design); !broken.empty())
     throw in.node().error_without_value(broken.front().rule);

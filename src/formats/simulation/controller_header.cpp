@@ -27,7 +27,7 @@ static inline CW_REAL cw_profile_current(CW_REAL time) {
   return current;
 }
 
-/* Opening torque of a joint per ampere in every coil, N m/A; beyond the table along its last slope. */
+/* Opening torque of a joint per ampere of the current, N m/A; beyond the table along its last slope. */
 static inline CW_REAL cw_torque_per_ampere(int joint, CW_REAL angle) {
   const CW_REAL place = (angle - cw_table_first_rad[joint]) / cw_table_step_rad[joint];
   int i = place > 0 ? (int)place : 0;
@@ -47,7 +47,7 @@ static inline CW_REAL cw_joint_torque(int joint, CW_REAL angle, CW_REAL rate, CW
   return torque;
 }
 
-/* Joint accelerations, rad/s^2, at joint angles (rad) and rates (rad/s) under a current in every coil (A). */
+/* Joint accelerations, rad/s^2, at joint angles (rad) and rates (rad/s) under a current (A). */
 static inline void cw_accelerations(const CW_REAL angle[CW_JOINTS], const CW_REAL rate[CW_JOINTS], CW_REAL current,
                              CW_REAL acceleration[CW_JOINTS]) {
   CW_REAL mass[CW_JOINTS][CW_JOINTS], force[CW_JOINTS];
@@ -98,7 +98,7 @@ static inline void cw_accelerations(const CW_REAL angle[CW_JOINTS], const CW_REA
   for (i = 0; i < CW_JOINTS; ++i) acceleration[i] = i > 0 ? force[i] - force[i - 1] : force[i];
 }
 
-/* Angles and rates `step` seconds later under a current in every coil that holds so long. Steps of CW_LARGEST_STEP_S
+/* Angles and rates `step` seconds later under a current that holds so long. Steps of CW_LARGEST_STEP_S
    and below. */
 static inline void cw_step(CW_REAL angle[CW_JOINTS], CW_REAL rate[CW_JOINTS], CW_REAL current, CW_REAL step) {
   static const CW_REAL ahead[4] = {0, 0.5, 0.5, 1}, weight[4] = {1, 2, 2, 1};
@@ -155,9 +155,10 @@ Table table_of(const Model& model, int joint) {
     upper = pairs.empty() ? pair.torque_per_ampere->upper() : std::min(upper, pair.torque_per_ampere->upper());
     pairs.push_back(pair);
   }
+  const actuator::CoilCurrents shares = model.current_shares();
   const auto torque = [&](double angle) {
     double sum = 0.0;
-    for (const HingePair& pair : pairs) sum += pair.sense * pair.torque_per_ampere->value(angle);
+    for (const HingePair& pair : pairs) sum += shares[pair.coil] * pair.sense * pair.torque_per_ampere->value(angle);
     return sum;
   };
   Table table{.first = lower, .step = (upper - lower) / (table_angles - 1), .torques = {}};
@@ -230,17 +231,25 @@ void require_header_can_say(const Model& model) {
         "more than one joint");
 }
 
+// Which current the header speaks of.
+std::string coils_of(const Model& model) {
+  const actuator::CoilCurrents shares = model.current_shares();
+  if ((shares.array() == 1.0).all()) return "in every coil";
+  const std::vector<double> each(shares.begin(), shares.end());
+  return fmt::format("of which the coils, base to tip, carry {}", fmt::join(each, " and "));
+}
+
 std::string controller_header(const Model& model, const control::ProfileQuality& profile) {
   require_header_can_say(model);
   std::string out = fmt::format(
       "/* A soft electromagnetic actuator for a microcontroller, made by coilwright: the profile \"{}\" of the current "
-      "in\n"
-      "   every coil, and the lumped model. C99; define CW_REAL as double for more digits. Joint angles are relative, "
+      "{},\n"
+      "   and the lumped model. C99; define CW_REAL as double for more digits. Joint angles are relative, "
       "zero\n"
       "   where the chain is straight, positive where a joint opens. Not in it: heat, and what moves the current. */\n"
       "#ifndef CW_ACTUATOR_H\n#define CW_ACTUATOR_H\n\n#include <tgmath.h>\n\n"
       "#ifndef CW_REAL\n#define CW_REAL float\n#endif\n\n",
-      profile.name);
+      profile.name, coils_of(model));
   out += fmt::format("enum {{ CW_JOINTS = {}, CW_LEVELS = {}, CW_TABLE = {} }};\n\n", model.joints(),
                      profile.profile.levels.size(), table_angles);
   out += fmt::format(

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
@@ -230,6 +231,25 @@ void read_operation(const Node& node, const std::optional<SystemBlock>& crawler,
   in.finish();
 }
 
+// Shares of coils that there are, and that have drivers of their own.
+void require_shares_suit(const Study& study, const Node& root) {
+  const int coils = coil_count(study.base.layout);
+  bool varies_layout = false;
+  bool shares = !has_one_current(study.base);
+  for (const StudyVariable& variable : study.variables) {
+    varies_layout = varies_layout || std::holds_alternative<ConfigurationVariable>(variable);
+    const auto* number = std::get_if<ParameterVariable>(&variable);
+    shares = shares || (number != nullptr && number->parameter->rule == actuator::ParameterRule::share);
+  }
+  for (int i = coils; i < actuator::most_current_shares && !varies_layout; ++i)
+    if (const auto variable = root.find("variables")->find(fmt::format("current_share_{}", i + 1)))
+      throw variable->error_without_value(fmt::format("must be of a coil that there is: the actuator has {}", coils));
+  if (shares && study.operating.supply.wiring == actuator::Wiring::series)
+    throw root.find("operating_point")
+        ->find("wiring")
+        ->error_without_value("must be parallel where coils have shares of the current: in series there is one");
+}
+
 void require_suitable(const Blocks& blocks, const actuator::Design& base, const Node& root) {
   for (const auto& [key, block] : {std::pair{"gripper", &blocks.gripper}, std::pair{"crawler", &blocks.crawler}}) {
     if (!*block) continue;
@@ -264,6 +284,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
     require_corrected_geometry(study, in.at("actuator"));
     require_suitable(blocks, study.base, in.node());
+    require_shares_suit(study, in.node());
     return study;
   });
 }

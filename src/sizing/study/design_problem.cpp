@@ -25,7 +25,7 @@ actuator::OperatingPoint operating_of(const Study& study, const actuator::Design
   point.current = otherwise;
   if (const auto* fixed = std::get_if<FixedCurrent>(&study.current)) point.current = fixed->current;
   if (const auto* share = std::get_if<ShareOfLimit>(&study.current))
-    point.current = share->share * actuator::current_limit(design);
+    point.current = share->share * actuator::operating_current_limit(design);
   if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) {
     const DrivenCurrent::Drive drive = driven->drive(assembly, settings);
     point.current = drive.current;

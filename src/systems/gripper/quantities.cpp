@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "coilwright/actuator/cost.hpp"
+#include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
 #include "coilwright/systems/gripper/heat_of_hold.hpp"
 
@@ -93,7 +94,7 @@ class Results {
           const auto* done = std::get_if<Tried>(found.get());
           if (done == nullptr) return std::nullopt;
           const double most =
-              done->task.most_current > 0.0 ? done->task.most_current : design.performance.current_limit;
+              done->task.most_current > 0.0 ? done->task.most_current : operating_current_limit(design.design);
           const auto least = tried(done->task, [&] {
             return least_current(done->gripper, done->task.object, grasp_task(done->task, most), most);
           });

@@ -47,6 +47,7 @@ TorqueBench paper_torque_bench(const Design& design) {
 Design rigid_counterpart(const Design& design, double axis_offset) {
   Design out = design;
   out.layout = first_pair(design.layout);
+  out.coil.current_shares.fill(1.0);  // the bench drives its one coil
   out.calibration.axis_offset *= axis_offset / actuator::dimensions(design).axis_offset;
   out.as_built.torque_correction.reset();  // nobody knows whether magnets or hinges make it
   std::erase_if(out.effects, [](const actuator::Effect& effect) {

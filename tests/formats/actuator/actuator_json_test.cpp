@@ -64,10 +64,21 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
     design.coil.inner_radius = 4.0 * factor(random) / 1e3;  // no bore too tight for the wire
     design.body.shore_hardness = 40.0 * factor(random);     // within Gent's relation
     design.body.poisson_ratio = 0.35 * factor(random);      // up to 0.5
+    design.coil.current_shares = {0.7 * factor(random), -0.7 * factor(random), 1.0, 1.0};  // of two coils, up to 1
     const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");
     tilt.set(design, units::to_memory(17.0 * factor(random), tilt.key));
     expect_same_bits(read_back(design), design);
   }
+}
+
+TEST(ActuatorJson, HasTheSharesOfTheCoilsThatThereAre) {
+  Design design;
+  EXPECT_EQ(to_json(design, "plain").text().find("current_share"), std::string::npos);
+  design.coil.current_shares = {1.0, 0.25, 0.5, -0.5};  // as a search over configurations leaves them
+  const std::string text = to_json(design, "split").text();
+  EXPECT_NE(text.find("\"current_share_2\": 0.25"), std::string::npos);
+  EXPECT_EQ(text.find("current_share_1"), std::string::npos);
+  EXPECT_EQ(text.find("current_share_3"), std::string::npos);
 }
 
 TEST(ActuatorJson, CallsTheGradeOfAMagnetByItsName) {

@@ -8,4 +8,7 @@ namespace coilwright::actuator {
 /// whether a coil may carry it, temperatures say. Throws std::invalid_argument for a gauge outside the table.
 [[nodiscard]] double current_limit(const Design& design);
 
+/// The operating current at which the coil with the largest share carries that, A.
+[[nodiscard]] double operating_current_limit(const Design& design);
+
 }  // namespace coilwright::actuator

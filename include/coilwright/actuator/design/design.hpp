@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -16,12 +17,18 @@ namespace coilwright::actuator {
 /// What a person who builds the actuator decides, plus the conventions by which it is modelled. Plain values, SI: any
 /// mix may be written down; whether it can be built is for `assemble` to say.
 
+/// The coils, base to tip, whose currents may be set apart: as many as configuration D has. Further ones carry the
+/// whole.
+inline constexpr int most_current_shares = 4;
+
 /// Every coil of the actuator.
 struct CoilDesign {
   double inner_radius = 3e-3;  ///< of the bore, m
   int turns_radial = 15;       ///< layers
   int turns_axial = 30;        ///< turns in a layer
   int wire_gauge = 28;         ///< AWG, 20 to 40
+  /// What each coil carries of the operating current, -1 to 1; other than 1 it needs a driver of its own.
+  std::array<double, most_current_shares> current_shares{1.0, 1.0, 1.0, 1.0};
 };
 
 /// Every magnet of the actuator.

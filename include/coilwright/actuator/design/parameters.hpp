@@ -8,8 +8,8 @@
 
 namespace coilwright::actuator {
 
-/// What values a parameter may take in a file.
-enum class ParameterRule { positive, length, not_negative, at_least_one, any };
+/// What values a parameter may take in a file; a share is -1 to 1.
+enum class ParameterRule { positive, length, not_negative, at_least_one, share, any };
 
 /// The lengths that a part may have, m (ParameterRule::length): beyond them a slip of the keyboard or of the unit is
 /// likelier than a finger.

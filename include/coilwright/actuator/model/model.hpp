@@ -75,8 +75,13 @@ class Model {
   /// std::invalid_argument where the resistance is not known.
   [[nodiscard]] CoilCurrents currents_under(const CoilCurrents& voltages) const;
 
-  /// The same current in every coil: one driver.
-  [[nodiscard]] CoilCurrents all_coils(double current) const { return CoilCurrents::Constant(coils(), current); }
+  /// The currents of all coils at an operating current, A: the same in every one, on one driver, or its share of it.
+  [[nodiscard]] CoilCurrents all_coils(double current) const {
+    if (spec_.current_shares.size() == 0) return CoilCurrents::Constant(coils(), current);
+    return current * spec_.current_shares;
+  }
+  /// What each coil carries of the operating current, (coils).
+  [[nodiscard]] CoilCurrents current_shares() const { return all_coils(1.0); }
 
   /// Joint torques of magnetics and hinges, N m: everything but gravity and inertia.
   [[nodiscard]] mechanics::JointVector torques(const mechanics::JointVector& angles,

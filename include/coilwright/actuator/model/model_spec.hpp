@@ -6,6 +6,7 @@
 
 #include "coilwright/actuator/model/effect.hpp"
 #include "coilwright/actuator/model/torque_correction.hpp"
+#include "coilwright/actuator/parts/coil_currents.hpp"
 #include "coilwright/actuator/parts/coil_row.hpp"
 #include "coilwright/actuator/parts/magnetic_stage.hpp"
 #include "coilwright/mechanics/face_contact.hpp"
@@ -32,6 +33,8 @@ struct ModelSpec {
   /// Where the coils are, for the forces among them that `magnetics` leaves out; null where their places are not known.
   std::shared_ptr<const CoilRow> coil_row{};
   std::optional<double> coil_resistance{};  ///< of one coil at 20 degC, ohm, > 0; nothing for a lumped model
+  /// What each coil carries of the operating current, (coils), finite; empty: the whole each.
+  CoilCurrents current_shares{};
   std::optional<TorqueCorrection> torque_correction{};  ///< that a fit found and that has no name
 };
 

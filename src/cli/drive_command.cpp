@@ -31,11 +31,12 @@ using text::Rule;
 // As on the command line, each in the unit of its name.
 struct Options {
   ActuatorOptions actuator;
-  std::optional<double> duty, mean, supply_voltage, cell_voltage, cell_capacity, limit, switch_resistance;
+  std::optional<double> duty, mean, supply_voltage, cell_voltage, cell_capacity, cell_limit, limit, switch_resistance;
   double supply_resistance{};
   double high_resistance = 307.0, low_resistance = 258.0;
   std::optional<double> diode_voltage;
   double dead_time = 0.22, limit_off_time = 25.0, limit_blanking = 2.0;
+  drive::BridgeRatings ratings;
   double frequency = 490.0;
   std::string decay = "slow", wiring = "parallel";
   int actuators = 1;
@@ -57,7 +58,8 @@ drive::HBridge bridge_of(const Options& options) {
                         .decay = options.decay == "slow" ? drive::Decay::slow : drive::Decay::fast,
                         .trip = options.limit,
                         .limit_off_time = options.limit_off_time * 1e-6,
-                        .limit_blanking = options.limit_blanking * 1e-6};
+                        .limit_blanking = options.limit_blanking * 1e-6,
+                        .ratings = options.ratings};
   bridge.diode_voltage = options.diode_voltage.value_or(bridge.diode_voltage);
   return bridge;
 }
@@ -66,7 +68,8 @@ systems::CellDrive cell_of(const Options& options) {
   systems::CellDrive cell{.circuit = {.emf = *options.cell_voltage,
                                       .resistance = options.supply_resistance,
                                       .switch_resistance = options.switch_resistance.value_or(50.0) * 1e-3},
-                          .capacity = *options.cell_capacity * 3.6};
+                          .capacity = *options.cell_capacity * 3.6,
+                          .most_current = options.cell_limit};
   cell.circuit.diode_voltage = options.diode_voltage.value_or(cell.circuit.diode_voltage);
   return cell;
 }
@@ -223,15 +226,30 @@ void add_driver(CLI::App& command, Options& options) {
       .add_option("--diode-voltage-V", options.diode_voltage,
                   "Of a diode, V (default 0.8 in a bridge, 0.4 across the coils at a cell)")
       ->check(number_rule(Rule::between(0.0, 10.0)));
+  auto* lowest = from_zero(1e3, "--bridge-lowest-V", options.ratings.lowest_voltage,
+                           "Supply from which the H-bridge works, V (default 6.5)");
+  const auto rating = [&](const char* name, double& value, const char* text) {
+    return command.add_option(name, value, text)->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e3))));
+  };
+  auto* highest = rating("--bridge-highest-V", options.ratings.highest_voltage,
+                         "Supply up to which the H-bridge works, V (default 45)");
+  auto* peak =
+      rating("--bridge-peak-A", options.ratings.peak_current, "Current that the H-bridge bears, A (default 3.6)");
   auto* cell = command
                    .add_option("--cell-voltage-V", options.cell_voltage,
                                "Drives by a battery cell of this open voltage through a switch instead, V")
                    ->check(number_rule(voltage));
-  for (CLI::Option* other : {supply, decay, limit, high, low, dead, off, blanking}) cell->excludes(other);
+  for (CLI::Option* other : {supply, decay, limit, high, low, dead, off, blanking, lowest, highest, peak})
+    cell->excludes(other);
   auto* capacity = command.add_option("--cell-capacity-mAh", options.cell_capacity, "Of the cell, mAh")
                        ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e6))));
   capacity->needs(cell);
   cell->needs(capacity);
+  command
+      .add_option("--cell-limit-A", options.cell_limit,
+                  "The most that the cell delivers, A (default 20 times its capacity an hour)")
+      ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e3))))
+      ->needs(cell);
   command.add_option("--switch-resistance-mOhm", options.switch_resistance, "Of the cell's switch, mOhm (default 50)")
       ->check(number_rule(Rule::between(0.0, 1e5)))
       ->needs(cell);

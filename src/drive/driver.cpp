@@ -1,6 +1,9 @@
 #include "coilwright/drive/driver.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
+#include <stdexcept>
 
 #include "drive/require.hpp"
 
@@ -13,6 +16,12 @@ Driver driver_of(const HBridge& bridge) {
   require_not_negative("low_resistance", bridge.low_resistance);
   require_not_negative("diode_voltage", bridge.diode_voltage);
   require_not_negative("dead_time", bridge.dead_time);
+  require_not_negative("ratings.lowest_voltage", bridge.ratings.lowest_voltage);
+  require_positive("ratings.highest_voltage", bridge.ratings.highest_voltage);
+  require_positive("ratings.peak_current", bridge.ratings.peak_current);
+  if (bridge.ratings.lowest_voltage >= bridge.ratings.highest_voltage)
+    throw std::invalid_argument(fmt::format("ratings.lowest_voltage must be below the highest, {} V; got {} V",
+                                            bridge.ratings.highest_voltage, bridge.ratings.lowest_voltage));
   const Path shorted{.resistance = 2.0 * bridge.low_resistance};
   // With all switches off the current flows up through the diode of one low and one high switch.
   const Path returned{.source = -bridge.supply_voltage,

@@ -105,17 +105,52 @@ std::string remedy(const DrivenActuator& driven, const DriveQuestion& question) 
   return fmt::format("Raise {}{}.", is_cell(question) ? "--cell-voltage-V" : "--supply-voltage-V", series);
 }
 
+// What takes the peak of a bridge down: its ripple, where that is what is too much, or the current of many coils.
+std::string lower_peak(const DrivenActuator& driven, const DriveQuestion& question) {
+  const auto& bridge = std::get<drive::HBridge>(question.driver);
+  if (driven.driver.rms < bridge.ratings.peak_current && driven.driver.ripple() > 0.1 * driven.driver.peak &&
+      !bridge.trip)
+    return "A higher --frequency-Hz has less ripple, and --current-limit-A cuts the peaks.";
+  if (question.wiring == drive::BankWiring::parallel && driven.bank.shares.size() > 1)
+    return "--wiring series carries the current of one coil, on more voltage.";
+  return "A smaller duty or voltage takes less.";
+}
+
 std::string sentence(DriveWarning warning, const DrivenActuator& driven, const DriveQuestion& question) {
   switch (warning) {
     case DriveWarning::out_of_reach:
       return fmt::format("{} A of mean current are out of reach: {} V at duty {} give {} A. {}", number(*question.mean),
                          number(driven.supply_voltage), number(driven.duty), number(driven.coil.mean),
                          remedy(driven, question));
+    case DriveWarning::below_voltage:
+      return fmt::format(
+          "The supply of {} V is below the {} V from which the bridge works (--bridge-lowest-V): it switches nothing "
+          "on.",
+          number(driven.supply_voltage), number(std::get<drive::HBridge>(question.driver).ratings.lowest_voltage));
+    case DriveWarning::above_voltage:
+      return fmt::format("The supply of {} V is above the {} V that the bridge bears (--bridge-highest-V).",
+                         number(driven.supply_voltage),
+                         number(std::get<drive::HBridge>(question.driver).ratings.highest_voltage));
+    case DriveWarning::above_peak:
+      return fmt::format(
+          "The driver's peak of {} A is above the {} A that the bridge bears (--bridge-peak-A): it switches itself "
+          "off. {}",
+          number(driven.driver.peak), number(std::get<drive::HBridge>(question.driver).ratings.peak_current),
+          lower_peak(driven, question));
+    case DriveWarning::above_cell: {
+      const auto& cell = std::get<systems::CellDrive>(question.driver);
+      return fmt::format(
+          "The peak of {} A is above the {} A that the cell delivers ({}): its voltage breaks down.",
+          number(driven.driver.peak), number(cell.current_limit()),
+          cell.most_current ? "--cell-limit-A" : "20 times its capacity an hour; --cell-limit-A says otherwise");
+    }
     case DriveWarning::dead_time:
       return "The pulse is shorter than the dead time, so that nothing is switched on: raise --duty or lower "
              "--frequency-Hz.";
     case DriveWarning::limited:
-      return "The current limit acts: the current is clipped, and a larger duty or voltage gives little more.";
+      return "The current limit acts: peaks are clipped, a larger voltage gives little more, and the mean current is "
+             "not in "
+             "proportion to the duty.";
     case DriveWarning::no_period:
       return "Pulses and current limit beat: no period is like the one before, and the figures are means of 1000.";
     case DriveWarning::discontinuous:

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "coilwright/actuator/coil_bank.hpp"
+#include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/drive/settings.hpp"
 #include "coilwright/thermal/steady_state.hpp"
@@ -39,8 +40,10 @@ void check(const DriveQuestion& question) {
   if (question.mean) require(*question.mean > 0.0, "mean", "> 0", *question.mean, "A");
   if (question.duty) require(*question.duty >= 0.0 && *question.duty <= 1.0, "duty", "from 0 to 1", *question.duty);
   require(question.actuators >= 1, "actuators", ">= 1", question.actuators);
-  if (const auto* cell = std::get_if<CellDrive>(&question.driver))
+  if (const auto* cell = std::get_if<CellDrive>(&question.driver)) {
     require(cell->capacity > 0.0, "capacity", "> 0", cell->capacity, "A s");
+    require(cell->current_limit() > 0.0, "most_current", "finite and > 0", cell->current_limit(), "A");
+  }
 }
 
 double voltage_of(const DriveQuestion& question) {
@@ -151,12 +154,21 @@ drive::SteadyCurrent shared(drive::SteadyCurrent current, double share) {
   return current;
 }
 
-std::vector<DriveWarning> warnings_of(const DrivenActuator& answer, const Solved& solved, double frequency) {
+std::vector<DriveWarning> warnings_of(const DrivenActuator& answer, const Solved& solved,
+                                      const DriveQuestion& question) {
   std::vector<DriveWarning> out;
   const auto warn = [&](bool holds, DriveWarning warning) {
     if (holds) out.push_back(warning);
   };
+  const double frequency = question.frequency;
   warn(!solved.reached, DriveWarning::out_of_reach);
+  if (const auto* bridge = std::get_if<drive::HBridge>(&question.driver)) {
+    warn(answer.supply_voltage < bridge->ratings.lowest_voltage, DriveWarning::below_voltage);
+    warn(answer.supply_voltage > bridge->ratings.highest_voltage, DriveWarning::above_voltage);
+    warn(answer.driver.peak > bridge->ratings.peak_current, DriveWarning::above_peak);
+  } else {
+    warn(answer.driver.peak > std::get<CellDrive>(question.driver).current_limit(), DriveWarning::above_cell);
+  }
   warn(answer.duty > 0.0 && answer.duty < 1.0 && answer.duty <= solved.driver.dead_time * frequency,
        DriveWarning::dead_time);
   warn(answer.driver.is_limited, DriveWarning::limited);
@@ -178,6 +190,14 @@ std::string_view name_of(DriveWarning warning) {
   switch (warning) {
     case DriveWarning::out_of_reach:
       return "out_of_reach";
+    case DriveWarning::below_voltage:
+      return "below_voltage";
+    case DriveWarning::above_voltage:
+      return "above_voltage";
+    case DriveWarning::above_peak:
+      return "above_peak";
+    case DriveWarning::above_cell:
+      return "above_cell";
     case DriveWarning::dead_time:
       return "dead_time";
     case DriveWarning::limited:
@@ -202,6 +222,7 @@ std::string_view name_of(DriveWarning warning) {
 
 DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, const DriveQuestion& question) {
   check(question);
+  require_one_current(design, "one driver");
   require_no_effects_up_to(assembly.model, actuator::Stage::drive, "the currents");
   const thermal::Network network = heat_network(design, assembly);
   Eigen::VectorXd temperatures =
@@ -232,7 +253,7 @@ DrivenActuator drive_actuator(const Design& design, const Assembly& assembly, co
   }
   if (const auto* cell = std::get_if<CellDrive>(&question.driver))
     out.run_time = drive::run_time(cell->capacity, solved.current.supply_mean);
-  out.warnings = warnings_of(out, solved, question.frequency);
+  out.warnings = warnings_of(out, solved, question);
   return out;
 }
 

@@ -138,6 +138,38 @@ class Drive(ProgramTest):
         below = 0.9 * found["straight_continuous_current_A"]
         self.assertNotIn("above_straight", answer("--mean-A", f"{below}", "--frequency-Hz", "20000")["warnings"])
 
+    def test_says_what_bridge_and_cell_do_not_bear(self):
+        # Two fingers in parallel at 1.4 A a coil: 5.6 A through a bridge of 3.6 A, which their four coils in series keep.
+        many = ("--mean-A", "1.4", "--actuators", "2")
+        self.assertIn("above_peak", answer(*many)["warnings"])
+        self.assertNotIn("above_peak", answer(*many, "--wiring", "series")["warnings"])
+        self.assertNotIn("above_peak", answer(*many, "--bridge-peak-A", "40")["warnings"])
+        self.assertRegex(run("drive", FINGER, *many).stdout,
+                         r"\nThe driver's peak of [\d.]+ A is above the 3\.6 A that the bridge bears \(--bridge-peak-A\): it "
+                         r"switches itself off\. --wiring series carries the current of one coil, on more voltage\.\n")
+        # At 490 Hz the two coils of one take 8.8 A in pulses of 2.8 A on average; at 20 kHz 3 A.
+        one = run("drive", FINGER, "--mean-A", "1.4", "--bridge-peak-A", "5").stdout
+        self.assertIn("A higher --frequency-Hz has less ripple, and --current-limit-A cuts the peaks.\n", one)
+        self.assertNotIn("above_peak", answer("--mean-A", "1.4", "--bridge-peak-A", "5", "--frequency-Hz", "20000")["warnings"])
+        for voltage, named, option, text in (
+            ("5", "below_voltage", ("--bridge-lowest-V", "4.5"),
+             "The supply of 5 V is below the 6.5 V from which the bridge works (--bridge-lowest-V): it switches nothing on.\n"),
+            ("48", "above_voltage", ("--bridge-highest-V", "50"),
+             "The supply of 48 V is above the 45 V that the bridge bears (--bridge-highest-V).\n"),
+        ):
+            command = ("--mean-A", "0.5", "--supply-voltage-V", voltage)
+            self.assertIn(named, answer(*command)["warnings"])
+            self.assertNotIn(named, answer(*command, *option)["warnings"])
+            self.assertIn(text, run("drive", FINGER, *command).stdout)
+        self.assertEqual(answer("--mean-A", "0.5", "--frequency-Hz", "20000")["warnings"], [])
+        # 150 mAh deliver 3 A: two coils of 3.76 Ohm at 4.2 V ask for 2.2 A, those of two actuators for 4.4 A.
+        pulses = ("--duty", "0.5", "--frequency-Hz", "10", *CELL)
+        self.assertNotIn("above_cell", answer(*pulses)["warnings"])
+        self.assertIn("above_cell", answer(*pulses, "--actuators", "2")["warnings"])
+        self.assertNotIn("above_cell", answer(*pulses, "--actuators", "2", "--cell-limit-A", "5")["warnings"])
+        self.assertRegex(run("drive", FINGER, *pulses, "--actuators", "2").stdout,
+                         r"\nThe peak of 4\.\d+ A is above the 3 A that the cell delivers \(20 times its capacity an hour; ")
+
     def test_refuses_what_makes_no_sense(self):
         for arguments, message in (
             ((), "--duty: or --mean-A is needed: what is set, or what is wanted"),
@@ -152,6 +184,11 @@ class Drive(ProgramTest):
             (("--duty", "0.5", "--decay", "mixed"), '--decay: must be one of "slow", "fast"; got "mixed"'),
             (("--duty", "0.5", "--cell-voltage-V", "4.2"), "--cell-voltage-V requires --cell-capacity-mAh"),
             (("--duty", "0.5", "--decay", "fast", *CELL), "--decay excludes --cell-voltage-V"),
+            (("--duty", "0.5", "--bridge-peak-A", "5", *CELL), "--bridge-peak-A excludes --cell-voltage-V"),
+            (("--duty", "0.5", "--bridge-highest-V", "0"), "--bridge-highest-V"),
+            (("--duty", "0.5", "--bridge-lowest-V", "30", "--bridge-highest-V", "20"),
+             "ratings.lowest_voltage must be below the highest, 20 V; got 30 V"),
+            (("--duty", "0.5", "--cell-limit-A", "5"), "--cell-limit-A requires --cell-voltage-V"),
             (("--duty", "0.5", "--warm", "--coil-temperature-degC", "60"), "excludes"),
             (("--mean-A", "5", "--supply-voltage-V", "200", "--warm"),
              "paper_finger.json: coil temperature must be given: held for good, this drive heats the coils beyond 1085 "
@@ -167,6 +204,8 @@ class Drive(ProgramTest):
             (("--duty", "0.5", "--motion-s", "0.1", "--out", FINGER), "paper_finger.json"),
             (("--duty", "0.5", "--motion-s", "300", "--out", "x.csv"),
              "duration must be at most 204.082 s, the time of 100000 pulses; got 300 s"),
+            (("--duty", "0.5", "--set", "current_share_1=-1"),
+             "paper_finger.json: coil.current_share_1 must be 1: one driver drives all coils alike; got -1"),
         ):
             result = run("drive", FINGER, *arguments)
             self.assertEqual(result.returncode, 2, arguments)

@@ -37,6 +37,13 @@ enum class Decay {
   fast   ///< all switches off: diodes return the current to the supply until it is zero, and then nothing flows
 };
 
+/// Between what a bridge works. The defaults are those of the DRV8870 and DRV8871 (data sheets, sections 6.1 and 6.3).
+struct BridgeRatings {
+  double lowest_voltage = 6.5;    ///< of the supply, V; finite, >= 0: below it the driver locks its switches
+  double highest_voltage = 45.0;  ///< of the supply, V; finite, > 0
+  double peak_current = 3.6;      ///< A; finite, > 0: above it the driver switches itself off
+};
+
 /// A full bridge of four switches on a supply. The defaults are typical values of an integrated driver of 45 V and 3.6
 /// A at 24 V, 1 A and 25 degC (Texas Instruments, data sheet of the DRV8870, section 6.5; the DRV8871 is the same
 /// driver with its limit set by a resistor).
@@ -51,6 +58,7 @@ struct HBridge {
   std::optional<double> trip{};    ///< of the current limit, A; nothing: no limit
   double limit_off_time = 25e-6;   ///< s
   double limit_blanking = 2e-6;    ///< s
+  BridgeRatings ratings{};         ///< no rule for what driver_of() makes: systems::drive_actuator warns
 };
 
 /// Throws std::invalid_argument naming the field, the rule and the value received.

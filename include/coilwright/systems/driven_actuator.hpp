@@ -16,7 +16,11 @@ namespace coilwright::systems {
 /// A battery cell with a switch.
 struct CellDrive {
   drive::CellSwitch circuit{};
-  double capacity{};  ///< A s; finite, > 0
+  double capacity{};                     ///< A s; finite, > 0
+  std::optional<double> most_current{};  ///< that it delivers, A; finite, > 0; nothing: 20 times the capacity an hour
+
+  /// most_current, or what small lithium cells are sold for.
+  [[nodiscard]] double current_limit() const { return most_current.value_or(20.0 * capacity / 3600.0); }
 };
 
 /// How an actuator is driven, and what is asked. Of duty and mean current at least one is given: the duty alone asks
@@ -38,6 +42,10 @@ inline constexpr double most_supply_voltage = 1000.0;
 /// What a user of a driven actuator must know.
 enum class DriveWarning {
   out_of_reach,      ///< the wanted mean current cannot be had
+  below_voltage,     ///< the supply is below what the bridge needs
+  above_voltage,     ///< the supply is above what the bridge bears
+  above_peak,        ///< the peak current is more than the bridge bears
+  above_cell,        ///< the peak current is more than the cell delivers
   dead_time,         ///< the pulse is shorter than the dead time: nothing is switched on
   limited,           ///< the current limit clips the current
   no_period,         ///< the limit and the pulses beat: no period is as the one before

@@ -19,10 +19,10 @@ inline constexpr double closed_gap = 1e-9;
 inline constexpr double landing_way = 1e-5;
 
 /// Whether something that is `gap`, m, away from a face in the middle of a step of `step`, s, and comes nearer at
-/// `approach`, m/s, lands in it further than landing_way.
-[[nodiscard]] inline bool lands_too_fast(double gap, double approach, double step) {
+/// `approach`, m/s, lands in it further than `most`, m.
+[[nodiscard]] inline bool lands_too_fast(double gap, double approach, double step, double most = landing_way) {
   const double way = approach * step;
-  return way > landing_way && gap < 0.5 * way;
+  return way > most && gap < 0.5 * way;
 }
 
 /// A system at the middle of a step.

@@ -48,6 +48,14 @@ Contact of_object(Eigen::Index joints, const ObjectPose& pose, const Vector2d& p
   return out;
 }
 
+// What may be missed where a finger lands at `along`, m: near a joint the same way is a larger angle of it, and torque
+// curves are steep. A glass caught 2.4 mm from the joint was pressed by 4 % less for 10 um.
+double landing_way_at(double along) {
+  constexpr double angle = 3e-4;    // rad
+  constexpr double least = 2.5e-7;  // m
+  return std::clamp(angle * along, least, mechanics::landing_way);
+}
+
 // From each joint to the tip of the straight finger, m.
 JointVector reaches_of(const actuator::Model& finger) {
   JointVector out(finger.joints());
@@ -148,7 +156,8 @@ void Scene::add_contacts(const CoordinateVector& position, const CoordinateVecto
       contact.normal.segment(f * joints_, joints_) = -(moved.transpose() * point.normal);
       contact.tangent.segment(f * joints_, joints_) = -(moved.transpose() * tangent);
       contact.friction = {.along = object_.friction, .against = object_.friction};
-      out.lands = out.lands || mechanics::lands_too_fast(point.gap, -contact.normal.dot(velocity), duration);
+      out.lands = out.lands || mechanics::lands_too_fast(point.gap, -contact.normal.dot(velocity), duration,
+                                                         landing_way_at(point.on_finger.along));
       if (point.gap > closed_gap) continue;
       out.contacts.push_back(std::move(contact));
       closed_.push_back(point);

@@ -168,7 +168,7 @@ std::vector<ResultQuantity> rows() {
   return {
       of_design(
           "axial_force_N",
-          "force of one coil on the adjacent magnet at the rest gap, of shares the largest; repulsion is positive", 2.0,
+          "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
           [](const DesignView& d) -> Value { return d.performance.axial_force; }),
       of_cold("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
               [](const MotionSummary& motion) { return motion.rest_angles.sum() * units::degrees_per_radian; }),
@@ -247,7 +247,7 @@ std::vector<ResultQuantity> rows() {
       of_design("inductance_mH", "inductance of one coil", 1.0,
                 [](const DesignView& d) -> Value { return d.performance.inductance * 1e3; }),
       {.name = "current_A",
-       .meaning = "current in every coil while it is on; of coils with shares the whole",
+       .meaning = "current in every coil while it is on",
        .scale = 1.4,
        .value = [](const DesignView& d) -> Value { return d.point.current; },
        .value_of_lumped = [](const MotionSummary&, double current) -> Value { return current; }},

@@ -98,8 +98,16 @@ template <class Call>
 auto at_place(const std::string& place, const Call& call) {
   try {
     return call();
+  } catch (const systems::gripper::NoRoom& none) {
+    throw text::InputError(
+        {.file = place,
+         .rule = fmt::format("{}; --spacing-mm, --mounting-angle-deg and --open-current-A make room", none.what())});
   } catch (const std::invalid_argument& rule) {
-    throw text::InputError({.file = place, .rule = rule.what()});
+    // How the fingers hang is said on the command line, all else of them in their file.
+    const std::string text = rule.what();
+    const bool of_mounting = text.starts_with("mounting.");
+    throw text::InputError(
+        {.file = of_mounting ? "--mounting-angle-deg, --spacing-mm, --fingers, --polarity" : place, .rule = text});
   }
 }
 
@@ -154,7 +162,11 @@ std::string verdict_of(const Options& options, const Answer& answer) {
   const Grasp& grasp = answer.grasp;
   const std::string what = fmt::format("{:.6g} g at {:.4g} A{}", options.mass, answer.current,
                                        answer.is_of_file ? " (the actuator's operating point)" : "");
-  if (!grasp.both_touched) return fmt::format("Not held: {}. A finger does not reach the object.\n", what);
+  if (!grasp.both_touched)
+    return fmt::format("Not held: {}. A finger does not reach the object{}.\n", what,
+                       grasp.missing > 0.0 && std::isfinite(grasp.missing)
+                           ? fmt::format(": it stays {:.3g} mm away", grasp.missing * 1e3)
+                           : "");
   if (!grasp.holds && grasp.capacity >= grasp.load)
     return fmt::format(
         "Not held: {}. It creeps out of the fingers: they can carry {:.4g} N, hardly more than its load of "

@@ -21,7 +21,7 @@ void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const 
 }
 
 void add_force_option(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "Replace files that have another content")->disable_flag_override();
+  command.add_flag("--force", force, "Replace files of another kind or content, too")->disable_flag_override();
 }
 
 namespace {

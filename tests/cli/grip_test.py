@@ -48,7 +48,7 @@ class Grip(ProgramTest):
 
     def test_says_that_an_object_is_out_of_reach(self):
         text = run("grip", FINGER, "--width-mm", "5", "--mass-g", "4", "--friction", "0.8").stdout
-        self.assertIn("A finger does not reach the object.", text)
+        self.assertRegex(text, r"A finger does not reach the object: it stays [\d.]+ mm away\.\n")
 
     def test_takes_the_current_that_an_actuator_was_sized_for(self):
         sized = {**json.loads(FINGER.read_text()), "operating_point": {"current_A": 1.1}}
@@ -91,6 +91,10 @@ class Grip(ProgramTest):
     def test_refuses_what_makes_no_sense(self):
         for arguments, message in (
             (("--width-mm", "100", "--mass-g", "40", "--friction", "0.8"), "object must leave the open fingers free; got"),
+            (("--width-mm", "100", "--mass-g", "40", "--friction", "0.8"),
+             "finger; --spacing-mm, --mounting-angle-deg and --open-current-A make room\n"),
+            ((*BALL, "--fingers", "8"),
+             "coilwright: --mounting-angle-deg, --spacing-mm, --fingers, --polarity: mounting.spacing must leave 8 straight fingers"),
             (("--width-mm", "60", "--mass-g", "40", "--friction", "0"), "--friction"),
             (("--width-mm", "60", "--mass-g", "1e-9", "--friction", "1"), '--mass-g: must be from 0.001 to 100000; got "1e-9"'),
             (("--shape", "box", "--width-mm", "60", "--mass-g", "40", "--friction", "1"), "--height-mm: is needed for a box and an upright cylinder"),

@@ -1,5 +1,7 @@
 #include "coilwright/formats/actuator/assignment.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string>

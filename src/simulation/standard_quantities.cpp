@@ -166,10 +166,8 @@ ResultQuantity of_cold_electrics(std::string name, std::string meaning, double s
 // One row a quantity: its name with the unit, its meaning, an ordinary magnitude, and how to get it in that unit.
 std::vector<ResultQuantity> rows() {
   return {
-      of_design(
-          "axial_force_N",
-          "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
-          [](const DesignView& d) -> Value { return d.performance.axial_force; }),
+      of_design("axial_force_N", "force of one coil on the adjacent magnet at the rest gap; repulsion is positive", 2.0,
+                [](const DesignView& d) -> Value { return d.performance.axial_force; }),
       of_cold("rest_angle_deg", "bending angle of the finger hanging without current", 20.0,
               [](const MotionSummary& motion) { return motion.rest_angles.sum() * units::degrees_per_radian; }),
       of_motion(

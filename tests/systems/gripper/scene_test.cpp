@@ -9,8 +9,8 @@
 namespace coilwright::systems::gripper {
 namespace {
 
-// Opened by negative current, fingers land and lie on the faces of their slits, which are so stiff that explicit steps of
-// 0.2 ms rattled on them, and implicit ones of 1 ms: they never came to rest, and wandered by more than a degree.
+// Opened by negative current, fingers land and lie on the faces of their slits, which are so stiff that explicit steps
+// of 0.2 ms rattled on them, and implicit ones of 1 ms: they never came to rest, and wandered by more than a degree.
 TEST(Scene, LeavesOpenedFingersAtRestOnTheirFaces) {
   const Gripper gripper(actuator::Design{}, {.angle = std::numbers::pi / 6.0, .spacing = 0.3});
   const Object ball{

@@ -38,7 +38,7 @@ class RosenbrockStep {
       MotionVector right = i == 0 ? start_slopes : derive(end_);
       for (int j = 0; j < i; ++j) right += method.carry[i][j] / duration * stages_[j];
       const mechanics::JointVector torques = mass.lazyProduct(right.tail(n)) + damped.lazyProduct(right.head(n));
-      stages_[i].resize(2 * n);
+      stages_[i].resize(start.size());
       stages_[i].head(n) = factors.solve(torques);
       stages_[i].tail(n) = scale * stages_[i].head(n) - right.head(n);
     }

@@ -58,7 +58,9 @@ std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& l
   for (const char* name : main_figures) figures.push_back(fmt::format("{} {}", name, value_text(design, name)));
   const std::string does =
       fmt::format("With {} A {} and a duty of {}: {}.", short_number(design.point.current),
-                  has_one_current(design.design) ? "in every coil" : "of which the coils carry their shares",
+                  has_one_current(design.design)
+                      ? "in every coil"
+                      : fmt::format("of which the coils carry {}", fmt::join(current_shares(design.design), " and ")),
                   short_number(design.point.duty), fmt::join(figures, ", "));
   return cautions_of(limits).empty() ? does + " No part is beyond a limit of its own." : does;
 }

@@ -25,7 +25,7 @@ bool is_inside(const Outline& ring, const Eigen::Vector3d& point, double depth) 
   return std::abs(point.z()) < 0.5 * ring.length - depth && radius < ring.outer_radius - depth && radius > inner;
 }
 
-// Whether a point of the surface of `own`, taken to the other's frame by `place`, lies inside `other`.
+// Whether a point on or in `own`, taken to the other's frame by `place`, lies inside `other`.
 template <class Place>
 bool any_point_inside(const Outline& own, const Outline& other, double depth, const Place& place) {
   for (int a = 0; a < around; ++a) {

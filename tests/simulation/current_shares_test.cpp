@@ -132,6 +132,10 @@ TEST(CurrentShares, NeedDriversOfTheirOwnAndSomethingToCarry) {
   const auto faults = actuator::construction_faults(finger_with(0.0, 0.0));
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults.front().rule, "at least one coil must carry a share of the current; got 0 in all");
+  const auto hardly = actuator::construction_faults(finger_with(1e-200, -1e-4));
+  ASSERT_EQ(hardly.size(), 1U);
+  EXPECT_EQ(hardly.front().rule, "the largest current share must be at least 0.001; got 0.0001");
+  EXPECT_TRUE(actuator::construction_faults(finger_with(0.0, -1e-3)).empty());
   const auto beyond = actuator::construction_faults(finger_with(1.0, 1.5));
   ASSERT_EQ(beyond.size(), 1U);
   EXPECT_EQ(beyond.front().rule, "current_share_2 must be from -1 to 1; got 1.5");

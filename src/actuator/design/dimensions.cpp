@@ -156,8 +156,12 @@ void check_shares(const Design& design, MisfitList& list) {
   for (std::size_t i = 0; i < shares.size(); ++i)
     if (!(std::abs(shares[i]) <= 1.0))
       list.add(fmt::format("current_share_{} must be from -1 to 1; got {}", i + 1, shares[i]), 1.0);
-  if (std::ranges::all_of(shares, [](double share) { return share == 0.0; }))
+  // By a share of nearly nothing every limit of the current would be one of nearly anything.
+  constexpr double least = 1e-3;
+  if (const double largest = largest_current_share(design); largest == 0.0)
     list.add("at least one coil must carry a share of the current; got 0 in all", 1.0);
+  else if (largest < least)
+    list.add(fmt::format("the largest current share must be at least {}; got {}", least, largest), 1.0);
 }
 
 }  // namespace

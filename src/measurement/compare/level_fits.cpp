@@ -61,14 +61,14 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<Plann
   return out;
 }
 
-// The plans whose short fits end lowest, from where these end.
+// The plans whose short fits end lowest, from where these end; all are for the hypothesis of `known`, or a larger one.
 Counted<std::vector<PlannedFit>> most_promising(std::span<const replay::PreparedRun> runs,
-                                                std::vector<PlannedFit> plans) {
+                                                const FittedHypothesis& known, std::vector<PlannedFit> plans) {
   constexpr std::size_t most = 2;
   std::vector<Counted<std::optional<fit::Fit>>> fits(plans.size());
   tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
     fit::FitRequest request = fit_request_of(runs, plans[i]);
-    request.effort = search_effort.short_fit;
+    request.effort = ends_by_what_is_left(search_effort.short_fit, known);
     fits[i] = fit::fit(request);
   });
   Counted<std::vector<PlannedFit>> out;
@@ -242,7 +242,7 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
     out.simulated_runs += limits.simulated_runs;
     take_better(std::move(limits.value), best);
     if (is_far_from_noise(as_found)) return;
-    Counted<std::vector<PlannedFit>> promising = most_promising(runs, from_own_starts(as_found, scale));
+    Counted<std::vector<PlannedFit>> promising = most_promising(runs, as_found, from_own_starts(as_found, scale));
     out.simulated_runs += promising.simulated_runs;
     take_better(std::move(promising.value), best);
   };
@@ -252,7 +252,7 @@ Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Lev
     std::vector<PlannedFit> plans = with_further_numbers(smaller, scale);
     // Far from the noise they race instead.
     if (!is_far_from_noise(smaller)) {
-      Counted<std::vector<PlannedFit>> promising = most_promising(runs, std::move(plans));
+      Counted<std::vector<PlannedFit>> promising = most_promising(runs, smaller, std::move(plans));
       out.simulated_runs += promising.simulated_runs;
       plans = std::move(promising.value);
     }

@@ -23,7 +23,8 @@ struct SearchEffort {
   /// times the fall of the right one, whose strength the linearisation does not reach. The runner-up with a choice
   /// needs this fraction of what the best with that choice predicts.
   double runner_up = 0.7;
-  /// End of a short fit. More iterations rank the effects more reliably, and each costs one simulation per parameter.
+  /// End of a short fit; its tolerance is a fraction of what there is to gain (ends_by_what_is_left). More iterations
+  /// rank the effects more reliably, and each costs one simulation per parameter.
   fit::FitEffort short_fit{.iterations = 8, .tolerance = 1e-2};
   /// A fit takes its derivatives anew where it ended, and goes on as long as they promise more than its tolerance and
   /// its last turn has kept such a promise, at most so often.
@@ -38,7 +39,7 @@ struct SearchEffort {
   double next_to_nothing = 0.05;
   /// The largest number of such starts of one effect, those of the largest predicted fall of chi-square.
   std::size_t own_starts = 6;
-  /// End of a fit from there, whose way is longer.
+  /// End of a fit from there, whose way is longer; likewise.
   fit::FitEffort own_start_fit{.iterations = 20, .tolerance = 1e-2};
   /// A short fit that fails is repeated with this fraction of the start's strength, near the model without the effect.
   double retry_strength = 0.05;

@@ -67,6 +67,13 @@ PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effe
   return plan;
 }
 
+fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesis& known) {
+  const double least_gain =
+      std::max(decision_thresholds.decisive_gain, effort.tolerance * known.chi_square_above_noise());
+  effort.tolerance = std::min(effort.tolerance, least_gain / known.fit.objective());
+  return effort;
+}
+
 fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
                                                 std::span<const std::vector<Effect>> guesses,
                                                 std::span<const std::vector<Effect>> further) {
@@ -82,7 +89,7 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
       plan.derivatives_from = nullptr;
     }
     fit::FitRequest request = fit_request_of(runs, plan);
-    request.effort = effort;
+    request.effort = ends_by_what_is_left(effort, base);
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;
     if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;

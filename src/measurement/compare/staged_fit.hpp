@@ -17,6 +17,11 @@ namespace coilwright::measurement::compare {
 /// `base` at its fit with additional effects, each with the given numbers. Refers to `base`.
 [[nodiscard]] PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const actuator::Effect> added);
 
+/// `effort` for hypotheses that add to `known`, its tolerance taken as a fraction of what `known` leaves above the
+/// noise, not of the whole of chi-square: near the noise a hundredth of that is a hundred times what decides. A step
+/// that gains less than what decides nothing (DecisionThresholds::decisive_gain) ends the fit in any case.
+[[nodiscard]] fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesis& known);
+
 /// The result of a fit that ended after a few iterations.
 struct ShortFit {
   PlannedFit plan;  ///< where it started

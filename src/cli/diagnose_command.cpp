@@ -75,6 +75,17 @@ std::filesystem::path declared_path(const Options& options, const formats::Datas
   throw text::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
 }
 
+// An earlier diagnosis is replaced as a whole; files of these names that none has written stay.
+void keep_other_results(const std::filesystem::path& folder) {
+  std::error_code none;
+  if (std::filesystem::exists(folder / diagnosis_name, none)) return;
+  for (const char* name :
+       {actuator_name, corrected_name, residuals_name, summary_name, next_name, expected_name, provenance_name})
+    if (std::filesystem::exists(folder / name, none))
+      throw text::OutputError(folder / name, "it is there, and no diagnosis.json beside it: name another folder",
+                              text::OutputError::Stage::preparing);
+}
+
 // Results among the data would be taken for data, or lie over them or the actuator that they declare.
 void check_output(const Options& options, const formats::DatasetFile& set, const std::filesystem::path& declared) {
   std::error_code none;
@@ -88,6 +99,7 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
                            expected_name, provenance_name})
     outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
+  keep_other_results(options.out);
   // Known before the work, whether it can be written.
   const text::OutputFolder trial(options.out);
 }
@@ -120,8 +132,14 @@ const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
   return std::get<actuator::Model>(file.content).nominal_spec().effects;
 }
 
-// The updated actuator, checked where it will be used: its text is read back and must have every effect.
-std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
+// An actuator file that was checked where it will be used.
+struct CheckedActuator {
+  std::string text;
+  bool is_design{};
+};
+
+// The updated actuator: its text is read back and must have every effect.
+CheckedActuator updated_actuator(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
   const std::vector<Effect> added = measurement::effects_of(diagnosis);
   std::string text =
       formats::to_json(declared.updated(measurement::calibration_of(diagnosis), added), declared.name).text();
@@ -131,7 +149,7 @@ std::string actuator_text(const Diagnosis& diagnosis, const formats::DeclaredAct
     for (const Effect& read : effects_of(back)) there = there || read.kind == effect.kind;
     if (!there) throw std::logic_error(fmt::format("{} is lost when the actuator is read back", effect.kind->id()));
   }
-  return text;
+  return {.text = std::move(text), .is_design = std::holds_alternative<actuator::Design>(back.content)};
 }
 
 // The actuator with the nameless correction, read back as well; empty where there is none.
@@ -151,6 +169,7 @@ struct Found {
   std::string dataset;
   std::vector<std::string> held_out;
   std::string actuator;
+  bool is_design{};
   std::string corrected;        // empty: none
   std::string next_experiment;  // empty: there is none
   Provenance provenance;
@@ -177,13 +196,14 @@ Found find(const Options& options) {
   Provenance provenance = provenance_of(set, declared_file, options.seed);
   Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
-  std::string actuator = actuator_text(diagnosis, declared);
+  CheckedActuator actuator = updated_actuator(diagnosis, declared);
   std::string corrected = corrected_text(diagnosis, declared);
   std::string next_experiment = next_experiment_text(diagnosis);
   return {.diagnosis = std::move(diagnosis),
           .dataset = set.data.name,
           .held_out = set.data.held_out,
-          .actuator = std::move(actuator),
+          .actuator = std::move(actuator.text),
+          .is_design = actuator.is_design,
           .corrected = std::move(corrected),
           .next_experiment = std::move(next_experiment),
           .provenance = std::move(provenance)};
@@ -193,6 +213,7 @@ void write(const Options& options, const Found& found) {
   const formats::DiagnosisReport answer{.diagnosis = found.diagnosis,
                                         .dataset = found.dataset,
                                         .updated_actuator = actuator_name,
+                                        .is_design = found.is_design,
                                         .corrected_actuator = found.corrected.empty() ? "" : corrected_name,
                                         .held_out = found.held_out,
                                         .seed = options.seed,
@@ -250,7 +271,8 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which the\n"
       "other commands read; crawl and a C header of reach refuse effects that act while they run); residuals.csv\n"
-      "(every sample as measured and as predicted by the declared, the recalibrated and the corrected model);\n"
+      "(every sample as measured and as predicted by the declared, the recalibrated and the corrected model, with\n"
+      "the run's own clock and hum);\n"
       "provenance.json (program, files, seed). Where a run would separate\n"
       "what these data cannot, it also writes next_experiment.json (experiment/1, for plan and twin) and\n"
       "next_experiment.csv (what each explanation expects that run to show). Where no known effect explains all\n"

@@ -89,19 +89,6 @@ long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::De
   return fitted.simulated_runs + anew.simulated_runs;
 }
 
-std::vector<Outliers> outliers_of(const std::vector<replay::PreparedRun>& runs) {
-  std::vector<Outliers> out;
-  for (const replay::PreparedRun& prepared : runs) {
-    for (std::size_t c = 0; c < prepared.set_aside.size(); ++c) {
-      Outliers found{.run = prepared.run->name, .channel = prepared.run->channels[c].name};
-      for (std::size_t i = 0; i < prepared.set_aside[c].size(); ++i)
-        if (prepared.is_set_aside(c, i)) found.times.push_back(prepared.run->times[i]);
-      if (!found.times.empty()) out.push_back(std::move(found));
-    }
-  }
-  return out;
-}
-
 Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredModel& declared,
                             const DiagnosisOptions& options) {
   Diagnosis out{.warnings = data.warnings};
@@ -137,7 +124,6 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                                                       .seed = options.seed,
                                                       .progress = options.progress,
                                                       .effects = options.effects});
-  out.outliers = outliers_of(runs);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   timer.end_phase("comparison", compared.simulated_runs);
 
@@ -195,12 +181,13 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                            .overdispersion = pruned.overdispersion,
                            .corrected = nameless.fitted};
   say("errors of the finished models");
-  const FinalErrors fitted(usable.runs, declared, models, data.still);
+  const FinalErrors fitted(runs, models);
   const FinalErrors validated(data.validate, declared, models, data.still);
   out.fit_errors = fitted.errors();
   out.validate_errors = validated.errors();
   for (const FinalErrors* errors : {&fitted, &validated}) {
     append(out.replays, errors->replays());
+    append(out.outliers, errors->outliers());
     append(out.warnings, errors->warnings());
   }
   append(out.warnings, warnings_of(out, runs, declared));

@@ -91,11 +91,9 @@ CountedPrediction predict_with_deviations(const PreparedRun& prepared, const Fit
 // Sums over all channels of one kind.
 class ErrorSums {
  public:
-  // `set_aside`: for each sample whether it counts not; empty: all count.
-  void add(const Replay& replay, const std::vector<double>& deviations, double sigma,
-           const std::vector<char>& set_aside) {
+  void add(const Replay& replay, const std::vector<double>& deviations, double sigma) {
     const std::array models{&replay.declared, &replay.before, &replay.after, &replay.corrected};
-    const auto counts = [&](std::size_t i) { return set_aside.empty() || set_aside[i] == 0; };
+    const auto counts = [&](std::size_t i) { return replay.left_out.empty() || replay.left_out[i] == 0; };
     has_correction_ = !replay.corrected.empty();
     for (std::size_t m = 0; m < models.size() - (has_correction_ ? 0 : 1); ++m) {
       for (std::size_t i = 0; i < replay.measured.size(); ++i) {
@@ -167,28 +165,40 @@ void FinalErrors::require_no_slip(const data::SealedRuns& runs, const replay::De
 
 FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
                          std::span<const data::Run> still) {
-  take(runs.runs_, declared, models, still, true);
-}
-
-FinalErrors::FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
-                         const ThreeModels& models, std::span<const data::Run> still) {
-  take(runs, declared, models, still, false);
-}
-
-void FinalErrors::take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared,
-                       const ThreeModels& models, std::span<const data::Run> still, bool validate) {
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
   std::vector<PreparedRun> prepared_runs;
-  for (const data::Run& run : runs) {
-    prepared_runs.push_back(replay::prepare_run(run, declared, nominal));
-    replay::give_recorded_noise(prepared_runs.back(), still, {});
-    prepared_runs.back().model_error = models.after.fit.model_error;
+  for (const data::Run& run : runs.runs_) {
+    PreparedRun& prepared = prepared_runs.emplace_back(replay::prepare_run(run, declared, nominal));
+    replay::give_recorded_noise(prepared, still, {});
+    prepared.model_error = models.after.fit.model_error;
+    set_outliers_aside(prepared, models.after);
   }
-  for (PreparedRun& prepared : prepared_runs) {
-    const auto found = fit::evaluate_at(request_for(prepared, models.after));
+  take(std::move(prepared_runs), models, true);
+}
+
+FinalErrors::FinalErrors(std::vector<PreparedRun> runs, const ThreeModels& models) {
+  for (PreparedRun& prepared : runs) prepared.model_error = models.after.fit.model_error;
+  take(std::move(runs), models, false);
+}
+
+// Outliers pull at the run's clock and hum, and hide themselves among what these then leave: after each look they are
+// fitted again without whatever is suspected.
+void FinalErrors::set_outliers_aside(PreparedRun& prepared, const FittedHypothesis& model) {
+  constexpr int most_looks = 4;
+  std::vector<PreparedRun> looked_at{prepared};
+  for (int look = 0; look < most_looks; ++look) {
+    const auto found = fit::evaluate_at(request_for(looked_at.front(), model));
     simulated_runs_ += found.simulated_runs;
-    if (found.value) (void)fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
+    if (!found.value) return;
+    const bool any = fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
+    if (look > 0 && !any) return;
+    auto trimmed = fit::with_suspects_aside(std::span(&prepared, 1), *found.value);
+    if (!trimmed) return;
+    looked_at = std::move(*trimmed);
   }
+}
+
+void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels& models, bool validate) {
   const Eigen::MatrixXd covariance = parameter_covariance(models.after, models.overdispersion);
   std::vector<const FittedHypothesis*> all{&models.declared, &models.before, &models.after};
   if (models.corrected) all.push_back(&*models.corrected);
@@ -223,6 +233,13 @@ void FinalErrors::take(const std::vector<data::Run>& runs, const replay::Declare
           .before = before.value->values[c],
           .after = after.value->values[c],
           .corrected = corrected.value ? corrected.value->values[c] : std::vector<double>{}};
+      if (c < prepared.set_aside.size() && !prepared.set_aside[c].empty())
+        replay.left_out.assign(prepared.set_aside[c].begin(),
+                               prepared.set_aside[c].begin() + static_cast<std::ptrdiff_t>(at.size()));
+      Outliers outliers{.run = replay.run, .channel = replay.channel, .validate = validate};
+      for (std::size_t i = 0; i < replay.left_out.size(); ++i)
+        if (replay.left_out[i] != 0) outliers.times.push_back(at[i]);
+      if (!outliers.times.empty()) outliers_.push_back(std::move(outliers));
       const data::ChannelKind kind = error_kind(channel.kind);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {
@@ -230,9 +247,8 @@ void FinalErrors::take(const std::vector<data::Run>& runs, const replay::Declare
         sums.emplace_back();
         found = order.end() - 1;
       }
-      sums[static_cast<std::size_t>(found - order.begin())].add(
-          replay, after.value->deviations[c], prepared.noise[c].sigma,
-          c < prepared.set_aside.size() ? prepared.set_aside[c] : std::vector<char>{});
+      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after.value->deviations[c],
+                                                                prepared.noise[c].sigma);
       replays_.push_back(std::move(replay));
     }
   }

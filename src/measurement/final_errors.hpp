@@ -34,21 +34,24 @@ class FinalErrors {
   /// error of the fit of `after`. `still` are the records of the noise.
   FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
               std::span<const data::Run> still);
-  /// Errors on the fit runs, likewise.
-  FinalErrors(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
-              std::span<const data::Run> still);
+  /// Errors on the fit runs, likewise, without the samples that the fits had set aside, and with the noise that they
+  /// weighed them by.
+  FinalErrors(std::vector<replay::PreparedRun> runs, const ThreeModels& models);
 
   [[nodiscard]] const std::vector<ErrorComparison>& errors() const noexcept { return errors_; }
+  /// What was left out of them, of each run and channel.
+  [[nodiscard]] const std::vector<Outliers>& outliers() const noexcept { return outliers_; }
   [[nodiscard]] const std::vector<Replay>& replays() const noexcept { return replays_; }
   [[nodiscard]] const std::vector<data::Warning>& warnings() const noexcept { return warnings_; }
   [[nodiscard]] long simulated_runs() const noexcept { return simulated_runs_; }
 
  private:
-  void take(const std::vector<data::Run>& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
-            std::span<const data::Run> still, bool validate);
+  void set_outliers_aside(replay::PreparedRun& prepared, const compare::FittedHypothesis& model);
+  void take(std::vector<replay::PreparedRun> runs, const ThreeModels& models, bool validate);
 
   std::vector<ErrorComparison> errors_;
   std::vector<Replay> replays_;
+  std::vector<Outliers> outliers_;
   std::vector<data::Warning> warnings_;
   long simulated_runs_ = 0;
 };

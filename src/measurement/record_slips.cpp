@@ -38,6 +38,7 @@ struct Slip {
   double angle = 1.0;    // factor of angles and their rates
   double current = 1.0;  // of the input
   double time = 1.0;     // of the time, and of rates its inverse
+  bool of_input{true};   // whether of the time of an input that has a file of its own, too
   std::string column{};  // "time_s"; empty: the angle's own name
   std::string looks_like{};
   std::string remedy{};
@@ -91,7 +92,8 @@ data::Run meant_as(data::Run run, const Slip& slip) {
   for (std::vector<double>& row : run.inputs)
     for (double& value : row) value *= slip.current;
   for (double& time : run.times) time *= slip.time;
-  for (double& time : run.input_times) time *= slip.time;
+  if (slip.of_input)
+    for (double& time : run.input_times) time *= slip.time;
   if (run.window) *run.window *= slip.time;
   return run;
 }
@@ -145,16 +147,28 @@ std::string slip_text(const data::Run& run, const Slip& slip, const Sums& meant,
       run.name, column_of(run, slip), slip.looks_like, rms(meant.missed, meant.count), as_written, slip.remedy);
 }
 
-// By itself, and before anything is simulated as it is written: that would take a thousand times as long.
-void require_no_milliseconds(const data::Run& run, const replay::DeclaredModel& declared,
-                             const fit::Hypothesis& as_declared) {
-  constexpr double slowest_camera = 0.5;  // s
-  if (run.times.size() < 3 || data::usual_interval(run) < slowest_camera) return;
-  const Slip slip{.time = 1e-3, .column = "time_s", .looks_like = "milliseconds", .remedy = "name the column time_ms"};
-  const std::optional<Sums> sums = sums_of(run, slip, declared, as_declared);
-  if (!sums || sums->missed > follows * follows * sums->varied) return;
-  throw RecordSlip(
-      slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", data::usual_interval(run))));
+// By itself, and before anything is simulated as it is written: that may take a thousand times as long.
+void require_no_other_unit_of_time(const data::Run& run, const replay::DeclaredModel& declared,
+                                   const fit::Hypothesis& as_declared) {
+  constexpr double slowest_camera = 0.5;   // s
+  constexpr double fastest_camera = 5e-5;  // s
+  if (run.times.size() < 3) return;
+  const double interval = data::usual_interval(run);
+  if (interval > fastest_camera && interval < slowest_camera) return;
+  Slip slip =
+      interval < slowest_camera
+          ? Slip{.time = 1e3,
+                 .column = "the time",
+                 .looks_like = "seconds under a name that says less",
+                 .remedy = "name the column time_s"}
+          : Slip{.time = 1e-3, .column = "time_s", .looks_like = "milliseconds", .remedy = "name the column time_ms"};
+  for (const bool of_input : {true, false}) {
+    if (!of_input && run.input_times.empty()) break;
+    slip.of_input = of_input;
+    const std::optional<Sums> sums = sums_of(run, slip, declared, as_declared);
+    if (!sums || sums->missed > follows * follows * sums->varied) continue;
+    throw RecordSlip(slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", interval)));
+  }
 }
 
 void require_no_slip_of(const data::Run& run, const replay::DeclaredModel& declared,
@@ -188,7 +202,7 @@ void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredMode
   std::size_t looked_at = 0;
   for (const data::Run& run : runs) {
     if (!is_of_use(run) || looked_at++ >= enough_runs) continue;
-    require_no_milliseconds(run, declared, as_declared);
+    require_no_other_unit_of_time(run, declared, as_declared);
     require_no_slip_of(run, declared, as_declared);
   }
 }

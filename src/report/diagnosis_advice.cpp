@@ -30,7 +30,8 @@ bool leaves_structure(const Diagnosis& diagnosis) {
 // Declared numbers that moved far; if none did, and they are off together, those that moved most.
 std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
   std::vector<const MovedNumber*> ordered;
-  for (const MovedNumber& each : diagnosis.nominal) ordered.push_back(&each);
+  for (const MovedNumber& each : diagnosis.nominal)
+    if (!each.idle_from) ordered.push_back(&each);
   const auto moved = [](const MovedNumber* each) { return std::abs(formats::tolerances_moved(*each)); };
   std::ranges::stable_sort(ordered, std::greater{}, moved);
   const bool together = diagnosis.verdict == Verdict::declared_numbers_off;
@@ -44,6 +45,20 @@ std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
             : fmt::format("{} (declared {}, {} {})", each->estimate.key, number_text(formats::in_unit(*each).declared),
                           leaves_structure(diagnosis) ? "moved to" : "these data say", moved_to_text(*each));
     if (std::ranges::find(out, what) == out.end()) out.push_back(std::move(what));
+  }
+  return out;
+}
+
+// Declared faces that touch nowhere in these records: what closes there cannot be weighed, but seen.
+std::vector<std::string> faces_to_look_at(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
+  for (const MovedNumber& each : diagnosis.nominal) {
+    if (!each.idle_from) continue;
+    const formats::MovedNumberInUnit shown = formats::in_unit(each);
+    out.push_back(fmt::format(
+        "Look at the rig where the faces of the joints touch: {} is declared as {}, and these records show no contact "
+        "down to {}. If there are no faces, remove \"contact\" from the joints of the actuator file.",
+        each.estimate.key, number_text(shown.declared), number_text(*shown.idle_from)));
   }
   return out;
 }
@@ -128,7 +143,13 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
   return out;
 }
 
-std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_actuator) {
+bool is_colour_unknown(const Diagnosis& diagnosis) {
+  return std::ranges::any_of(diagnosis.noise,
+                             [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); });
+}
+
+std::string advice_text(const formats::DiagnosisReport& report) {
+  const Diagnosis& diagnosis = report.diagnosis;
   std::vector<std::string> steps;
   const bool structure = leaves_structure(diagnosis);
   if (diagnosis.far_first_pose)
@@ -142,6 +163,7 @@ std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_a
   if (structure)
     if (std::string step = repeating_step(diagnosis); !step.empty()) steps.push_back(std::move(step));
   for (std::string& step : checks_at_the_rig(diagnosis)) steps.push_back(std::move(step));
+  for (std::string& step : faces_to_look_at(diagnosis)) steps.push_back(std::move(step));
   if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
     steps.push_back(measuring_step(diagnosis, measure));
   if (diagnosis.next_experiment) {
@@ -152,9 +174,7 @@ std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_a
                           number_text(next.separation));
     steps.push_back(step + ".");
   }
-  const bool colour_unknown = std::ranges::any_of(
-      diagnosis.noise, [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); });
-  if (structure && colour_unknown)
+  if (structure && is_colour_unknown(diagnosis))
     steps.emplace_back(
         "Record ten seconds of the finger at rest (kind still): it tells whether what is left is noise of the camera.");
   if (structure)
@@ -165,8 +185,9 @@ std::string advice_text(const Diagnosis& diagnosis, const std::string& updated_a
     steps.emplace_back(
         "Do not take the numbers of the effects for those of the finger: what is missing distorts them.");
   if (!structure)
-    steps.push_back(fmt::format("{} with {}: evaluate, simulate and size take it.",
-                                steps.empty() ? "Go on" : "Then go on", updated_actuator));
+    steps.push_back(
+        fmt::format("{} with {}: {} take it.", steps.empty() ? "Go on" : "Then go on", report.updated_actuator,
+                    report.is_design ? "evaluate, simulate and the studies of size" : "evaluate and simulate"));
   std::string text = "\nWhat to do next\n";
   for (const std::string& step : steps) text += fmt::format("  {}\n", step);
   return text;

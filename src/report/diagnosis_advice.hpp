@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "coilwright/formats/data/diagnosis_json.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 
 namespace coilwright::report {
@@ -18,8 +19,11 @@ namespace coilwright::report {
 /// noise; empty where none did, or where the verdict says it.
 [[nodiscard]] std::string far_numbers(const measurement::Diagnosis& diagnosis);
 
+/// Whether the colour of the noise of a channel is not known: no record shows it without the motion.
+[[nodiscard]] bool is_colour_unknown(const measurement::Diagnosis& diagnosis);
+
 /// What a person would do next, the most useful first: which number to weigh or measure, which run to record, or
 /// whether to go on with the updated actuator.
-[[nodiscard]] std::string advice_text(const measurement::Diagnosis& diagnosis, const std::string& updated_actuator);
+[[nodiscard]] std::string advice_text(const formats::DiagnosisReport& report);
 
 }  // namespace coilwright::report

@@ -62,7 +62,8 @@ std::string calibration_text(const Diagnosis& diagnosis) {
 }
 
 // The declared numbers, those first that moved furthest.
-std::string nominal_text(const Diagnosis& diagnosis) {
+std::string nominal_text(const formats::DiagnosisReport& report) {
+  const Diagnosis& diagnosis = report.diagnosis;
   if (diagnosis.nominal.empty()) return {};
   std::vector<const MovedNumber*> ordered;
   for (const MovedNumber& each : diagnosis.nominal) ordered.push_back(&each);
@@ -88,11 +89,22 @@ std::string nominal_text(const Diagnosis& diagnosis) {
   text += table.text(4, {left, right, left, right, right});
   if (ordered.size() > most_numbers)
     text += fmt::format("    and {} that moved less (nominal in diagnosis.json)\n", ordered.size() - most_numbers);
-  if (std::ranges::any_of(ordered, [](const MovedNumber* each) { return each->idle_from.has_value(); }))
-    text +=
+  for (const MovedNumber* each : ordered) {
+    if (!each->idle_from) continue;
+    text += fmt::format(
         "    below, above: there the number changes nothing in these records (faces that touch nowhere). It has moved\n"
-        "    that far at least; the records cannot say how much further.\n";
-  if (std::ranges::any_of(ordered, [](const MovedNumber* each) { return each->estimate.key.starts_with('/'); }))
+        "    that far at least; the records cannot say how much further. {} has {} of {}, as if\n"
+        "    there were no faces.\n",
+        report.updated_actuator, each->estimate.key, number_text(formats::in_unit(each->estimate).value));
+  }
+  const auto any_named = [&](std::string_view start) {
+    return std::ranges::any_of(ordered, [&](const MovedNumber* each) { return each->estimate.key.starts_with(start); });
+  };
+  if (any_named("joint_stiffness_ratio") || any_named("joint_damping_ratio"))
+    text += "    A ratio of the joints is what the second has more than the first, over their mean.\n";
+  if (any_named("force_curve"))
+    text += "    The numbers of force_curve are a smooth error of the shape of the torque over the angle.\n";
+  if (any_named("/"))
     text += "    A name with slashes is a place in the actuator file; its lists count from 0, links from the base.\n";
   return text;
 }
@@ -154,17 +166,21 @@ std::string outliers_text(const Diagnosis& diagnosis) {
     const std::size_t shown = std::min(each.times.size(), most_times);
     std::vector<std::string> times;
     for (const double time : std::span(each.times).first(shown)) times.push_back(number_text(time));
-    text += fmt::format("    {}, {}: {} at {}{} s\n", each.run, each.channel, counted(each.times.size(), "sample"),
-                        fmt::join(times, ", "), each.times.size() > shown ? ", ..." : "");
+    text += fmt::format("    {}, {}: {} at {}{} s{}\n", each.run, each.channel, counted(each.times.size(), "sample"),
+                        fmt::join(times, ", "), each.times.size() > shown ? ", ..." : "",
+                        each.validate ? " (left out of the errors)" : "");
   }
-  return text.empty() ? text : "  Left out, because no motion can show them (all in diagnosis.json):\n" + text;
+  return text.empty() ? text
+                      : "  Taken as outliers and left out, because they stand apart from their neighbours as no motion "
+                        "does\n  (all of them in diagnosis.json):\n" +
+                            text;
 }
 
 }  // namespace
 
 std::string diagnosis_assumptions(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
-  const std::string text = runs_text(report) + calibration_text(diagnosis) + nominal_text(diagnosis) +
+  const std::string text = runs_text(report) + calibration_text(diagnosis) + nominal_text(report) +
                            exact_text(diagnosis) + noise_text(diagnosis) + outliers_text(diagnosis);
   return text.empty() ? text : "\nWhat was assumed\n" + text;
 }

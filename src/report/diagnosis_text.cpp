@@ -59,6 +59,9 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
       return fmt::format("The declared model lacks {}, and something else: structure remains that no effect explains.",
                          effects);
     case Verdict::unexplained:
+      if (is_colour_unknown(diagnosis))
+        return "Something is left over that none of the known effects explains. Whether the finger or the camera makes "
+               "it,\nthese records cannot tell: none shows the noise of the camera by itself.";
       return "The declared model lacks something, and none of the known effects explains it.";
   }
   return "";
@@ -76,13 +79,11 @@ std::string parameters_text(const AddedEffect& effect) {
   return table.text(4, {left, right, left});
 }
 
-// Values that the fits compared with the model, without those that were set aside.
+// Values that the fits compared with the model.
 std::size_t values_fitted(const Diagnosis& diagnosis) {
   std::size_t values = 0;
-  std::size_t aside = 0;
   for (const ErrorComparison& each : diagnosis.fit_errors) values += each.samples;
-  for (const Outliers& each : diagnosis.outliers) aside += each.times.size();
-  return values > aside ? values - aside : 0;
+  return values;
 }
 
 // Rms residual on the fit runs over the noise, of a chi-square: 1 is noise alone.
@@ -131,30 +132,32 @@ std::string found_text(const Diagnosis& diagnosis) {
   return text + declared_text(diagnosis);
 }
 
-std::string comparison_text(const ErrorComparison& comparison) {
+// Where no effect was found, the model with the effects is the one that was fitted anew.
+std::string comparison_text(const ErrorComparison& comparison, bool any_effect) {
   const units::Unit unit = error_unit(comparison.kind);
   const auto shown = [&](double value) { return number_text(units::from_si(value, unit)); };
-  const auto line = [&](const char* name, double Errors::*member) -> std::vector<std::string> {
-    return {name, shown(comparison.declared.*member), shown(comparison.before.*member),
-            shown(comparison.after.*member)};
-  };
   const bool corrected = comparison.corrected.has_value();
-  const auto with_correction = [&](std::vector<std::string> cells, double Errors::*member) {
+  const auto line = [&](const char* name, double Errors::*member) {
+    std::vector<std::string> cells{name, shown(comparison.declared.*member), shown(comparison.before.*member)};
+    if (any_effect) cells.push_back(shown(comparison.after.*member));
     if (corrected) cells.push_back(shown((*comparison.corrected).*member));
     return cells;
   };
-  std::vector<std::string> rmse = with_correction(line("  rmse", &Errors::rmse), &Errors::rmse);
+  std::vector<std::string> rmse = line("  rmse", &Errors::rmse);
   rmse.push_back(fmt::format("noise alone: {}", shown(comparison.noise_floor_rmse)));
   TextTable rows;
   std::vector<std::string> head{fmt::format("{}, {}", formats::name_of(comparison.kind), readable_unit(unit.suffix)),
-                                "as declared", "fitted anew", "with effects"};
+                                "as declared", "fitted anew"};
+  if (any_effect) head.emplace_back("with effects");
   if (corrected) head.emplace_back("corrected");
+  std::vector<TextTable::Align> columns(head.size(), right);
+  columns.front() = left;
+  columns.push_back(left);
   rows.row(std::move(head));
-  rows.row(with_correction(line("  mean", &Errors::mae), &Errors::mae));
+  rows.row(line("  mean", &Errors::mae));
   rows.row(std::move(rmse));
-  rows.row(with_correction(line("  largest", &Errors::max), &Errors::max));
-  return rows.text(2, corrected ? std::vector{left, right, right, right, right, left}
-                                : std::vector{left, right, right, right, left});
+  rows.row(line("  largest", &Errors::max));
+  return rows.text(2, columns);
 }
 
 std::string errors_text(const Diagnosis& diagnosis) {
@@ -163,7 +166,8 @@ std::string errors_text(const Diagnosis& diagnosis) {
   if (comparisons.empty()) return {};
   std::string text = validated ? "\nErrors on the runs that no fit has seen\n"
                                : "\nErrors on the fit runs (no run could be kept from the fit)\n";
-  for (const ErrorComparison* each : main_first(comparisons)) text += comparison_text(*each);
+  for (const ErrorComparison* each : main_first(comparisons))
+    text += comparison_text(*each, !diagnosis.effects.empty());
   return text;
 }
 
@@ -252,8 +256,8 @@ std::string to_text(const formats::DiagnosisReport& report) {
   if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
   return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
-         errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(diagnosis, report.updated_actuator) +
-         residual_text(diagnosis) + correction_text(report);
+         errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(report) + residual_text(diagnosis) +
+         correction_text(report);
 }
 
 }  // namespace coilwright::report

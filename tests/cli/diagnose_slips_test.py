@@ -80,6 +80,13 @@ class Slips(ProgramTest):
                                          r"angles by [\d.]+ deg \(rms\), as written there is a sample every 5 s; "
                                          r"name the column time_ms; --as-written takes it as it is\n$")
 
+    def test_seconds_under_milliseconds(self):
+        for name, text in self.records.items():
+            self.write(name, text.replace("time_s", "time_ms", 1))
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time: looks like seconds under a name that says less: the declared model "
+                                         r"then misses the angles by [\d.]+ deg \(rms\), as written there is a sample every 5e-06 s; "
+                                         r"name the column time_s; --as-written takes it as it is\n$")
+
     def test_frame_numbers(self):
         self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",
                          "divide it by the frame rate")

@@ -217,6 +217,16 @@ class Diagnose(ProgramTest):
                          (2, "coilwright: out/residuals.csv: cannot be written: it is an input of this command\n"))
         self.assertEqual((self.folder / "out" / "residuals.csv").read_bytes(), measured)
 
+    def test_a_file_that_no_diagnosis_wrote_is_never_overwritten(self):
+        self.twin()
+        (self.folder / "out").mkdir()
+        self.write("out/summary.txt", "mine\n")
+        result = run("diagnose", "set", "--out", "out", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr),
+                         (2, "coilwright: out/summary.txt: cannot be written: it is there, and no diagnosis.json beside it: "
+                             "name another folder\n"))
+        self.assertEqual((self.folder / "out" / "summary.txt").read_text(), "mine\n")
+
     def test_nothing_needs_to_be_calibrated(self):
         self.twin("--effect", "dry_friction:torque_Nmm=25")
         data = self.result("set/dataset.json")

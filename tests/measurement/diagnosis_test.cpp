@@ -61,6 +61,9 @@ nlohmann::ordered_json report_of(const data::Dataset& data, int threads) {
 // The report without the errors on validate runs and without the warnings about them.
 std::string without_validate_errors(nlohmann::ordered_json report) {
   report["error"].erase("validate");
+  auto& outliers = report["outliers"];
+  for (std::size_t i = outliers.size(); i-- > 0;)
+    if (outliers[i]["role"] == "validate") outliers.erase(i);
   auto& warnings = report["warnings"];
   for (std::size_t i = warnings.size(); i-- > 0;)
     if (warnings[i].dump().find("no fit has seen") != std::string::npos) warnings.erase(i);

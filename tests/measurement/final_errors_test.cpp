@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "measurement/random_numbers.hpp"
@@ -20,6 +23,10 @@ compare::FittedHypothesis fitted_to(const replay::DeclaredModel& declared, const
   return compare::score(runs, std::move(hypothesis), std::move(*found.value));
 }
 
+ThreeModels same_models(const compare::FittedHypothesis& model) {
+  return {.declared = model, .before = model, .after = model, .overdispersion = 1.0};
+}
+
 // Fitted to 0.6 s of a slide with noise, and compared with 4 s without: the errors are due to the errors of the fitted
 // numbers alone, and over many draws of noise their size is the uncertainty that is stated for a single draw.
 TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
@@ -32,8 +39,7 @@ TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
     Normal normal(static_cast<std::uint64_t>(seed));
     const compare::FittedHypothesis model =
         fitted_to(declared, slide_run(60, {}, [&] { return noise_sigma * normal(); }));
-    const FinalErrors errors(judged, declared,
-                             {.declared = model, .before = model, .after = model, .overdispersion = 1.0}, {});
+    const FinalErrors errors(data::SealedRuns(judged), declared, same_models(model), {});
     ASSERT_EQ(errors.errors().size(), 1U);
     observed += std::pow(errors.errors().front().after.rmse, 2);
     stated += std::pow(errors.errors().front().uncertainty_rmse, 2);
@@ -41,6 +47,56 @@ TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
   EXPECT_GT(std::sqrt(observed / draws), 2.0 * noise_sigma);  // beyond the noise: an extrapolation
   // Two numbers: the mean of 60 squares is known to about 20 %, its root to 10 %.
   EXPECT_NEAR(std::sqrt(stated / observed), 1.0, 0.25);
+}
+
+// Outliers pull at the hum that is fitted to a run, and hide behind what it then leaves. Without either the error is
+// the noise, and each of them is listed.
+TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
+  const replay::DeclaredModel declared = slide(2.2, 2.7);
+  Normal normal(5);
+  const auto hum = [](double time) { return 4.0 * noise_sigma * std::cos(2.0 * std::numbers::pi * 20.0 * time); };
+  data::Run still{.name = "still.csv",
+                  .kind = data::RunKind::still,
+                  .channels = {{.name = "theta1_rad", .kind = data::ChannelKind::joint_angle}}};
+  for (int i = 0; i < 2000; ++i) {
+    still.times.push_back(interval * i);
+    still.channels.front().values.push_back(noise_sigma * normal() + hum(interval * i));
+  }
+  data::Run judged = slide_run(120, {}, [&] { return noise_sigma * normal(); });
+  judged.sigma.reset();
+  std::vector<double>& values = judged.channels.front().values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += hum(judged.times[i]);
+  const std::vector<std::size_t> wrong{10, 21, 33, 34, 55, 70, 83, 97, 110};
+  std::vector<double> times;
+  for (std::size_t k = 0; k < wrong.size(); ++k) {
+    values[wrong[k]] += (k % 3 == 0 ? -1.0 : 1.0) * (40.0 + 12.0 * static_cast<double>(k)) * noise_sigma;
+    times.push_back(judged.times[wrong[k]]);
+  }
+  const compare::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
+  const FinalErrors errors(data::SealedRuns({judged}), declared, same_models(model), std::vector{still});
+  ASSERT_EQ(errors.outliers().size(), 1U);
+  EXPECT_TRUE(errors.outliers().front().validate);
+  EXPECT_EQ(errors.outliers().front().times, times);
+  ASSERT_EQ(errors.errors().size(), 1U);
+  EXPECT_EQ(errors.errors().front().samples, values.size() - wrong.size());
+  EXPECT_NEAR(errors.errors().front().after.rmse / noise_sigma, 1.0, 0.15);
+  ASSERT_EQ(errors.replays().size(), 1U);
+  EXPECT_EQ(std::ranges::count(errors.replays().front().left_out, 1), 9);
+}
+
+// Of fit runs what the fits had set aside is left out, no more and no less.
+TEST(FinalErrors, OfFitRunsLeaveOutWhatTheFitsDid) {
+  const replay::DeclaredModel declared = slide(true_mass, true_damping);
+  const fit::Hypothesis hypothesis(declared, {});
+  const data::Run run = slide_run(100, {}, no_error);
+  replay::PreparedRun prepared = replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()));
+  prepared.set_aside = {std::vector<char>(100, 0)};
+  prepared.set_aside.front()[40] = 1;
+  const FinalErrors errors({prepared}, same_models(fitted_to(declared, run)));
+  ASSERT_EQ(errors.outliers().size(), 1U);
+  EXPECT_FALSE(errors.outliers().front().validate);
+  EXPECT_EQ(errors.outliers().front().times, std::vector{run.times[40]});
+  EXPECT_EQ(errors.errors().front().samples, 99U);
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ TEST(Spectrum, KeepsTheSquares) {
 TEST(Runs, AreReadWithWhatEachModelLeavesOver) {
   const coilwright::testing::TemporaryFolder folder;
   folder.file("residuals.csv",
-              "run,role,channel,time_s,angle_deg,current_A,measured,declared,before,after\n"
-              "a.csv,fit,theta_deg,0,,,1.5,1,1.25,1.25\n"
-              "a.csv,fit,theta_deg,0.1,,,2.5,,2.25,2.25\n"
-              "b.csv,validate,torque_Nmm,,30,,4,5,3,4.5\n");
+              "run,role,channel,time_s,angle_deg,current_A,left_out,measured,declared,before,after\n"
+              "a.csv,fit,theta_deg,0,,,0,1.5,1,1.25,1.25\n"
+              "a.csv,fit,theta_deg,0.1,,,0,2.5,,2.25,2.25\n"
+              "b.csv,validate,torque_Nmm,,30,,0,4,5,3,4.5\n");
   const std::vector<RunRecord> runs = read_runs(folder.path());
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].measured, (std::vector<double>{1.5, 2.5}));

@@ -32,8 +32,9 @@ TEST(DiagnosisText, SaysInAMinuteWhatWasAssumedAndFoundAndHowSureThatIs) {
       {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .given = true, .source = "given"}};
   diagnosis.noise.push_back({.run = "b.csv", .channel = "torque_Nmm", .sigma = 2e-5, .from_the_run = true});
   diagnosis.noise.push_back({.run = "c.csv", .channel = "torque_Nmm", .sigma = 1e-5, .colour = "white, as at rest"});
-  diagnosis.outliers = {{.run = "a.csv", .channel = "bending_angle_deg", .times = {0.5, 0.75, 1.0, 1.25, 1.5, 1.75}}};
-  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12006, 0.3 * degree)};
+  diagnosis.outliers = {{.run = "a.csv", .channel = "bending_angle_deg", .times = {0.5, 0.75, 1.0, 1.25, 1.5, 1.75}},
+                        {.run = "b.csv", .channel = "bending_angle_deg", .validate = true, .times = {0.25}}};
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
   diagnosis.warnings = {{.run = "a.csv", .text = "saturated"}};
   diagnosis.replays = {{.run = "a.csv", .validate = false}, {.run = "b.csv", .validate = true}};
   EXPECT_EQ(text_of(diagnosis), R"(finger-2024-03-11: explained
@@ -54,6 +55,7 @@ What was assumed
                                   declared  tolerance       moved to  tolerances moved
     /measured/tip_segment_mass_g        20  0.5                 20.5              +1.0
     force_curve                          0  0.03 (default)    -0.015              -0.5
+    The numbers of force_curve are a smooth error of the shape of the torque over the angle.
     A name with slashes is a place in the actuator file; its lists count from 0, links from the base.
   Taken as exact:
     /magnet/remanence_T
@@ -61,8 +63,10 @@ What was assumed
     bending_angle_deg: 0.3 deg, given in 1 run
     torque_Nmm: 0.01 to 0.02 Nmm, measured at rest for 1 run, estimated in 1 run
       white, as at rest
-  Left out, because no motion can show them (all in diagnosis.json):
+  Taken as outliers and left out, because they stand apart from their neighbours as no motion does
+  (all of them in diagnosis.json):
     a.csv, bending_angle_deg: 6 samples at 0.5, 0.75, 1, 1.25, 1.5, ... s
+    b.csv, bending_angle_deg: 1 sample at 0.25 s (left out of the errors)
 
 What was found
   dry_friction: Coulomb friction at the hinges
@@ -84,7 +88,7 @@ How sure, and what else it could be
 
 What to do next
   Record this run (hot_hold): 1.05 A for 60 s: they part when hot; the explanations that are left differ there by 8.5 times the noise.
-  Then go on with actuator.json: evaluate, simulate and size take it.
+  Then go on with actuator.json: evaluate and simulate take it.
 )");
 }
 
@@ -179,7 +183,7 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
                               "actuator file and diagnose again.\n"
-                              "  Then go on with actuator.json: evaluate, simulate and size take it.\n"));
+                              "  Then go on with actuator.json: evaluate and simulate take it.\n"));
   // A shape is measured on a bench, once for all of its numbers.
   for (const char* key : {"force_curve_1", "force_curve_2"})
     diagnosis.nominal.push_back({.estimate = {.key = key, .value = 0.2}, .declared = 0.0, .tolerance = 0.03});
@@ -216,9 +220,15 @@ TEST(DiagnosisText, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
                               "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
                               "    below, above: there the number changes nothing in these records (faces that touch "
                               "nowhere). It has moved\n"
-                              "    that far at least; the records cannot say how much further.\n"));
+                              "    that far at least; the records cannot say how much further. actuator.json has "
+                              "face_closing_deg of -41, as if\n    there were no faces.\n"));
   EXPECT_THAT(text, HasSubstr("declared numbers had to move far, in tolerances: face_closing_deg by 11.9."));
-  EXPECT_THAT(text, HasSubstr("face_closing_deg (declared 4, these data say below -7.85)"));
+  EXPECT_THAT(text,
+              HasSubstr("What to do next\n"
+                        "  Look at the rig where the faces of the joints touch: face_closing_deg is declared as 4, "
+                        "and these records show no contact down to -7.85. If there are no faces, remove "
+                        "\"contact\" from the joints of the actuator file.\n"));
+  EXPECT_THAT(text, Not(HasSubstr("Weigh or measure")));
 }
 
 TEST(DiagnosisText, SaysHowToSeeAnEffectWithoutTheModel) {
@@ -245,6 +255,46 @@ TEST(DiagnosisText, SaysInItsFirstLinesThatDeclaredNumbersMovedFar) {
                 "face_closing_deg by 7.4. Measure them before you rely on this model.\n"));
   diagnosis.nominal.front().estimate.value = 1.5 * degree;
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("had to move far")));
+}
+
+TEST(DiagnosisText, NamesTheCommandsThatTakeTheActuator) {
+  const Diagnosis diagnosis = example();
+  formats::DiagnosisReport report = report_of(diagnosis);
+  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate and simulate take it.\n"));
+  report.is_design = true;
+  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate, simulate and the studies of size take it.\n"));
+}
+
+TEST(DiagnosisText, HasNoColumnWithEffectsWhereThereAreNone) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::no_missing_effect;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("\n  angle, deg  as declared  fitted anew\n"
+                                            "    mean              2.9          1.1\n"
+                                            "    rmse              3.5          1.4  noise alone: 0.3\n"));
+}
+
+TEST(DiagnosisText, BlamesNothingWhereTheCameraMayHaveMadeWhatIsLeft) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::unexplained;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks something, and none of the known effects explains it.\n"));
+  diagnosis.noise = {{.channel = "bending_angle_deg", .colour = "taken as white: there is no still run"}};
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("unexplained\n\nSomething is left over that none of the known effects explains. Whether the "
+                        "finger or the camera makes it,\nthese records cannot tell: none shows the noise of the camera "
+                        "by itself.\n"));
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("lacks something")));
+}
+
+TEST(DiagnosisText, ExplainsTheNamesOfDifferences) {
+  Diagnosis diagnosis = example();
+  diagnosis.nominal = {{.estimate = {.key = "joint_damping_ratio", .value = 0.1}, .declared = 0.0, .tolerance = 0.1},
+                       {.estimate = {.key = "force_curve_1", .value = 0.01}, .declared = 0.0, .tolerance = 0.05}};
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("    A ratio of the joints is what the second has more than the first, over their mean.\n"
+                "    The numbers of force_curve are a smooth error of the shape of the torque over the angle.\n"));
 }
 
 TEST(DiagnosisText, WarnsOfNumbersFromAFitThatDoesNotReachTheNoise) {

@@ -51,13 +51,6 @@ struct MovedNumber {
   std::optional<double> idle_from{};
 };
 
-/// Samples of one channel that no motion can show.
-struct Outliers {
-  std::string run{};
-  std::string channel{};
-  std::vector<double> times{};  ///< s
-};
-
 /// The time that one phase of a diagnosis took.
 struct Phase {
   std::string name{};
@@ -79,7 +72,7 @@ struct Diagnosis {
   /// were weighed against it; 1: they were weighed against noise.
   double model_error = 1.0;
   std::vector<std::string> held_exact{};  ///< declared numbers of which nothing was assumed but that they are exact
-  std::vector<Outliers> outliers{};
+  std::vector<Outliers> outliers{};       ///< those of the fit runs first
   std::vector<compare::ComparedHypothesis> compared_hypotheses{};  ///< best first
   whiteness::WhitenessResult before{}, after{};
   std::optional<localise::ResidualTorque> residual{};  ///< of the model with the effects; nothing if no run is a motion

@@ -36,6 +36,16 @@ struct Replay {
   std::vector<double> at{};  ///< s, or rad or A on a bench without time
   std::vector<double> measured{}, declared{}, before{}, after{};
   std::vector<double> corrected{};  ///< empty where there is no nameless correction
+  /// For each sample whether it was taken as an outlier, and counts in no fit and no error; empty: none was.
+  std::vector<char> left_out{};
+};
+
+/// Samples of one channel that stand apart from their neighbours as no motion does, and were left out.
+struct Outliers {
+  std::string run{};
+  std::string channel{};
+  bool validate{};              ///< left out of the errors; otherwise of the fits, and of their errors
+  std::vector<double> times{};  ///< s
 };
 
 }  // namespace coilwright::measurement

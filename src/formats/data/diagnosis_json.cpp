@@ -73,8 +73,11 @@ Json outliers_json(const Diagnosis& diagnosis) {
   for (const Outliers& each : diagnosis.outliers) {
     Json times = Json::array();
     for (const double time : each.times) times.add(time);
-    out.add(Json::object(
-        {{"run", each.run}, {"channel", each.channel}, {"samples", each.times.size()}, {"times_s", std::move(times)}}));
+    out.add(Json::object({{"run", each.run},
+                          {"role", each.validate ? "validate" : "fit"},
+                          {"channel", each.channel},
+                          {"samples", each.times.size()},
+                          {"times_s", std::move(times)}}));
   }
   return out;
 }
@@ -259,7 +262,8 @@ Json to_json(const DiagnosisReport& report) {
   out.set("nominal", nominal_json(diagnosis)).set("outliers", outliers_json(diagnosis));
   out.set("corrected_actuator", text_or_null(report.corrected_actuator));
   // Beyond the format.
-  out.set("probability_of_declared", number_or_null(diagnosis.probability_of_declared));
+  out.set("probability_of_declared",
+          diagnosis.nominal.empty() ? Json(nullptr) : number_or_null(diagnosis.probability_of_declared));
   out.set("model_error", diagnosis.model_error);
   out.set("held_exact", words_json(diagnosis.held_exact));
   out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));

@@ -43,14 +43,17 @@ void check(const Replay& replay) {
     if (each->size() != samples && !(each == &replay.corrected && each->empty()))
       throw std::invalid_argument(fmt::format("replay of {} in {}: vectors must be {} long; got {}", replay.channel,
                                               replay.run, samples, each->size()));
+  if (!replay.left_out.empty() && replay.left_out.size() != samples)
+    throw std::invalid_argument(fmt::format("replay of {} in {}: left_out must be empty or {} long; got {}",
+                                            replay.channel, replay.run, samples, replay.left_out.size()));
 }
 
 }  // namespace
 
 void write_residuals(std::ostream& out, std::span<const Replay> replays) {
   for (const Replay& replay : replays) check(replay);
-  std::vector<std::string> columns{"run",       "role",     "channel",  "time_s", "angle_deg",
-                                   "current_A", "measured", "declared", "before", "after"};
+  std::vector<std::string> columns{"run",      "role",     "channel",  "time_s", "angle_deg", "current_A",
+                                   "left_out", "measured", "declared", "before", "after"};
   const bool corrected = std::ranges::any_of(replays, has_correction);
   if (corrected) columns.emplace_back("corrected");
   CsvWriter csv(out, columns);
@@ -66,6 +69,7 @@ void write_residuals(std::ostream& out, std::span<const Replay> replays) {
                                at(Axis::time, "time_s", replay.at[i]),
                                at(Axis::angle, "angle_deg", replay.at[i]),
                                at(Axis::current, "current_A", replay.at[i]),
+                               replay.left_out.empty() || replay.left_out[i] == 0 ? 0.0 : 1.0,
                                cell(replay.measured[i], replay.channel),
                                cell(replay.declared[i], replay.channel),
                                cell(replay.before[i], replay.channel),

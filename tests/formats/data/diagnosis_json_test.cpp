@@ -276,7 +276,9 @@ TEST(DiagnosisJson, ListsOutliers) {
   EXPECT_EQ(json_of(diagnosis)["outliers"], ordered_json::array());
   diagnosis.outliers = {{.run = "a.csv", .channel = "bending_angle_deg", .times = {0.5, 1.25}}};
   EXPECT_EQ(json_of(diagnosis)["outliers"], ordered_json::parse(R"([
-      {"run": "a.csv", "channel": "bending_angle_deg", "samples": 2, "times_s": [0.5, 1.25]}])"));
+      {"run": "a.csv", "role": "fit", "channel": "bending_angle_deg", "samples": 2, "times_s": [0.5, 1.25]}])"));
+  diagnosis.outliers.front().validate = true;
+  EXPECT_EQ(json_of(diagnosis)["outliers"][0]["role"], "validate");
 }
 
 TEST(DiagnosisJson, StatesOfTheReportedHypothesisWhatTheReportDoes) {

@@ -39,9 +39,9 @@ TEST(ResidualTable, HasAColumnMoreWhereThereIsANamelessCorrection) {
   corrected.run = "b.csv";
   corrected.corrected = {8.0 / 1e3};
   EXPECT_EQ(table_of({bare, corrected}),
-            "run,role,channel,time_s,angle_deg,current_A,measured,declared,before,after,corrected\n"
-            "a.csv,fit,torque_Nmm,,0,,0.5,1,2,4,\n"
-            "b.csv,fit,torque_Nmm,,0,,0.5,1,2,4,8\n");
+            "run,role,channel,time_s,angle_deg,current_A,left_out,measured,declared,before,after,corrected\n"
+            "a.csv,fit,torque_Nmm,,0,,0,0.5,1,2,4,\n"
+            "b.csv,fit,torque_Nmm,,0,,0,0.5,1,2,4,8\n");
 }
 
 TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
@@ -53,7 +53,8 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
                                         .measured = {deg(30.0), deg(30.02)},
                                         .declared = {deg(31.0), deg(31.5)},
                                         .before = {deg(30.5), deg(30.25)},
-                                        .after = {deg(30.1), std::numeric_limits<double>::quiet_NaN()}},
+                                        .after = {deg(30.1), std::numeric_limits<double>::quiet_NaN()},
+                                        .left_out = {0, 1}},
                                        {.run = "bench.csv",
                                         .validate = true,
                                         .kind = ChannelKind::torque,
@@ -82,12 +83,12 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
                                         .before = {75.0},
                                         .after = {80.0}}};
   EXPECT_EQ(table_of(replays),
-            "run,role,channel,time_s,angle_deg,current_A,measured,declared,before,after\n"
-            "step.csv,fit,bending_angle_deg,0,,,30,31,30.5,30.1\n"
-            "step.csv,fit,bending_angle_deg,0.002,,,30.02,31.5,30.25,\n"
-            "bench.csv,validate,torque_Nmm,,20,,12.3,12.1,12.2,12.4\n"
-            "\"wall, firm.csv\",fit,force_N,,,1.4,1.19,1,1.1,1.2\n"
-            "hot.csv,fit,temperature_degC,60,,,80.5,70,75,80\n");
+            "run,role,channel,time_s,angle_deg,current_A,left_out,measured,declared,before,after\n"
+            "step.csv,fit,bending_angle_deg,0,,,0,30,31,30.5,30.1\n"
+            "step.csv,fit,bending_angle_deg,0.002,,,1,30.02,31.5,30.25,\n"
+            "bench.csv,validate,torque_Nmm,,20,,0,12.3,12.1,12.2,12.4\n"
+            "\"wall, firm.csv\",fit,force_N,,,1.4,0,1.19,1,1.1,1.2\n"
+            "hot.csv,fit,temperature_degC,60,,,0,80.5,70,75,80\n");
 }
 
 TEST(ResidualTable, HasNoNegativeZero) {
@@ -99,7 +100,7 @@ TEST(ResidualTable, HasNoNegativeZero) {
                                         .declared = {deg(-0.5)},
                                         .before = {-0.0},
                                         .after = {0.0}}};
-  EXPECT_THAT(table_of(replays), ::testing::EndsWith("\na.csv,fit,bending_angle_deg,0,,,0,-0.5,0,0\n"));
+  EXPECT_THAT(table_of(replays), ::testing::EndsWith("\na.csv,fit,bending_angle_deg,0,,,0,0,-0.5,0,0\n"));
 }
 
 TEST(ResidualTable, RefusesVectorsOfUnequalLengthBeforeItWrites) {

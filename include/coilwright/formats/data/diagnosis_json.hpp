@@ -14,6 +14,7 @@ struct DiagnosisReport {
   const measurement::Diagnosis& diagnosis;  ///< must outlive the report
   std::string dataset{};                    ///< name of the data set
   std::string updated_actuator{};           ///< file of the updated actuator, beside the report
+  bool is_design{};                         ///< it is a design, which studies vary; otherwise a lumped model
   std::string corrected_actuator{};         ///< file of the one with a nameless correction; empty where there is none
   std::vector<std::string> held_out{};      ///< files that the tool itself kept from the fit
   std::uint64_t seed{};

@@ -2,6 +2,7 @@
 #include <glog/logging.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
@@ -65,6 +66,7 @@ struct Options {
   int threads = 0;
   std::uint64_t seed = 1;
   bool as_written{false};
+  bool force{false};
   bool quiet{false};
   bool json{false};
 };
@@ -75,17 +77,6 @@ std::filesystem::path declared_path(const Options& options, const formats::Datas
   throw text::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
 }
 
-// An earlier diagnosis is replaced as a whole; files of these names that none has written stay.
-void keep_other_results(const std::filesystem::path& folder) {
-  std::error_code none;
-  if (std::filesystem::exists(folder / diagnosis_name, none)) return;
-  for (const char* name :
-       {actuator_name, corrected_name, residuals_name, summary_name, next_name, expected_name, provenance_name})
-    if (std::filesystem::exists(folder / name, none))
-      throw text::OutputError(folder / name, "it is there, and no diagnosis.json beside it: name another folder",
-                              text::OutputError::Stage::preparing);
-}
-
 // Results among the data would be taken for data, or lie over them or the actuator that they declare.
 void check_output(const Options& options, const formats::DatasetFile& set, const std::filesystem::path& declared) {
   std::error_code none;
@@ -94,12 +85,12 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
     throw text::OutputError(options.out, "it is the folder of the data set", text::OutputError::Stage::preparing);
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
+  constexpr std::array names = {diagnosis_name, actuator_name, corrected_name,  residuals_name, summary_name,
+                                next_name,      expected_name, provenance_name, report_name};
   std::vector<std::filesystem::path> outputs;
-  for (const char* name : {diagnosis_name, actuator_name, corrected_name, residuals_name, summary_name, next_name,
-                           expected_name, provenance_name})
-    outputs.push_back(std::filesystem::path(options.out) / name);
+  for (const char* name : names) outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
-  keep_other_results(options.out);
+  keep_results_of_others(options.out, names, "\"diagnosis/1\"", options.force);
   // Known before the work, whether it can be written.
   const text::OutputFolder trial(options.out);
 }
@@ -264,6 +255,7 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
           "--as-written", options->as_written,
           "Fit records also where another unit or sign (radians, an exchanged lead, frame numbers) fits far better")
       ->disable_flag_override();
+  add_force_option(*command, options->force);
   command->add_flag("--quiet", options->quiet, "Show no progress; warnings of the records remain")
       ->disable_flag_override();
   command->add_flag("--json", options->json, "Print diagnosis.json instead of the summary")->disable_flag_override();
@@ -271,13 +263,14 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which the\n"
       "other commands read; crawl and a C header of reach refuse effects that act while they run); residuals.csv\n"
-      "(every sample as measured and as predicted by the declared, the recalibrated and the corrected model, with\n"
-      "the run's own clock and hum);\n"
-      "provenance.json (program, files, seed). Where a run would separate\n"
-      "what these data cannot, it also writes next_experiment.json (experiment/1, for plan and twin) and\n"
-      "next_experiment.csv (what each explanation expects that run to show). Where no known effect explains all\n"
-      "and a torque without a name explains more on runs left out, it also writes corrected_actuator.json with that\n"
-      "torque. The exit code is 0 for every verdict. Ctrl-C writes nothing; the exit code is then 130.\n\n"
+      "(every sample as measured, whether it was left out as an outlier, and as predicted by the declared, the\n"
+      "recalibrated and the corrected model with the run's own clock and hum); provenance.json (program, files,\n"
+      "seed). Where a run would separate what these data cannot, it also writes next_experiment.json (experiment/1,\n"
+      "for plan and twin) and next_experiment.csv (what each explanation expects that run to show). Where no known\n"
+      "effect explains all and a torque without a name explains more on runs left out, it also writes\n"
+      "corrected_actuator.json with that torque. Files of an earlier diagnosis in the folder are replaced, others of\n"
+      "these names only with --force. The exit code is 0 for every verdict. Ctrl-C writes nothing; the exit code is\n"
+      "then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   auto report = std::make_shared<bool>(false);

@@ -54,4 +54,16 @@ void keep_other_table(const text::OutputFile& file, std::span<const std::string>
   throw other_content(file.path());
 }
 
+void keep_results_of_others(const std::filesystem::path& folder, std::span<const char* const> names,
+                            std::string_view mark, bool force) {
+  if (force) return;
+  std::string beginning(100, ' ');
+  std::ifstream first(folder / names.front());
+  first.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  if (beginning.find(mark) != std::string::npos) return;
+  std::error_code none;
+  for (const char* name : names)
+    if (std::filesystem::exists(folder / name, none)) throw other_content(folder / name);
+}
+
 }  // namespace coilwright::cli

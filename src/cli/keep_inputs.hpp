@@ -34,4 +34,9 @@ inline constexpr std::string_view json_mark = ",\n";
 /// The same of a table that is made again and again: what begins with the header of these columns may be replaced.
 void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force);
 
+/// Throws text::OutputError naming the first of `names` that is in `folder`, unless `force` or an earlier run of the
+/// same command wrote it: the first of them is then there and has `mark` near its beginning.
+void keep_results_of_others(const std::filesystem::path& folder, std::span<const char* const> names,
+                            std::string_view mark, bool force);
+
 }  // namespace coilwright::cli

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "coilwright/algebra/definite.hpp"
+#include "measurement/error_sums.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -88,53 +89,6 @@ CountedPrediction predict_with_deviations(const PreparedRun& prepared, const Fit
           .simulated_runs = found.simulated_runs};
 }
 
-// Sums over all channels of one kind.
-class ErrorSums {
- public:
-  void add(const Replay& replay, const std::vector<double>& deviations, double sigma) {
-    const std::array models{&replay.declared, &replay.before, &replay.after, &replay.corrected};
-    const auto counts = [&](std::size_t i) { return replay.left_out.empty() || replay.left_out[i] == 0; };
-    has_correction_ = !replay.corrected.empty();
-    for (std::size_t m = 0; m < models.size() - (has_correction_ ? 0 : 1); ++m) {
-      for (std::size_t i = 0; i < replay.measured.size(); ++i) {
-        if (!counts(i)) continue;
-        const double error = std::abs(replay.measured[i] - (*models[m])[i]);
-        absolute_[m] += error;
-        square_[m] += error * error;
-        largest_[m] = std::max(largest_[m], error);
-      }
-    }
-    for (std::size_t i = 0; i < replay.measured.size(); ++i) {
-      if (!counts(i)) continue;
-      noise_square_ += sigma * sigma;
-      uncertainty_square_ += sigma * sigma * deviations[i] * deviations[i];
-      ++samples_;
-    }
-  }
-
-  [[nodiscard]] ErrorComparison comparison(data::ChannelKind kind) const {
-    const auto n = static_cast<double>(samples_);
-    const auto errors = [&](std::size_t m) {
-      return Errors{.mae = absolute_[m] / n, .rmse = std::sqrt(square_[m] / n), .max = largest_[m]};
-    };
-    return {.kind = kind,
-            .samples = samples_,
-            .declared = errors(0),
-            .before = errors(1),
-            .after = errors(2),
-            .corrected = has_correction_ ? std::optional(errors(3)) : std::nullopt,
-            .noise_floor_rmse = std::sqrt(noise_square_ / n),
-            .uncertainty_rmse = std::sqrt(uncertainty_square_ / n)};
-  }
-
- private:
-  std::array<double, 4> absolute_{}, square_{}, largest_{};
-  bool has_correction_{};
-  double noise_square_{};
-  double uncertainty_square_{};
-  std::size_t samples_{};
-};
-
 // Errors of a bending angle and of a joint angle are one kind of error.
 data::ChannelKind error_kind(data::ChannelKind kind) {
   return kind == data::ChannelKind::bending_angle ? data::ChannelKind::joint_angle : kind;
@@ -181,20 +135,29 @@ FinalErrors::FinalErrors(std::vector<PreparedRun> runs, const ThreeModels& model
   take(std::move(runs), models, false);
 }
 
-// Outliers pull at the run's clock and hum, and hide themselves among what these then leave: after each look they are
-// fitted again without whatever is suspected.
+// Outliers pull at the run's clock and hum, and hide themselves among what these then leave: as long as some are found,
+// the run is fitted again without them, and without whatever is suspected besides.
 void FinalErrors::set_outliers_aside(PreparedRun& prepared, const FittedHypothesis& model) {
   constexpr int most_looks = 4;
-  std::vector<PreparedRun> looked_at{prepared};
+  PreparedRun looked_at = prepared;
   for (int look = 0; look < most_looks; ++look) {
-    const auto found = fit::evaluate_at(request_for(looked_at.front(), model));
+    const auto found = fit::evaluate_at(request_for(looked_at, model));
     simulated_runs_ += found.simulated_runs;
     if (!found.value) return;
     const bool any = fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
-    if (look > 0 && !any) return;
     auto trimmed = fit::with_suspects_aside(std::span(&prepared, 1), *found.value);
-    if (!trimmed) return;
-    looked_at = std::move(*trimmed);
+    if (!any && (look > 0 || !trimmed)) return;
+    looked_at = trimmed ? std::move(trimmed->front()) : prepared;
+  }
+}
+
+// What was left out of each channel.
+void FinalErrors::list_outliers(const PreparedRun& prepared, bool validate) {
+  for (std::size_t c = 0; c < prepared.set_aside.size(); ++c) {
+    Outliers found{.run = prepared.run->name, .channel = prepared.run->channels[c].name, .validate = validate};
+    for (std::size_t i = 0; i < prepared.set_aside[c].size(); ++i)
+      if (prepared.is_set_aside(c, i)) found.times.push_back(prepared.run->times[i]);
+    if (!found.times.empty()) outliers_.push_back(std::move(found));
   }
 }
 
@@ -213,6 +176,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
   std::vector<ErrorSums> sums;
   for (std::size_t r = 0; r < prepared_runs.size(); ++r) {
     const PreparedRun& prepared = prepared_runs[r];
+    list_outliers(prepared, validate);
     for (const CountedPrediction& each : predictions[r]) simulated_runs_ += each.simulated_runs;
     const auto& [as_declared, before, after, corrected] = predictions[r];
     if (!as_declared.value || !before.value || !after.value || (models.corrected && !corrected.value)) {
@@ -236,10 +200,6 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
       if (c < prepared.set_aside.size() && !prepared.set_aside[c].empty())
         replay.left_out.assign(prepared.set_aside[c].begin(),
                                prepared.set_aside[c].begin() + static_cast<std::ptrdiff_t>(at.size()));
-      Outliers outliers{.run = replay.run, .channel = replay.channel, .validate = validate};
-      for (std::size_t i = 0; i < replay.left_out.size(); ++i)
-        if (replay.left_out[i] != 0) outliers.times.push_back(at[i]);
-      if (!outliers.times.empty()) outliers_.push_back(std::move(outliers));
       const data::ChannelKind kind = error_kind(channel.kind);
       auto found = std::ranges::find(order, kind);
       if (found == order.end()) {

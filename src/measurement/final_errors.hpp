@@ -7,6 +7,7 @@
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
 #include "measurement/compare/fitted_hypothesis.hpp"
+#include "measurement/replay/prepared_run.hpp"
 
 namespace coilwright::measurement {
 
@@ -29,9 +30,9 @@ class FinalErrors {
   /// Throws RecordSlip as require_no_slip() does of other runs. Reveals nothing else.
   static void require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared);
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
-  /// which one of the models cannot be simulated is left out with a warning, and so are samples that no motion can
-  /// show. The clocks, edges and hum of each run are fitted to it for each model, their priors weighed by the model
-  /// error of the fit of `after`. `still` are the records of the noise.
+  /// which one of the models cannot be simulated is left out with a warning, and outliers are left out, too. The
+  /// clocks, edges and hum of each run are fitted to it for each model, their priors weighed by the model error of the
+  /// fit of `after`. `still` are the records of the noise.
   FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
               std::span<const data::Run> still);
   /// Errors on the fit runs, likewise, without the samples that the fits had set aside, and with the noise that they
@@ -47,6 +48,7 @@ class FinalErrors {
 
  private:
   void set_outliers_aside(replay::PreparedRun& prepared, const compare::FittedHypothesis& model);
+  void list_outliers(const replay::PreparedRun& prepared, bool validate);
   void take(std::vector<replay::PreparedRun> runs, const ThreeModels& models, bool validate);
 
   std::vector<ErrorComparison> errors_;

@@ -147,28 +147,43 @@ std::string slip_text(const data::Run& run, const Slip& slip, const Sums& meant,
       run.name, column_of(run, slip), slip.looks_like, rms(meant.missed, meant.count), as_written, slip.remedy);
 }
 
-// By itself, and before anything is simulated as it is written: that may take a thousand times as long.
-void require_no_other_unit_of_time(const data::Run& run, const replay::DeclaredModel& declared,
-                                   const fit::Hypothesis& as_declared) {
-  constexpr double slowest_camera = 0.5;   // s
-  constexpr double fastest_camera = 5e-5;  // s
-  if (run.times.size() < 3) return;
-  const double interval = data::usual_interval(run);
-  if (interval > fastest_camera && interval < slowest_camera) return;
-  Slip slip =
-      interval < slowest_camera
-          ? Slip{.time = 1e3,
-                 .column = "the time",
-                 .looks_like = "seconds under a name that says less",
-                 .remedy = "name the column time_s"}
-          : Slip{.time = 1e-3, .column = "time_s", .looks_like = "milliseconds", .remedy = "name the column time_ms"};
+// The time is another unit's by as much as `slip` says: that of the run, and of its input's own file or not.
+std::optional<Sums> followed_as(Slip slip, const data::Run& run, const replay::DeclaredModel& declared,
+                                const fit::Hypothesis& as_declared) {
   for (const bool of_input : {true, false}) {
     if (!of_input && run.input_times.empty()) break;
     slip.of_input = of_input;
     const std::optional<Sums> sums = sums_of(run, slip, declared, as_declared);
-    if (!sums || sums->missed > follows * follows * sums->varied) continue;
-    throw RecordSlip(slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", interval)));
+    if (sums && sums->missed <= follows * follows * sums->varied) return sums;
   }
+  return std::nullopt;
+}
+
+// By itself, and before anything is simulated as it is written: that would take a thousand times as long.
+void require_no_milliseconds(const data::Run& run, const replay::DeclaredModel& declared,
+                             const fit::Hypothesis& as_declared) {
+  constexpr double slowest_camera = 0.5;  // s
+  const double interval = data::usual_interval(run);
+  if (interval < slowest_camera) return;
+  const Slip slip{.time = 1e-3, .column = "time_s", .looks_like = "milliseconds", .remedy = "name the column time_ms"};
+  if (const auto sums = followed_as(slip, run, declared, as_declared))
+    throw RecordSlip(slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", interval)));
+}
+
+// Seconds that are called milliseconds: a record of 2 s lasts 2 ms then, in which nothing moves. One that is followed
+// as it is written is a fast camera's, or an encoder's.
+void require_no_seconds(const data::Run& run, const replay::DeclaredModel& declared,
+                        const fit::Hypothesis& as_declared) {
+  constexpr double fastest_camera = 5e-4;  // s
+  const double interval = data::usual_interval(run);
+  if (interval > fastest_camera) return;
+  const std::optional<Sums> written = sums_of(run, {}, declared, as_declared);
+  if (written && written->missed <= follows * follows * written->varied) return;
+  const Slip slip{
+      .time = 1e3, .column = "the time column", .looks_like = "seconds", .remedy = "name the column time_s"};
+  const auto sums = followed_as(slip, run, declared, as_declared);
+  if (sums && (!written || sums->missed <= far_better * far_better * written->missed))
+    throw RecordSlip(slip_text(run, slip, *sums, fmt::format("there is a sample every {:.3g} s", interval)));
 }
 
 void require_no_slip_of(const data::Run& run, const replay::DeclaredModel& declared,
@@ -202,7 +217,10 @@ void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredMode
   std::size_t looked_at = 0;
   for (const data::Run& run : runs) {
     if (!is_of_use(run) || looked_at++ >= enough_runs) continue;
-    require_no_other_unit_of_time(run, declared, as_declared);
+    if (run.times.size() > 2) {
+      require_no_milliseconds(run, declared, as_declared);
+      require_no_seconds(run, declared, as_declared);
+    }
     require_no_slip_of(run, declared, as_declared);
   }
 }

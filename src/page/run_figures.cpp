@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -71,6 +72,27 @@ std::vector<std::string> colour_order() {
   return names;
 }
 
+// Values that are not numbers become straight between those beside them; at an end they are what is beside them.
+void bridge(std::vector<double>& values) {
+  const std::size_t n = values.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::isnan(values[i])) continue;
+    std::size_t end = i;
+    while (end < n && std::isnan(values[end])) ++end;
+    if (i == 0 && end == n) return;
+    const double left = i > 0 ? values[i - 1] : values[end];
+    const double right = end < n ? values[end] : left;
+    const auto steps = static_cast<double>(end - i + 1);
+    for (std::size_t k = i; k < end; ++k) values[k] = left + (right - left) * static_cast<double>(k - i + 1) / steps;
+    i = end;
+  }
+}
+
+std::string outliers_text(const RunRecord& record) {
+  return record.outliers > 0 ? fmt::format(" Samples left out as outliers ({}) are bridged.", record.outliers)
+                             : std::string();
+}
+
 Figure record_figure(const RunRecord& record, std::size_t number) {
   const Thinning thinning(record.x.size());
   Chart chart{
@@ -91,7 +113,7 @@ Figure residual_figure(const RunRecord& record, std::size_t number) {
   const Thinning thinning(record.x.size());
   Chart chart{.id = fmt::format("residual-{}", number),
               .title = fmt::format("{}: what each model leaves over", record.run),
-              .description = "Measured less predicted." + thinning.text(),
+              .description = "Measured less predicted." + outliers_text(record) + thinning.text(),
               .x_title = axis_title(record.axis),
               .y_title = "residual of " + record.channel,
               .series = {},
@@ -103,13 +125,14 @@ Figure residual_figure(const RunRecord& record, std::size_t number) {
 
 std::optional<Figure> spectrum_figure(const RunRecord& record, std::size_t number) {
   if (record.axis != "time_s") return std::nullopt;
-  Chart chart{.id = fmt::format("spectrum-{}", number),
-              .title = fmt::format("{}: spectrum of what is left over", record.run),
-              .description = "Amplitude of each line of the residual's spectrum; noise alone is level.",
-              .x_title = "frequency, Hz",
-              .y_title = "amplitude of " + record.channel,
-              .series = {},
-              .colour_order = colour_order()};
+  Chart chart{
+      .id = fmt::format("spectrum-{}", number),
+      .title = fmt::format("{}: spectrum of what is left over", record.run),
+      .description = "Amplitude of each line of the residual's spectrum; noise alone is level." + outliers_text(record),
+      .x_title = "frequency, Hz",
+      .y_title = "amplitude of " + record.channel,
+      .series = {},
+      .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions) {
     const std::optional<double> interval = even_interval(each.x);
     if (!interval) continue;
@@ -139,10 +162,13 @@ std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
                          .axis = std::string(place->first),
                          .x = {},
                          .measured = {},
+                         .outliers = 0,
                          .predictions = {}});
     RunRecord& record = records.back();
     record.x.push_back(place->second);
     record.measured.push_back(*measured);
+    const bool left_out = table.has("left_out") && table.number("left_out", row).value_or(0.0) != 0.0;
+    if (left_out) ++record.outliers;
     for (const auto& [column, name] : models) {
       if (!table.has(column)) continue;
       const auto predicted = table.number(column, row);
@@ -150,10 +176,13 @@ std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
       RunRecord::Prediction& prediction = prediction_of(record, name);
       prediction.x.push_back(place->second);
       prediction.y.push_back(*predicted);
-      prediction.residual.push_back(*measured - *predicted);
+      prediction.residual.push_back(left_out ? std::numeric_limits<double>::quiet_NaN() : *measured - *predicted);
     }
   }
-  for (RunRecord& record : records) drop_repetition(record);
+  for (RunRecord& record : records) {
+    for (RunRecord::Prediction& each : record.predictions) bridge(each.residual);
+    drop_repetition(record);
+  }
   return records;
 }
 

@@ -17,11 +17,12 @@ struct RunRecord {
   std::string axis;     ///< "time_s", "angle_deg" or "current_A"
   std::vector<double> x;
   std::vector<double> measured;
+  std::size_t outliers = 0;  ///< samples that were left out of fits and errors
   struct Prediction {
     std::string name;  ///< "as declared"
     std::vector<double> x;
     std::vector<double> y;
-    std::vector<double> residual;  ///< measured less predicted
+    std::vector<double> residual;  ///< measured less predicted; of outliers straight between their neighbours
   };
   std::vector<Prediction> predictions;  ///< those that have any value
 };

@@ -49,16 +49,19 @@ std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
   return out;
 }
 
-// Declared faces that touch nowhere in these records: what closes there cannot be weighed, but seen.
-std::vector<std::string> faces_to_look_at(const Diagnosis& diagnosis) {
+// Declared faces that touch nowhere in these records: where they close cannot be weighed, but seen. A design has faces
+// by its geometry, and no entry that could be removed.
+std::vector<std::string> faces_to_look_at(const formats::DiagnosisReport& report) {
   std::vector<std::string> out;
-  for (const MovedNumber& each : diagnosis.nominal) {
+  for (const MovedNumber& each : report.diagnosis.nominal) {
     if (!each.idle_from) continue;
     const formats::MovedNumberInUnit shown = formats::in_unit(each);
-    out.push_back(fmt::format(
-        "Look at the rig where the faces of the joints touch: {} is declared as {}, and these records show no contact "
-        "down to {}. If there are no faces, remove \"contact\" from the joints of the actuator file.",
-        each.estimate.key, number_text(shown.declared), number_text(*shown.idle_from)));
+    std::string step = fmt::format(
+        "Close a joint of the rig by hand, and see where its faces touch: {} is declared as {}, and these records show "
+        "no contact down to {}.",
+        each.estimate.key, number_text(shown.declared), number_text(*shown.idle_from));
+    if (!report.is_design) step += " If there are no faces, remove \"contact\" from the joints of the actuator file.";
+    out.push_back(std::move(step));
   }
   return out;
 }
@@ -101,8 +104,7 @@ std::string repeating_step(const Diagnosis& diagnosis) {
   return fmt::format(
       "Record each motion once more and diagnose again. {} explains most of the runs that were fitted, and makes runs "
       "worse that are left out in turn: as long as only one run of its kind shows an effect, nobody can tell whether "
-      "it "
-      "is the right one.",
+      "it is the right one.",
       fmt::join(formats::ids(best.effects), " + "));
 }
 
@@ -143,9 +145,12 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
   return out;
 }
 
-bool is_colour_unknown(const Diagnosis& diagnosis) {
-  return std::ranges::any_of(diagnosis.noise,
-                             [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); });
+bool may_be_the_camera(const Diagnosis& diagnosis) {
+  // Colour alone makes no more of noise whose level was taken from one sample to the next.
+  constexpr double most_of_colour = 10.0;
+  const auto is_unknown = [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); };
+  return !diagnosis.noise.empty() && std::ranges::all_of(diagnosis.noise, is_unknown) &&
+         diagnosis.after.level < most_of_colour;
 }
 
 std::string advice_text(const formats::DiagnosisReport& report) {
@@ -163,7 +168,7 @@ std::string advice_text(const formats::DiagnosisReport& report) {
   if (structure)
     if (std::string step = repeating_step(diagnosis); !step.empty()) steps.push_back(std::move(step));
   for (std::string& step : checks_at_the_rig(diagnosis)) steps.push_back(std::move(step));
-  for (std::string& step : faces_to_look_at(diagnosis)) steps.push_back(std::move(step));
+  for (std::string& step : faces_to_look_at(report)) steps.push_back(std::move(step));
   if (const std::vector<std::string> measure = numbers_to_measure(diagnosis); !measure.empty())
     steps.push_back(measuring_step(diagnosis, measure));
   if (diagnosis.next_experiment) {
@@ -174,7 +179,9 @@ std::string advice_text(const formats::DiagnosisReport& report) {
                           number_text(next.separation));
     steps.push_back(step + ".");
   }
-  if (structure && is_colour_unknown(diagnosis))
+  const bool colour_unknown = std::ranges::any_of(
+      diagnosis.noise, [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); });
+  if (structure && colour_unknown)
     steps.emplace_back(
         "Record ten seconds of the finger at rest (kind still): it tells whether what is left is noise of the camera.");
   if (structure)
@@ -184,6 +191,10 @@ std::string advice_text(const formats::DiagnosisReport& report) {
   if (structure && diagnosis.verdict == Verdict::partly_explained)
     steps.emplace_back(
         "Do not take the numbers of the effects for those of the finger: what is missing distorts them.");
+  if (diagnosis.verdict == Verdict::no_missing_effect)
+    steps.emplace_back(
+        "To learn how small an effect these runs could have shown, describe them as an experiment and run plan: a "
+        "smaller one may still be there.");
   if (!structure)
     steps.push_back(
         fmt::format("{} with {}: {} take it.", steps.empty() ? "Go on" : "Then go on", report.updated_actuator,

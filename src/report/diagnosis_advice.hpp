@@ -19,8 +19,9 @@ namespace coilwright::report {
 /// noise; empty where none did, or where the verdict says it.
 [[nodiscard]] std::string far_numbers(const measurement::Diagnosis& diagnosis);
 
-/// Whether the colour of the noise of a channel is not known: no record shows it without the motion.
-[[nodiscard]] bool is_colour_unknown(const measurement::Diagnosis& diagnosis);
+/// Whether what is left over may be noise of the camera: no record shows the colour of the noise of any channel without
+/// the motion, and there is not more of it than colour makes.
+[[nodiscard]] bool may_be_the_camera(const measurement::Diagnosis& diagnosis);
 
 /// What a person would do next, the most useful first: which number to weigh or measure, which run to record, or
 /// whether to go on with the updated actuator.

@@ -53,6 +53,8 @@ std::string calibration_text(const Diagnosis& diagnosis) {
     table.row(std::move(row));
   }
   std::string text = "  Numbers fitted freely:\n" + table.text(4, {left, right, left, left});
+  if (diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained)
+    text += "    The intervals are right only if nothing is missing; here something is left over.\n";
   if (!diagnosis.indistinguishable.empty())
     text +=
         "    Their intervals, and those of the declared numbers, contain what each of the effects that these data "
@@ -89,19 +91,18 @@ std::string nominal_text(const formats::DiagnosisReport& report) {
   text += table.text(4, {left, right, left, right, right});
   if (ordered.size() > most_numbers)
     text += fmt::format("    and {} that moved less (nominal in diagnosis.json)\n", ordered.size() - most_numbers);
-  for (const MovedNumber* each : ordered) {
-    if (!each->idle_from) continue;
+  const auto idle = std::ranges::find_if(ordered, [](const MovedNumber* each) { return each->idle_from.has_value(); });
+  if (idle != ordered.end())
     text += fmt::format(
         "    below, above: there the number changes nothing in these records (faces that touch nowhere). It has moved\n"
-        "    that far at least; the records cannot say how much further. {} has {} of {}, as if\n"
-        "    there were no faces.\n",
-        report.updated_actuator, each->estimate.key, number_text(formats::in_unit(each->estimate).value));
-  }
+        "    that far at least; the records cannot say how much further. {} has it at {}, as if there were\n"
+        "    no faces.\n",
+        report.updated_actuator, number_text(formats::in_unit((*idle)->estimate).value));
   const auto any_named = [&](std::string_view start) {
     return std::ranges::any_of(ordered, [&](const MovedNumber* each) { return each->estimate.key.starts_with(start); });
   };
   if (any_named("joint_stiffness_ratio") || any_named("joint_damping_ratio"))
-    text += "    A ratio of the joints is what the second has more than the first, over their mean.\n";
+    text += "    A ratio of the joints is how much more the second has than the first, over their mean.\n";
   if (any_named("force_curve"))
     text += "    The numbers of force_curve are a smooth error of the shape of the torque over the angle.\n";
   if (any_named("/"))

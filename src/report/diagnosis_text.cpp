@@ -29,7 +29,8 @@ using enum TextTable::Align;
 
 constexpr std::size_t most_candidates = 5;
 constexpr std::size_t most_dependences = 4;
-constexpr double decisive_lead = 6.0;  // of the gain: odds of 20 to 1
+constexpr double least_dependence = 0.1;  // of the square: less is no clue
+constexpr double decisive_lead = 6.0;     // of the gain: odds of 20 to 1
 
 // An effect, and what it may be as well.
 std::string name_with_rivals(const Diagnosis& diagnosis, const actuator::EffectKind* kind) {
@@ -59,7 +60,7 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
       return fmt::format("The declared model lacks {}, and something else: structure remains that no effect explains.",
                          effects);
     case Verdict::unexplained:
-      if (is_colour_unknown(diagnosis))
+      if (may_be_the_camera(diagnosis))
         return "Something is left over that none of the known effects explains. Whether the finger or the camera makes "
                "it,\nthese records cannot tell: none shows the noise of the camera by itself.";
       return "The declared model lacks something, and none of the known effects explains it.";
@@ -222,10 +223,13 @@ std::string residual_text(const Diagnosis& diagnosis) {
                                  in_unit_text(residual.rms, torque), in_unit_text(residual.noise_floor, torque));
   TextTable table;
   for (const localise::Dependence& each : residual.dependences) {
-    if (table.rows() == most_dependences) break;
+    if (table.rows() == most_dependences || each.explained < least_dependence) break;
     table.row({std::string(each.variable), fmt::format("{:.0f} %", 100.0 * each.explained)});
   }
-  if (table.rows() > 0) text += "  of its square goes with one variable alone\n" + table.text(4, {left, right});
+  if (table.rows() > 0)
+    text += "  of its square goes with one variable alone\n" + table.text(4, {left, right});
+  else if (!residual.dependences.empty())
+    text += "  No single variable explains even a tenth of its square.\n";
   if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number_text(*residual.frequency));
   if (!diagnosis.after.where.empty())
     text += fmt::format("  worst in {}: {} times what noise may show\n", diagnosis.after.where,

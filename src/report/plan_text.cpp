@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -60,7 +61,9 @@ std::string strengths_text(const ExperimentPlan& plan) {
 
 std::string pairs_text(const ExperimentPlan& plan) {
   if (plan.pairs.empty()) return "Five times as strong, every effect could be told from every other one.\n";
-  std::string out = "These pairs it cannot tell apart even five times as strong (1 would be enough difference):\n";
+  std::string out =
+      "These pairs it cannot tell apart even five times as strong. The number is how much they differ, over what\n"
+      "telling them apart takes; 1 would be enough:\n";
   TextTable table;
   for (const InseparablePair& pair : plan.pairs) {
     if (table.rows() == most_pairs) break;
@@ -111,11 +114,11 @@ std::string to_text(const formats::PlanReport& report) {
   out +=
       "Hope for twice that at a camera's rate: where it was tried, 2 of 9 effects were found at these strengths, 9 of "
       "12 at twice (before declared numbers were fitted to each change).\n";
-  if (plan.overdispersion > 1.05)
+  if (const double stronger = std::sqrt(plan.overdispersion); stronger > 1.05)
     out += fmt::format(
-        "The noise is not white, or its level not known: it counts {:.2g} times. A still run would tell a diagnosis\n"
-        "its colour.\n",
-        plan.overdispersion);
+        "The noise is not white, or its level not known: effects must be {:.2g} times as strong as in white noise of\n"
+        "that level, and the strengths above are. A still run would tell a diagnosis its colour.\n",
+        stronger);
   out += '\n' + pairs_text(plan) + '\n' + added_text(plan);
   if (!plan.left_out.empty()) {
     out += "\nLeft out:\n";

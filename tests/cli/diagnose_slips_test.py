@@ -83,9 +83,20 @@ class Slips(ProgramTest):
     def test_seconds_under_milliseconds(self):
         for name, text in self.records.items():
             self.write(name, text.replace("time_s", "time_ms", 1))
-        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time: looks like seconds under a name that says less: the declared model "
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time column: looks like seconds: the declared model "
                                          r"then misses the angles by [\d.]+ deg \(rms\), as written there is a sample every 5e-06 s; "
                                          r"name the column time_s; --as-written takes it as it is\n$")
+
+    def test_seconds_beside_an_input_whose_own_file_is_right(self):
+        set_file = json.loads((self.folder / "dataset.json").read_text())
+        for each in set_file["runs"]:
+            lines = [line for line in self.records[each["file"]].splitlines() if not line.startswith("#")]
+            cells = [line.split(",") for line in lines]
+            each["input_file"] = each["file"].replace(".csv", "_input.csv")
+            self.write(each["input_file"], "".join(f"{t},{c}\n" for t, c, _ in cells))
+            self.write(each["file"], "".join(f"{t},{a}\n" for t, _, a in cells).replace("time_s", "time_ms", 1))
+        self.write("dataset.json", json.dumps(set_file))
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time column: looks like seconds: ")
 
     def test_frame_numbers(self):
         self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",

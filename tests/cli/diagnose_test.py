@@ -223,9 +223,17 @@ class Diagnose(ProgramTest):
         self.write("out/summary.txt", "mine\n")
         result = run("diagnose", "set", "--out", "out", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr),
-                         (2, "coilwright: out/summary.txt: cannot be written: it is there, and no diagnosis.json beside it: "
-                             "name another folder\n"))
+                         (2, "coilwright: out/summary.txt: cannot be written: it holds something else; --force replaces it, "
+                             "another --out keeps it\n"))
         self.assertEqual((self.folder / "out" / "summary.txt").read_text(), "mine\n")
+        self.diagnose("out", "--force")
+        first = self.files()
+        self.write("out/summary.txt", "of this diagnosis, changed")
+        self.diagnose("out")
+        self.assertEqual(self.files(), first)
+        self.write("out/diagnosis.json", '{"mine": 1}')
+        self.assert_refused(["diagnose", "set", "--out", "out"],
+                            "out/diagnosis.json: cannot be written: it holds something else; --force replaces it, another --out keeps it")
 
     def test_nothing_needs_to_be_calibrated(self):
         self.twin("--effect", "dry_friction:torque_Nmm=25")

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "measurement/random_numbers.hpp"
@@ -49,39 +50,59 @@ TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
   EXPECT_NEAR(std::sqrt(stated / observed), 1.0, 0.25);
 }
 
-// Outliers pull at the hum that is fitted to a run, and hide behind what it then leaves. Without either the error is
-// the noise, and each of them is listed.
-TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
-  const replay::DeclaredModel declared = slide(2.2, 2.7);
-  Normal normal(5);
-  const auto hum = [](double time) { return 4.0 * noise_sigma * std::cos(2.0 * std::numbers::pi * 20.0 * time); };
+// A slide of 120 samples beside a hum of four times the noise, these samples wrong by so many times the noise.
+struct HummingRun {
+  data::Run run;
   data::Run still{.name = "still.csv",
                   .kind = data::RunKind::still,
                   .channels = {{.name = "theta1_rad", .kind = data::ChannelKind::joint_angle}}};
+};
+
+HummingRun humming_run(const std::vector<std::pair<std::size_t, double>>& wrong) {
+  Normal normal(5);
+  const auto hum = [](double time) { return 4.0 * noise_sigma * std::cos(2.0 * std::numbers::pi * 20.0 * time); };
+  HummingRun out;
   for (int i = 0; i < 2000; ++i) {
-    still.times.push_back(interval * i);
-    still.channels.front().values.push_back(noise_sigma * normal() + hum(interval * i));
+    out.still.times.push_back(interval * i);
+    out.still.channels.front().values.push_back(noise_sigma * normal() + hum(interval * i));
   }
-  data::Run judged = slide_run(120, {}, [&] { return noise_sigma * normal(); });
-  judged.sigma.reset();
-  std::vector<double>& values = judged.channels.front().values;
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += hum(judged.times[i]);
-  const std::vector<std::size_t> wrong{10, 21, 33, 34, 55, 70, 83, 97, 110};
-  std::vector<double> times;
-  for (std::size_t k = 0; k < wrong.size(); ++k) {
-    values[wrong[k]] += (k % 3 == 0 ? -1.0 : 1.0) * (40.0 + 12.0 * static_cast<double>(k)) * noise_sigma;
-    times.push_back(judged.times[wrong[k]]);
-  }
+  out.run = slide_run(120, {}, [&] { return noise_sigma * normal(); });
+  out.run.sigma.reset();
+  std::vector<double>& values = out.run.channels.front().values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += hum(out.run.times[i]);
+  for (const auto& [sample, size] : wrong) values[sample] += size * noise_sigma;
+  return out;
+}
+
+// Outliers pull at the hum that is fitted to a run, and hide behind what it then leaves: many of one size each other,
+// two large ones those that are smaller. Without them the error is the noise, and each of them is listed.
+TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
+  const replay::DeclaredModel declared = slide(2.2, 2.7);
   const compare::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
-  const FinalErrors errors(data::SealedRuns({judged}), declared, same_models(model), std::vector{still});
-  ASSERT_EQ(errors.outliers().size(), 1U);
-  EXPECT_TRUE(errors.outliers().front().validate);
-  EXPECT_EQ(errors.outliers().front().times, times);
-  ASSERT_EQ(errors.errors().size(), 1U);
-  EXPECT_EQ(errors.errors().front().samples, values.size() - wrong.size());
-  EXPECT_NEAR(errors.errors().front().after.rmse / noise_sigma, 1.0, 0.15);
-  ASSERT_EQ(errors.replays().size(), 1U);
-  EXPECT_EQ(std::ranges::count(errors.replays().front().left_out, 1), 9);
+  using Wrong = std::vector<std::pair<std::size_t, double>>;
+  for (const Wrong& wrong : {Wrong{{10, -40.0},
+                                   {21, 52.0},
+                                   {33, 64.0},
+                                   {34, -76.0},
+                                   {55, 88.0},
+                                   {70, 100.0},
+                                   {83, -112.0},
+                                   {97, 124.0},
+                                   {110, 136.0}},
+                             Wrong{{20, 600.0}, {45, 15.0}, {60, 560.0}, {75, -16.0}, {101, 14.0}}}) {
+    const HummingRun made = humming_run(wrong);
+    const FinalErrors errors(data::SealedRuns({made.run}), declared, same_models(model), std::vector{made.still});
+    std::vector<double> times;
+    for (const auto& [sample, size] : wrong) times.push_back(made.run.times[sample]);
+    ASSERT_EQ(errors.outliers().size(), 1U);
+    EXPECT_TRUE(errors.outliers().front().validate);
+    EXPECT_EQ(errors.outliers().front().times, times);
+    ASSERT_EQ(errors.errors().size(), 1U);
+    EXPECT_EQ(errors.errors().front().samples, 120 - wrong.size());
+    EXPECT_NEAR(errors.errors().front().after.rmse / noise_sigma, 1.0, 0.15);
+    ASSERT_EQ(errors.replays().size(), 1U);
+    EXPECT_EQ(std::ranges::count(errors.replays().front().left_out, 1), static_cast<std::ptrdiff_t>(wrong.size()));
+  }
 }
 
 // Of fit runs what the fits had set aside is left out, no more and no less.

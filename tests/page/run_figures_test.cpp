@@ -1,6 +1,6 @@
 #include "page/run_figures.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
@@ -58,6 +58,23 @@ TEST(Runs, AreReadWithWhatEachModelLeavesOver) {
   EXPECT_EQ(runs[1].axis, "angle_deg");
   ASSERT_EQ(runs[1].predictions.size(), 3U);
   EXPECT_EQ(runs[1].predictions[2].residual, (std::vector<double>{-0.5}));
+}
+
+TEST(Runs, BridgeOutliersInWhatIsLeftOver) {
+  const coilwright::testing::TemporaryFolder folder;
+  folder.file("residuals.csv",
+              "run,role,channel,time_s,angle_deg,current_A,left_out,measured,declared,before,after\n"
+              "a.csv,fit,theta_deg,0,,,1,9,1,1,1\n"
+              "a.csv,fit,theta_deg,0.1,,,0,1.5,1,1,1\n"
+              "a.csv,fit,theta_deg,0.2,,,1,-7,1,1,1\n"
+              "a.csv,fit,theta_deg,0.3,,,0,2.5,1,1,1\n");
+  const std::vector<RunRecord> runs = read_runs(folder.path());
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].outliers, 2U);
+  EXPECT_EQ(runs[0].measured, (std::vector<double>{9.0, 1.5, -7.0, 2.5}));
+  EXPECT_EQ(runs[0].predictions[0].residual, (std::vector<double>{0.5, 0.5, 1.0, 1.5}));
+  EXPECT_THAT(run_figures(runs[0], 1)[1].description,
+              ::testing::HasSubstr("Samples left out as outliers (2) are bridged."));
 }
 
 }  // namespace

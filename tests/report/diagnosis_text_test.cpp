@@ -216,19 +216,23 @@ TEST(DiagnosisText, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
                         .tolerance = 1.0 * degree,
                         .idle_from = -7.85 * degree}};
   const std::string text = text_of(diagnosis);
-  EXPECT_THAT(text, HasSubstr("declared  tolerance       moved to  tolerances moved\n"
-                              "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
-                              "    below, above: there the number changes nothing in these records (faces that touch "
-                              "nowhere). It has moved\n"
-                              "    that far at least; the records cannot say how much further. actuator.json has "
-                              "face_closing_deg of -41, as if\n    there were no faces.\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("declared  tolerance       moved to  tolerances moved\n"
+                "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
+                "    below, above: there the number changes nothing in these records (faces that touch "
+                "nowhere). It has moved\n"
+                "    that far at least; the records cannot say how much further. actuator.json has it at -41, as if "
+                "there were\n    no faces.\n"));
   EXPECT_THAT(text, HasSubstr("declared numbers had to move far, in tolerances: face_closing_deg by 11.9."));
-  EXPECT_THAT(text,
-              HasSubstr("What to do next\n"
-                        "  Look at the rig where the faces of the joints touch: face_closing_deg is declared as 4, "
-                        "and these records show no contact down to -7.85. If there are no faces, remove "
-                        "\"contact\" from the joints of the actuator file.\n"));
+  EXPECT_THAT(text, HasSubstr("What to do next\n"
+                              "  Close a joint of the rig by hand, and see where its faces touch: face_closing_deg is "
+                              "declared as 4, and these records show no contact down to -7.85. If there are no faces, "
+                              "remove \"contact\" from the joints of the actuator file.\n"));
   EXPECT_THAT(text, Not(HasSubstr("Weigh or measure")));
+  formats::DiagnosisReport of_a_design = report_of(diagnosis);
+  of_a_design.is_design = true;
+  EXPECT_THAT(to_text(of_a_design), HasSubstr("no contact down to -7.85.\n"));
 }
 
 TEST(DiagnosisText, SaysHowToSeeAnEffectWithoutTheModel) {
@@ -285,6 +289,12 @@ TEST(DiagnosisText, BlamesNothingWhereTheCameraMayHaveMadeWhatIsLeft) {
                         "finger or the camera makes it,\nthese records cannot tell: none shows the noise of the camera "
                         "by itself.\n"));
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("lacks something")));
+  // More than colour makes, or a channel whose own noise is known.
+  diagnosis.after.level = 20.0;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks something, and none of the known effects explains it.\n"));
+  diagnosis.after.level = 2.0;
+  diagnosis.noise.push_back({.channel = "bending_angle_deg", .colour = "white, as the still run"});
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks something, and none of the known effects explains it.\n"));
 }
 
 TEST(DiagnosisText, ExplainsTheNamesOfDifferences) {
@@ -293,7 +303,7 @@ TEST(DiagnosisText, ExplainsTheNamesOfDifferences) {
                        {.estimate = {.key = "force_curve_1", .value = 0.01}, .declared = 0.0, .tolerance = 0.05}};
   EXPECT_THAT(
       text_of(diagnosis),
-      HasSubstr("    A ratio of the joints is what the second has more than the first, over their mean.\n"
+      HasSubstr("    A ratio of the joints is how much more the second has than the first, over their mean.\n"
                 "    The numbers of force_curve are a smooth error of the shape of the torque over the angle.\n"));
 }
 
@@ -330,6 +340,19 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
                                             "    sign of rate  50 %\n"
                                             "  strongest line at 5 Hz\n"
                                             "  worst in step_1.4A.csv, 20 ms: 3 times what noise may show\n"));
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("only if nothing is missing; here something is left over.\n"));
+  for (localise::Dependence& each : diagnosis.residual->dependences) each.explained = 0.06;
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("\n  No single variable explains even a tenth of its square.\n"));
+}
+
+TEST(DiagnosisText, SaysWhereNothingIsMissingWhatWouldTellHowSmallThatIs) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::no_missing_effect;
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("What to do next\n  To learn how small an effect these runs could have shown, describe them as an "
+                "experiment and run plan: a smaller one may still be there.\n"));
 }
 
 TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {

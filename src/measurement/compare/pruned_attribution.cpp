@@ -55,9 +55,12 @@ std::optional<std::string> unsupported(const FittedHypothesis& without, const Fi
                        : is_untested ? decision_thresholds.least_explained_of_one_run
                                      : decision_thresholds.least_explained_later;
   // What it takes away where it was fitted is flattered by the fit; runs left out tell what is its own.
+  const double on_fit_runs = explained_fraction(without, with);
   const double on_runs_left_out = is_untested ? 1.0 : evidence.cross_validated_gain;
-  if (std::min(explained_fraction(without, with), on_runs_left_out) < least)
-    return "explains too little of what is left over";
+  if (const double explained = std::min(on_fit_runs, on_runs_left_out); explained < least)
+    return fmt::format("explains {:.0f} % of what is left over{}, less than {:.0f} %",
+                       std::floor(100.0 * std::max(explained, 0.0)),
+                       on_runs_left_out < on_fit_runs ? " on runs left out" : "", 100.0 * least);
   return std::nullopt;
 }
 

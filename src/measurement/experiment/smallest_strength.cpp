@@ -125,7 +125,7 @@ SmallestStrength scale_to_limit(Scaling& scaling, Tried now) {
       next = between(*below, *above);
     } else if (below) {
       if (scaling.at_bound(below->share)) {
-        remark = "is below the limit even at its physical bound";
+        remark = "would not be found even at its physical bound";
         break;
       }
       if (below->share >= strongest) break;

@@ -8,16 +8,16 @@
 
 namespace coilwright::measurement::fit {
 
-/// Sets samples aside that no motion can show: up to three in a row whose residual lies more than six standard
-/// deviations from that of their neighbours (noise::spikes). What a wrong model leaves is smooth from sample to sample,
-/// so that it does not count. Also takes the noise level of channels that have some anew without them, where the run
-/// itself tells it. True if any sample was set aside that was not before.
+/// Sets samples aside that stand apart as no motion does: up to three in a row whose residual lies more than six
+/// standard deviations from that of their neighbours (noise::spikes). What a wrong model leaves is smooth from sample
+/// to sample, so that it does not count. Also takes the noise level of channels that have some anew without them, where
+/// the run itself tells it. True if any sample was set aside that was not before.
 [[nodiscard]] bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted);
 
 /// The runs with those samples set aside, too, that are suspected only: up to three in a row that lie more than four
 /// robust standard deviations of what the fit leaves of their channel from its prediction, if they are at most a tenth
 /// of the channel. Outliers that pull at the few pictures of a run, and at its clock, hide themselves among what is
-/// left; a fit without the suspects shows which of them no motion can show. Nothing where there are none.
+/// left; a fit without the suspects shows which of them stand apart. Nothing where there are none.
 [[nodiscard]] std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(
     std::span<const replay::PreparedRun> runs, const Fit& fitted);
 

@@ -252,6 +252,8 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
       "force_curve": {"value": 0.01, "ci95": [null, null], "determined": false, "declared": 0.0, "tolerance": 0.03,
                       "tolerance_from": "default"}})"));
   EXPECT_EQ(json["probability_of_declared"], 0.25);
+  diagnosis.nominal.clear();
+  EXPECT_TRUE(json_of(diagnosis)["probability_of_declared"].is_null());
   EXPECT_EQ(json["model_error"], 512.0);
   EXPECT_EQ(json["held_exact"], ordered_json({"/magnet/remanence_T"}));
 }

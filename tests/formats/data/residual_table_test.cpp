@@ -108,6 +108,16 @@ TEST(ResidualTable, RefusesVectorsOfUnequalLengthBeforeItWrites) {
   const std::vector<Replay> replays = {{.run = "a.csv", .channel = "force_N", .at = {1.0}, .measured = {1.0, 2.0}}};
   EXPECT_EQ(error_text([&] { write_residuals(out, replays); }),
             "replay of force_N in a.csv: vectors must be 2 long; got 1");
+  const std::vector<Replay> flagged = {{.run = "a.csv",
+                                        .channel = "force_N",
+                                        .at = {1.0},
+                                        .measured = {1.0},
+                                        .declared = {1.0},
+                                        .before = {1.0},
+                                        .after = {1.0},
+                                        .left_out = {0, 1}}};
+  EXPECT_EQ(error_text([&] { write_residuals(out, flagged); }),
+            "replay of force_N in a.csv: left_out must be empty or 1 long; got 2");
   EXPECT_EQ(out.str(), "");
 }
 

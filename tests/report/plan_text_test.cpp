@@ -1,0 +1,58 @@
+#include "coilwright/report/plan_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace coilwright::report {
+namespace {
+
+using measurement::experiment::ExperimentPlan;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string text_of(const ExperimentPlan& plan) {
+  return to_text(formats::PlanReport{.plan = plan, .experiment = "steps.json", .actuator = "finger.json"});
+}
+
+ExperimentPlan example() {
+  const actuator::EffectCatalogue& effects = actuator::standard_effects();
+  ExperimentPlan plan{.samples = 1200};
+  plan.effects = {{.effect = {.kind = effects.find("dry_friction"), .values = {0.0144e-3}}, .main = 0, .visible = true},
+                  {.effect = {.kind = effects.find("coil_coil_force"), .values = {}}, .visible = true},
+                  {.effect = {.kind = effects.find("added_mass"), .values = {1e-3}},
+                   .main = 0,
+                   .remark = "would not be found even at its physical bound"}};
+  return plan;
+}
+
+TEST(PlanText, SaysHowStrongEachEffectMustBe) {
+  EXPECT_THAT(text_of(example()),
+              HasSubstr("What steps.json could show on finger.json: 1200 samples of its fit runs.\n"));
+  EXPECT_THAT(
+      text_of(example()),
+      HasSubstr("  dry_friction     torque 0.0144 Nmm\n"
+                "  coil_coil_force  there or not\n"
+                "  added_mass       never              would not be found even at its physical bound (mass 1 g)\n"));
+}
+
+TEST(PlanText, SaysWhatNoiseCostsWhoseColourIsNotKnown) {
+  ExperimentPlan plan = example();
+  plan.overdispersion = 1.1;
+  EXPECT_THAT(text_of(plan), Not(HasSubstr("not white")));
+  plan.overdispersion = 12.0;
+  EXPECT_THAT(text_of(plan), HasSubstr("effects must be 3.5 times as strong as in white noise of\nthat level, and the "
+                                       "strengths above are. A still run would tell a diagnosis its colour.\n"));
+}
+
+TEST(PlanText, SaysHowMuchPairsDiffer) {
+  ExperimentPlan plan = example();
+  EXPECT_THAT(text_of(plan), HasSubstr("every effect could be told from every other one.\n"));
+  plan.pairs = {{.first = 0, .second = 2, .over_limit = 0.38}};
+  EXPECT_THAT(text_of(plan), HasSubstr("five times as strong. The number is how much they differ, over what\n"
+                                       "telling them apart takes; 1 would be enough:\n"
+                                       "  dry_friction  added_mass  0.38\n"));
+}
+
+}  // namespace
+}  // namespace coilwright::report

@@ -20,16 +20,34 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-// Each value beside the median of those around it.
+// How far a value lies from a straight line through its neighbours, whose slope is the median of those of all pairs
+// (Theil 1950, Sen 1968).
+double from_line(std::span<const double> values, std::size_t i, std::size_t from, std::size_t to) {
+  std::vector<double> some;
+  for (std::size_t k = from; k < to; ++k)
+    for (std::size_t l = k + 1; l < to; ++l)
+      if (k != i && l != i) some.push_back((values[l] - values[k]) / static_cast<double>(l - k));
+  const double slope = median(some);
+  some.clear();
+  for (std::size_t k = from; k < to; ++k)
+    if (k != i) some.push_back(values[k] + slope * (static_cast<double>(i) - static_cast<double>(k)));
+  return values[i] - median(some);
+}
+
+// Each value beside the median of those around it. At an end these lie to one side, and what drifts is as far from them
+// as a spike: it has to be apart from their straight line, too, which alone would be too uncertain.
 std::vector<double> from_neighbours(std::span<const double> values) {
   std::vector<double> out(values.size());
   std::vector<double> around;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::size_t from = std::min(i > neighbours ? i - neighbours : 0, values.size() - 2 * neighbours - 1);
+    const std::size_t to = from + 2 * neighbours + 1;
     around.clear();
-    for (std::size_t k = from; k < from + 2 * neighbours + 1; ++k)
+    for (std::size_t k = from; k < to; ++k)
       if (k != i) around.push_back(values[k]);
     out[i] = values[i] - median(around);
+    if (from + neighbours == i) continue;
+    if (const double apart = from_line(values, i, from, to); std::abs(apart) < std::abs(out[i])) out[i] = apart;
   }
   return out;
 }

@@ -7,7 +7,8 @@ namespace coilwright::measurement::noise {
 
 /// For each value whether it is a spike: up to three values in a row that lie more than six local standard deviations
 /// from the median of their neighbours. The local standard deviation is that of the same differences within 50 values
-/// to both sides, by their median, and at least `least`; so neither a slow curve nor a noisy stretch is a spike.
+/// to both sides, by their median, and at least `least`; so neither a slow curve nor a noisy stretch is a spike. The
+/// first and the last four have neighbours to one side only, and must lie as far from their straight line, too.
 [[nodiscard]] std::vector<char> spikes(std::span<const double> values, double least = 0.0);
 
 /// For each value whether it is far from 0 compared with the others: up to three in a row beyond four standard

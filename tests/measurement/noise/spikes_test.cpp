@@ -57,6 +57,23 @@ TEST(Spikes, AreNotTheSwingItself) {
   }
 }
 
+// What a wrong model leaves of a window grows towards its ends, by a factor of e in ten samples: that is no spike. A
+// misread first or last picture is one all the same.
+TEST(Spikes, AtTheEndsAreNoDrift) {
+  Normal normal(7);
+  std::vector<double> values(250);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = sigma * (normal() + 60.0 * std::exp((static_cast<double>(i) - 249.0) / 10.0) -
+                         60.0 * std::exp(-static_cast<double>(i) / 10.0));
+  EXPECT_EQ(std::ranges::count(spikes(values, sigma), 1), 0);
+  values.front() += 60.0 * sigma;
+  values.back() -= 60.0 * sigma;
+  const std::vector<char> found = spikes(values, sigma);
+  EXPECT_EQ(std::ranges::count(found, 1), 2);
+  EXPECT_EQ(found.front(), 1);
+  EXPECT_EQ(found.back(), 1);
+}
+
 TEST(Spikes, LastThreeSamplesAtMost) {
   std::vector<double> values(200, 0.0);
   Normal normal(1);

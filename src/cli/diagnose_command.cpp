@@ -2,7 +2,6 @@
 #include <glog/logging.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
@@ -69,6 +68,7 @@ struct Options {
   bool force{false};
   bool quiet{false};
   bool json{false};
+  bool report{false};
 };
 
 std::filesystem::path declared_path(const Options& options, const formats::DatasetFile& set) {
@@ -85,8 +85,9 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
     throw text::OutputError(options.out, "it is the folder of the data set", text::OutputError::Stage::preparing);
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
-  constexpr std::array names = {diagnosis_name, actuator_name, corrected_name,  residuals_name, summary_name,
-                                next_name,      expected_name, provenance_name, report_name};
+  std::vector<const char*> names{diagnosis_name, actuator_name, corrected_name, residuals_name,
+                                 summary_name,   next_name,     expected_name,  provenance_name};
+  if (options.report) names.push_back(report_name);
   std::vector<std::filesystem::path> outputs;
   for (const char* name : names) outputs.push_back(std::filesystem::path(options.out) / name);
   keep_inputs(inputs, outputs);
@@ -273,11 +274,10 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
-  auto report = std::make_shared<bool>(false);
-  add_report_option(*command, *report);
-  command->callback([options, report] {
+  add_report_option(*command, options->report);
+  command->callback([options] {
     write(*options, find(*options));
-    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+    if (options->report) write_report(options->out, std::filesystem::path(options->out) / report_name);
   });
 }
 

@@ -63,7 +63,7 @@ void keep_results_of_others(const std::filesystem::path& folder, std::span<const
   if (beginning.find(mark) != std::string::npos) return;
   std::error_code none;
   for (const char* name : names)
-    if (std::filesystem::exists(folder / name, none)) throw other_content(folder / name);
+    if (exists(symlink_status(folder / name, none))) throw other_content(folder / name);
 }
 
 }  // namespace coilwright::cli

@@ -27,6 +27,10 @@ bool leaves_structure(const Diagnosis& diagnosis) {
   return diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
 }
 
+bool is_colour_unknown(const noise::NoiseLevel& level) {
+  return level.colour.starts_with("taken as white");
+}
+
 // Declared numbers that moved far; if none did, and they are off together, those that moved most.
 std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
   std::vector<const MovedNumber*> ordered;
@@ -148,8 +152,7 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
 bool may_be_the_camera(const Diagnosis& diagnosis) {
   // Colour alone makes no more of noise whose level was taken from one sample to the next.
   constexpr double most_of_colour = 10.0;
-  const auto is_unknown = [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); };
-  return !diagnosis.noise.empty() && std::ranges::all_of(diagnosis.noise, is_unknown) &&
+  return !diagnosis.noise.empty() && std::ranges::all_of(diagnosis.noise, is_colour_unknown) &&
          diagnosis.after.level < most_of_colour;
 }
 
@@ -179,9 +182,7 @@ std::string advice_text(const formats::DiagnosisReport& report) {
                           number_text(next.separation));
     steps.push_back(step + ".");
   }
-  const bool colour_unknown = std::ranges::any_of(
-      diagnosis.noise, [](const noise::NoiseLevel& each) { return each.colour.starts_with("taken as white"); });
-  if (structure && colour_unknown)
+  if (structure && std::ranges::any_of(diagnosis.noise, is_colour_unknown))
     steps.emplace_back(
         "Record ten seconds of the finger at rest (kind still): it tells whether what is left is noise of the camera.");
   if (structure)

@@ -226,6 +226,17 @@ class Diagnose(ProgramTest):
                          (2, "coilwright: out/summary.txt: cannot be written: it holds something else; --force replaces it, "
                              "another --out keeps it\n"))
         self.assertEqual((self.folder / "out" / "summary.txt").read_text(), "mine\n")
+        # A link that leads nowhere is a file of somebody, too; a page is in the way only where one is asked for.
+        (self.folder / "linked").mkdir()
+        (self.folder / "linked" / "residuals.csv").symlink_to("nowhere.csv")
+        self.assert_refused(["diagnose", "set", "--out", "linked"],
+                            "linked/residuals.csv: cannot be written: it holds something else; --force replaces it, another --out keeps it")
+        (self.folder / "paged").mkdir()
+        self.write("paged/report.html", "mine")
+        self.assert_refused(["diagnose", "set", "--out", "paged", "--report"],
+                            "paged/report.html: cannot be written: it holds something else; --force replaces it, another --out keeps it")
+        self.diagnose("paged")
+        self.assertEqual((self.folder / "paged" / "report.html").read_text(), "mine")
         self.diagnose("out", "--force")
         first = self.files()
         self.write("out/summary.txt", "of this diagnosis, changed")

@@ -61,7 +61,11 @@ fit::Counted<std::vector<PlannedFit>> from_reached_limits(std::span<const replay
     std::vector<long> simulated_runs(places.size(), 0);
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t k) {
       const PlannedFit plan = at(places[k]);
-      const auto there = fit::evaluate_at(fit_request_of(runs, plan));
+      // Valleys are wider than what derivatives of the fit make of them: local numbers follow by those.
+      fit::FitRequest request = fit_request_of(runs, plan);
+      request.derivatives_from = &fitted.fit;
+      request.updates_derivatives = true;
+      const auto there = fit::evaluate_at(request);
       simulated_runs[k] = there.simulated_runs;
       if (there.value) objectives[k] = there.value->objective();
     });

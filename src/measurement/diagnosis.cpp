@@ -78,7 +78,7 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
 // Sets outliers aside, as the declared model shows them once it is recalibrated, and once more without what is
 // suspected then; returns the number of runs simulated here.
 long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
-  const auto fitted = compare::recalibrated(runs, declared);
+  const auto fitted = compare::recalibrated_at_its_error(runs, declared);
   (void)fit::set_outliers_aside(runs, fitted.value.fit);
   const auto trimmed = fit::with_suspects_aside(runs, fitted.value.fit);
   if (!trimmed) return fitted.simulated_runs;

@@ -21,16 +21,21 @@ std::string inputs_that_fail(std::span<const replay::PreparedRun> runs, const Pl
   return "these inputs";
 }
 
-}  // namespace
-
-fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
-                                            const replay::DeclaredModel& declared) {
+// From the declared numbers.
+fit::Counted<FittedHypothesis> first_fit(std::span<const replay::PreparedRun> runs,
+                                         const replay::DeclaredModel& declared) {
   PlannedFit plan{.hypothesis = fit::Hypothesis(declared, {})};
   plan.start = plan.hypothesis.start();
   auto fitted = fit_exactly(runs, plan);
   if (!fitted.value)
     throw std::runtime_error("the declared model cannot be simulated under " + inputs_that_fail(runs, plan));
-  fit::Counted<FittedHypothesis> out{.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
+  return {.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
+}
+
+// From that fit, if there is a better one in another valley.
+fit::Counted<FittedHypothesis> best_valley(std::span<const replay::PreparedRun> runs,
+                                           fit::Counted<FittedHypothesis> fitted) {
+  fit::Counted<FittedHypothesis> out = std::move(fitted);
   // True if one of them is better.
   const auto take_best = [&](const std::vector<PlannedFit>& plans) {
     bool any = false;
@@ -55,13 +60,28 @@ fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun>
   return out;
 }
 
+// As priors are to be weighed against what `fitted` leaves; 1 where that may still be noise to an effect.
+double error_to_weigh(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted) {
+  return fitted.whiteness.level >= search_effort.weighs_model_error ? model_error_of(runs, fitted) : 1.0;
+}
+
+}  // namespace
+
+fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
+                                            const replay::DeclaredModel& declared) {
+  return best_valley(runs, first_fit(runs, declared));
+}
+
 fit::Counted<FittedHypothesis> recalibrated_at_its_error(std::span<replay::PreparedRun> runs,
                                                          const replay::DeclaredModel& declared) {
-  constexpr int most_rounds = 2;
-  auto out = recalibrated(runs, declared);
+  constexpr int most_rounds = 3;
+  auto out = first_fit(runs, declared);
+  // Against the noise alone a model that is far from it takes up what it can by numbers that no rig has (a link of no
+  // mass, which trembles): other valleys are looked for only once priors weigh what they should.
+  const double at_first = error_to_weigh(runs, out.value);
+  if (is_same_model_error(at_first, replay::model_error_of(runs))) out = best_valley(runs, std::move(out));
   for (int round = 0; round < most_rounds; ++round) {
-    const bool is_far = out.value.whiteness.level >= search_effort.weighs_model_error;
-    const double model_error = is_far ? model_error_of(runs, out.value) : 1.0;
+    const double model_error = error_to_weigh(runs, out.value);
     if (is_same_model_error(model_error, replay::model_error_of(runs))) break;
     set_model_error(runs, model_error);
     auto anew = recalibrated(runs, declared);

@@ -13,8 +13,9 @@ namespace coilwright::measurement::compare {
 [[nodiscard]] fit::Counted<FittedHypothesis> recalibrated(std::span<const replay::PreparedRun> runs,
                                                           const replay::DeclaredModel& declared);
 
-/// The same. Where it leaves more than SearchEffort::weighs_model_error times the noise, the runs get its model error,
-/// and it is fitted again with priors that weigh as much against what it leaves.
+/// The same. Where the declared model leaves more than SearchEffort::weighs_model_error times the noise, the runs get
+/// its model error, with which they keep on until it is that of what is left, and it is fitted with priors that weigh
+/// as much against that.
 [[nodiscard]] fit::Counted<FittedHypothesis> recalibrated_at_its_error(std::span<replay::PreparedRun> runs,
                                                                        const replay::DeclaredModel& declared);
 

@@ -9,17 +9,6 @@
 namespace coilwright::measurement::compare {
 namespace {
 
-// Whether derivatives that may be kept cost much: of declared numbers, or of local numbers that move the model.
-bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const fit::Hypothesis& hypothesis) {
-  const auto& numbers = hypothesis.declared().calibration;
-  if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;
-  return std::ranges::any_of(runs, [](const replay::PreparedRun& run) {
-    return run.fits_initial_states() || std::ranges::any_of(run.windows, [](const replay::Window& window) {
-             return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
-           });
-  });
-}
-
 // By how much one more step would lower the objective, where it is as the derivatives say.
 double predicted_fall(const fit::Fit& fitted) {
   Eigen::MatrixXd jacobian = fitted.jacobian;
@@ -31,6 +20,16 @@ double predicted_fall(const fit::Fit& fitted) {
 }
 
 }  // namespace
+
+bool has_slow_derivatives(std::span<const replay::PreparedRun> runs, const replay::DeclaredModel& declared) {
+  const auto& numbers = declared.calibration;
+  if (!std::ranges::all_of(numbers, &replay::CalibrationParameter::calibrated)) return true;
+  return std::ranges::any_of(runs, [](const replay::PreparedRun& run) {
+    return run.fits_initial_states() || std::ranges::any_of(run.windows, [](const replay::Window& window) {
+             return !window.edges.empty() || !window.bend.times.empty() || !window.errors.empty();
+           });
+  });
+}
 
 fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
   return {.hypothesis = &plan.hypothesis,
@@ -45,7 +44,7 @@ FitInTurns::FitInTurns(std::span<const replay::PreparedRun> runs, PlannedFit pla
 
 bool FitInTurns::turn() {
   ++turns_;
-  return has_slow_derivatives(runs_, plan_.hypothesis) ? turn_with_kept_derivatives() : whole_fit();
+  return has_slow_derivatives(runs_, plan_.hypothesis.declared()) ? turn_with_kept_derivatives() : whole_fit();
 }
 
 void FitInTurns::finish() {

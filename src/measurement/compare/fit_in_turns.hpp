@@ -18,6 +18,11 @@ struct PlannedFit {
 /// Refers to `plan`.
 [[nodiscard]] fit::FitRequest fit_request_of(std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
 
+/// Whether derivatives that may be kept from one fit to the next cost much: of declared numbers, or of local numbers
+/// that move the model.
+[[nodiscard]] bool has_slow_derivatives(std::span<const replay::PreparedRun> runs,
+                                        const replay::DeclaredModel& declared);
+
 /// A fit that goes on turn by turn. Where derivatives cost much, they are taken where a turn begins and follow it to
 /// its end. With derivatives of another place a fit ends where these see no way down, which is near its optimum only if
 /// they have hardly changed: they are taken anew there, and another turn begins as long as they promise more. Where

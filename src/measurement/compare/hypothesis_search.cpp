@@ -157,9 +157,14 @@ class HypothesisSearch {
       // Where declared numbers alone leave noise, more effects than one would only share what these do.
       if (before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
       if (leaves_noise(level) && !another_is_decisive(before, level)) break;
+      // What leaves noise is the answer, alone or with one effect more: neither other hypotheses of its size nor
+      // combinations without it are nearer to one.
+      const bool is_answered = leaves_noise(level);
+      if (is_answered) std::erase_if(level, [](const FittedHypothesis& each) { return !each.whiteness.is_white(); });
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
       auto combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
+      if (is_answered) combined.clear();
       // Where one effect more is not worth its runs, only effects that help together are.
       if (!worth_extending)
         std::erase_if(combined, [&](const ScreenedCombination& each) {

@@ -65,13 +65,19 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<Plann
 Counted<std::vector<PlannedFit>> most_promising(std::span<const replay::PreparedRun> runs,
                                                 const FittedHypothesis& known, std::vector<PlannedFit> plans) {
   constexpr std::size_t most = 2;
+  Counted<std::vector<PlannedFit>> out;
+  const bool any_anew =
+      std::ranges::any_of(plans, [](const PlannedFit& plan) { return plan.derivatives_from == nullptr; });
+  const Counted<std::optional<fit::Fit>> at_declared =
+      any_anew ? at_declared_numbers(runs, known.hypothesis.declared()) : Counted<std::optional<fit::Fit>>{};
+  out.simulated_runs += at_declared.simulated_runs;
   std::vector<Counted<std::optional<fit::Fit>>> fits(plans.size());
   tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
     fit::FitRequest request = fit_request_of(runs, plans[i]);
+    if (request.derivatives_from == nullptr && at_declared.value) request.derivatives_from = &*at_declared.value;
     request.effort = ends_by_what_is_left(search_effort.short_fit, known);
     fits[i] = fit::fit(request);
   });
-  Counted<std::vector<PlannedFit>> out;
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     out.simulated_runs += fits[i].simulated_runs;

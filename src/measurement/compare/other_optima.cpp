@@ -49,7 +49,8 @@ std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted) {
         changed[e].values[n] = choice;
         out.push_back({.hypothesis = fit::Hypothesis(fitted.hypothesis.declared(), std::move(changed)),
                        .start = fitted.fit.values,
-                       .local_numbers_from = &fitted.fit});
+                       .local_numbers_from = &fitted.fit,
+                       .derivatives_from = &fitted.fit});
       }
     }
   }
@@ -115,7 +116,8 @@ std::vector<PlannedFit> with_further_numbers(const FittedHypothesis& fitted, con
       std::vector<Effect> larger = effects;
       larger[e] = {.kind = further, .values = std::move(values)};
       PlannedFit plan{.hypothesis = fit::Hypothesis(fitted.hypothesis.declared(), std::move(larger)),
-                      .local_numbers_from = &fitted.fit};
+                      .local_numbers_from = &fitted.fit,
+                      .derivatives_from = &fitted.fit};
       plan.start = plan.hypothesis.start();
       plan.start.head(declared) = fitted.fit.values.head(declared);
       out.push_back(std::move(plan));

@@ -67,6 +67,14 @@ PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effe
   return plan;
 }
 
+fit::Counted<std::optional<fit::Fit>> at_declared_numbers(std::span<const replay::PreparedRun> runs,
+                                                          const replay::DeclaredModel& declared) {
+  if (!has_slow_derivatives(runs, declared)) return {};
+  const fit::Hypothesis hypothesis(declared, {});
+  return fit::evaluate_with_jacobian(
+      {.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start(), .effort = {.iterations = 0}});
+}
+
 fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesis& known) {
   const double least_gain =
       std::max(decision_thresholds.decisive_gain, effort.tolerance * known.chi_square_above_noise());
@@ -79,6 +87,15 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
                                                 std::span<const std::vector<Effect>> further) {
   std::optional<ShortFit> best;
   long simulated_runs = 0;
+  std::optional<std::optional<fit::Fit>> at_declared;  // once it is asked for
+  const auto derivatives_there = [&]() -> const fit::Fit* {
+    if (!at_declared) {
+      auto found = at_declared_numbers(runs, base.hypothesis.declared());
+      simulated_runs += found.simulated_runs;
+      at_declared = std::move(found.value);
+    }
+    return *at_declared ? &**at_declared : nullptr;
+  };
   const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false,
                             const fit::FitEffort& effort = search_effort.short_fit) {
     PlannedFit plan = with_added_effects(base, guess);
@@ -89,6 +106,7 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
       plan.derivatives_from = nullptr;
     }
     fit::FitRequest request = fit_request_of(runs, plan);
+    if (declared) request.derivatives_from = derivatives_there();
     request.effort = ends_by_what_is_left(effort, base);
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;

@@ -17,6 +17,12 @@ namespace coilwright::measurement::compare {
 /// `base` at its fit with additional effects, each with the given numbers. Refers to `base`.
 [[nodiscard]] PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const actuator::Effect> added);
 
+/// The declared model at its declared numbers, for PlannedFit::derivatives_from of fits that start there: with an
+/// effect as weak as it starts they are much the same. Nothing where derivatives cost little, and where there is no
+/// motion.
+[[nodiscard]] fit::Counted<std::optional<fit::Fit>> at_declared_numbers(std::span<const replay::PreparedRun> runs,
+                                                                        const replay::DeclaredModel& declared);
+
 /// `effort` for hypotheses that add to `known`, its tolerance taken as a fraction of what `known` leaves above the
 /// noise, not of the whole of chi-square: near the noise a hundredth of that is a hundred times what decides. A step
 /// that gains less than what decides nothing (DecisionThresholds::decisive_gain) ends the fit in any case.

@@ -76,7 +76,8 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
 }
 
 // Sets outliers aside, as the declared model shows them once it is recalibrated, and once more without what is
-// suspected then; returns the number of runs simulated here.
+// suspected then; returns the number of runs simulated here. Far from the noise the runs keep the model error at which
+// that was fitted: the comparison begins there.
 long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
   const auto fitted = compare::recalibrated_at_its_error(runs, declared);
   (void)fit::set_outliers_aside(runs, fitted.value.fit);

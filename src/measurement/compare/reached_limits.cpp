@@ -61,7 +61,7 @@ fit::Counted<std::vector<PlannedFit>> from_reached_limits(std::span<const replay
     std::vector<long> simulated_runs(places.size(), 0);
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t k) {
       const PlannedFit plan = at(places[k]);
-      // Valleys are wider than what derivatives of the fit make of them: local numbers follow by those.
+      // Local numbers follow by the derivatives of the fit: a place that is chosen is fitted with its own.
       fit::FitRequest request = fit_request_of(runs, plan);
       request.derivatives_from = &fitted.fit;
       request.updates_derivatives = true;

@@ -32,10 +32,9 @@ fit::Counted<FittedHypothesis> first_fit(std::span<const replay::PreparedRun> ru
   return {.value = std::move(*fitted.value), .simulated_runs = fitted.simulated_runs};
 }
 
-// From that fit, if there is a better one in another valley.
+// `out`, or what is better in another valley.
 fit::Counted<FittedHypothesis> best_valley(std::span<const replay::PreparedRun> runs,
-                                           fit::Counted<FittedHypothesis> fitted) {
-  fit::Counted<FittedHypothesis> out = std::move(fitted);
+                                           fit::Counted<FittedHypothesis> out) {
   // True if one of them is better.
   const auto take_best = [&](const std::vector<PlannedFit>& plans) {
     bool any = false;

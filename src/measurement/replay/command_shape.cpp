@@ -34,6 +34,13 @@ bool leaves_noise(const CommandShape& shape, const Eigen::VectorXd& readings, co
   return excess < significant && alike < significant;
 }
 
+// To the last bit the same everywhere: simulations pass over what is held.
+CommandShape constant(const Eigen::VectorXd& readings) {
+  const Eigen::Index n = readings.size();
+  return {.basis = Eigen::MatrixXd::Constant(n, 1, 1.0 / std::sqrt(static_cast<double>(n))),
+          .values = Eigen::VectorXd::Constant(n, readings.mean())};
+}
+
 // Polynomials up to the highest degree whose coefficient is not noise.
 CommandShape polynomial(const Times& times, const Eigen::VectorXd& readings, double sigma) {
   const double first = times[0];
@@ -45,6 +52,7 @@ CommandShape polynomial(const Times& times, const Eigen::VectorXd& readings, dou
   const Eigen::MatrixXd basis = algebra::orthonormal(powers);
   Eigen::Index degree = highest_degree;
   while (degree > 0 && std::abs(basis.col(degree).dot(readings)) < significant * sigma) --degree;
+  if (degree == 0) return constant(readings);
   return projected(basis.leftCols(degree + 1), readings);
 }
 

@@ -135,11 +135,12 @@ class HypothesisSearch {
     double above_noise = before.chi_square_above_noise();
     double of_the_size_before = before.fit.objective();
     const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
+    bool is_last = false;
     for (std::size_t size = 1;; ++size) {
       std::ranges::stable_sort(level, {}, bic);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      if (is_worth_other_starts(before, level, of_the_size_before)) {
+      if (is_last || is_worth_other_starts(before, level, of_the_size_before)) {
         level = counted(with_better_optima(
             runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
               report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
@@ -155,11 +156,18 @@ class HypothesisSearch {
       if (shows_more_outliers(level)) break;
       all.insert(all.end(), level.begin(), level.end());
       // Where declared numbers alone leave noise, more effects than one would only share what these do.
-      if (before.whiteness.is_white() || size == search_effort.largest_hypothesis) break;
-      if (leaves_noise(level) && !another_is_decisive(before, level)) break;
+      if (before.whiteness.is_white() || size == search_effort.largest_hypothesis || is_last) break;
+      bool is_answered = leaves_noise(level);
+      if (is_answered && !another_is_decisive(before, level)) {
+        if (!leaves_noise_by_further_numbers_only(level)) break;
+        // Two effects may do what further numbers of one do: a friction and a drag, what a friction that falls with the
+        // speed does. They compete.
+        is_last = true;
+        is_answered = false;
+        std::erase_if(level, [this](const FittedHypothesis& each) { return has_further_numbers(each); });
+      }
       // What leaves noise is the answer, alone or with one effect more: neither other hypotheses of its size nor
       // combinations without it are nearer to one.
-      const bool is_answered = leaves_noise(level);
       if (is_answered) std::erase_if(level, [](const FittedHypothesis& each) { return !each.whiteness.is_white(); });
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
@@ -178,6 +186,19 @@ class HypothesisSearch {
       level = std::move(next);
     }
     return all;
+  }
+
+  // Whether one of its effects has numbers beyond those of the catalogue (EffectKind::with_further_numbers).
+  [[nodiscard]] bool has_further_numbers(const FittedHypothesis& fitted) const {
+    return std::ranges::any_of(
+        fitted.kinds(), [this](const EffectKind* kind) { return std::ranges::find(kinds_, kind) == kinds_.end(); });
+  }
+
+  // What leaves noise needs them for that.
+  [[nodiscard]] bool leaves_noise_by_further_numbers_only(const Level& level) const {
+    return std::ranges::none_of(level, [this](const FittedHypothesis& each) {
+      return each.whiteness.is_white() && !has_further_numbers(each);
+    });
   }
 
   // Where the model without effects leaves noise and the best of a level (sorted) is not decisively better, other

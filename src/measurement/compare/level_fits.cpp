@@ -23,6 +23,10 @@ using actuator::Effect;
 using fit::Counted;
 using CountedFit = Counted<std::optional<FittedHypothesis>>;
 
+const fit::Fit* pointer_to(const std::optional<fit::Fit>& fit) {
+  return fit ? &*fit : nullptr;
+}
+
 // Turn by turn, and after each of them the worse half of those that go on is left where it is.
 void race(std::vector<FitInTurns>& fits) {
   std::vector<FitInTurns*> going;
@@ -62,19 +66,16 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<Plann
 }
 
 // The plans whose short fits end lowest, from where these end; all are for the hypothesis of `known`, or a larger one.
+// Those that bring no derivatives take those of the declared numbers.
 Counted<std::vector<PlannedFit>> most_promising(std::span<const replay::PreparedRun> runs,
-                                                const FittedHypothesis& known, std::vector<PlannedFit> plans) {
+                                                const FittedHypothesis& known, std::vector<PlannedFit> plans,
+                                                const fit::Fit* at_declared) {
   constexpr std::size_t most = 2;
   Counted<std::vector<PlannedFit>> out;
-  const bool any_anew =
-      std::ranges::any_of(plans, [](const PlannedFit& plan) { return plan.derivatives_from == nullptr; });
-  const Counted<std::optional<fit::Fit>> at_declared =
-      any_anew ? at_declared_numbers(runs, known.hypothesis.declared()) : Counted<std::optional<fit::Fit>>{};
-  out.simulated_runs += at_declared.simulated_runs;
   std::vector<Counted<std::optional<fit::Fit>>> fits(plans.size());
   tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
     fit::FitRequest request = fit_request_of(runs, plans[i]);
-    if (request.derivatives_from == nullptr && at_declared.value) request.derivatives_from = &*at_declared.value;
+    if (request.derivatives_from == nullptr) request.derivatives_from = at_declared;
     request.effort = ends_by_what_is_left(search_effort.short_fit, known);
     fits[i] = fit::fit(request);
   });
@@ -137,6 +138,73 @@ std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::
   return out;
 }
 
+// A level whose hypotheses are moved to better optima one by one.
+class OtherOptima {
+ public:
+  OtherOptima(std::span<const replay::PreparedRun> runs, Level level, const actuator::RigScale& scale,
+              std::uint64_t seed)
+      : runs_(runs), scale_(scale), seed_(seed), level_(std::move(level)) {
+    at_declared_ = counted(at_declared_numbers(runs_, level_.front().hypothesis.declared()));
+  }
+
+  [[nodiscard]] const Level& level() const { return level_; }
+
+  // With one of its discrete choices the other way.
+  void try_other_choices(std::size_t i) {
+    const FittedHypothesis as_found = level_[i];
+    take_better(with_other_choices(as_found), level_[i]);
+  }
+
+  // From other starts.
+  void restart(std::size_t i) {
+    FittedHypothesis& best = level_[i];
+    const FittedHypothesis as_found = best;
+    take_better(with_other_starts(as_found, seed_), best);
+    const FittedHypothesis restarted = best;
+    take_better(counted(from_reached_limits(runs_, restarted)), best);
+    if (is_far_from_noise(as_found)) return;
+    take_better(counted(most_promising(runs_, as_found, from_own_starts(as_found, scale_), declared_derivatives())),
+                best);
+  }
+
+  // Adds the same with further numbers of its effects, and tries where these lead without them.
+  void extend(std::size_t i) {
+    const FittedHypothesis smaller = level_[i];
+    std::vector<PlannedFit> plans = with_further_numbers(smaller, scale_);
+    // Far from the noise they race instead.
+    if (!is_far_from_noise(smaller))
+      plans = counted(most_promising(runs_, smaller, std::move(plans), declared_derivatives()));
+    std::optional<FittedHypothesis> larger = counted(best_fit(runs_, std::move(plans), smaller));
+    if (!larger) return;
+    take_better({from_further_numbers(smaller, *larger)}, level_[i]);
+    level_.push_back(std::move(*larger));
+  }
+
+  [[nodiscard]] Counted<Level> result() && { return {.value = std::move(level_), .simulated_runs = simulated_runs_}; }
+
+ private:
+  // Takes the value of a result and adds its simulated runs.
+  template <typename Value>
+  Value counted(Counted<Value> result) {
+    simulated_runs_ += result.simulated_runs;
+    return std::move(result.value);
+  }
+
+  void take_better(std::vector<PlannedFit> plans, FittedHypothesis& best) {
+    std::optional<FittedHypothesis> other = counted(best_fit(runs_, std::move(plans), best));
+    if (other && other->fit.objective() < best.fit.objective()) best = std::move(*other);
+  }
+
+  [[nodiscard]] const fit::Fit* declared_derivatives() const { return pointer_to(at_declared_); }
+
+  std::span<const replay::PreparedRun> runs_;
+  const actuator::RigScale& scale_;
+  std::uint64_t seed_;
+  Level level_;
+  std::optional<fit::Fit> at_declared_{};
+  long simulated_runs_ = 0;
+};
+
 }  // namespace
 
 bool leaves_noise(const Level& level) {
@@ -162,11 +230,15 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
       starts.push_back(std::move(alike));
       ++left[place];
     }
+  if (starts.empty()) return {};
+  // Of all fits that start there, which are many: taken once.
+  const Counted<std::optional<fit::Fit>> at_declared =
+      at_declared_numbers(runs, planned.front().base->hypothesis.declared());
   std::vector<Counted<std::optional<ShortFit>>> short_fits(starts.size());
   std::mutex reporting;
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
-    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i]);
+    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i], pointer_to(at_declared.value));
     const std::scoped_lock lock(reporting);
     if (--left[places[i]] == 0) progress(++done);
   });
@@ -174,7 +246,7 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
     std::size_t place{};
     ShortFit fit;
   };
-  Counted<LevelFits> out;
+  Counted<LevelFits> out{.simulated_runs = at_declared.simulated_runs};
   std::vector<Found> found;
   std::vector<char> failed(planned.size(), 1);
   for (std::size_t i = 0; i < short_fits.size(); ++i) {
@@ -234,58 +306,28 @@ std::vector<std::size_t> contenders(const Level& level, double of_the_size_befor
 Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level, double of_the_size_before,
                                   const actuator::RigScale& scale, std::uint64_t seed,
                                   const std::function<void(std::size_t, std::size_t)>& progress) {
-  Counted<Level> out{.value = std::move(level)};
-  const auto take_better = [&](std::vector<PlannedFit> plans, FittedHypothesis& best) {
-    const CountedFit other = best_fit(runs, std::move(plans), best);
-    out.simulated_runs += other.simulated_runs;
-    if (other.value && other.value->fit.objective() < best.fit.objective()) best = *other.value;
-  };
-  const auto restart = [&](FittedHypothesis& best) {
-    const FittedHypothesis as_found = best;
-    take_better(with_other_starts(as_found, seed), best);
-    const FittedHypothesis restarted = best;
-    Counted<std::vector<PlannedFit>> limits = from_reached_limits(runs, restarted);
-    out.simulated_runs += limits.simulated_runs;
-    take_better(std::move(limits.value), best);
-    if (is_far_from_noise(as_found)) return;
-    Counted<std::vector<PlannedFit>> promising = most_promising(runs, as_found, from_own_starts(as_found, scale));
-    out.simulated_runs += promising.simulated_runs;
-    take_better(std::move(promising.value), best);
-  };
-  // Of the best in a size that leaves noise too: where data tell its further numbers, intervals without them are wrong.
-  const auto extend = [&](std::size_t i) {
-    const FittedHypothesis smaller = out.value[i];
-    std::vector<PlannedFit> plans = with_further_numbers(smaller, scale);
-    // Far from the noise they race instead.
-    if (!is_far_from_noise(smaller)) {
-      Counted<std::vector<PlannedFit>> promising = most_promising(runs, smaller, std::move(plans));
-      out.simulated_runs += promising.simulated_runs;
-      plans = std::move(promising.value);
-    }
-    CountedFit larger = best_fit(runs, std::move(plans), smaller);
-    out.simulated_runs += larger.simulated_runs;
-    if (larger.value) out.value.push_back(std::move(*larger.value));
-  };
-  const std::vector<std::size_t> tried = contenders(out.value, of_the_size_before, search_effort.reconsidered);
+  if (level.empty()) return {};
+  OtherOptima optima(runs, std::move(level), scale, seed);
+  const std::vector<std::size_t> tried = contenders(optima.level(), of_the_size_before, search_effort.reconsidered);
   for (const std::size_t i : tried) {
     const bool is_restarted = i < search_effort.restarted;
-    if (leaves_noise(out.value)) {
+    if (leaves_noise(optima.level())) {
       // What leaves noise is the answer only as long as no near rival is better at an optimum that it has not reached.
-      const double behind = out.value[i].fit.objective() - nearest(out.value)->fit.objective();
+      const double behind = optima.level()[i].fit.objective() - nearest(optima.level())->fit.objective();
       const bool is_near_rival = i > 0 && is_restarted && behind <= search_effort.near_rival;
       if (i > 0 && !is_near_rival) continue;
       progress(i + 1, tried.size());
-      if (is_near_rival) restart(out.value[i]);
-      if (i == 0) extend(i);
+      if (is_near_rival) optima.restart(i);
+      // Where data tell its further numbers, intervals without them are wrong.
+      if (i == 0) optima.extend(i);
       continue;
     }
     progress(i + 1, tried.size());
-    const FittedHypothesis as_found = out.value[i];
-    take_better(with_other_choices(as_found), out.value[i]);
-    if (is_restarted) restart(out.value[i]);
-    if (!out.value[i].whiteness.is_white()) extend(i);
+    optima.try_other_choices(i);
+    if (is_restarted) optima.restart(i);
+    if (!optima.level()[i].whiteness.is_white()) optima.extend(i);
   }
-  return out;
+  return std::move(optima).result();
 }
 
 }  // namespace coilwright::measurement::compare

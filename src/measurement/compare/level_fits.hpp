@@ -40,10 +40,10 @@ struct LevelFits {
                                                 const std::function<void(std::size_t)>& progress);
 
 /// A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
-/// is better; and these with further numbers of their effects. One after the other: once a hypothesis leaves noise,
-/// only near rivals are worth more runs. Far from the noise (SearchEffort::near_the_noise) other starts race and an
-/// effect's own ones are left out. `of_the_size_before` as in contenders(). `progress` is told which place of how
-/// many is tried.
+/// is better; and these with further numbers of their effects, which give those without them another start. One after
+/// the other: once a hypothesis leaves noise, only near rivals are worth more runs. Far from the noise
+/// (SearchEffort::near_the_noise) other starts race and an effect's own ones are left out. `of_the_size_before` as in
+/// contenders(). `progress` is told which place of how many is tried.
 [[nodiscard]] fit::Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level,
                                                      double of_the_size_before, const actuator::RigScale& scale,
                                                      std::uint64_t seed,

@@ -84,18 +84,10 @@ fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesi
 
 fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
                                                 std::span<const std::vector<Effect>> guesses,
-                                                std::span<const std::vector<Effect>> further) {
+                                                std::span<const std::vector<Effect>> further,
+                                                const fit::Fit* at_declared) {
   std::optional<ShortFit> best;
   long simulated_runs = 0;
-  std::optional<std::optional<fit::Fit>> at_declared;  // once it is asked for
-  const auto derivatives_there = [&]() -> const fit::Fit* {
-    if (!at_declared) {
-      auto found = at_declared_numbers(runs, base.hypothesis.declared());
-      simulated_runs += found.simulated_runs;
-      at_declared = std::move(found.value);
-    }
-    return *at_declared ? &**at_declared : nullptr;
-  };
   const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false,
                             const fit::FitEffort& effort = search_effort.short_fit) {
     PlannedFit plan = with_added_effects(base, guess);
@@ -106,7 +98,7 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
       plan.derivatives_from = nullptr;
     }
     fit::FitRequest request = fit_request_of(runs, plan);
-    if (declared) request.derivatives_from = derivatives_there();
+    if (declared) request.derivatives_from = at_declared;
     request.effort = ends_by_what_is_left(effort, base);
     auto fitted = fit::fit(request);
     simulated_runs += fitted.simulated_runs;

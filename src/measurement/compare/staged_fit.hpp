@@ -37,12 +37,13 @@ struct ShortFit {
 /// tried from the declared numbers too where `base` has no effect and its declared numbers are far off. Where the best
 /// ends with a number of an effect at its bound, or explains next to nothing of what is above the noise, from the
 /// declared numbers with each of `further` too, unless `base` leaves noise or is very far from it (SearchEffort).
-/// Nothing if
-/// none of them can be simulated. Refers to `base`.
-[[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(
-    std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
-    std::span<const std::vector<actuator::Effect>> guesses,
-    std::span<const std::vector<actuator::Effect>> further = {});
+/// `at_declared` has derivatives for fits from there; null: they take their own. Nothing if none of them can be
+/// simulated. Refers to `base`.
+[[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs,
+                                                              const FittedHypothesis& base,
+                                                              std::span<const std::vector<actuator::Effect>> guesses,
+                                                              std::span<const std::vector<actuator::Effect>> further,
+                                                              const fit::Fit* at_declared);
 /// Continues a short fit to convergence.
 [[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs,
                                                                    const ShortFit& from);

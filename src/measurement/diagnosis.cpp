@@ -24,6 +24,7 @@
 #include "measurement/first_poses.hpp"
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/frozen_pictures.hpp"
 #include "measurement/localise/localisation.hpp"
 #include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
@@ -114,6 +115,8 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   FinalErrors::require_fits_model(data.validate, declared, nominal);
   out.far_first_pose = far_first_pose(runs, declared);
   if (out.far_first_pose) out.warnings.push_back(*out.far_first_pose);
+  for (const data::Run& run : usable.runs)
+    if (auto frozen = frozen_pictures(run)) out.warnings.push_back(std::move(*frozen));
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);

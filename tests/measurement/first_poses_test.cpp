@@ -12,24 +12,39 @@
 namespace coilwright::measurement {
 namespace {
 
-// A mass that rests at 0 under no force, read from another zero.
-std::optional<data::Warning> warning_where_zero_is_at(double zero, double noise, data::Start start,
-                                                      const std::vector<double>& first = {}) {
+constexpr double stiffness = 100.0;  // Nm/rad
+
+// A record at rest under a constant torque, all of which reads `angle`, rad.
+data::Run run_at(double angle, double torque, double noise = 1e-3) {
+  data::Run run = slide_run(50, {}, no_error);
+  run.start = data::Start::at_rest;
+  run.sigma = noise;
+  for (auto& row : run.inputs) row = {torque};
+  for (double& value : run.channels.front().values) value = angle;
+  return run;
+}
+
+std::optional<data::Warning> warning_of(const std::vector<data::Run>& runs) {
   replay::DeclaredModel declared = slide(true_mass, 0.1);
   declared.build = [](std::span<const double> values) {
     actuator::ModelSpec spec = slide(true_mass, 0.1).build(values);
-    spec.hinges.front().stiffness = 100.0;
+    spec.hinges.front().stiffness = stiffness;
     return spec;
   };
-  data::Run run = slide_run(50, {}, no_error);
-  run.start = start;
-  run.sigma = noise;
-  for (auto& row : run.inputs) row = {0.0};
-  for (double& value : run.channels.front().values) value = -zero;
-  std::ranges::copy(first, run.channels.front().values.begin());
   const fit::Hypothesis hypothesis(declared, {});
-  std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
-  return far_first_pose(runs, declared);
+  std::vector<replay::PreparedRun> prepared;
+  for (const data::Run& run : runs)
+    prepared.push_back(replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start())));
+  return far_first_pose(prepared, declared);
+}
+
+// A mass that rests at 0 under no force, read from another zero.
+std::optional<data::Warning> warning_where_zero_is_at(double zero, double noise, data::Start start,
+                                                      const std::vector<double>& first = {}) {
+  data::Run run = run_at(-zero, 0.0, noise);
+  run.start = start;
+  std::ranges::copy(first, run.channels.front().values.begin());
+  return warning_of({run});
 }
 
 TEST(FirstPoses, FarFromTheDeclaredRestAreNamedWithBothAngles) {
@@ -55,6 +70,16 @@ TEST(FirstPoses, NeedThreeReadingsThatAgree) {
   const auto moved = warning_where_zero_is_at(0.0, 1e-3, data::Start::at_rest, {0.35, 0.3, 0.25});
   ASSERT_TRUE(moved);
   EXPECT_TRUE(moved->text.starts_with("theta1_rad begins at 14.3 deg")) << moved->text;
+}
+
+// A release begins where a current holds the finger: the stiffness may be off, and another run shows the zero.
+TEST(FirstPoses, ThatACurrentHoldsSayLittleOfTheZero) {
+  const double held = 0.8;  // rad
+  const double torque = held * stiffness;
+  EXPECT_FALSE(warning_of({run_at(1.2 * held, torque)}));
+  EXPECT_TRUE(warning_of({run_at(1.5 * held, torque)}));
+  EXPECT_TRUE(warning_of({run_at(1.5 * held, torque), run_at(0.5 * held, 0.0)}));
+  EXPECT_FALSE(warning_of({run_at(1.5 * held, torque), run_at(0.01, 0.0)}));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "measurement/frozen_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "coilwright/measurement/noise/noise_level.hpp"
+
+namespace coilwright::measurement {
+namespace {
+
+constexpr std::size_t fewest = 10;  // samples
+// At three resolutions one neighbour in ten is alike by chance, ten in a row never.
+constexpr double least_noise = 3.0;  // resolutions
+
+struct Stretch {
+  std::size_t first{};
+  std::size_t size{};
+};
+
+// Stretches of equal values of the least length.
+std::vector<Stretch> equal_stretches(const std::vector<double>& values) {
+  std::vector<Stretch> out;
+  for (std::size_t i = 0; i < values.size();) {
+    std::size_t end = i + 1;
+    while (end < values.size() && values[end] == values[i]) ++end;
+    if (end - i >= fewest) out.push_back({.first = i, .size = end - i});
+    i = end;
+  }
+  return out;
+}
+
+// The noise of what lies outside of them, which has no noise itself.
+noise::NoiseLevel noise_without(const data::Run& run, const data::Channel& channel, const std::vector<Stretch>& left) {
+  data::Run rest{.name = run.name, .kind = run.kind};
+  data::Channel values{.name = channel.name, .kind = channel.kind};
+  auto next = left.begin();
+  for (std::size_t i = 0; i < run.times.size(); ++i) {
+    if (next != left.end() && i == next->first + next->size) ++next;
+    if (next != left.end() && i >= next->first) continue;
+    rest.times.push_back(run.times[i]);
+    values.values.push_back(channel.values[i]);
+  }
+  return values.values.empty() ? noise::NoiseLevel{} : noise::noise_of(rest, values);
+}
+
+}  // namespace
+
+std::optional<data::Warning> frozen_pictures(const data::Run& run) {
+  if (run.kind != data::RunKind::transient) return std::nullopt;
+  for (const data::Channel& channel : run.channels) {
+    const std::vector<Stretch> stretches = equal_stretches(channel.values);
+    if (stretches.empty() || channel.values.size() != run.times.size()) continue;
+    const noise::NoiseLevel level = noise_without(run, channel, stretches);
+    if (level.resolution <= 0.0 || level.sigma < least_noise * level.resolution) continue;
+    const auto [least, most] = std::ranges::minmax(channel.values);
+    Stretch longest;
+    for (const Stretch& each : stretches) {
+      const double value = channel.values[each.first];
+      if (value != least && value != most && each.size > longest.size) longest = each;
+    }
+    if (longest.size == 0) continue;
+    return data::Warning{
+        .run = run.name,
+        .text = fmt::format("{} is exactly the same in {} samples from {:.6g} s on, where its noise would show: the "
+                            "camera or the tracker stopped there. Leave them out of the record: they look like a "
+                            "finger that sticks",
+                            channel.name, longest.size, run.times[longest.first])};
+  }
+  return std::nullopt;
+}
+
+}  // namespace coilwright::measurement

@@ -1,8 +1,8 @@
 #include "page/next_section.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -113,21 +113,19 @@ std::vector<Figure> expected_figures(const std::filesystem::path& file) {
   return figures;
 }
 
+// What else the answer could be, as the summary says it; the table of what was compared has a section of its own.
+std::vector<std::string> rivals_lines(const std::filesystem::path& folder) {
+  std::vector<std::string> lines = summary_lines(folder, "How sure, and what else it could be");
+  lines.erase(std::ranges::find(lines, "Compared, best first"), lines.end());
+  return lines;
+}
+
 }  // namespace
 
 Section next_section(const std::filesystem::path& folder, const Node& diagnosis) {
   Section section{.id = "next", .title = "What to do next, and what cannot be told apart", .blocks = {}};
   for (std::string& step : summary_lines(folder, "What to do next")) section.blocks.emplace_back(Paragraph{step});
-  const std::vector<Node> sets = diagnosis.find("indistinguishable").value().elements();
-  for (const Node& set : sets) {
-    std::vector<std::string> members;
-    for (const Node& each : set.elements())
-      members.push_back(each.kind() == Node::Kind::array ? ids_text(each) : cell_of(each));
-    section.blocks.emplace_back(Paragraph{fmt::format("These data cannot tell apart: {}.", fmt::join(members, "; "))});
-  }
-  const bool found = !diagnosis.find("effects").value().elements().empty();
-  if (sets.empty() && found)
-    section.blocks.emplace_back(Paragraph{"No other hypothesis fits these data as well as the one reported."});
+  for (std::string& line : rivals_lines(folder)) section.blocks.emplace_back(Paragraph{std::move(line)});
   const auto next = diagnosis.find("next_experiment");
   if (!next || next->is_null()) {
     section.blocks.emplace_back(Paragraph{"No run is proposed that would separate explanations."});

@@ -149,6 +149,22 @@ std::vector<std::string> risen_errors(const Diagnosis& diagnosis) {
   return out;
 }
 
+std::vector<std::string> errors_beyond_noise(const Diagnosis& diagnosis) {
+  if (leaves_structure(diagnosis) || !risen_errors(diagnosis).empty()) return {};
+  std::vector<std::string> out;
+  for (const ErrorComparison* errors : formats::main_first(diagnosis.validate_errors)) {
+    const bool is_noise_known = errors->noise_floor_rmse > 0.0;
+    if (!is_noise_known || errors->after.rmse <= (1.0 + notable_rise) * errors->noise_floor_rmse) continue;
+    const units::Unit unit = formats::error_unit(errors->kind);
+    out.push_back(fmt::format(
+        "But on the runs that no fit has seen the error of the {} is {} (rmse), where noise alone makes {}: "
+        "they show something that the fitted runs do not.",
+        formats::name_of(errors->kind), in_unit_text(errors->after.rmse, unit),
+        in_unit_text(errors->noise_floor_rmse, unit)));
+  }
+  return out;
+}
+
 bool may_be_the_camera(const Diagnosis& diagnosis) {
   // Colour alone makes no more of noise whose level was taken from one sample to the next.
   constexpr double most_of_colour = 10.0;
@@ -165,7 +181,7 @@ std::string advice_text(const formats::DiagnosisReport& report) {
         "Look at a picture of the finger at rest: 0 deg is a straight finger. If the records count from another zero, "
         "correct them and diagnose again, before anything else; if they do not, what bends the finger at rest is "
         "real.");
-  if (!risen_errors(diagnosis).empty())
+  if (!risen_errors(diagnosis).empty() || !errors_beyond_noise(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");
   if (structure)
@@ -197,9 +213,9 @@ std::string advice_text(const formats::DiagnosisReport& report) {
         "To learn how small an effect these runs could have shown, describe them as an experiment and run plan: a "
         "smaller one may still be there.");
   if (!structure)
-    steps.push_back(
-        fmt::format("{} with {}: {} take it.", steps.empty() ? "Go on" : "Then go on", report.updated_actuator,
-                    report.is_design ? "evaluate, simulate and the studies of size" : "evaluate and simulate"));
+    steps.push_back(fmt::format(
+        "{} with {}: {} take it.", steps.empty() ? "Go on" : "Once that is done, go on", report.updated_actuator,
+        report.is_design ? "evaluate, simulate and the studies of size" : "evaluate and simulate"));
   std::string text = "\nWhat to do next\n";
   for (const std::string& step : steps) text += fmt::format("  {}\n", step);
   return text;

@@ -15,6 +15,10 @@ namespace coilwright::report {
 /// fitted: one sentence a quantity.
 [[nodiscard]] std::vector<std::string> risen_errors(const measurement::Diagnosis& diagnosis);
 
+/// Where what is left over on the fit runs is noise, and the error on the runs that no fit has seen is more than a
+/// tenth above it all the same: one sentence a quantity. Empty where risen_errors() says more.
+[[nodiscard]] std::vector<std::string> errors_beyond_noise(const measurement::Diagnosis& diagnosis);
+
 /// One sentence naming the declared numbers that moved by more than three tolerances although what is left over is
 /// noise; empty where none did, or where the verdict says it.
 [[nodiscard]] std::string far_numbers(const measurement::Diagnosis& diagnosis);

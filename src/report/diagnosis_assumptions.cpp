@@ -112,7 +112,7 @@ std::string nominal_text(const formats::DiagnosisReport& report) {
 
 std::string exact_text(const Diagnosis& diagnosis) {
   if (diagnosis.held_exact.empty()) return {};
-  std::string text = "  Taken as exact:\n";
+  std::string text = "  Taken as exact (if one of them is wrong, the numbers found have taken its error up):\n";
   for (const std::string& each : diagnosis.held_exact) text += fmt::format("    {}\n", each);
   return text;
 }

@@ -69,12 +69,18 @@ std::string replaced_text(const formats::DiagnosisReport& report, const Nameless
 std::string use_text(const formats::DiagnosisReport& report) {
   std::string text;
   for (const measurement::ErrorComparison* errors : formats::main_first(report.diagnosis.validate_errors)) {
-    if (!errors->corrected || !has_risen(errors->after, *errors->corrected, errors->noise_floor_rmse)) continue;
+    if (!errors->corrected) continue;
+    const auto is_worse_than = [&](const measurement::Errors& without) {
+      return has_risen(without, *errors->corrected, errors->noise_floor_rmse);
+    };
+    const bool is_worse = is_worse_than(errors->after);
+    if (!is_worse && !is_worse_than(errors->declared)) continue;
     const units::Unit unit = formats::error_unit(errors->kind);
-    text +=
-        fmt::format("  But on the runs that no fit has seen the error of the {} rises with it from {} to {} (rmse).\n",
-                    formats::name_of(errors->kind), number_text(units::from_si(errors->after.rmse, unit)),
-                    in_unit_text(errors->corrected->rmse, unit));
+    text += fmt::format(
+        "  But on the runs that no fit has seen the error of the {} rises with it from {}{} to {} (rmse).\n",
+        formats::name_of(errors->kind),
+        number_text(units::from_si((is_worse ? errors->after : errors->declared).rmse, unit)),
+        is_worse ? "" : " as declared", in_unit_text(errors->corrected->rmse, unit));
   }
   if (!text.empty())
     return text + fmt::format("  Do not use {}, which has it, before a run of that kind is among those fitted.\n",

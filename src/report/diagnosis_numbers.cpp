@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coilwright/report/text_table.hpp"
 
@@ -28,6 +29,13 @@ std::string interval_text(const measurement::compare::Estimate& estimate, const 
   if (lower) return fmt::format("at least {} (95 %)", number_text(shown.lower));
   if (upper) return fmt::format("at most {} (95 %)", number_text(shown.upper));
   return "no bound on either side (95 %)";
+}
+
+// Values that the fits compared with the model.
+std::size_t values_fitted(const measurement::Diagnosis& diagnosis) {
+  std::size_t values = 0;
+  for (const measurement::ErrorComparison& each : diagnosis.fit_errors) values += each.samples;
+  return values;
 }
 
 }  // namespace
@@ -55,6 +63,11 @@ std::string moved_to_text(const measurement::MovedNumber& number) {
 
 std::string counted(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+double over_noise(const measurement::Diagnosis& diagnosis, double chi_square) {
+  const std::size_t values = values_fitted(diagnosis);
+  return values > 0 ? std::sqrt(chi_square / static_cast<double>(values)) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace coilwright::report

@@ -23,4 +23,7 @@ namespace coilwright::report {
 /// "1 run", "2 runs".
 [[nodiscard]] std::string counted(std::size_t count, const char* one);
 
+/// Rms residual on the fit runs over the noise, of a chi-square: 1 is noise alone; NaN where nothing was compared.
+[[nodiscard]] double over_noise(const measurement::Diagnosis& diagnosis, double chi_square);
+
 }  // namespace coilwright::report

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +14,7 @@
 #include "report/diagnosis_assumptions.hpp"
 #include "report/diagnosis_correction.hpp"
 #include "report/diagnosis_numbers.hpp"
+#include "report/diagnosis_rivals.hpp"
 
 namespace coilwright::report {
 namespace {
@@ -27,10 +26,8 @@ using formats::main_first;
 using namespace measurement;
 using enum TextTable::Align;
 
-constexpr std::size_t most_candidates = 5;
 constexpr std::size_t most_dependences = 4;
 constexpr double least_dependence = 0.1;  // of the square: less is no clue
-constexpr double decisive_lead = 6.0;     // of the gain: odds of 20 to 1
 
 // An effect, and what it may be as well.
 std::string name_with_rivals(const Diagnosis& diagnosis, const actuator::EffectKind* kind) {
@@ -55,7 +52,8 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
       return "The declared numbers are off: moved further than their tolerances make likely, they explain these data, "
              "and no missing effect does so decisively better.";
     case Verdict::explained:
-      return fmt::format("The declared model lacks {}; with it, what is left over is noise.", effects);
+      return fmt::format("The declared model lacks {}; with {}, what is left over is noise.", effects,
+                         names.size() == 1 ? "it" : "them");
     case Verdict::partly_explained:
       return fmt::format("The declared model lacks {}, and something else: structure remains that no effect explains.",
                          effects);
@@ -78,19 +76,6 @@ std::string parameters_text(const AddedEffect& effect) {
       table.row(estimate_row(each));
   }
   return table.text(4, {left, right, left});
-}
-
-// Values that the fits compared with the model.
-std::size_t values_fitted(const Diagnosis& diagnosis) {
-  std::size_t values = 0;
-  for (const ErrorComparison& each : diagnosis.fit_errors) values += each.samples;
-  return values;
-}
-
-// Rms residual on the fit runs over the noise, of a chi-square: 1 is noise alone.
-double over_noise(const Diagnosis& diagnosis, double chi_square) {
-  const std::size_t values = values_fitted(diagnosis);
-  return values > 0 ? std::sqrt(chi_square / static_cast<double>(values)) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& evidence) {
@@ -122,6 +107,17 @@ std::string declared_text(const Diagnosis& diagnosis) {
       share, probability < 0.01 ? "below 1 %: they are off, or an effect is missing" : "above 1 %: that may be chance");
 }
 
+// With the reason against the one that came nearest, where there is one.
+std::string no_effect_text(const Diagnosis& diagnosis) {
+  std::string text = "  No effect that the data support.\n";
+  const auto compared = formats::compared_as_reported(diagnosis);
+  if (diagnosis.verdict != Verdict::no_missing_effect && !compared.empty() && !compared.front().effects.empty() &&
+      !compared.front().remark.empty())
+    text += fmt::format("  {} came nearest and is not the answer: {}.\n",
+                        fmt::join(ids(compared.front().effects), " + "), compared.front().remark);
+  return text;
+}
+
 std::string found_text(const Diagnosis& diagnosis) {
   std::string text = "\nWhat was found\n";
   for (const AddedEffect& each : diagnosis.effects) {
@@ -129,7 +125,7 @@ std::string found_text(const Diagnosis& diagnosis) {
     text += parameters_text(each);
     text += evidence_text(diagnosis, each.evidence);
   }
-  if (diagnosis.effects.empty()) text += "  No effect that the data support.\n";
+  if (diagnosis.effects.empty()) text += no_effect_text(diagnosis);
   return text + declared_text(diagnosis);
 }
 
@@ -170,47 +166,6 @@ std::string errors_text(const Diagnosis& diagnosis) {
   for (const ErrorComparison* each : main_first(comparisons))
     text += comparison_text(*each, !diagnosis.effects.empty());
   return text;
-}
-
-// What an effect's rivals are called in a sentence: "a + b".
-std::string hypothesis(const compare::ComparedHypothesis& candidate) {
-  return candidate.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(ids(candidate.effects), " + "));
-}
-
-std::string compared_text(const Diagnosis& diagnosis) {
-  const auto compared = formats::compared_as_reported(diagnosis);
-  if (compared.empty()) return {};
-  TextTable table;
-  table.row({"", "residual", "gain", ""});
-  // Of one that is not the answer its neighbours in rank are not either, though nothing else speaks against them.
-  const auto remark_of = [&](const compare::ComparedHypothesis& each) -> std::string {
-    if (formats::is_reported(diagnosis, each.effects)) return "reported";
-    const compare::ComparedHypothesis& first = compared.front();
-    const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
-                         first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
-    return each.remark.empty() && as_good ? "these data do not tell it from the first" : each.remark;
-  };
-  for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
-    table.row({hypothesis(each),
-               each.evidence ? number_text(over_noise(diagnosis, each.evidence->chi_square_after)) : "none",
-               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
-  return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
-         "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
-         "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
-         "below 0 it\n"
-         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides. "
-         "Those far\n"
-         "  behind the best were fitted briefly: their gain may be larger.\n";
-}
-
-std::string rivals_text(const Diagnosis& diagnosis) {
-  std::string text;
-  for (const auto& set : diagnosis.indistinguishable)
-    text += fmt::format("  These data cannot tell apart: {}. The simplest of them is reported.\n",
-                        fmt::join(ids(set), ", "));
-  if (!diagnosis.effects.empty() && text.empty())
-    text += "  Nothing else that was tried explains these data as well.\n";
-  return "\nHow sure, and what else it could be\n" + text + compared_text(diagnosis);
 }
 
 // Only where something is left over: on a residual that is noise there is nothing to name.
@@ -259,6 +214,7 @@ std::string to_text(const formats::DiagnosisReport& report) {
                         diagnosis.far_first_pose->text);
   if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
+  for (const std::string& sentence : errors_beyond_noise(diagnosis)) head += sentence + '\n';
   return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
          errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(report) + residual_text(diagnosis) +
          correction_text(report);

@@ -57,7 +57,7 @@ What was assumed
     force_curve                          0  0.03 (default)    -0.015              -0.5
     The numbers of force_curve are a smooth error of the shape of the torque over the angle.
     A name with slashes is a place in the actuator file; its lists count from 0, links from the base.
-  Taken as exact:
+  Taken as exact (if one of them is wrong, the numbers found have taken its error up):
     /magnet/remanence_T
   Noise, one standard deviation:
     bending_angle_deg: 0.3 deg, given in 1 run
@@ -88,7 +88,7 @@ How sure, and what else it could be
 
 What to do next
   Record this run (hot_hold): 1.05 A for 60 s: they part when hot; the explanations that are left differ there by 8.5 times the noise.
-  Then go on with actuator.json: evaluate and simulate take it.
+  Once that is done, go on with actuator.json: evaluate and simulate take it.
 )");
 }
 
@@ -101,6 +101,13 @@ TEST(DiagnosisText, NamesWhatTheEffectMayBeAsWellInItsFirstSentence) {
   diagnosis.indistinguishable.front().push_back(effects.find("backlash"));
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("lacks either dry_friction, viscoelastic_creep or backlash (these data cannot tell"));
+}
+
+TEST(DiagnosisText, NamesSeveralEffectsInItsFirstSentence) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.push_back(stopped());
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("The declared model lacks dry_friction and end_stop; with them, what is left over is noise."));
 }
 
 TEST(DiagnosisText, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {
@@ -139,6 +146,13 @@ TEST(DiagnosisText, AdvisesAgainstATorqueThatMakesWhatNoFitHasSeenWorse) {
   EXPECT_THAT(text, Not(HasSubstr("evaluate and simulate take it, and size")));
 }
 
+TEST(DiagnosisText, AdvisesAgainstATorqueThatIsWorseThanWhatWasDeclared) {
+  Diagnosis diagnosis = corrected_example();
+  diagnosis.validate_errors.front().declared = degrees(0.15, 0.2, 0.8);
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("the error of the angle rises with it from 0.2 as declared to 0.25 deg "
+                                            "(rmse).\n  Do not use "));
+}
+
 TEST(DiagnosisText, SaysWhyThereIsNoTorqueWithoutAName) {
   Diagnosis diagnosis = example();
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("without a name")));
@@ -165,6 +179,29 @@ TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("rises from 1.2 as declared to 1.42 deg fitted anew (rmse).\n"));
 }
 
+TEST(DiagnosisText, SaysFirstThatRunsThatNoFitHasSeenAreNotAtTheNoise) {
+  Diagnosis diagnosis = example();
+  diagnosis.validate_errors.front().after = degrees(0.3, 0.4, 1.5);
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("noise.\nBut on the runs that no fit has seen the error of the angle is 0.4 deg (rmse), where "
+                        "noise alone makes 0.3 deg: they show something that the fitted runs do not.\n"));
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n  Fit a run of the kind that was kept from the fit"));
+  // Where structure remains, the verdict says it.
+  diagnosis.verdict = Verdict::partly_explained;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("where noise alone makes")));
+}
+
+TEST(DiagnosisText, SaysWhyTheNearestEffectIsNotTheAnswer) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::unexplained;
+  diagnosis.compared_hypotheses = {
+      {.effects = {&coil_heating}, .evidence = {}, .remark = "fits best where it is absent"}};
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("  No effect that the data support.\n  coil_heating came nearest and is not "
+                        "the answer: fits best where it is absent.\n"));
+}
+
 TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
   Diagnosis diagnosis = example();
   diagnosis.effects.clear();
@@ -183,7 +220,7 @@ TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
                               "actuator file and diagnose again.\n"
-                              "  Then go on with actuator.json: evaluate and simulate take it.\n"));
+                              "  Once that is done, go on with actuator.json: evaluate and simulate take it.\n"));
   // A shape is measured on a bench, once for all of its numbers.
   for (const char* key : {"force_curve_1", "force_curve_2"})
     diagnosis.nominal.push_back({.estimate = {.key = key, .value = 0.2}, .declared = 0.0, .tolerance = 0.03});
@@ -243,7 +280,7 @@ TEST(DiagnosisText, SaysHowToSeeAnEffectWithoutTheModel) {
   diagnosis.indistinguishable.clear();
   EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n"
                                             "  Check coil_heating without this model: log voltage and current.\n"
-                                            "  Then go on with actuator.json"));
+                                            "  Once that is done, go on with actuator.json"));
   diagnosis.indistinguishable = {{&heated, &faded}};
   EXPECT_THAT(text_of(diagnosis), HasSubstr("log voltage and current. If it is not there, check magnet_heating: take "
                                             "the magnet's temperature.\n"));
@@ -384,47 +421,6 @@ TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
   estimate.lower = 3.456e-3;
   estimate.upper = 25.0e-3;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("torque_Nmm  12.5  3.46 to 25 (95 %)"));
-}
-
-TEST(DiagnosisText, PutsTheHypothesesComparedIntoColumns) {
-  Diagnosis diagnosis = example();
-  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  const auto evidence = [](double chi_square, double gain) {
-    return compare::Evidence{.chi_square_after = chi_square, .quasi_bic_gain = gain, .correlation_time = 4.0};
-  };
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating, &magnet_heating}, .evidence = evidence(11900.0, 803.0), .remark = ""},
-      {.effects = {&dry_friction}, .evidence = evidence(12345.0, 700.0), .remark = ""},
-      {.effects = {&magnet_heating}, .evidence = evidence(52000.0, -8.5), .remark = "interval includes absent"},
-      {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
-  // Of the reported one the numbers of the report, not those of the search.
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("  Compared, best first\n"
-                                            "                                   residual   gain\n"
-                                            "    coil_heating + magnet_heating    0.9958  803.0\n"
-                                            "    dry_friction                          1  800.0  reported\n"
-                                            "    magnet_heating                    2.082   -8.5  interval includes "
-                                            "absent\n"
-                                            "    coil_heating                       none   none  no coils\n"
-                                            "  residual: rms on the fit runs over the noise, 1 is noise alone."));
-}
-
-TEST(DiagnosisText, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
-  Diagnosis diagnosis = example();
-  diagnosis.effects.clear();
-  diagnosis.indistinguishable.clear();
-  diagnosis.verdict = Verdict::declared_numbers_off;
-  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
-  const auto evidence = [](double gain) {
-    return compare::Evidence{.chi_square_after = 12000.0, .quasi_bic_gain = gain, .correlation_time = 1.0};
-  };
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating}, .evidence = evidence(51.7), .remark = "makes runs that are left out worse"},
-      {.effects = {&magnet_heating}, .evidence = evidence(50.7), .remark = ""},
-      {.effects = {&dry_friction}, .evidence = evidence(7.6), .remark = ""}};
-  EXPECT_THAT(text_of(diagnosis),
-              HasSubstr("    coil_heating           1  51.7  makes runs that are left out worse\n"
-                        "    magnet_heating         1  50.7  these data do not tell it from the first\n"
-                        "    dry_friction           1   7.6\n"));
 }
 
 // One run of a kind cannot show whether what explains it is right: the way out is another one.

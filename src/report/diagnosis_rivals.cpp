@@ -1,0 +1,119 @@
+#include "report/diagnosis_rivals.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
+#include "coilwright/report/text_table.hpp"
+#include "report/diagnosis_numbers.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using formats::ids;
+using namespace measurement;
+using enum TextTable::Align;
+
+constexpr std::size_t most_candidates = 5;
+constexpr double decisive_lead = 6.0;   // of the gain: odds of 20 to 1
+constexpr double near_residual = 0.02;  // of the rms residual: models are not known better
+constexpr std::size_t most_near = 3;
+
+// What an effect's rivals are called in a sentence: "a + b".
+std::string hypothesis(const compare::ComparedHypothesis& candidate) {
+  return candidate.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(ids(candidate.effects), " + "));
+}
+
+std::string compared_text(const Diagnosis& diagnosis) {
+  const auto compared = formats::compared_as_reported(diagnosis);
+  if (compared.empty()) return {};
+  TextTable table;
+  table.row({"", "residual", "gain", ""});
+  // Of one that is not the answer its neighbours in rank are not either, though nothing else speaks against them.
+  const auto remark_of = [&](const compare::ComparedHypothesis& each) -> std::string {
+    if (formats::is_reported(diagnosis, each.effects)) return "reported";
+    const compare::ComparedHypothesis& first = compared.front();
+    const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
+                         first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
+    return each.remark.empty() && as_good ? "these data do not tell it from the first" : each.remark;
+  };
+  for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
+    table.row({hypothesis(each),
+               each.evidence ? number_text(over_noise(diagnosis, each.evidence->chi_square_after)) : "none",
+               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
+  return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
+         "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
+         "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
+         "below 0 it\n"
+         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides. "
+         "Those far\n"
+         "  behind the best were fitted briefly: their gain may be larger.\n";
+}
+
+// Whether what a hypothesis leaves over differs so little from what the reported one leaves that a small error of the
+// model, of the noise or of a declared number could have decided between them.
+bool is_near(const compare::ComparedHypothesis& rival, const compare::ComparedHypothesis& reported) {
+  return rival.evidence && rival.remark.empty() &&
+         std::sqrt(rival.evidence->chi_square_after / reported.evidence->chi_square_after) < 1.0 + near_residual;
+}
+
+bool has_all(const std::vector<const actuator::EffectKind*>& some, const std::vector<const actuator::EffectKind*>& of) {
+  return std::ranges::all_of(of, [&](const actuator::EffectKind* each) {
+    return std::ranges::any_of(some, [&](const actuator::EffectKind* one) { return one->id() == each->id(); });
+  });
+}
+
+// Whether it is made of reported effects and of those that stand in a set with one: said already.
+bool is_told(const Diagnosis& diagnosis, const compare::ComparedHypothesis& rival,
+             const compare::ComparedHypothesis& reported) {
+  return std::ranges::all_of(rival.effects, [&](const actuator::EffectKind* each) {
+    return has_all(reported.effects, {each}) ||
+           std::ranges::any_of(diagnosis.indistinguishable, [&](const auto& set) { return has_all(set, {each}); });
+  });
+}
+
+// Those that these data refute by little, and how each of them shows itself at the rig.
+std::string near_rivals_text(const Diagnosis& diagnosis) {
+  const auto compared = formats::compared_as_reported(diagnosis);
+  const auto reported = std::ranges::find_if(compared, [&](const compare::ComparedHypothesis& each) {
+    return formats::is_reported(diagnosis, each.effects) && each.evidence;
+  });
+  if (diagnosis.effects.empty() || reported == compared.end()) return {};
+  std::string text;
+  std::size_t count = 0;
+  for (const compare::ComparedHypothesis& each : compared) {
+    // With more effects than those reported it is no other explanation.
+    if (!is_near(each, *reported) || has_all(each.effects, reported->effects)) continue;
+    if (is_told(diagnosis, each, *reported)) continue;
+    if (++count > most_near) break;
+    text += fmt::format("    {} (residual {}, where what is reported leaves {})\n", hypothesis(each),
+                        number_text(over_noise(diagnosis, each.evidence->chi_square_after)),
+                        number_text(over_noise(diagnosis, reported->evidence->chi_square_after)));
+    for (const actuator::EffectKind* kind : each.effects)
+      if (!has_all(reported->effects, {kind}) && !kind->check().empty())
+        text += fmt::format("      {}\n", kind->check());
+  }
+  if (text.empty()) return {};
+  return "  Worse by little, so that a small error of the model may have decided; how to see each without it:\n" + text;
+}
+
+}  // namespace
+
+std::string rivals_text(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const auto& set : diagnosis.indistinguishable)
+    text += fmt::format("  These data cannot tell apart: {}. The simplest of them is reported.\n",
+                        fmt::join(ids(set), ", "));
+  text += near_rivals_text(diagnosis);
+  if (!diagnosis.effects.empty() && text.empty())
+    text += "  Nothing else that was tried explains these data as well.\n";
+  return "\nHow sure, and what else it could be\n" + text + compared_text(diagnosis);
+}
+
+}  // namespace coilwright::report

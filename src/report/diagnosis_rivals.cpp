@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
@@ -25,9 +26,23 @@ constexpr double decisive_lead = 6.0;   // of the gain: odds of 20 to 1
 constexpr double near_residual = 0.02;  // of the rms residual: models are not known better
 constexpr std::size_t most_near = 3;
 
-// What an effect's rivals are called in a sentence: "a + b".
-std::string hypothesis(const compare::ComparedHypothesis& candidate) {
-  return candidate.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(ids(candidate.effects), " + "));
+using Compared = std::vector<compare::ComparedHypothesis>;
+
+// The id of an effect; where it was compared with further numbers too, with how many it is meant to have.
+std::string name_among(const Compared& compared, const actuator::EffectKind* kind) {
+  const auto is_another = [kind](const actuator::EffectKind* each) { return each != kind && each->id() == kind->id(); };
+  const bool is_twice = std::ranges::any_of(
+      compared, [&](const compare::ComparedHypothesis& each) { return std::ranges::any_of(each.effects, is_another); });
+  return is_twice ? fmt::format("{} ({})", kind->id(), counted(kind->parameters().size(), "number"))
+                  : std::string(kind->id());
+}
+
+// What a hypothesis is called in a sentence: "a + b".
+std::string hypothesis(const Compared& compared, const compare::ComparedHypothesis& candidate) {
+  if (candidate.effects.empty()) return "no effect";
+  std::vector<std::string> names;
+  for (const actuator::EffectKind* kind : candidate.effects) names.push_back(name_among(compared, kind));
+  return fmt::format("{}", fmt::join(names, " + "));
 }
 
 std::string compared_text(const Diagnosis& diagnosis) {
@@ -44,7 +59,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
     return each.remark.empty() && as_good ? "these data do not tell it from the first" : each.remark;
   };
   for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
-    table.row({hypothesis(each),
+    table.row({hypothesis(compared, each),
                each.evidence ? number_text(over_noise(diagnosis, each.evidence->chi_square_after)) : "none",
                each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
   return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
@@ -73,8 +88,8 @@ bool has_all(const std::vector<const actuator::EffectKind*>& some, const std::ve
 bool is_told(const Diagnosis& diagnosis, const compare::ComparedHypothesis& rival,
              const compare::ComparedHypothesis& reported) {
   return std::ranges::all_of(rival.effects, [&](const actuator::EffectKind* each) {
-    return has_all(reported.effects, {each}) ||
-           std::ranges::any_of(diagnosis.indistinguishable, [&](const auto& set) { return has_all(set, {each}); });
+    const auto has = [each](const auto& kinds) { return std::ranges::find(kinds, each) != kinds.end(); };
+    return has(reported.effects) || std::ranges::any_of(diagnosis.indistinguishable, has);
   });
 }
 
@@ -92,7 +107,7 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
     if (!is_near(each, *reported) || has_all(each.effects, reported->effects)) continue;
     if (is_told(diagnosis, each, *reported)) continue;
     if (++count > most_near) break;
-    text += fmt::format("    {} (residual {}, where what is reported leaves {})\n", hypothesis(each),
+    text += fmt::format("    {} (residual {}, where what is reported leaves {})\n", hypothesis(compared, each),
                         number_text(over_noise(diagnosis, each.evidence->chi_square_after)),
                         number_text(over_noise(diagnosis, reported->evidence->chi_square_after)));
     for (const actuator::EffectKind* kind : each.effects)

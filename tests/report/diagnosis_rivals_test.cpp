@@ -90,5 +90,25 @@ TEST(DiagnosisRivals, AreNoneWithMoreEffectsThanTheAnswer) {
   EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Nothing else that was tried explains these data as well.\n"));
 }
 
+// A friction and a drag do what a friction that falls with the speed does: the names alone would not tell them apart.
+TEST(DiagnosisRivals, SayWithHowManyNumbersAnEffectIsMeant) {
+  const actuator::EffectCatalogue& effects = actuator::standard_effects();
+  const actuator::EffectKind* friction = effects.find("dry_friction");
+  const actuator::EffectKind* drag = effects.find("quadratic_drag");
+  Diagnosis diagnosis = example();
+  diagnosis.indistinguishable.clear();
+  diagnosis.effects = {{.kind = friction, .parameters = {}, .evidence = {}},
+                       {.kind = drag, .parameters = {}, .evidence = {.chi_square_after = 12000.0}}};
+  diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
+  diagnosis.compared_hypotheses = {
+      {.effects = {friction, drag}, .evidence = compare::Evidence{.chi_square_after = 12000.0}, .remark = ""},
+      {.effects = {friction->with_further_numbers()},
+       .evidence = compare::Evidence{.chi_square_after = 12200.0},
+       .remark = ""}};
+  const std::string text = rivals_text(diagnosis);
+  EXPECT_THAT(text, HasSubstr("\n    dry_friction (3 numbers) (residual 1.008, where what is reported leaves 1)\n"));
+  EXPECT_THAT(text, HasSubstr("\n    dry_friction (1 number) + quadratic_drag "));
+}
+
 }  // namespace
 }  // namespace coilwright::report

@@ -134,19 +134,13 @@ class HypothesisSearch {
     overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
     double above_noise = before.chi_square_above_noise();
     double of_the_size_before = before.fit.objective();
-    const auto bic = [&](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); };
     bool is_last = false;
     for (std::size_t size = 1;; ++size) {
-      std::ranges::stable_sort(level, {}, bic);
+      sort(level);
       // Asked before runs are spent on the best of this level, and again of what these find.
       if (shows_more_outliers(level)) break;
-      if (is_last || is_worth_other_starts(before, level, of_the_size_before)) {
-        level = counted(with_better_optima(
-            runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
-              report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
-            }));
-        std::ranges::stable_sort(level, {}, bic);
-      }
+      if (is_last || is_worth_other_starts(before, level, of_the_size_before))
+        level = at_better_optima(std::move(level), of_the_size_before, size);
       if (!level.empty()) {
         const FittedHypothesis& best = level.front();
         overdispersion_ = std::min(overdispersion_, overdispersion_of(runs_, best));
@@ -157,22 +151,15 @@ class HypothesisSearch {
       all.insert(all.end(), level.begin(), level.end());
       // Where declared numbers alone leave noise, more effects than one would only share what these do.
       if (before.whiteness.is_white() || size == search_effort.largest_hypothesis || is_last) break;
-      bool is_answered = leaves_noise(level);
-      if (is_answered && !another_is_decisive(before, level)) {
-        if (!leaves_noise_by_further_numbers_only(level)) break;
-        // Two effects may do what further numbers of one do: a friction and a drag, what a friction that falls with the
-        // speed does. They compete.
-        is_last = true;
-        is_answered = false;
-        std::erase_if(level, [this](const FittedHypothesis& each) { return has_further_numbers(each); });
-      }
-      // What leaves noise is the answer, alone or with one effect more: neither other hypotheses of its size nor
-      // combinations without it are nearer to one.
-      if (is_answered) std::erase_if(level, [](const FittedHypothesis& each) { return !each.whiteness.is_white(); });
+      const bool is_answered = leaves_noise(level);
+      is_last = is_answered && !another_is_decisive(before, level);
+      if (is_last && !leaves_noise_by_further_numbers_only(level)) break;
+      if (is_answered) keep_what_more_may_improve(level, is_last);
       const double left = level.empty() ? above_noise : level.front().chi_square_above_noise();
       const bool worth_extending = size == 1 || left <= search_effort.worth_another_effect * above_noise;
-      auto combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
-      if (is_answered) combined.clear();
+      std::vector<ScreenedCombination> combined;
+      if (!is_answered || is_last)
+        combined = combinations_by_predicted_fall(before, screened, size + 1, search_effort.combinations);
       // Where one effect more is not worth its runs, only effects that help together are.
       if (!worth_extending)
         std::erase_if(combined, [&](const ScreenedCombination& each) {
@@ -186,6 +173,31 @@ class HypothesisSearch {
       level = std::move(next);
     }
     return all;
+  }
+
+  void sort(Level& level) const {
+    std::ranges::stable_sort(level, {},
+                             [this](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); });
+  }
+
+  // See with_better_optima; sorted again.
+  [[nodiscard]] Level at_better_optima(Level level, double of_the_size_before, std::size_t size) {
+    level = counted(with_better_optima(
+        runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
+          report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
+        }));
+    sort(level);
+    return level;
+  }
+
+  // Of a level of which some leave noise. These are the answer, alone or with one effect more: neither other hypotheses
+  // of their size nor combinations without them are nearer to one. Where only further numbers leave noise (`is_last`),
+  // two effects may do what these do: a friction and a drag, what a friction that falls with the speed does. They
+  // compete, and end the search.
+  void keep_what_more_may_improve(Level& level, bool is_last) const {
+    std::erase_if(level, [&](const FittedHypothesis& each) {
+      return is_last ? has_further_numbers(each) : !each.whiteness.is_white();
+    });
   }
 
   // Whether one of its effects has numbers beyond those of the catalogue (EffectKind::with_further_numbers).

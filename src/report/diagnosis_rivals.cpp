@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
@@ -110,12 +111,16 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
     text += fmt::format("    {} (residual {}, where what is reported leaves {})\n", hypothesis(compared, each),
                         number_text(over_noise(diagnosis, each.evidence->chi_square_after)),
                         number_text(over_noise(diagnosis, reported->evidence->chi_square_after)));
-    for (const actuator::EffectKind* kind : each.effects)
-      if (!has_all(reported->effects, {kind}) && !kind->check().empty())
-        text += fmt::format("      {}\n", kind->check());
+    for (const actuator::EffectKind* kind : each.effects) {
+      if (std::ranges::find(reported->effects, kind) != reported->effects.end()) continue;
+      // A reported effect with other numbers shows itself as that one does: what it is tells more.
+      const bool is_other_form = has_all(reported->effects, {kind});
+      const std::string_view line = is_other_form ? kind->description() : kind->check();
+      if (!line.empty()) text += fmt::format("      {}\n", line);
+    }
   }
   if (text.empty()) return {};
-  return "  Worse by little, so that a small error of the model may have decided; how to see each without it:\n" + text;
+  return "  Worse by little, so that a small error of the model may have decided; how to see each at the rig:\n" + text;
 }
 
 }  // namespace

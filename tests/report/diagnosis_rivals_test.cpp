@@ -69,7 +69,7 @@ TEST(DiagnosisRivals, SaysOfThoseThatAreWorseByLittleHowToSeeThem) {
   const std::string text = rivals_text(diagnosis);
   EXPECT_THAT(text,
               HasSubstr("  Worse by little, so that a small error of the model may have decided; how to see each "
-                        "without it:\n    viscoelastic_creep (residual 1.01, where what is reported leaves 1)\n      " +
+                        "at the rig:\n    viscoelastic_creep (residual 1.01, where what is reported leaves 1)\n      " +
                         std::string(creep->check()) + "\n"));
   EXPECT_THAT(text, Not(HasSubstr("backlash (residual")));
   EXPECT_THAT(text, Not(HasSubstr("Nothing else that was tried")));
@@ -106,7 +106,9 @@ TEST(DiagnosisRivals, SayWithHowManyNumbersAnEffectIsMeant) {
        .evidence = compare::Evidence{.chi_square_after = 12200.0},
        .remark = ""}};
   const std::string text = rivals_text(diagnosis);
-  EXPECT_THAT(text, HasSubstr("\n    dry_friction (3 numbers) (residual 1.008, where what is reported leaves 1)\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\n    dry_friction (3 numbers) (residual 1.008, where what is reported leaves 1)\n      " +
+                        std::string(friction->with_further_numbers()->description()) + "\n"));
   EXPECT_THAT(text, HasSubstr("\n    dry_friction (1 number) + quadratic_drag "));
 }
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "formats/data/diagnosis_by_hand.hpp"
+#include "report/text_of_diagnosis.hpp"
 
 namespace coilwright::report {
 namespace {
@@ -11,10 +11,6 @@ using namespace coilwright::testing;
 using namespace measurement;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-std::string text_of(const Diagnosis& diagnosis) {
-  return to_text(report_of(diagnosis));
-}
 
 TEST(DiagnosisText, SaysInAMinuteWhatWasAssumedAndFoundAndHowSureThatIs) {
   Diagnosis diagnosis = example();
@@ -110,59 +106,6 @@ TEST(DiagnosisText, NamesSeveralEffectsInItsFirstSentence) {
               HasSubstr("The declared model lacks dry_friction and end_stop; with them, what is left over is noise."));
 }
 
-TEST(DiagnosisText, SaysWhatATorqueWithoutANameIsAndWhereItHolds) {
-  const Diagnosis diagnosis = corrected_example();
-  formats::DiagnosisReport report = report_of(diagnosis);
-  report.corrected_actuator = "corrected_actuator.json";
-  const std::string text = to_text(report);
-  EXPECT_THAT(text, HasSubstr(R"(
-  angle, deg  as declared  fitted anew  with effects  corrected
-    mean              2.9          1.1          0.24        0.2
-    rmse              3.5          1.4           0.3       0.25  noise alone: 0.3
-    largest           9.1            5           1.2          1
-)"));
-  EXPECT_THAT(text, HasSubstr(R"(
-A torque without a name
-  A smooth joint torque over angle and rate takes away 71 % of the squared error above the noise on runs that
-  were left out in turn. Nobody knows what it is: it serves until somebody can name it.
-  It holds for angle from -5 deg to 40 deg, rate from -90 deg/s to 90 deg/s, and fades beyond.
-  It is largest, 0.3 Nmm at angle 40 deg, rate -90 deg/s, and smallest, -0.25 Nmm at angle 40 deg, rate 90 deg/s.
-  It is a function of angle times a function of rate (to 97 %).
-  It does better without the effects above, and its file leaves them out.
-  corrected_actuator.json has it: evaluate and simulate take it, and size where the geometry stays.
-)"));
-}
-
-TEST(DiagnosisText, AdvisesAgainstATorqueThatMakesWhatNoFitHasSeenWorse) {
-  Diagnosis diagnosis = corrected_example();
-  diagnosis.validate_errors.front().corrected = degrees(0.3, 0.4, 1.5);
-  formats::DiagnosisReport report = report_of(diagnosis);
-  report.corrected_actuator = "corrected_actuator.json";
-  const std::string text = to_text(report);
-  EXPECT_THAT(text, HasSubstr("  But on the runs that no fit has seen the error of the angle rises with it from 0.3 to "
-                              "0.4 deg (rmse).\n"
-                              "  Do not use corrected_actuator.json, which has it, before a run of that kind is among "
-                              "those fitted.\n"));
-  EXPECT_THAT(text, Not(HasSubstr("evaluate and simulate take it, and size")));
-}
-
-TEST(DiagnosisText, AdvisesAgainstATorqueThatIsWorseThanWhatWasDeclared) {
-  Diagnosis diagnosis = corrected_example();
-  diagnosis.validate_errors.front().declared = degrees(0.15, 0.2, 0.8);
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("the error of the angle rises with it from 0.2 as declared to 0.25 deg "
-                                            "(rmse).\n  Do not use "));
-}
-
-TEST(DiagnosisText, SaysWhyThereIsNoTorqueWithoutAName) {
-  Diagnosis diagnosis = example();
-  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("without a name")));
-  diagnosis.verdict = Verdict::unexplained;
-  diagnosis.correction.reason = "With a single motion nothing could show that a correction holds elsewhere.";
-  EXPECT_THAT(text_of(diagnosis),
-              HasSubstr("\nA torque without a name\n  None is offered. With a single motion nothing "
-                        "could show that a correction holds elsewhere.\n"));
-}
-
 TEST(DiagnosisText, SaysFirstThatTheErrorRisesOnRunsThatNoFitHasSeen) {
   Diagnosis diagnosis = example();
   diagnosis.validate_errors.front().after = degrees(1.3, 1.6, 5.5);
@@ -202,90 +145,6 @@ TEST(DiagnosisText, SaysWhyTheNearestEffectIsNotTheAnswer) {
                         "the answer: fits best where it is absent.\n"));
 }
 
-TEST(DiagnosisText, SaysWhichNumbersToMeasure) {
-  Diagnosis diagnosis = example();
-  diagnosis.effects.clear();
-  diagnosis.indistinguishable.clear();
-  diagnosis.verdict = Verdict::declared_numbers_off;
-  diagnosis.probability_of_declared = 2e-5;
-  diagnosis.nominal = {
-      {.estimate = {.key = "/links/0/mass_kg", .value = 0.0202}, .declared = 0.02, .tolerance = 0.0005},
-      {.estimate = {.key = "/links/1/mass_kg", .value = 0.0185}, .declared = 0.02, .tolerance = 0.0005}};
-  const std::string text = text_of(diagnosis);
-  EXPECT_THAT(text, HasSubstr("The declared numbers are off: moved further than their tolerances make likely, they "
-                              "explain these data, and no missing effect does so decisively better.\n"));
-  EXPECT_THAT(text,
-              HasSubstr("that fewer than 0.01 % of the\n  rigs built to their tolerances are as far off or further "
-                        "(below 1 %: they are off, or an effect is missing).\n"));
-  EXPECT_THAT(text, HasSubstr("What to do next\n"
-                              "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
-                              "actuator file and diagnose again.\n"
-                              "  Once that is done, go on with actuator.json: evaluate and simulate take it.\n"));
-  // A shape is measured on a bench, once for all of its numbers.
-  for (const char* key : {"force_curve_1", "force_curve_2"})
-    diagnosis.nominal.push_back({.estimate = {.key = key, .value = 0.2}, .declared = 0.0, .tolerance = 0.03});
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("Weigh or measure the torque over the angle at one current (a "
-                                            "static_torque bench), whose shape is off, /links/1/mass_kg (declared"));
-  diagnosis.nominal.resize(2);
-  // None moved far, but together they did.
-  diagnosis.nominal[1].estimate.value = 0.0191;
-  EXPECT_THAT(text_of(diagnosis),
-              HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
-}
-
-TEST(DiagnosisText, SaysWhatTolerancesWereWeighedAgainst) {
-  Diagnosis diagnosis = example();
-  diagnosis.nominal = {
-      {.estimate = {.key = "/links/0/mass_kg", .value = 0.0202}, .declared = 0.02, .tolerance = 0.0005}};
-  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("were weighed against it")));
-  diagnosis.model_error = 751.3;
-  EXPECT_THAT(
-      text_of(diagnosis),
-      HasSubstr("    What is missing in the model is far larger than the noise: tolerances were weighed against it, "
-                "as if the\n    noise were 751 times as large. Otherwise these numbers would take up what they can "
-                "of it.\n"));
-}
-
-TEST(DiagnosisText, SaysOfFacesThatTouchNowhereHowFarTheyAreOffAtLeast) {
-  Diagnosis diagnosis = example();
-  diagnosis.nominal = {{.estimate = {.key = "face_closing_deg", .value = -41.0 * degree},
-                        .declared = 4.0 * degree,
-                        .tolerance = 1.0 * degree,
-                        .idle_from = -7.85 * degree}};
-  const std::string text = text_of(diagnosis);
-  EXPECT_THAT(
-      text,
-      HasSubstr("declared  tolerance       moved to  tolerances moved\n"
-                "    face_closing_deg         4  1 (default)  below -7.85             -11.9\n"
-                "    below, above: there the number changes nothing in these records (faces that touch "
-                "nowhere). It has moved\n"
-                "    that far at least; the records cannot say how much further. actuator.json has it at -41, as if "
-                "there were\n    no faces.\n"));
-  EXPECT_THAT(text, HasSubstr("declared numbers had to move far, in tolerances: face_closing_deg by 11.9."));
-  EXPECT_THAT(text, HasSubstr("What to do next\n"
-                              "  Close a joint of the rig by hand, and see where its faces touch: face_closing_deg is "
-                              "declared as 4, and these records show no contact down to -7.85. If there are no faces, "
-                              "remove \"contact\" from the joints of the actuator file.\n"));
-  EXPECT_THAT(text, Not(HasSubstr("Weigh or measure")));
-  formats::DiagnosisReport of_a_design = report_of(diagnosis);
-  of_a_design.is_design = true;
-  EXPECT_THAT(to_text(of_a_design), HasSubstr("no contact down to -7.85.\n"));
-}
-
-TEST(DiagnosisText, SaysHowToSeeAnEffectWithoutTheModel) {
-  const testing::NamedEffect heated("coil_heating", "", {}, "log voltage and current");
-  const testing::NamedEffect faded("magnet_heating", "", {}, "take the magnet's temperature");
-  Diagnosis diagnosis = example();
-  diagnosis.effects.front().kind = &heated;
-  diagnosis.indistinguishable.clear();
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n"
-                                            "  Check coil_heating without this model: log voltage and current.\n"
-                                            "  Once that is done, go on with actuator.json"));
-  diagnosis.indistinguishable = {{&heated, &faded}};
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("log voltage and current. If it is not there, check magnet_heating: take "
-                                            "the magnet's temperature.\n"));
-}
-
 TEST(DiagnosisText, SaysInItsFirstLinesThatDeclaredNumbersMovedFar) {
   Diagnosis diagnosis = example();
   diagnosis.nominal = {
@@ -296,14 +155,6 @@ TEST(DiagnosisText, SaysInItsFirstLinesThatDeclaredNumbersMovedFar) {
                 "face_closing_deg by 7.4. Measure them before you rely on this model.\n"));
   diagnosis.nominal.front().estimate.value = 1.5 * degree;
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("had to move far")));
-}
-
-TEST(DiagnosisText, NamesTheCommandsThatTakeTheActuator) {
-  const Diagnosis diagnosis = example();
-  formats::DiagnosisReport report = report_of(diagnosis);
-  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate and simulate take it.\n"));
-  report.is_design = true;
-  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate, simulate and the studies of size take it.\n"));
 }
 
 TEST(DiagnosisText, HasNoColumnWithEffectsWhereThereAreNone) {
@@ -334,30 +185,6 @@ TEST(DiagnosisText, BlamesNothingWhereTheCameraMayHaveMadeWhatIsLeft) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("lacks something, and none of the known effects explains it.\n"));
 }
 
-TEST(DiagnosisText, ExplainsTheNamesOfDifferences) {
-  Diagnosis diagnosis = example();
-  diagnosis.nominal = {{.estimate = {.key = "joint_damping_ratio", .value = 0.1}, .declared = 0.0, .tolerance = 0.1},
-                       {.estimate = {.key = "force_curve_1", .value = 0.01}, .declared = 0.0, .tolerance = 0.05}};
-  EXPECT_THAT(
-      text_of(diagnosis),
-      HasSubstr("    A ratio of the joints is how much more the second has than the first, over their mean.\n"
-                "    The numbers of force_curve are a smooth error of the shape of the torque over the angle.\n"));
-}
-
-TEST(DiagnosisText, WarnsOfNumbersFromAFitThatDoesNotReachTheNoise) {
-  Diagnosis diagnosis = example();
-  diagnosis.verdict = Verdict::unexplained;
-  diagnosis.effects.clear();
-  diagnosis.indistinguishable.clear();
-  diagnosis.nominal = {
-      {.estimate = {.key = "joint_stiffness_ratio", .value = 0.42}, .declared = 0.0, .tolerance = 0.06}};
-  const std::string text = text_of(diagnosis);
-  EXPECT_THAT(text,
-              HasSubstr("Do not copy the numbers that moved into the actuator file: they may have taken up what "
-                        "is missing. Measure by other means joint_stiffness_ratio (declared 0, moved to 0.42).\n"));
-  EXPECT_THAT(text, Not(HasSubstr("correct the actuator file")));
-}
-
 TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   Diagnosis diagnosis = example();
   diagnosis.residual = localise::ResidualTorque{.rms = 0.2e-3,
@@ -380,72 +207,6 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("only if nothing is missing; here something is left over.\n"));
   for (localise::Dependence& each : diagnosis.residual->dependences) each.explained = 0.06;
   EXPECT_THAT(text_of(diagnosis), HasSubstr("\n  No single variable explains even a tenth of its square.\n"));
-}
-
-TEST(DiagnosisText, SaysWhereNothingIsMissingWhatWouldTellHowSmallThatIs) {
-  Diagnosis diagnosis = example();
-  diagnosis.effects.clear();
-  diagnosis.verdict = Verdict::no_missing_effect;
-  EXPECT_THAT(
-      text_of(diagnosis),
-      HasSubstr("What to do next\n  To learn how small an effect these runs could have shown, describe them as an "
-                "experiment and run plan: a smaller one may still be there.\n"));
-}
-
-TEST(DiagnosisText, SaysWhichSideOfAnIntervalIsOpen) {
-  Diagnosis diagnosis = example();
-  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
-  estimate.upper = infinity;
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at least 0.58 (95 %)"));
-  estimate = {.key = estimate.key, .value = 0.61e-3, .lower = -infinity, .upper = 0.64e-3};
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  at most 0.64 (95 %)"));
-  estimate.determined = false;
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("0.61  not determined by these data"));
-}
-
-TEST(DiagnosisText, SaysOfAChoiceThatItIsOne) {
-  Diagnosis diagnosis = example();
-  diagnosis.effects = {stopped()};
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("  end_stop: a stop\n"
-                                            "    angle_deg  40  39 to 41 (95 %)\n"
-                                            "    side       -1  (chosen)\n"));
-}
-
-TEST(DiagnosisText, HasAsManyDigitsAsAnIntervalBears) {
-  Diagnosis diagnosis = example();
-  compare::Estimate& estimate = diagnosis.effects[0].parameters[0];
-  estimate.value = 12.50034e-3;
-  estimate.lower = 12.49921e-3;
-  estimate.upper = 12.50147e-3;
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("torque_Nmm  12.5003  12.4992 to 12.5015 (95 %)"));
-  estimate.lower = 3.456e-3;
-  estimate.upper = 25.0e-3;
-  EXPECT_THAT(text_of(diagnosis), HasSubstr("torque_Nmm  12.5  3.46 to 25 (95 %)"));
-}
-
-// One run of a kind cannot show whether what explains it is right: the way out is another one.
-TEST(DiagnosisText, AsksForRepeatsWhereWhatFitsBestDoesNotHoldOnRunsLeftOut) {
-  Diagnosis diagnosis = example();
-  diagnosis.effects.clear();
-  diagnosis.indistinguishable.clear();
-  diagnosis.verdict = Verdict::unexplained;
-  compare::Evidence evidence{.chi_square_before = 30000.0, .chi_square_after = 12000.0, .quasi_bic_gain = 900.0};
-  diagnosis.compared_hypotheses = {
-      {.effects = {&coil_heating}, .evidence = evidence, .remark = std::string(compare::worse_on_runs_left_out)}};
-  EXPECT_THAT(
-      text_of(diagnosis),
-      HasSubstr("What to do next\n  Record each motion once more and diagnose again. coil_heating explains most "
-                "of the runs that were fitted, and makes runs worse that are left out in turn: "));
-  // What explains little would not with more runs either.
-  diagnosis.compared_hypotheses.front().evidence->chi_square_after = 29000.0;
-  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("Record each motion once more")));
-}
-
-TEST(DiagnosisText, NamesTheRunsThatTheToolHeldOut) {
-  const Diagnosis diagnosis = example();
-  formats::DiagnosisReport report = report_of(diagnosis);
-  report.held_out = {"b.csv", "f.csv"};
-  EXPECT_THAT(to_text(report), HasSubstr("Chosen for that by the tool, because the set names none: b.csv, f.csv\n"));
 }
 
 }  // namespace

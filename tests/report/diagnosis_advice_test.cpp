@@ -1,0 +1,111 @@
+#include "coilwright/report/diagnosis_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include "report/text_of_diagnosis.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace coilwright::testing;
+using namespace measurement;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(DiagnosisAdvice, SaysWhichNumbersToMeasure) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.verdict = Verdict::declared_numbers_off;
+  diagnosis.probability_of_declared = 2e-5;
+  diagnosis.nominal = {
+      {.estimate = {.key = "/links/0/mass_kg", .value = 0.0202}, .declared = 0.02, .tolerance = 0.0005},
+      {.estimate = {.key = "/links/1/mass_kg", .value = 0.0185}, .declared = 0.02, .tolerance = 0.0005}};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text, HasSubstr("The declared numbers are off: moved further than their tolerances make likely, they "
+                              "explain these data, and no missing effect does so decisively better.\n"));
+  EXPECT_THAT(text,
+              HasSubstr("that fewer than 0.01 % of the\n  rigs built to their tolerances are as far off or further "
+                        "(below 1 %: they are off, or an effect is missing).\n"));
+  EXPECT_THAT(text, HasSubstr("What to do next\n"
+                              "  Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0185), correct the "
+                              "actuator file and diagnose again.\n"
+                              "  Once that is done, go on with actuator.json: evaluate and simulate take it.\n"));
+  // A shape is measured on a bench, once for all of its numbers.
+  for (const char* key : {"force_curve_1", "force_curve_2"})
+    diagnosis.nominal.push_back({.estimate = {.key = key, .value = 0.2}, .declared = 0.0, .tolerance = 0.03});
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("Weigh or measure the torque over the angle at one current (a "
+                                            "static_torque bench), whose shape is off, /links/1/mass_kg (declared"));
+  diagnosis.nominal.resize(2);
+  // None moved far, but together they did.
+  diagnosis.nominal[1].estimate.value = 0.0191;
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("Weigh or measure /links/1/mass_kg (declared 0.02, these data say 0.0191),"));
+}
+
+TEST(DiagnosisAdvice, SaysHowToSeeAnEffectWithoutTheModel) {
+  const testing::NamedEffect heated("coil_heating", "", {}, "log voltage and current");
+  const testing::NamedEffect faded("magnet_heating", "", {}, "take the magnet's temperature");
+  Diagnosis diagnosis = example();
+  diagnosis.effects.front().kind = &heated;
+  diagnosis.indistinguishable.clear();
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("What to do next\n"
+                                            "  Check coil_heating without this model: log voltage and current.\n"
+                                            "  Once that is done, go on with actuator.json"));
+  diagnosis.indistinguishable = {{&heated, &faded}};
+  EXPECT_THAT(text_of(diagnosis), HasSubstr("log voltage and current. If it is not there, check magnet_heating: take "
+                                            "the magnet's temperature.\n"));
+}
+
+TEST(DiagnosisAdvice, NamesTheCommandsThatTakeTheActuator) {
+  const Diagnosis diagnosis = example();
+  formats::DiagnosisReport report = report_of(diagnosis);
+  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate and simulate take it.\n"));
+  report.is_design = true;
+  EXPECT_THAT(to_text(report), HasSubstr("with actuator.json: evaluate, simulate and the studies of size take it.\n"));
+}
+
+TEST(DiagnosisAdvice, WarnsOfNumbersFromAFitThatDoesNotReachTheNoise) {
+  Diagnosis diagnosis = example();
+  diagnosis.verdict = Verdict::unexplained;
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.nominal = {
+      {.estimate = {.key = "joint_stiffness_ratio", .value = 0.42}, .declared = 0.0, .tolerance = 0.06}};
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text,
+              HasSubstr("Do not copy the numbers that moved into the actuator file: they may have taken up what "
+                        "is missing. Measure by other means joint_stiffness_ratio (declared 0, moved to 0.42).\n"));
+  EXPECT_THAT(text, Not(HasSubstr("correct the actuator file")));
+}
+
+TEST(DiagnosisAdvice, SaysWhereNothingIsMissingWhatWouldTellHowSmallThatIs) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::no_missing_effect;
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("What to do next\n  To learn how small an effect these runs could have shown, describe them as an "
+                "experiment and run plan: a smaller one may still be there.\n"));
+}
+
+// One run of a kind cannot show whether what explains it is right: the way out is another one.
+TEST(DiagnosisAdvice, AsksForRepeatsWhereWhatFitsBestDoesNotHoldOnRunsLeftOut) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects.clear();
+  diagnosis.indistinguishable.clear();
+  diagnosis.verdict = Verdict::unexplained;
+  compare::Evidence evidence{.chi_square_before = 30000.0, .chi_square_after = 12000.0, .quasi_bic_gain = 900.0};
+  diagnosis.compared_hypotheses = {
+      {.effects = {&coil_heating}, .evidence = evidence, .remark = std::string(compare::worse_on_runs_left_out)}};
+  EXPECT_THAT(
+      text_of(diagnosis),
+      HasSubstr("What to do next\n  Record each motion once more and diagnose again. coil_heating explains most "
+                "of the runs that were fitted, and makes runs worse that are left out in turn: "));
+  // What explains little would not with more runs either.
+  diagnosis.compared_hypotheses.front().evidence->chi_square_after = 29000.0;
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("Record each motion once more")));
+}
+
+}  // namespace
+}  // namespace coilwright::report

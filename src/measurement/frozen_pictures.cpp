@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coilwright/measurement/noise/noise_level.hpp"
+#include "measurement/data/equal_stretches.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -15,30 +16,21 @@ constexpr std::size_t fewest = 10;  // samples
 // At three resolutions one neighbour in ten is alike by chance, ten in a row never.
 constexpr double least_noise = 3.0;  // resolutions
 
-struct Stretch {
-  std::size_t first{};
-  std::size_t size{};
-};
-
-// Stretches of equal values of the least length.
-std::vector<Stretch> equal_stretches(const std::vector<double>& values) {
-  std::vector<Stretch> out;
-  for (std::size_t i = 0; i < values.size();) {
-    std::size_t end = i + 1;
-    while (end < values.size() && values[end] == values[i]) ++end;
-    if (end - i >= fewest) out.push_back({.first = i, .size = end - i});
-    i = end;
-  }
+// Stretches in which nothing but a standing picture keeps a reading.
+std::vector<data::EqualStretch> long_stretches(const std::vector<double>& values) {
+  std::vector<data::EqualStretch> out = data::equal_stretches(values);
+  std::erase_if(out, [](const data::EqualStretch& each) { return each.size < fewest; });
   return out;
 }
 
 // The noise of what lies outside of them, which has no noise itself.
-noise::NoiseLevel noise_without(const data::Run& run, const data::Channel& channel, const std::vector<Stretch>& left) {
+noise::NoiseLevel noise_without(const data::Run& run, const data::Channel& channel,
+                                const std::vector<data::EqualStretch>& left) {
   data::Run rest{.name = run.name, .kind = run.kind};
   data::Channel values{.name = channel.name, .kind = channel.kind};
   auto next = left.begin();
   for (std::size_t i = 0; i < run.times.size(); ++i) {
-    if (next != left.end() && i == next->first + next->size) ++next;
+    if (next != left.end() && i == next->end()) ++next;
     if (next != left.end() && i >= next->first) continue;
     rest.times.push_back(run.times[i]);
     values.values.push_back(channel.values[i]);
@@ -51,13 +43,13 @@ noise::NoiseLevel noise_without(const data::Run& run, const data::Channel& chann
 std::optional<data::Warning> frozen_pictures(const data::Run& run) {
   if (run.kind != data::RunKind::transient) return std::nullopt;
   for (const data::Channel& channel : run.channels) {
-    const std::vector<Stretch> stretches = equal_stretches(channel.values);
+    const std::vector<data::EqualStretch> stretches = long_stretches(channel.values);
     if (stretches.empty() || channel.values.size() != run.times.size()) continue;
     const noise::NoiseLevel level = noise_without(run, channel, stretches);
     if (level.resolution <= 0.0 || level.sigma < least_noise * level.resolution) continue;
     const auto [least, most] = std::ranges::minmax(channel.values);
-    Stretch longest;
-    for (const Stretch& each : stretches) {
+    data::EqualStretch longest;
+    for (const data::EqualStretch& each : stretches) {
       const double value = channel.values[each.first];
       if (value != least && value != most && each.size > longest.size) longest = each;
     }

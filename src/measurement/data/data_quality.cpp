@@ -12,6 +12,7 @@
 #include <string>
 
 #include "coilwright/units/angle.hpp"
+#include "measurement/data/equal_stretches.hpp"
 #include "measurement/data/usual_interval.hpp"
 
 namespace coilwright::measurement::data {
@@ -72,16 +73,14 @@ LongestRests longest_rests(std::span<const double> values) {
   const auto [lowest, highest] = std::ranges::minmax(values);
   const double least_change = full_motion * rms_change(values);
   LongestRests rest;
-  for (std::size_t i = 0; i < values.size();) {
-    std::size_t end = i + 1;
-    while (end < values.size() && values[end] == values[i]) ++end;
-    if (values[i] != lowest && values[i] != highest) {
-      if (i > 0) rest.other = std::max(rest.other, end - i);  // before a motion begins, any reading may rest
-    } else if (end - i > rest.extreme && change_before(values, i) >= least_change) {
-      rest.extreme = end - i;
-      rest.value = values[i];
+  for (const EqualStretch& each : equal_stretches(values)) {
+    const double value = values[each.first];
+    if (value != lowest && value != highest) {
+      if (each.first > 0) rest.other = std::max(rest.other, each.size);  // before a motion, any reading may rest
+    } else if (each.size > rest.extreme && change_before(values, each.first) >= least_change) {
+      rest.extreme = each.size;
+      rest.value = value;
     }
-    i = end;
   }
   return rest;
 }

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "coilwright/algebra/least_squares.hpp"
@@ -26,6 +27,10 @@ const double band_ratio = std::exp2(0.25);    // upper over lower end of a band
 constexpr std::size_t most_lines = 4;
 constexpr double chance_of_a_line = 1e-3;  // in a record of white noise
 constexpr double chance_of_colour = 0.01;
+constexpr std::size_t low_coefficients = 96;  // from which the growth towards low frequencies is taken
+constexpr double steepest = 2.0;              // exponent: a random walk
+// Of the lowest frequency that the record shows: below it the density is taken as level.
+constexpr double level_below = 0.25;
 
 using Series = std::vector<double>;
 
@@ -130,11 +135,13 @@ std::optional<double> strongest_line(const Series& values) {
       .first;
 }
 
-std::vector<NoiseColour::Band> bands_of(const std::vector<Series>& pieces, double interval, double variance) {
+struct Coefficient {
+  double frequency, energy;  // Hz; over the variance
+};
+
+// The cosine coefficients of all pieces, the lowest frequency first.
+std::vector<Coefficient> coefficients_of(const std::vector<Series>& pieces, double interval, double variance) {
   // Coefficient k of n has the frequency k / (2 n) cycles per sample; k = 0 is the mean, which is gone.
-  struct Coefficient {
-    double frequency, energy;
-  };
   std::vector<Coefficient> all;
   for (const Series& piece : pieces) {
     const std::vector<double> energies = cosine_energies(piece);
@@ -143,10 +150,13 @@ std::vector<NoiseColour::Band> bands_of(const std::vector<Series>& pieces, doubl
           {static_cast<double>(k) / (2.0 * static_cast<double>(piece.size()) * interval), energies[k] / variance});
   }
   std::ranges::stable_sort(all, {}, &Coefficient::frequency);
+  return all;
+}
+
+std::vector<NoiseColour::Band> bands_of(const std::vector<Coefficient>& all, double nyquist) {
   std::vector<NoiseColour::Band> bands;
   NoiseColour::Band band;
   double energy = 0.0;
-  const double nyquist = 0.5 / interval;
   for (std::size_t i = 0; i < all.size(); ++i) {
     energy += all[i].energy;
     band.freedom += 1.0;
@@ -163,6 +173,36 @@ std::vector<NoiseColour::Band> bands_of(const std::vector<Series>& pieces, doubl
   band.density = energy / band.freedom;
   bands.push_back(band);
   return bands;
+}
+
+// The power law by which the lowest coefficients grow towards low frequencies, by Whittle's likelihood (Ark. Mat. 2,
+// 423, 1953): energies are independent, each its density times chi-square of one degree of freedom. Nothing where one
+// level does as well. One level for a whole band would be right on its mean and wrong where it matters: what is
+// constant, or slow, stands against the lowest frequencies alone.
+std::optional<NoiseColour::LowEnd> low_end_of(const std::vector<Coefficient>& all, const NoiseColour::Band& lowest) {
+  const std::span low = std::span(all).first(std::min(all.size(), low_coefficients));
+  const auto count = static_cast<double>(low.size());
+  const auto level_at_end = [&](double exponent) {
+    double sum = 0.0;
+    for (const Coefficient& each : low) sum += each.energy * std::pow(each.frequency / lowest.to, exponent);
+    return sum / count;
+  };
+  double logarithms = 0.0;
+  for (const Coefficient& each : low) logarithms += std::log(each.frequency / lowest.to);
+  // Minus twice the logarithm of the likelihood, at the best level.
+  const auto deviance = [&](double exponent) {
+    return count * std::log(level_at_end(exponent)) - exponent * logarithms;
+  };
+  if (!(level_at_end(0.0) > 0.0)) return std::nullopt;
+  std::uintmax_t steps = 60;
+  const auto [exponent, least] = boost::math::tools::brent_find_minima(deviance, 0.0, steepest, 30, steps);
+  const boost::math::chi_squared_distribution<double> one(1.0);
+  if (deviance(0.0) - least <= boost::math::quantile(boost::math::complement(one, chance_of_colour)))
+    return std::nullopt;
+  return NoiseColour::LowEnd{.from = level_below * all.front().frequency,
+                             .to = lowest.to,
+                             .exponent = exponent,
+                             .density = level_at_end(exponent)};
 }
 
 // Whether the energies of the bands agree with one level: each is its density times chi-square of its freedom.
@@ -189,13 +229,17 @@ bool agree_with_white(const std::vector<NoiseColour::Band>& bands) {
 
 double NoiseColour::density_at(double frequency) const {
   const auto middle = [](const Band& band) { return band.from > 0.0 ? std::sqrt(band.from * band.to) : 0.5 * band.to; };
+  if (low_end && frequency <= low_end->to)
+    return low_end->density * std::pow(std::max(frequency, low_end->from) / low_end->to, -low_end->exponent);
   if (frequency <= middle(bands.front())) return bands.front().density;
   for (std::size_t i = 1; i < bands.size(); ++i) {
     const double right = middle(bands[i]);
     if (frequency > right) continue;
-    const double left = middle(bands[i - 1]);
+    const bool from_low_end = low_end && i == 1;
+    const double left = from_low_end ? low_end->to : middle(bands[i - 1]);
+    const double there = from_low_end ? low_end->density : bands[i - 1].density;
     const double share = std::log(frequency / left) / std::log(right / left);
-    return std::exp((1.0 - share) * std::log(bands[i - 1].density) + share * std::log(bands[i].density));
+    return std::exp((1.0 - share) * std::log(there) + share * std::log(bands[i].density));
   }
   return bands.back().density;
 }
@@ -234,8 +278,10 @@ NoiseColour colour_of(std::span<const StillPiece> pieces) {
     out.is_white = true;
     return out;
   }
-  out.bands = bands_of(series, interval, variance);
+  const std::vector<Coefficient> coefficients = coefficients_of(series, interval, variance);
+  out.bands = bands_of(coefficients, 0.5 / interval);
   out.is_white = agree_with_white(out.bands);
+  if (!out.is_white) out.low_end = low_end_of(coefficients, out.bands.front());
   return out;
 }
 

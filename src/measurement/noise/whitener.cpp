@@ -14,14 +14,29 @@ constexpr double floor_variance = 1e-3;
 // Points of the spectrum over which its autocovariance is summed.
 constexpr std::size_t frequencies = 4096;
 
-// Autocovariances at 0, 1, 2, ... intervals, in units of sigma^2: the cosine transform of the density.
+// The mean density between two frequencies, which may be far apart in their logarithms.
+double mean_density(const NoiseColour& colour, double from, double to) {
+  constexpr int parts = 64;
+  double sum = 0.0;
+  for (int i = 0; i < parts; ++i) sum += colour.density_at(from + (i + 0.5) / parts * (to - from));
+  return sum / parts;
+}
+
+// Autocovariances at 0, 1, 2, ... intervals, in units of sigma^2: the cosine transform of the density. Without a low
+// end their sum is one; what it adds below the lowest band's level comes on top, as no record of that length shows it.
 std::vector<double> autocovariances(const NoiseColour& colour, double interval) {
   const double nyquist = colour.bands.back().to;
   std::vector<double> densities(frequencies);
   double sum = 0.0;
+  NoiseColour shown = colour;
+  shown.low_end.reset();
   for (std::size_t i = 0; i < frequencies; ++i) {
-    densities[i] = colour.density_at((static_cast<double>(i) + 0.5) / frequencies * nyquist);
-    sum += densities[i];
+    const double width = nyquist / frequencies;
+    const double frequency = (static_cast<double>(i) + 0.5) / frequencies * nyquist;
+    const bool is_low = colour.low_end && frequency < colour.low_end->to;
+    densities[i] = is_low ? mean_density(colour, static_cast<double>(i) * width, (static_cast<double>(i) + 1.0) * width)
+                          : colour.density_at(frequency);
+    sum += shown.density_at(frequency);
   }
   std::vector<double> out(highest_order + 1);
   for (std::size_t lag = 0; lag < out.size(); ++lag) {

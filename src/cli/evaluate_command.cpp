@@ -115,7 +115,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     if (!has_one_current(design))
       std::cout << fmt::format("With {}: each coil needs a driver of its own.\n",
                                report::coil_currents_text(design, point.current));
-    std::cout << report::to_text(limits) << report::doubts_text(design.calibration) << '\n'
+    std::cout << report::to_text(limits) << report::doubts_text(design) << '\n'
               << report::to_text(view) << report::to_text(view, effects) << report::to_text(reach);
   }
 }

@@ -101,7 +101,7 @@ std::string parts_text(const formats::SizeReport& report) {
       return limit.quantity.name == each.quantity;
     });
   });
-  return warning_of_parts(broken) + doubts_text(report.study.base.calibration);
+  return warning_of_parts(broken) + doubts_text(report.study.base);
 }
 
 std::string limits_text(const formats::SizeReport& report) {

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import unittest
 
 from program import CONFIGS, PAPER_FINGER, ProgramTest, run
@@ -97,6 +98,27 @@ class Evaluate(ProgramTest):
         finger["measured"].pop("joint_damping_Nmms_rad")
         self.write("thin.json", json.dumps(finger))
         self.assertNotIn("MIND: the", run("evaluate", "thin.json", "--current-A", "1", cwd=self.folder).stdout)
+
+    def test_a_measured_damping_is_doubted_as_a_whole(self):
+        finger = json.loads((CONFIGS / "actuators/finger.json").read_text())
+        measured = finger["measured"]["joint_damping_Nmms_rad"]
+        for factor in (10, 1, 0.1):
+            finger["measured"]["joint_damping_Nmms_rad"] = factor * measured
+            self.write("damped.json", json.dumps(finger))
+            text = run("evaluate", "damped.json", "--current-A", "1", cwd=self.folder).stdout
+            with self.subTest(factor):
+                found = re.findall(r"\nMIND: the joint damping that was measured is (\S+) times", text)
+                if factor == 1:
+                    self.assertEqual(found, [])
+                else:
+                    self.assertAlmostEqual(float(found[0]) / factor, 1, delta=0.25)
+        # The stiffness is one tenth, and the damping is not doubted for it.
+        finger["measured"]["joint_damping_Nmms_rad"] = measured
+        finger["measured"]["joint_stiffness_Nmm_rad"] /= 10
+        self.write("soft.json", json.dumps(finger))
+        text = run("evaluate", "soft.json", "--current-A", "0.2", cwd=self.folder).stdout
+        self.assertIn("MIND: the joint stiffness that was measured", text)
+        self.assertNotIn("MIND: the joint damping", text)
 
     def test_a_folder_of_results_is_told_from_its_actuator(self):
         (self.folder / "results").mkdir()

@@ -125,9 +125,9 @@ std::string warning_of_parts(std::span<const PartLimit> broken) {
   return text;
 }
 
-std::string doubts_text(const actuator::Calibration& calibration) {
+std::string doubts_text(const actuator::Design& design) {
   std::string text;
-  for (const actuator::CalibrationDoubt& each : actuator::calibration_doubts(calibration))
+  for (const actuator::CalibrationDoubt& each : actuator::calibration_doubts(design))
     text += fmt::format(
         "\nMIND: the {} that was measured is {:.3g} times what the dimensions give: was it measured on "
         "this actuator?\n",

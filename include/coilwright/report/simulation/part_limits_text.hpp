@@ -14,7 +14,7 @@ namespace coilwright::report {
 [[nodiscard]] std::string warning_of_parts(std::span<const simulation::PartLimit> broken);
 
 /// Measured values that lie far from what the dimensions of the same file give; empty where none does.
-[[nodiscard]] std::string doubts_text(const actuator::Calibration& calibration);
+[[nodiscard]] std::string doubts_text(const actuator::Design& design);
 
 /// One line for each limit of the parts: value, limit, and what happens where it is broken.
 [[nodiscard]] std::string to_text(std::span<const simulation::PartLimit> limits);

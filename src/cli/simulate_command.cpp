@@ -74,12 +74,15 @@ CommandedInput read_command(const Options& options, const actuator::Model& model
                                    .interval = interval});
 }
 
-// Durations and intervals that make more samples than there may be.
+// Durations, intervals and frequencies that make more samples than there may be, or too few.
 CommandedInput command_of(const Options& options, const actuator::Model& model) {
   try {
     return read_command(options, model);
   } catch (const std::invalid_argument& rule) {
-    throw text::InputError({.file = "--duration-s, --interval-s", .rule = rule.what()});
+    const std::string text = rule.what();
+    const bool is_frequency = text.starts_with("frequency");
+    throw text::InputError(
+        {.file = is_frequency ? "--sine, --interval-s" : "--duration-s, --interval-s", .rule = text});
   }
 }
 

@@ -131,6 +131,14 @@ class Simulate(ProgramTest):
                              "--out", "x.csv"],
                             "--duration-s, --interval-s: duration / interval must be at most 100000000; got 10000000000")
 
+    def test_a_sine_that_its_samples_cannot_show_is_refused(self):
+        # Sampled at its own frequency it would be a finger at rest.
+        for frequency in ("1000", "-2"):
+            with self.subTest(frequency):
+                self.assert_refused(["simulate", PAPER_FINGER, "--sine", "0.7", "0.7", frequency, "--out", "x.csv"],
+                                    "--sine, --interval-s: frequency must be from 0 to 250 Hz, half of the samples a second; "
+                                    f"got {frequency}")
+
     def test_inputs_that_do_not_fit_are_refused_and_keep_the_old_result(self):
         self.write("out.csv", "precious")
         for text, message in (

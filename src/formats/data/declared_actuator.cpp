@@ -86,7 +86,7 @@ std::vector<CalibratableNumber<Target>> with_tolerances(std::vector<Calibratable
                                          .target = std::visit([](const auto& target) { return Target(target); },
                                                               *number.difference)}
             : std::move(in_file[i]);
-    set_tolerance(each.parameter, number);
+    set_tolerance(each.parameter, number, plan.file);
     if (each.parameter.calibrated || each.parameter.tolerance) out.push_back(std::move(each));
   }
   return out;

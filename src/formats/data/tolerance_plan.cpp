@@ -105,6 +105,7 @@ bool in_file(std::string_view name) {
 class Planner {
  public:
   Planner(const Calibrate& said, Differing model) : said_(said), model_(std::move(model)) {
+    plan_.file = said.file;
     for (std::size_t i = 0; i < said.names.size(); ++i)
       plan_.numbers.push_back(
           {.name = said.names[i], .by = MovedBy::calibrate, .place = fmt::format("{}/{}", said.pointer, i)});
@@ -137,6 +138,7 @@ class Planner {
                           .rule = "must be > 0, because the number is calibrated",
                           .value = "0"});
       same->deviation = named.deviation;
+      same->tolerance_place = place;
       return;
     }
     if (in_file(named.name)) {
@@ -144,6 +146,7 @@ class Planner {
       plan_.numbers.push_back({.name = named.name,
                                .by = MovedBy::tolerances,
                                .place = place,
+                               .tolerance_place = place,
                                .deviation = named.deviation,
                                .effect = effect_of(named.name)});
     } else {
@@ -200,6 +203,20 @@ TorqueCurveError range_of(const std::optional<TorqueCurveError>& declared,
   return out;
 }
 
+// One standard deviation of a number that cannot be negative: with more than the number itself nothing is declared, and
+// a fit takes the number wherever it helps.
+void require_plausible(const CalibrationParameter& parameter, const PlannedNumber& number, std::string_view file) {
+  if (!number.deviation || parameter.declared <= 0.0 || parameter.lower < 0.0) return;
+  const double declared = units::from_memory(parameter.declared, key_with_unit(parameter.key));
+  if (*number.deviation <= declared) return;
+  throw InputError({.file = std::string(file),
+                    .place = number.tolerance_place,
+                    .rule = fmt::format("must be at most the declared number, {:.6g}; for a number of which nothing is "
+                                        "known, \"calibrate\" it",
+                                        declared),
+                    .value = fmt::format("{:.6g}", *number.deviation)});
+}
+
 }  // namespace
 
 TolerancePlan tolerance_plan(const Calibrate& said, const DesignContent& content, const actuator::ModelSpec& drawn) {
@@ -235,7 +252,8 @@ CalibrationParameter difference_parameter(const PlannedNumber& number) {
   return out;
 }
 
-void set_tolerance(CalibrationParameter& parameter, const PlannedNumber& number) {
+void set_tolerance(CalibrationParameter& parameter, const PlannedNumber& number, std::string_view file) {
+  require_plausible(parameter, number, file);
   parameter.calibrated = number.by == MovedBy::calibrate;
   parameter.effect = number.effect;
   const double deviation = number.deviation ? units::to_memory(*number.deviation, key_with_unit(parameter.key))

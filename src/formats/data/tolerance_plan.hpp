@@ -29,6 +29,7 @@ struct PlannedNumber {
   std::string name;  ///< as in `calibrate`; of a difference, the parameter's key: "force_curve_1"
   MovedBy by{};
   std::string place{};                ///< in the data set, for errors; empty for a default
+  std::string tolerance_place{};      ///< of its tolerance there; empty where none is named
   std::optional<double> deviation{};  ///< one standard deviation in the unit of the name; nothing: see `share`
   double share{};                     ///< one standard deviation over the declared number; 0: the number is free
   std::string_view effect{};          ///< see CalibrationParameter::effect
@@ -38,6 +39,7 @@ struct PlannedNumber {
 
 /// All of them, in the order of the calibration parameters.
 struct TolerancePlan {
+  std::string file{};  ///< the data set, for errors
   std::vector<PlannedNumber> numbers{};
   std::vector<std::string> held_exact{};                    ///< what a report says of the others
   std::optional<actuator::TorqueCurveError> force_curve{};  ///< with its range, where a difference is of it
@@ -52,7 +54,9 @@ struct TolerancePlan {
 /// The parameter of a difference, without its tolerance.
 [[nodiscard]] measurement::replay::CalibrationParameter difference_parameter(const PlannedNumber& number);
 
-/// Gives `parameter`, found for `number`, its tolerance.
-void set_tolerance(measurement::replay::CalibrationParameter& parameter, const PlannedNumber& number);
+/// Gives `parameter`, found for `number`, its tolerance. Throws InputError where it exceeds a declared number that
+/// cannot be negative: `file` is the plan's.
+void set_tolerance(measurement::replay::CalibrationParameter& parameter, const PlannedNumber& number,
+                   std::string_view file);
 
 }  // namespace coilwright::formats

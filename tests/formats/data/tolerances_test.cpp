@@ -260,6 +260,17 @@ TEST(Tolerances, OfZeroHoldANumberExact) {
   EXPECT_THAT(actuator.model.held_exact, ::testing::Contains("force_curve"));
 }
 
+// A mass of 22.5 g known to 500 g is not declared: a fit would take it wherever it helps, and name effects by it.
+TEST(Tolerances, AreRefusedWhereTheyExceedANumberThatCannotBeNegative) {
+  EXPECT_EQ(refusal(lumped, {"joint_damping"}, {.named = {{"/links/1/mass_kg", 0.5}}}),
+            "dataset.json: /tolerances/~1links~11~1mass_kg: must be at most the declared number, 0.0225; for a number "
+            "of which nothing is known, \"calibrate\" it; got 0.5");
+  EXPECT_EQ(
+      refusal(paper_finger(), {"joint_damping"}, {.named = {{"joint_damping", 0.2}}}),
+      "dataset.json: /tolerances/joint_damping: must be at most the declared number, 0.129; for a number of which "
+      "nothing is known, \"calibrate\" it; got 0.2");
+}
+
 TEST(Tolerances, AreRefusedWhereTheActuatorHasNoSuchNumber) {
   const auto wrong = [](const std::string& text, const std::string& name, double deviation = 0.1) {
     return refusal(text, {"joint_damping"}, {.named = {{name, deviation}}});

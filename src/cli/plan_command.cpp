@@ -74,10 +74,11 @@ void add_plan_command(CLI::App& app, Outcome&) {
   add_threads_option(*command, options->threads, "Number of simulations that run at the same time");
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
-      "Prints for each effect the smallest strength that a diagnosis of these runs would name, or have in the set of\n"
-      "those that it cannot tell apart, in four of five records; the pairs of effects that it cannot separate; and "
-      "the\n"
-      "run that would help most if it were added. Nothing is recorded and no file is written.\n\n"
+      "Prints for each effect the smallest strength that stands out of the noise of these runs in four of five "
+      "records\n"
+      "(a diagnosis needs up to twice that), the pairs of effects that a diagnosis could not separate, and the run "
+      "that\n"
+      "would help most if it were added. Nothing is recorded and no file is written.\n\n"
       "Example:\n"
       "  coilwright plan configs/experiments/paper.json --actuator configs/actuators/paper_finger.json");
   command->callback([options] { print(*options); });

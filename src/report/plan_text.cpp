@@ -60,7 +60,9 @@ std::string strengths_text(const ExperimentPlan& plan) {
 }
 
 std::string pairs_text(const ExperimentPlan& plan) {
-  if (plan.pairs.empty()) return "Five times as strong, every effect could be told from every other one.\n";
+  if (std::ranges::none_of(plan.effects, &VisibleEffect::visible))
+    return "No effect shows in this experiment, so that none can be told from another.\n";
+  if (plan.pairs.empty()) return "Five times as strong, every effect that shows could be told from every other one.\n";
   std::string out =
       "These pairs it cannot tell apart even five times as strong. The number is how much they differ, over what\n"
       "telling them apart takes; 1 would be enough:\n";
@@ -108,12 +110,13 @@ std::string to_text(const formats::PlanReport& report) {
   const ExperimentPlan& plan = report.plan;
   std::string out = fmt::format(
       "What {} could show on {}: {} samples of its fit runs.\n\n"
-      "The smallest strength of each effect, alone, that a diagnosis would find in four of five records:\n",
+      "The smallest strength of each effect, alone, that stands out of the noise in four of five records (an estimate\n"
+      "by small changes about the declared model):\n",
       report.experiment, report.actuator, plan.samples);
   out += strengths_text(plan);
   out +=
-      "Hope for twice that at a camera's rate: where it was tried, 2 of 9 effects were found at these strengths, 9 of "
-      "12 at twice (before declared numbers were fitted to each change).\n";
+      "A diagnosis needs more, twice that at a camera's rate: where it was tried, it found 2 of 9 effects at these "
+      "strengths and\n9 of 12 at twice (before declared numbers were fitted to each change).\n";
   if (const double stronger = std::sqrt(plan.overdispersion); stronger > 1.05)
     out += fmt::format(
         "The noise is not white, or its level not known: effects must be {:.2g} times as strong as in white noise of\n"

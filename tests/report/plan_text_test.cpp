@@ -36,6 +36,14 @@ TEST(PlanText, SaysHowStrongEachEffectMustBe) {
                 "  added_mass       never              would not be found even at its physical bound (mass 1 g)\n"));
 }
 
+// No pair is inseparable where nothing shows: that is no success.
+TEST(PlanText, DoesNotPraiseAnExperimentThatShowsNothing) {
+  ExperimentPlan plan = example();
+  for (auto& each : plan.effects) each.visible = false;
+  EXPECT_THAT(text_of(plan), HasSubstr("No effect shows in this experiment, so that none can be told from another.\n"));
+  EXPECT_THAT(text_of(plan), Not(HasSubstr("could be told from every other one")));
+}
+
 TEST(PlanText, SaysWhatNoiseCostsWhoseColourIsNotKnown) {
   ExperimentPlan plan = example();
   plan.overdispersion = 1.1;
@@ -47,7 +55,7 @@ TEST(PlanText, SaysWhatNoiseCostsWhoseColourIsNotKnown) {
 
 TEST(PlanText, SaysHowMuchPairsDiffer) {
   ExperimentPlan plan = example();
-  EXPECT_THAT(text_of(plan), HasSubstr("every effect could be told from every other one.\n"));
+  EXPECT_THAT(text_of(plan), HasSubstr("every effect that shows could be told from every other one.\n"));
   plan.pairs = {{.first = 0, .second = 2, .over_limit = 0.38}};
   EXPECT_THAT(text_of(plan), HasSubstr("five times as strong. The number is how much they differ, over what\n"
                                        "telling them apart takes; 1 would be enough:\n"

@@ -116,7 +116,10 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.far_first_pose = far_first_pose(runs, declared);
   if (out.far_first_pose) out.warnings.push_back(*out.far_first_pose);
   for (const data::Run& run : usable.runs)
-    if (auto frozen = frozen_pictures(run)) out.warnings.push_back(std::move(*frozen));
+    if (auto frozen = frozen_pictures(run)) {
+      out.frozen_runs.push_back(run.name);
+      out.warnings.push_back(std::move(*frozen));
+    }
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);

@@ -181,6 +181,11 @@ std::string advice_text(const formats::DiagnosisReport& report) {
         "Look at a picture of the finger at rest: 0 deg is a straight finger. If the records count from another zero, "
         "correct them and diagnose again, before anything else; if they do not, what bends the finger at rest is "
         "real.");
+  if (!diagnosis.frozen_runs.empty())
+    steps.push_back(fmt::format(
+        "Leave the pictures that stand still out of {} (the warnings say from when on), and diagnose again: "
+        "they were fitted as if the finger had stopped.",
+        fmt::join(diagnosis.frozen_runs, ", ")));
   if (!risen_errors(diagnosis).empty() || !errors_beyond_noise(diagnosis).empty())
     steps.emplace_back(
         "Fit a run of the kind that was kept from the fit, too, before anything is built on this result.");

@@ -123,6 +123,18 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
   return "  Worse by little, so that a small error of the model may have decided; how to see each at the rig:\n" + text;
 }
 
+// Whether a hypothesis with more effects than those reported has a larger gain, which decides nothing by itself.
+bool gains_with_more(const Diagnosis& diagnosis) {
+  const auto compared = formats::compared_as_reported(diagnosis);
+  const auto reported = std::ranges::find_if(compared, [&](const compare::ComparedHypothesis& each) {
+    return formats::is_reported(diagnosis, each.effects) && each.evidence;
+  });
+  return reported != compared.end() && std::ranges::any_of(compared, [&](const compare::ComparedHypothesis& each) {
+           return each.evidence && each.effects.size() > reported->effects.size() &&
+                  each.evidence->quasi_bic_gain > reported->evidence->quasi_bic_gain;
+         });
+}
+
 }  // namespace
 
 std::string rivals_text(const Diagnosis& diagnosis) {
@@ -132,7 +144,8 @@ std::string rivals_text(const Diagnosis& diagnosis) {
                         fmt::join(ids(set), ", "));
   text += near_rivals_text(diagnosis);
   if (!diagnosis.effects.empty() && text.empty())
-    text += "  Nothing else that was tried explains these data as well.\n";
+    text += fmt::format("  Nothing else that was tried explains these data as well{}.\n",
+                        gains_with_more(diagnosis) ? " with as few effects" : "");
   return "\nHow sure, and what else it could be\n" + text + compared_text(diagnosis);
 }
 

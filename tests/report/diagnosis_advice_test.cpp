@@ -107,5 +107,14 @@ TEST(DiagnosisAdvice, AsksForRepeatsWhereWhatFitsBestDoesNotHoldOnRunsLeftOut) {
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("Record each motion once more")));
 }
 
+TEST(DiagnosisAdvice, BeginsWithPicturesThatStandStill) {
+  Diagnosis diagnosis = example();
+  diagnosis.verdict = Verdict::partly_explained;
+  diagnosis.frozen_runs = {"a.csv", "b.csv"};
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("What to do next\n  Leave the pictures that stand still out of a.csv, b.csv (the warnings say "
+                        "from when on), and diagnose again: "));
+}
+
 }  // namespace
 }  // namespace coilwright::report

@@ -88,6 +88,9 @@ TEST(DiagnosisRivals, AreNoneWithMoreEffectsThanTheAnswer) {
        .evidence = compare::Evidence{.chi_square_after = 11990.0},
        .remark = ""}};
   EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Nothing else that was tried explains these data as well.\n"));
+  diagnosis.compared_hypotheses.back().evidence->quasi_bic_gain = 810.0;  // that of the reported one is 800
+  EXPECT_THAT(rivals_text(diagnosis),
+              HasSubstr("  Nothing else that was tried explains these data as well with as few effects.\n"));
 }
 
 // A friction and a drag do what a friction that falls with the speed does: the names alone would not tell them apart.

@@ -86,6 +86,8 @@ struct Diagnosis {
   std::vector<data::Warning> warnings{};
   /// Of the first run that begins far from where the declared model rests; also among the warnings.
   std::optional<data::Warning> far_first_pose{};
+  /// Fitted runs with a stretch in which the camera or the tracker stops; their warnings say where.
+  std::vector<std::string> frozen_runs{};
   std::vector<Phase> phases{};
 };
 

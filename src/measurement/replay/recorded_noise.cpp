@@ -123,8 +123,7 @@ std::string text_of(const NoiseColour& colour, const std::string& source) {
   std::string text = colour.is_white
                          ? fmt::format("white, as {}", source)
                          : fmt::format("coloured, its spectrum from {} in {} bands", source, colour.bands.size());
-  if (colour.low_end)
-    text += fmt::format(", growing towards low frequencies as 1/f^{:.2g}", colour.low_end->exponent);
+  if (colour.low_end) text += fmt::format(", growing towards low frequencies as 1/f^{:.2g}", colour.low_end->exponent);
   for (const noise::NoiseLine& line : colour.lines) text += fmt::format(", hum at {:.3g} Hz", line.frequency);
   return text;
 }

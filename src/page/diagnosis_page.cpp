@@ -23,15 +23,14 @@ namespace {
 using text::Node;
 
 // The paragraph below the title of summary.txt: the verdict as the program words it.
-std::string verdict_of(const std::filesystem::path& folder, const Node& diagnosis) {
-  const std::vector<std::string> lines = summary_lines(folder, "");
-  return lines.empty() ? diagnosis.find("verdict").value().text() : lines.front();
+std::string verdict_of(const std::filesystem::path& folder) {
+  return summary_lines(folder, "").front();
 }
 
 // The lines below it: numbers that moved far, errors that rose, a zero to check.
 std::vector<std::string> cautions_of(const std::filesystem::path& folder) {
   std::vector<std::string> lines = summary_lines(folder, "");
-  if (!lines.empty()) lines.erase(lines.begin());
+  lines.erase(lines.begin());
   return lines;
 }
 
@@ -226,7 +225,7 @@ Section warnings_section(const Node& diagnosis) {
 
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
   Page page{.title = fmt::format("{}: diagnosis", diagnosis.find("dataset").value().text()),
-            .verdict = verdict_of(folder, diagnosis),
+            .verdict = verdict_of(folder),
             .cautions = cautions_of(folder),
             .origin = origin_text(folder, made_by),
             .sections = {}};

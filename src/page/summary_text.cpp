@@ -1,8 +1,11 @@
 #include "page/summary_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
+#include "coilwright/text/input_error.hpp"
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
 
@@ -10,16 +13,23 @@ namespace coilwright::page {
 
 std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
   const std::filesystem::path file = folder / "summary.txt";
-  if (!std::filesystem::is_regular_file(file)) return {};
+  if (!std::filesystem::is_regular_file(file))
+    throw text::InputError({.file = file.string(), .rule = "must be there: diagnose writes it beside diagnosis.json"});
   std::istringstream lines(text::read_text(file, text::json_size_limit).text);
   std::string line;
   while (std::getline(lines, line) && !heading.empty() && line != heading) {
   }
+  if (!lines)
+    throw text::InputError(
+        {.file = file.string(),
+         .rule = heading.empty() ? "must not be empty" : fmt::format("must have the section \"{}\"", heading)});
   std::vector<std::string> out;
   while (std::getline(lines, line)) {
     if (line.empty() && !out.empty()) break;
     if (!line.empty()) out.push_back(line.substr(std::min(line.find_first_not_of(' '), line.size())));
   }
+  if (out.empty() && heading.empty())
+    throw text::InputError({.file = file.string(), .rule = "must say the verdict below its title"});
   return out;
 }
 

@@ -8,8 +8,8 @@
 namespace coilwright::page {
 
 /// The lines below a heading of summary.txt in a folder of `diagnose`, up to the next empty one, without what indents
-/// them; below its title where `heading` is empty. Empty where there is no such file or heading. Throws InputError
-/// where the file cannot be read.
+/// them; below its title where `heading` is empty. Throws InputError where there is no such file or heading, and
+/// where nothing stands below the title: a page without its verdict or its doubts would say more than is known.
 [[nodiscard]] std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading);
 
 }  // namespace coilwright::page

@@ -1,12 +1,13 @@
 #include "page/next_section.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <fstream>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "temporary_folder.hpp"
 
@@ -32,6 +33,16 @@ TEST(NextSection, SaysWhatElseItCouldBeAsTheSummaryDoes) {
             (std::vector<std::string>{"Go on with actuator.json.",
                                       "These data cannot tell apart: coil_heating, magnet_heating.",
                                       "No run is proposed that would separate explanations."}));
+}
+
+// A page without its verdict or its doubts would say more than is known.
+TEST(NextSection, IsRefusedWhereTheSummaryLacksASection) {
+  try {
+    (void)paragraphs_of("finger: explained\n\nThe declared model lacks dry_friction.\n");
+    FAIL();
+  } catch (const text::InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::EndsWith("summary.txt: must have the section \"What to do next\""));
+  }
 }
 
 }  // namespace

@@ -94,12 +94,17 @@ bool is_told(const Diagnosis& diagnosis, const compare::ComparedHypothesis& riva
   });
 }
 
+// The one that is reported; the end where it was not compared.
+auto reported_among(const std::vector<compare::ComparedHypothesis>& compared, const Diagnosis& diagnosis) {
+  return std::ranges::find_if(compared, [&](const compare::ComparedHypothesis& each) {
+    return formats::is_reported(diagnosis, each.effects) && each.evidence;
+  });
+}
+
 // Those that these data refute by little, and how each of them shows itself at the rig.
 std::string near_rivals_text(const Diagnosis& diagnosis) {
   const auto compared = formats::compared_as_reported(diagnosis);
-  const auto reported = std::ranges::find_if(compared, [&](const compare::ComparedHypothesis& each) {
-    return formats::is_reported(diagnosis, each.effects) && each.evidence;
-  });
+  const auto reported = reported_among(compared, diagnosis);
   if (diagnosis.effects.empty() || reported == compared.end()) return {};
   std::string text;
   std::size_t count = 0;
@@ -126,9 +131,7 @@ std::string near_rivals_text(const Diagnosis& diagnosis) {
 // Whether a hypothesis with more effects than those reported has a larger gain, which decides nothing by itself.
 bool gains_with_more(const Diagnosis& diagnosis) {
   const auto compared = formats::compared_as_reported(diagnosis);
-  const auto reported = std::ranges::find_if(compared, [&](const compare::ComparedHypothesis& each) {
-    return formats::is_reported(diagnosis, each.effects) && each.evidence;
-  });
+  const auto reported = reported_among(compared, diagnosis);
   return reported != compared.end() && std::ranges::any_of(compared, [&](const compare::ComparedHypothesis& each) {
            return each.evidence && each.effects.size() > reported->effects.size() &&
                   each.evidence->quasi_bic_gain > reported->evidence->quasi_bic_gain;

@@ -52,11 +52,12 @@ CommandedInput step_command(const StepInput& step) {
 }
 
 CommandedInput sine_command(const SineInput& sine) {
-  // Held samples of a faster sine are another motion: at the frame rate itself they all are alike.
+  // Held samples of a faster sine are another motion; at that frequency they all are alike.
   const double fastest = 0.5 / sine.interval;
-  if (!(sine.frequency >= 0.0 && sine.frequency <= fastest) && std::isfinite(sine.interval) && sine.interval > 0.0)
-    throw std::invalid_argument(fmt::format(
-        "frequency must be from 0 to {:.6g} Hz, half of the samples a second; got {:.6g}", fastest, sine.frequency));
+  if (!(sine.frequency >= 0.0 && sine.frequency < fastest) && std::isfinite(sine.interval) && sine.interval > 0.0)
+    throw std::invalid_argument(
+        fmt::format("frequency must be at least 0 and below {:.6g} Hz, half of the samples a second; got {:.6g}",
+                    fastest, sine.frequency));
   CommandedInput command{.times = sample_times(sine.duration, sine.interval)};
   command.rows.reserve(command.times.size());
   for (const double t : command.times)

@@ -133,11 +133,11 @@ class Simulate(ProgramTest):
 
     def test_a_sine_that_its_samples_cannot_show_is_refused(self):
         # Sampled at its own frequency it would be a finger at rest.
-        for frequency in ("1000", "-2"):
+        for frequency in ("1000", "250", "-2"):
             with self.subTest(frequency):
                 self.assert_refused(["simulate", PAPER_FINGER, "--sine", "0.7", "0.7", frequency, "--out", "x.csv"],
-                                    "--sine, --interval-s: frequency must be from 0 to 250 Hz, half of the samples a second; "
-                                    f"got {frequency}")
+                                    "--sine, --interval-s: frequency must be at least 0 and below 250 Hz, half of the samples a "
+                                    f"second; got {frequency}")
 
     def test_inputs_that_do_not_fit_are_refused_and_keep_the_old_result(self):
         self.write("out.csv", "precious")

@@ -37,7 +37,7 @@ struct StepInput {
 struct SineInput {
   double amplitude{};  ///< A
   double offset{};     ///< A
-  double frequency{};  ///< Hz, 0 to 1 / (2 interval)
+  double frequency{};  ///< Hz, >= 0 and below 1 / (2 interval)
   double duration{};   ///< s; > 0
   double interval{};   ///< s; > 0
 };

@@ -75,7 +75,15 @@ std::string parameters_text(const AddedEffect& effect) {
     else
       table.row(estimate_row(each));
   }
-  return table.text(4, {left, right, left});
+  std::string text = table.text(4, {left, right, left});
+  for (const compare::Estimate& each : effect.parameters)
+    if (each.has_many_optima)
+      text += fmt::format(
+          "    {} fits about as well at other values, apart from each other: its interval is coarse. Measure it at "
+          "the\n"
+          "    rig if a design rests on it.\n",
+          each.key);
+  return text;
 }
 
 std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& evidence) {

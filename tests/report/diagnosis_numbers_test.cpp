@@ -10,6 +10,7 @@ namespace {
 using namespace coilwright::testing;
 using namespace measurement;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(DiagnosisNumbers, SaysWhichSideOfAnIntervalIsOpen) {
   Diagnosis diagnosis = example();
@@ -28,6 +29,16 @@ TEST(DiagnosisNumbers, SaysOfAChoiceThatItIsOne) {
   EXPECT_THAT(text_of(diagnosis), HasSubstr("  end_stop: a stop\n"
                                             "    angle_deg  40  39 to 41 (95 %)\n"
                                             "    side       -1  (chosen)\n"));
+}
+
+TEST(DiagnosisNumbers, SaysOfOneWithManyOptimaThatItsIntervalIsCoarse) {
+  Diagnosis diagnosis = example();
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("apart from each other")));
+  diagnosis.effects[0].parameters[0].has_many_optima = true;
+  EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("    torque_Nmm  0.61  0.58 to 0.64 (95 %)\n"
+                        "    torque_Nmm fits about as well at other values, apart from each other: its interval is "
+                        "coarse. Measure it at the\n    rig if a design rests on it.\n"));
 }
 
 TEST(DiagnosisNumbers, HasAsManyDigitsAsAnIntervalBears) {

@@ -92,7 +92,8 @@ class Backlash final : public DescribedEffect {
              .source = "two inertias and a dead zone: Nordin and Gutman, Automatica 38 (2002) 1633; inertia "
                        "and seat are choices",
              .check =
-                 "hold the joint and push the magnet to and fro by hand: it must neither click nor move in its seat",
+                 "hold the joint and push the magnet to and fro by hand: it must neither click nor move in its seat; "
+                 "measure how far it moves: the gap found here rests on an assumed inertia and bounce",
              .parameters = {{.key = "gap_deg",
                              .text = "from one side of its seat to the other, as an angle of the joint",
                              .lower = 0.0,

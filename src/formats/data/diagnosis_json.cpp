@@ -44,6 +44,7 @@ Json estimate_json(const compare::Estimate& estimate) {
   if (shown.declared) out.set("declared", *shown.declared);
   if (!estimate.determined) out.set("determined", false);
   if (estimate.chosen) out.set("choice", true);
+  if (estimate.has_many_optima) out.set("many_optima", true);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
+#include "measurement/compare/valleys.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
@@ -114,6 +116,45 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
   return out;
 }
 
+// What was found along the numbers of effects whose intervals are those of one valley among many.
+class OtherValleys {
+ public:
+  // `fitted` and `pass` belong together; the pass takes a better optimum that was seen.
+  void look_for(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, IntervalPass& pass,
+                double overdispersion) {
+    if (searches_++ == search_effort.valley_searches) return;
+    for (std::size_t effect = 0; effect < fitted.hypothesis.effects().size(); ++effect) {
+      const auto numbers = fitted.hypothesis.effects()[effect].kind->parameters();
+      const fit::Hypothesis::EffectParameters& varied = fitted.hypothesis.parameters_of(effect);
+      for (std::size_t k = 0; k < varied.numbers.size(); ++k) {
+        const Eigen::Index parameter = varied.first + static_cast<Eigen::Index>(k);
+        const double absent = numbers[varied.numbers[k]].absent.value_or(0.0);
+        if (!is_suspiciously_narrow(pass.estimates[static_cast<std::size_t>(parameter)], absent)) continue;
+        const Valleys found = valleys_along(runs, fitted, parameter, absent, overdispersion);
+        pass.simulated_runs += found.simulated_runs;
+        if (found.ends) ends_.insert_or_assign(parameter, *found.ends);
+        if (!found.better || found.better->fit.objective() >= pass.best_chi_square) continue;
+        pass.best_chi_square = found.better->fit.objective();
+        pass.best_values = found.better->fit.values;
+      }
+    }
+  }
+
+  void widen(std::vector<Estimate>& estimates) const {
+    for (const auto& [parameter, ends] : ends_) {
+      Estimate& estimate = estimates[static_cast<std::size_t>(parameter)];
+      estimate.lower = std::min(estimate.lower, ends.lower);
+      estimate.upper = std::max(estimate.upper, ends.upper);
+      estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
+      estimate.has_many_optima = true;
+    }
+  }
+
+ private:
+  int searches_ = 0;
+  std::map<Eigen::Index, Valleys::Ends> ends_{};
+};
+
 }  // namespace
 
 fit::Counted<FittedHypothesis> refitted(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted) {
@@ -130,13 +171,17 @@ fit::Counted<FittedHypothesis> refitted(std::span<const replay::PreparedRun> run
 EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted, double overdispersion,
                               const std::function<void(const std::string&)>& progress) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
+  OtherValleys valleys;
   for (int moves = 0;; ++moves) {
     IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, progress);
+    const auto is_best = [&] {
+      return out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion;
+    };
+    if (is_best()) valleys.look_for(runs, out.fitted, pass, overdispersion);
     out.simulated_runs += pass.simulated_runs;
     out.estimates = std::move(pass.estimates);
-    if (moves == search_effort.largest_number_of_moves ||
-        out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion)
-      return out;
+    valleys.widen(out.estimates);
+    if (moves == search_effort.largest_number_of_moves || is_best()) return out;
     auto better = fit_exactly(
         runs, {.hypothesis = out.fitted.hypothesis, .start = pass.best_values, .local_numbers_from = &out.fitted.fit});
     out.simulated_runs += better.simulated_runs;

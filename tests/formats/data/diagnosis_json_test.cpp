@@ -143,6 +143,13 @@ TEST(DiagnosisJson, SaysOfAChoiceThatItIsOne) {
   EXPECT_EQ(parameters["side"], ordered_json::parse(R"({"value": -1.0, "ci95": [-1.0, -1.0], "choice": true})"));
 }
 
+TEST(DiagnosisJson, SaysOfANumberThatItHasManyOptima) {
+  Diagnosis diagnosis = example();
+  diagnosis.effects[0].parameters[0].has_many_optima = true;
+  const auto parameter = json_of(diagnosis)["effects"][0]["parameters"]["torque_Nmm"];
+  EXPECT_EQ(parameter, ordered_json::parse(R"({"value": 0.61, "ci95": [0.58, 0.64], "many_optima": true})"));
+}
+
 TEST(DiagnosisJson, PutsOtherQuantitiesBesideTheAngle) {
   Diagnosis diagnosis = example();
   ErrorComparison torque = comparison(data::ChannelKind::torque, 12, 1e-3);

@@ -79,9 +79,8 @@ std::string parameters_text(const AddedEffect& effect) {
   for (const compare::Estimate& each : effect.parameters)
     if (each.has_many_optima)
       text += fmt::format(
-          "    {} fits about as well at other values, apart from each other: its interval is coarse. Measure it at "
-          "the\n"
-          "    rig if a design rests on it.\n",
+          "    {} fits about as well at other values, apart from each other: its interval is coarse. Measure it\n"
+          "    at the rig if a design rests on it.\n",
           each.key);
   return text;
 }

@@ -261,6 +261,8 @@ void set_tolerance(CalibrationParameter& parameter, const PlannedNumber& number,
   if (deviation <= 0.0) return;
   parameter.tolerance = {.deviation = deviation, .named = number.by != MovedBy::defaults};
   parameter.scale = deviation;
+  const auto* curve = number.difference ? std::get_if<ForceCurveNumber>(&*number.difference) : nullptr;
+  if (curve != nullptr && curve->order > 0) parameter.function = "force_curve";
   // Faces that the actuator does not have: they touch nowhere in its motion.
   if (number.name == "face_closing_deg") parameter.other_start = parameter.lower;
 }

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,21 @@ fit::Counted<double> quasi_bic_under(const replay::DeclaredModel& declared, std:
 
 bool is_named_by(const replay::CalibrationParameter& number, const std::vector<const actuator::EffectKind*>& kinds) {
   return std::ranges::any_of(kinds, [&](const actuator::EffectKind* kind) { return number.effect == kind->id(); });
+}
+
+// A number by itself, or the coefficients of one function.
+struct DeclaredThing {
+  std::string name{};
+  std::vector<std::size_t> numbers{};  // places among the calibration
+};
+
+DeclaredThing thing_of(const std::vector<replay::CalibrationParameter>& calibration, std::size_t number) {
+  const std::string_view function = calibration[number].function;
+  if (function.empty()) return {.name = calibration[number].key, .numbers = {number}};
+  DeclaredThing out{.name = std::string(function)};
+  for (std::size_t i = 0; i < calibration.size(); ++i)
+    if (calibration[i].function == function && calibration[i].tolerance) out.numbers.push_back(i);
+  return out;
 }
 
 // The places among its calibration of the numbers that a fit has moved far, the furthest first.
@@ -86,17 +103,28 @@ fit::Counted<GainOverFreeNumber> gain_over_a_free_number(std::span<const replay:
   std::vector<std::size_t> tried = numbers_moved_far(without);
   const std::vector<const actuator::EffectKind*> kinds = with.kinds();
   std::erase_if(tried, [&](std::size_t i) { return is_named_by(declared.calibration[i], kinds); });
-  tried.resize(std::min(tried.size(), most_tried));
+  std::vector<DeclaredThing> things;
+  for (const std::size_t i : tried) {
+    DeclaredThing thing = thing_of(declared.calibration, i);
+    if (std::ranges::find(things, thing.name, &DeclaredThing::name) == things.end()) things.push_back(std::move(thing));
+  }
+  things.resize(std::min(things.size(), most_tried));
   fit::Counted<GainOverFreeNumber> out;
   const double charge = penalty_per_number(with, overdispersion);
-  for (const std::size_t i : tried) {
+  for (const DeclaredThing& thing : things) {
     replay::DeclaredModel freed = declared;
-    freed.calibration[i].tolerance.reset();
-    freed.calibration[i].scale *= typical_change;
+    for (const std::size_t i : thing.numbers) {
+      replay::CalibrationParameter& number = freed.calibration[i];
+      number.scale *= typical_change;
+      if (number.function.empty())
+        number.tolerance.reset();
+      else
+        number.tolerance->deviation *= typical_change;
+    }
     const auto bic = quasi_bic_under(freed, runs, without, overdispersion);
     out.simulated_runs += bic.simulated_runs;
     const double gain = bic.value + charge - quasi_bic(with, overdispersion);
-    if (gain < out.value.gain) out.value = {.gain = gain, .number = freed.calibration[i].key};
+    if (gain < out.value.gain) out.value = {.gain = gain, .number = thing.name};
   }
   return out;
 }

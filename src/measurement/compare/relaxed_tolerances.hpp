@@ -23,12 +23,14 @@ namespace coilwright::measurement::compare {
 /// How much a hypothesis gains over a smaller one with one declared number free.
 struct GainOverFreeNumber {
   double gain = std::numeric_limits<double>::infinity();  ///< of the quasi-BIC; infinite where no number was tried
-  std::string number{};                                   ///< its key; empty where none was tried
+  std::string number{};  ///< its key, or the function of which it is a coefficient; empty where none was tried
 };
 /// The gain of `with` over `without` with that one of its declared numbers free that does most for it, charged as a
 /// number of an effect is. Numbers are tried that the fit of `without` has moved by more than two tolerances, four at
 /// most, and none whose name an effect of `with` is. A number of which somebody was too sure moves as far as it is off;
-/// held by its prior it passes what it lacks to its neighbours, and to any effect that does alike.
+/// held by its prior it passes what it lacks to its neighbours, and to any effect that does alike. Coefficients of one
+/// function (CalibrationParameter::function) are tried together, charged once, with tolerances ten times as wide: they
+/// stay those of a smooth function.
 [[nodiscard]] fit::Counted<GainOverFreeNumber> gain_over_a_free_number(std::span<const replay::PreparedRun> runs,
                                                                        const FittedHypothesis& without,
                                                                        const FittedHypothesis& with,

@@ -16,7 +16,7 @@ namespace coilwright::measurement::noise {
 namespace {
 
 constexpr std::size_t fewest_levels = 3;
-constexpr double chance = 0.01;  // in both tails together
+constexpr double chance = 0.01;  // that one of all levels lies outside, in both tails together
 constexpr int most_rounds = 20;
 
 double variance(const NoiseLevel& level) {
@@ -35,11 +35,12 @@ double weighted_median_variance(std::vector<NoiseLevel*> levels) {
   return variance(*levels.back());
 }
 
-bool agrees(const NoiseLevel& level, double common) {
+// `probability`: that chance alone has it further off.
+bool agrees(const NoiseLevel& level, double common, double probability) {
   const boost::math::chi_squared distribution(level.freedom);
   const double energy = level.freedom * variance(level) / common;
-  return energy >= boost::math::quantile(distribution, 0.5 * chance) &&
-         energy <= boost::math::quantile(boost::math::complement(distribution, 0.5 * chance));
+  return energy >= boost::math::quantile(distribution, 0.5 * probability) &&
+         energy <= boost::math::quantile(boost::math::complement(distribution, 0.5 * probability));
 }
 
 double mean_variance(const std::vector<NoiseLevel*>& levels) {
@@ -54,12 +55,13 @@ double mean_variance(const std::vector<NoiseLevel*>& levels) {
 
 // Those that agree with the mean of those that agree.
 std::vector<NoiseLevel*> agreeing(const std::vector<NoiseLevel*>& all) {
+  const double probability = chance / static_cast<double>(all.size());
   double common = weighted_median_variance(all);
   std::vector<NoiseLevel*> found;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<NoiseLevel*> next;
     for (NoiseLevel* level : all)
-      if (agrees(*level, common)) next.push_back(level);
+      if (agrees(*level, common, probability)) next.push_back(level);
     if (next.size() < fewest_levels) return {};
     if (next == found) break;
     found = std::move(next);

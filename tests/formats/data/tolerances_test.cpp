@@ -155,6 +155,7 @@ TEST(Tolerances, OfTheForceCurveGiveItsRmsError) {
   const Tolerances said{.others_exact = true, .named = {{"force_curve", 0.04}}};
   const DeclaredActuator actuator = declared(paper_finger(), {}, said);
   ASSERT_THAT(keys(actuator), ElementsAre("force_curve_1", "force_curve_2", "force_curve_3"));
+  for (const auto& number : actuator.model.calibration) EXPECT_EQ(number.function, "force_curve");
   // Over 0 to 60 degrees; the coefficients are independent, so the mean square is the sum of three.
   const ModelSpec nominal = actuator.model.build(std::vector{0.0, 0.0, 0.0});
   double mean_square = 0.0;

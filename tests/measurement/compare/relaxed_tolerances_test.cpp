@@ -94,6 +94,22 @@ TEST(FreeNumber, ExplainsWhatAnEffectGainsFromAPriorThatIsTooTight) {
   EXPECT_NEAR(compared.gain_over_free(), expected, 0.5);
 }
 
+// Mass and damping, each off by ten tolerances, which cost 100 of chi-square: as coefficients of one function they are
+// given way to together, and at tolerances ten times as wide both cost 2.
+TEST(FreeNumber, MayBeSeveralCoefficientsOfOneFunction) {
+  replay::DeclaredModel declared = weighed_slide(true_mass + 0.05, 5e-3);
+  replay::CalibrationParameter& damping = declared.calibration[1];
+  damping.declared = 1.5 * true_damping;
+  damping.tolerance = replay::Tolerance{.deviation = 0.05 * true_damping};
+  damping.scale = damping.tolerance->deviation;
+  damping.calibrated = false;
+  const Compared apart(dragged_run(0.0), declared);
+  for (replay::CalibrationParameter& each : declared.calibration) each.function = "path";
+  const Compared together(dragged_run(0.0), declared);
+  EXPECT_EQ(together.over_free().number, "path");
+  EXPECT_NEAR(apart.gain_over_free() - together.gain_over_free(), 98.0, 10.0);
+}
+
 // The drag is there and the mass was weighed well enough: no number has moved far.
 TEST(FreeNumber, IsNotSoughtWhereNoneHasMovedFar) {
   const Compared compared(dragged_run(0.2), weighed_slide(true_mass, 1.0));

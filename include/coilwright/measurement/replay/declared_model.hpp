@@ -32,6 +32,9 @@ struct CalibrationParameter {
   /// valleys on both sides of it. Nothing for most numbers.
   std::optional<double> other_start{};
   std::string_view effect{};  ///< id of the effect whose name a change of it alone bears; may be empty
+  /// The function of which it is one of several coefficients, "force_curve": who measures one measures all. Empty for a
+  /// number by itself.
+  std::string_view function{};
 };
 
 /// The model that the user declares, with the numbers that may be recalibrated.

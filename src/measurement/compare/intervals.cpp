@@ -84,21 +84,71 @@ struct IntervalPass {
   long simulated_runs{};
 };
 
+// What was found along the numbers of effects whose intervals are those of one valley among many.
+class OtherValleys {
+ public:
+  // `fitted` and `pass` belong together; the pass takes a better optimum that was seen.
+  void look_for(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, IntervalPass& pass,
+                double overdispersion) {
+    if (searches_++ == search_effort.valley_searches) return;
+    for (std::size_t effect = 0; effect < fitted.hypothesis.effects().size(); ++effect) {
+      const auto numbers = fitted.hypothesis.effects()[effect].kind->parameters();
+      const fit::Hypothesis::EffectParameters& varied = fitted.hypothesis.parameters_of(effect);
+      for (std::size_t k = 0; k < varied.numbers.size(); ++k) {
+        const Eigen::Index parameter = varied.first + static_cast<Eigen::Index>(k);
+        const double absent = numbers[varied.numbers[k]].absent.value_or(0.0);
+        if (!are_along(parameter) &&
+            !is_suspiciously_narrow(pass.estimates[static_cast<std::size_t>(parameter)], absent))
+          continue;
+        const Valleys found = valleys_along(runs, fitted, parameter, absent, overdispersion);
+        pass.simulated_runs += found.simulated_runs;
+        if (found.ends) ends_.insert_or_assign(parameter, *found.ends);
+        if (!found.better || found.better->fit.objective() >= pass.best_chi_square) continue;
+        pass.best_chi_square = found.better->fit.objective();
+        pass.best_values = found.better->fit.values;
+      }
+    }
+  }
+
+  // Whether the number has many, as far as was looked.
+  [[nodiscard]] bool are_along(Eigen::Index parameter) const { return ends_.contains(parameter); }
+
+  void set_intervals(std::vector<Estimate>& estimates) const {
+    for (const auto& [parameter, ends] : ends_) {
+      Estimate& estimate = estimates[static_cast<std::size_t>(parameter)];
+      estimate.lower = std::min(estimate.value, ends.lower);
+      estimate.upper = std::max(estimate.value, ends.upper);
+      estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
+      estimate.has_many_optima = true;
+    }
+  }
+
+ private:
+  int searches_ = 0;
+  std::map<Eigen::Index, Valleys::Ends> ends_{};
+};
+
+// A number with many valleys has no profile: its interval is what was found along it.
 IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
-                                  double overdispersion, const std::function<void(const std::string&)>& progress) {
+                                  double overdispersion, const OtherValleys& valleys,
+                                  const std::function<void(const std::string&)>& progress) {
   const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
   IntervalPass out{.estimates = {}, .best_chi_square = fitted.fit.objective(), .best_values = fitted.fit.values};
   for (Eigen::Index i = 0; i < fitted.hypothesis.size(); ++i)
     out.estimates.push_back(local_estimate(fitted.hypothesis.parameters()[static_cast<std::size_t>(i)],
                                            fitted.fit.values[i], deviations[i]));
   const std::size_t calibrated = fitted.hypothesis.declared().calibration.size();
-  std::vector<ProfileLikelihood> sides;  // below and above each number of an effect
-  for (std::size_t i = calibrated; i < out.estimates.size(); ++i)
+  std::vector<std::size_t> profiled;     // numbers of effects
+  std::vector<ProfileLikelihood> sides;  // below and above each of them
+  for (std::size_t i = calibrated; i < out.estimates.size(); ++i) {
+    if (valleys.are_along(static_cast<Eigen::Index>(i))) continue;
+    profiled.push_back(i);
     for (int side = 0; side < 2; ++side) sides.emplace_back(runs, fitted, static_cast<Eigen::Index>(i), overdispersion);
+  }
   std::mutex reporting;
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t side) {
-    const std::size_t i = calibrated + side / 2;
+    const std::size_t i = profiled[side / 2];
     Estimate& estimate = out.estimates[i];
     const double deviation = deviations[static_cast<Eigen::Index>(i)];
     (side % 2 == 0 ? estimate.lower : estimate.upper) = sides[side].crossing(side % 2 == 0 ? -1.0 : 1.0, deviation);
@@ -115,45 +165,6 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
     out.estimates[i].determined = std::isfinite(out.estimates[i].lower) || std::isfinite(out.estimates[i].upper);
   return out;
 }
-
-// What was found along the numbers of effects whose intervals are those of one valley among many.
-class OtherValleys {
- public:
-  // `fitted` and `pass` belong together; the pass takes a better optimum that was seen.
-  void look_for(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, IntervalPass& pass,
-                double overdispersion) {
-    if (searches_++ == search_effort.valley_searches) return;
-    for (std::size_t effect = 0; effect < fitted.hypothesis.effects().size(); ++effect) {
-      const auto numbers = fitted.hypothesis.effects()[effect].kind->parameters();
-      const fit::Hypothesis::EffectParameters& varied = fitted.hypothesis.parameters_of(effect);
-      for (std::size_t k = 0; k < varied.numbers.size(); ++k) {
-        const Eigen::Index parameter = varied.first + static_cast<Eigen::Index>(k);
-        const double absent = numbers[varied.numbers[k]].absent.value_or(0.0);
-        if (!is_suspiciously_narrow(pass.estimates[static_cast<std::size_t>(parameter)], absent)) continue;
-        const Valleys found = valleys_along(runs, fitted, parameter, absent, overdispersion);
-        pass.simulated_runs += found.simulated_runs;
-        if (found.ends) ends_.insert_or_assign(parameter, *found.ends);
-        if (!found.better || found.better->fit.objective() >= pass.best_chi_square) continue;
-        pass.best_chi_square = found.better->fit.objective();
-        pass.best_values = found.better->fit.values;
-      }
-    }
-  }
-
-  void widen(std::vector<Estimate>& estimates) const {
-    for (const auto& [parameter, ends] : ends_) {
-      Estimate& estimate = estimates[static_cast<std::size_t>(parameter)];
-      estimate.lower = std::min(estimate.lower, ends.lower);
-      estimate.upper = std::max(estimate.upper, ends.upper);
-      estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
-      estimate.has_many_optima = true;
-    }
-  }
-
- private:
-  int searches_ = 0;
-  std::map<Eigen::Index, Valleys::Ends> ends_{};
-};
 
 }  // namespace
 
@@ -173,15 +184,14 @@ EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedH
   EstimatedHypothesis out{.fitted = std::move(fitted)};
   OtherValleys valleys;
   for (int moves = 0;; ++moves) {
-    IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, progress);
-    const auto is_best = [&] {
-      return out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion;
-    };
-    if (is_best()) valleys.look_for(runs, out.fitted, pass, overdispersion);
+    IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, valleys, progress);
+    valleys.look_for(runs, out.fitted, pass, overdispersion);
     out.simulated_runs += pass.simulated_runs;
     out.estimates = std::move(pass.estimates);
-    valleys.widen(out.estimates);
-    if (moves == search_effort.largest_number_of_moves || is_best()) return out;
+    valleys.set_intervals(out.estimates);
+    if (moves == search_effort.largest_number_of_moves ||
+        out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion)
+      return out;
     auto better = fit_exactly(
         runs, {.hypothesis = out.fitted.hypothesis, .start = pass.best_values, .local_numbers_from = &out.fitted.fit});
     out.simulated_runs += better.simulated_runs;

@@ -109,7 +109,7 @@ struct SearchEffort {
   int farthest_valley = 76;
   int far_valley_steps = 5;
   double valley_step = 0.04;
-  std::ptrdiff_t refined_valleys = 2;
+  std::size_t refined_valleys = 2;
   int valley_searches = 2;
   /// Number of times that the intervals are taken anew at a better optimum.
   int largest_number_of_moves = 8;

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -73,8 +72,7 @@ std::vector<Trial> tried_on_both_sides(const Row& row) {
   for (int steps = -search_effort.valley_starts; steps <= search_effort.valley_starts; ++steps)
     if (steps != 0) starts.push_back(row.start(steps));
   std::ranges::sort(starts);
-  const auto [first, last] = std::ranges::unique(starts);
-  starts.erase(first, last);
+  starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
   std::vector<Trial> out(starts.size());
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) { out[i] = row.tried(starts[i]); });
   return out;
@@ -102,7 +100,8 @@ fit::Counted<std::optional<FittedHypothesis>> better_optimum(const Row& row, con
   for (const Trial& trial : trials)
     if (std::isfinite(trial.objective)) leading.push_back(&trial);
   std::ranges::stable_sort(leading, {}, &Trial::objective);
-  for (const Trial* trial : leading | std::views::take(search_effort.refined_valleys)) {
+  const std::size_t refined_valleys = std::min(leading.size(), search_effort.refined_valleys);
+  for (const Trial* trial : std::span(leading).first(refined_valleys)) {
     auto refined = fit_to_convergence(row.runs, {.hypothesis = row.fitted.hypothesis,
                                                  .start = trial->values,
                                                  .local_numbers_from = &row.fitted.fit,

@@ -90,7 +90,8 @@ class OtherValleys {
   // `fitted` and `pass` belong together; the pass takes a better optimum that was seen.
   void look_for(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, IntervalPass& pass,
                 double overdispersion) {
-    if (searches_++ == search_effort.valley_searches) return;
+    if (searches_ == search_effort.valley_searches) return;
+    ++searches_;
     for (std::size_t effect = 0; effect < fitted.hypothesis.effects().size(); ++effect) {
       const auto numbers = fitted.hypothesis.effects()[effect].kind->parameters();
       const fit::Hypothesis::EffectParameters& varied = fitted.hypothesis.parameters_of(effect);

@@ -14,7 +14,7 @@ struct Valleys {
   /// A better optimum than that of the fit, to be fitted on from; nothing if there is none.
   std::optional<FittedHypothesis> better{};
   /// The ends that the interval has if all valleys count that chance cannot tell from the best; nothing if there is one
-  /// valley. An infinity where they reach a physical bound.
+  /// valley. An infinity where they reach a physical bound, or as far as was looked.
   struct Ends {
     double lower{};
     double upper{};

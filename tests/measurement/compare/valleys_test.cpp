@@ -9,28 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/staged_fit.hpp"
+#include "measurement/declared_finger.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
-
-const formats::DeclaredActuator& finger() {
-  static const std::vector<std::string> calibrated{"joint_stiffness", "joint_damping"};
-  static const formats::DeclaredActuator declared = formats::parse_declared_actuator(
-      R"({"format": "actuator/1", "configuration": "B",
-          "coil": {"inner_radius_mm": 3, "turns_radial": 15, "turns_axial": 30, "wire_gauge_AWG": 28},
-          "magnet": {"radius_mm": 10, "length_mm": 6, "grade": "N52"},
-          "body": {"gap_mm": 0.9, "bottom_layer_mm": 2.5, "side_wall_mm": 1, "bottom_wall_mm": 0.25, "top_wall_mm": 1.25,
-                   "front_length_mm": 8.6, "rear_length_mm": 20, "shore_hardness_A": 28},
-          "measured": {"joint_stiffness_Nmm_rad": 12.5, "joint_damping_Nmms_rad": 0.129}})",
-      "finger.json", {.names = calibrated, .file = "dataset.json", .tolerances = {}});
-  return declared;
-}
 
 // A step and a release.
 experiment::Experiment there_and_back() {

@@ -14,6 +14,7 @@
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/recalibration.hpp"
+#include "measurement/compare/relaxed_tolerances.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/correction/find_correction.hpp"
@@ -50,12 +51,17 @@ class PhaseTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Verdict verdict_of(const compare::Attribution& found, double probability_of_declared) {
-  if (found.steps.size() == 1) {
-    if (!found.before().whiteness.is_white()) return Verdict::unexplained;
-    return probability_of_declared < compare::decision_thresholds.least_probability ? Verdict::declared_numbers_off
-                                                                                    : Verdict::no_missing_effect;
-  }
+// Whether the declared model alone, recalibrated, leaves noise.
+bool is_enough(const compare::Attribution& found) {
+  return found.steps.size() == 1 && found.before().whiteness.is_white();
+}
+
+Verdict verdict_of(const compare::Attribution& found, double probability_of_declared, bool one_number_is_off) {
+  if (is_enough(found))
+    return one_number_is_off || probability_of_declared < compare::decision_thresholds.least_probability
+               ? Verdict::declared_numbers_off
+               : Verdict::no_missing_effect;
+  if (found.steps.size() == 1) return Verdict::unexplained;
   return found.after().whiteness.is_white() ? Verdict::explained : Verdict::partly_explained;
 }
 
@@ -142,11 +148,14 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const auto idle_after = found.steps.size() == 1
                               ? fit::Counted<std::vector<compare::IdleNumber>>{.value = idle_before.value}
                               : compare::idle_numbers(runs, found.after());
-  timer.end_phase("intervals and cross-validation",
-                  pruned.simulated_runs + idle_before.simulated_runs + idle_after.simulated_runs);
+  auto numbers_off = is_enough(found) ? compare::numbers_that_may_be_off(runs, found.before(), pruned.overdispersion)
+                                      : fit::Counted<std::vector<compare::NumberOff>>{};
+  timer.end_phase("intervals and cross-validation", pruned.simulated_runs + idle_before.simulated_runs +
+                                                        idle_after.simulated_runs + numbers_off.simulated_runs);
 
   out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before.value);
-  out.verdict = verdict_of(found, out.probability_of_declared);
+  out.numbers_off = std::move(numbers_off.value);
+  out.verdict = verdict_of(found, out.probability_of_declared, !out.numbers_off.empty());
   out.model_error = found.after().fit.model_error;
   out.before = found.before().whiteness;
   out.after = found.after().whiteness;

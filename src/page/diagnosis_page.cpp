@@ -224,7 +224,9 @@ Section warnings_section(const Node& diagnosis) {
 }  // namespace
 
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
-  Page page{.title = fmt::format("{}: diagnosis", diagnosis.find("dataset").value().text()),
+  const std::string dataset = diagnosis.find("dataset").value().text();
+  require_summary_of(folder, dataset, diagnosis.find("verdict").value().text());
+  Page page{.title = fmt::format("{}: diagnosis", dataset),
             .verdict = verdict_of(folder),
             .cautions = cautions_of(folder),
             .origin = origin_text(folder, made_by),

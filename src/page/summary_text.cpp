@@ -11,11 +11,24 @@
 
 namespace coilwright::page {
 
-std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
-  const std::filesystem::path file = folder / "summary.txt";
+namespace {
+
+std::filesystem::path summary_in(const std::filesystem::path& folder) {
+  std::filesystem::path file = folder / "summary.txt";
   if (!std::filesystem::is_regular_file(file))
     throw text::InputError({.file = file.string(), .rule = "must be there: diagnose writes it beside diagnosis.json"});
-  std::istringstream lines(text::read_text(file, text::json_size_limit).text);
+  return file;
+}
+
+std::istringstream lines_of(const std::filesystem::path& file) {
+  return std::istringstream(text::read_text(file, text::json_size_limit).text);
+}
+
+}  // namespace
+
+std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
+  const std::filesystem::path file = summary_in(folder);
+  std::istringstream lines = lines_of(file);
   std::string line;
   while (std::getline(lines, line) && !heading.empty() && line != heading) {
   }
@@ -31,6 +44,18 @@ std::vector<std::string> summary_lines(const std::filesystem::path& folder, std:
   if (out.empty() && heading.empty())
     throw text::InputError({.file = file.string(), .rule = "must say the verdict below its title"});
   return out;
+}
+
+void require_summary_of(const std::filesystem::path& folder, const std::string& dataset, const std::string& verdict) {
+  const std::filesystem::path file = summary_in(folder);
+  const std::string expected = fmt::format("{}: {}", dataset, verdict);
+  std::istringstream lines = lines_of(file);
+  std::string title;
+  std::getline(lines, title);
+  if (title != expected)
+    throw text::InputError({.file = file.string(),
+                            .rule = fmt::format("must begin with \"{}\", as diagnosis.json beside it has it", expected),
+                            .value = fmt::format("\"{}\"", title)});
 }
 
 }  // namespace coilwright::page

@@ -9,6 +9,7 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
 #include "report/diagnosis_numbers.hpp"
+#include "report/diagnosis_numbers_off.hpp"
 
 namespace coilwright::report {
 namespace {
@@ -31,8 +32,10 @@ bool is_colour_unknown(const noise::NoiseLevel& level) {
   return level.colour.starts_with("taken as white");
 }
 
-// Declared numbers that moved far; if none did, and they are off together, those that moved most.
+// Declared numbers that moved far; if none did, and they are off together, those that moved most. Where one is off by
+// itself, those beside it have moved for its sake.
 std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
+  if (!diagnosis.numbers_off.empty()) return numbers_off_to_measure(diagnosis);
   std::vector<const MovedNumber*> ordered;
   for (const MovedNumber& each : diagnosis.nominal)
     if (!each.idle_from) ordered.push_back(&each);
@@ -42,10 +45,9 @@ std::vector<std::string> numbers_to_measure(const Diagnosis& diagnosis) {
   std::vector<std::string> out;
   for (const MovedNumber* each : ordered) {
     if (out.size() == most_to_measure || (moved(each) <= far && !(together && out.empty()))) continue;
-    // The numbers of its shape mean nothing by themselves.
     std::string what =
         each->estimate.key.starts_with("force_curve")
-            ? std::string("the torque over the angle at one current (a static_torque bench), whose shape is off")
+            ? shape_to_measure()
             : fmt::format("{} (declared {}, {} {})", each->estimate.key, number_text(formats::in_unit(*each).declared),
                           leaves_structure(diagnosis) ? "moved to" : "these data say", moved_to_text(*each));
     if (std::ranges::find(out, what) == out.end()) out.push_back(std::move(what));

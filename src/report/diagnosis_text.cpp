@@ -14,6 +14,7 @@
 #include "report/diagnosis_assumptions.hpp"
 #include "report/diagnosis_correction.hpp"
 #include "report/diagnosis_numbers.hpp"
+#include "report/diagnosis_numbers_off.hpp"
 #include "report/diagnosis_rivals.hpp"
 
 namespace coilwright::report {
@@ -49,6 +50,7 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
     case Verdict::no_missing_effect:
       return "The declared model lacks nothing that these data show: fitted anew, it reaches the noise.";
     case Verdict::declared_numbers_off:
+      if (!diagnosis.numbers_off.empty()) return numbers_off_sentence(diagnosis);
       return "The declared numbers are off: moved further than their tolerances make likely, they explain these data, "
              "and no missing effect does so decisively better.";
     case Verdict::explained:
@@ -111,7 +113,10 @@ std::string declared_text(const Diagnosis& diagnosis) {
   return fmt::format(
       "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
       "  rigs built to their tolerances are as far off or further ({}).\n",
-      share, probability < 0.01 ? "below 1 %: they are off, or an effect is missing" : "above 1 %: that may be chance");
+      share,
+      probability < 0.01              ? "below 1 %: they are off, or an effect is missing"
+      : diagnosis.numbers_off.empty() ? "above 1 %: that may be chance"
+                                      : "above 1 %: that may be chance of all, not of the one that is off");
 }
 
 // With the reason against the one that came nearest, where there is one.
@@ -133,7 +138,7 @@ std::string found_text(const Diagnosis& diagnosis) {
     text += evidence_text(diagnosis, each.evidence);
   }
   if (diagnosis.effects.empty()) text += no_effect_text(diagnosis);
-  return text + declared_text(diagnosis);
+  return text + numbers_off_text(diagnosis) + declared_text(diagnosis);
 }
 
 // Where no effect was found, the model with the effects is the one that was fitted anew.

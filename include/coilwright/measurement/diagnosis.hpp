@@ -10,6 +10,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/compare/estimate.hpp"
 #include "coilwright/measurement/compare/evidence.hpp"
+#include "coilwright/measurement/compare/number_off.hpp"
 #include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
 #include "coilwright/measurement/error_comparison.hpp"
@@ -24,7 +25,8 @@ namespace coilwright::measurement {
 /// The conclusion of a diagnosis; docs/theory/measurement.md states the rule for each.
 enum class Verdict {
   no_missing_effect,     ///< the recalibrated declared model already leaves noise
-  declared_numbers_off,  ///< declared numbers leave noise, moved further than their tolerances make likely (1 in 100)
+  declared_numbers_off,  ///< declared numbers leave noise, moved further than their tolerances make likely (1 in 100),
+                         ///< or one by itself is off (Diagnosis::numbers_off)
   explained,             ///< with the effects the residual is noise
   partly_explained,      ///< an effect improves the model significantly, structure remains
   unexplained            ///< structure remains, and the data support no effect
@@ -68,6 +70,9 @@ struct Diagnosis {
   std::vector<MovedNumber> nominal{};  ///< declared numbers within their tolerances, in the order of the model
   /// The probability that declared numbers lie at least as far from what the data say, in the recalibrated model.
   double probability_of_declared = 1.0;
+  /// The declared numbers of which one is off by itself, where no effect is reported and that leaves noise: the best
+  /// first, those from which these data do not tell it behind it. Empty where none is.
+  std::vector<compare::NumberOff> numbers_off{};
   /// How many times the noise the answer was taken to be wrong when tolerances, and what is known of inputs and starts,
   /// were weighed against it; 1: they were weighed against noise.
   double model_error = 1.0;

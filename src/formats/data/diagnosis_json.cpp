@@ -69,6 +69,17 @@ Json nominal_json(const Diagnosis& diagnosis) {
   return out;
 }
 
+// Of the shape of the torque no number is known.
+Json numbers_off_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const compare::NumberOff& each : diagnosis.numbers_off) {
+    Json number = Json::object({{"name", each.name}, {"criterion_gain", each.gain}});
+    if (each.estimate) number.set("estimate", estimate_json(*each.estimate));
+    out.add(std::move(number));
+  }
+  return out;
+}
+
 Json outliers_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const Outliers& each : diagnosis.outliers) {
@@ -265,6 +276,7 @@ Json to_json(const DiagnosisReport& report) {
   // Beyond the format.
   out.set("probability_of_declared",
           diagnosis.nominal.empty() ? Json(nullptr) : number_or_null(diagnosis.probability_of_declared));
+  out.set("numbers_off", numbers_off_json(diagnosis));
   out.set("model_error", diagnosis.model_error);
   out.set("held_exact", words_json(diagnosis.held_exact));
   out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));

@@ -5,76 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <mutex>
 #include <utility>
 
-#include "coilwright/algebra/spectral.hpp"
+#include "measurement/compare/curvature.hpp"
+#include "measurement/compare/many_valleys.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
-#include "measurement/compare/valleys.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// The square of Birge's ratio of the declared numbers: 1 as long as chance can have moved them together as far as they
-// are.
-double squared_birge_ratio(const FittedHypothesis& fitted) {
-  if (probability_of_declared_numbers(fitted) >= decision_thresholds.least_probability) return 1.0;
-  const auto count = std::ranges::count_if(fitted.hypothesis.parameters(), &fit::FitParameter::has_prior);
-  return std::max(1.0, fitted.fit.prior_chi_square / static_cast<double>(count));
-}
-
-// What data and priors say together of the numbers. Where some are off by far more than their tolerances, nobody knows
-// that of the others to be better: all tolerances are taken larger by Birge's ratio.
-Eigen::MatrixXd information(const FittedHypothesis& fitted) {
-  const fit::Fit& there = fitted.fit;
-  const double squared_ratio = squared_birge_ratio(fitted);
-  if (squared_ratio == 1.0) return there.normal_matrix;
-  const Eigen::MatrixXd prior = fitted.hypothesis.prior_jacobian(there.values, there.model_error);
-  return there.normal_matrix - (1.0 - 1.0 / squared_ratio) * prior.transpose() * prior;
-}
-
-// Standard deviations from the curvature at the optimum; infinite for parameters that the data do not determine.
-Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overdispersion) {
-  const Eigen::Index p = fitted.hypothesis.size();
-  const Eigen::VectorXd scales = fitted.hypothesis.scales();
-  const Eigen::MatrixXd scaled = scales.asDiagonal() * information(fitted) * scales.asDiagonal();
-  Eigen::VectorXd out = Eigen::VectorXd::Constant(p, infinity);
-  if (p == 0) return out;
-  // A direction that the data do not determine leaves only those parameters undetermined that contribute to it.
-  constexpr double undetermined = 1e-12;  // fraction of the largest eigenvalue
-  constexpr double contribution = 1e-6;   // squared component of a parameter
-  const algebra::SymmetricModes modes = algebra::symmetric_modes(scaled);
-  const double least = undetermined * modes.values.maxCoeff();
-  for (Eigen::Index i = 0; i < p; ++i) {
-    double variance = 0.0;
-    double hidden = 0.0;
-    for (Eigen::Index k = 0; k < p; ++k) {
-      const double share = modes.vectors(i, k) * modes.vectors(i, k);
-      if (modes.values[k] > least)
-        variance += share / modes.values[k];
-      else
-        hidden += share;
-    }
-    if (hidden <= contribution && variance > 0.0) out[i] = scales[i] * std::sqrt(overdispersion * variance);
-  }
-  return out;
-}
-
-Estimate local_estimate(const fit::FitParameter& parameter, double value, double deviation) {
-  Estimate out{.key = parameter.key, .value = value};
-  out.lower = value - normal_95 * deviation;
-  out.upper = value + normal_95 * deviation;
-  if (out.lower < parameter.lower) out.lower = -infinity;
-  if (out.upper > parameter.upper) out.upper = infinity;
-  out.determined = std::isfinite(out.lower) || std::isfinite(out.upper);
-  return out;
-}
 
 // The estimates at one optimum, and the best parameters that a profile reached.
 struct IntervalPass {
@@ -84,54 +25,9 @@ struct IntervalPass {
   long simulated_runs{};
 };
 
-// What was found along the numbers of effects whose intervals are those of one valley among many.
-class OtherValleys {
- public:
-  // `fitted` and `pass` belong together; the pass takes a better optimum that was seen.
-  void look_for(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, IntervalPass& pass,
-                double overdispersion) {
-    if (searches_ == search_effort.valley_searches) return;
-    ++searches_;
-    for (std::size_t effect = 0; effect < fitted.hypothesis.effects().size(); ++effect) {
-      const auto numbers = fitted.hypothesis.effects()[effect].kind->parameters();
-      const fit::Hypothesis::EffectParameters& varied = fitted.hypothesis.parameters_of(effect);
-      for (std::size_t k = 0; k < varied.numbers.size(); ++k) {
-        const Eigen::Index parameter = varied.first + static_cast<Eigen::Index>(k);
-        const double absent = numbers[varied.numbers[k]].absent.value_or(0.0);
-        if (!are_along(parameter) &&
-            !is_suspiciously_narrow(pass.estimates[static_cast<std::size_t>(parameter)], absent))
-          continue;
-        const Valleys found = valleys_along(runs, fitted, parameter, absent, overdispersion);
-        pass.simulated_runs += found.simulated_runs;
-        if (found.ends) ends_.insert_or_assign(parameter, *found.ends);
-        if (!found.better || found.better->fit.objective() >= pass.best_chi_square) continue;
-        pass.best_chi_square = found.better->fit.objective();
-        pass.best_values = found.better->fit.values;
-      }
-    }
-  }
-
-  // Whether the number has many, as far as was looked.
-  [[nodiscard]] bool are_along(Eigen::Index parameter) const { return ends_.contains(parameter); }
-
-  void set_intervals(std::vector<Estimate>& estimates) const {
-    for (const auto& [parameter, ends] : ends_) {
-      Estimate& estimate = estimates[static_cast<std::size_t>(parameter)];
-      estimate.lower = std::min(estimate.value, ends.lower);
-      estimate.upper = std::max(estimate.value, ends.upper);
-      estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
-      estimate.has_many_optima = true;
-    }
-  }
-
- private:
-  int searches_ = 0;
-  std::map<Eigen::Index, Valleys::Ends> ends_{};
-};
-
 // A number with many valleys has no profile: its interval is what was found along it.
 IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
-                                  double overdispersion, const OtherValleys& valleys,
+                                  double overdispersion, const ManyValleys& valleys,
                                   const std::function<void(const std::string&)>& progress) {
   const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
   IntervalPass out{.estimates = {}, .best_chi_square = fitted.fit.objective(), .best_values = fitted.fit.values};
@@ -183,11 +79,15 @@ fit::Counted<FittedHypothesis> refitted(std::span<const replay::PreparedRun> run
 EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted, double overdispersion,
                               const std::function<void(const std::string&)>& progress) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
-  OtherValleys valleys;
+  ManyValleys valleys;
   for (int moves = 0;; ++moves) {
     IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, valleys, progress);
-    valleys.look_for(runs, out.fitted, pass, overdispersion);
-    out.simulated_runs += pass.simulated_runs;
+    const auto beside = valleys.look_for(runs, out.fitted, pass.estimates, overdispersion);
+    out.simulated_runs += pass.simulated_runs + beside.simulated_runs;
+    if (beside.value && beside.value->fit.objective() < pass.best_chi_square) {
+      pass.best_chi_square = beside.value->fit.objective();
+      pass.best_values = beside.value->fit.values;
+    }
     out.estimates = std::move(pass.estimates);
     valleys.set_intervals(out.estimates);
     if (moves == search_effort.largest_number_of_moves ||

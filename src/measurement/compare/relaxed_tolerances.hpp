@@ -3,7 +3,9 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "coilwright/measurement/compare/number_off.hpp"
 #include "measurement/compare/fitted_hypothesis.hpp"
 #include "measurement/fit/counted.hpp"
 
@@ -35,5 +37,14 @@ struct GainOverFreeNumber {
                                                                        const FittedHypothesis& without,
                                                                        const FittedHypothesis& with,
                                                                        double overdispersion);
+
+/// The declared numbers, or functions, of which one is off by itself: of those that `fitted` has moved by more than a
+/// tolerance (eight at most) those that gain as gain_over_a_free_number() counts it, decisively over `fitted` and by no
+/// decisively less than the best (DecisionThresholds::decisive_gain); the best first. Empty where none is. Within its
+/// tolerance a number gains so much in about 1 of 1000 fits (chi-square of one degree of freedom beyond 11, the charge
+/// and the threshold of a record of 100 samples), or fewer.
+[[nodiscard]] fit::Counted<std::vector<NumberOff>> numbers_that_may_be_off(std::span<const replay::PreparedRun> runs,
+                                                                           const FittedHypothesis& fitted,
+                                                                           double overdispersion);
 
 }  // namespace coilwright::measurement::compare

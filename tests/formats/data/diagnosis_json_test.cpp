@@ -265,6 +265,21 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
   EXPECT_EQ(json["held_exact"], ordered_json({"/magnet/remanence_T"}));
 }
 
+TEST(DiagnosisJson, HasTheNumbersOfWhichOneIsOff) {
+  Diagnosis diagnosis = example();
+  EXPECT_EQ(json_of(diagnosis)["numbers_off"], ordered_json::array());
+  diagnosis.numbers_off = {
+      {.name = "/measured/tip_segment_mass_g",
+       .estimate =
+           compare::Estimate{.key = "/measured/tip_segment_mass_g", .value = 0.0185, .lower = 0.018, .upper = 0.019},
+       .gain = 12.5},
+      {.name = "force_curve", .gain = 8.0}};
+  EXPECT_EQ(json_of(diagnosis)["numbers_off"], ordered_json::parse(R"([
+      {"name": "/measured/tip_segment_mass_g", "criterion_gain": 12.5,
+       "estimate": {"value": 18.5, "ci95": [18.0, 19.0]}},
+      {"name": "force_curve", "criterion_gain": 8.0}])"));
+}
+
 TEST(DiagnosisJson, SaysFromWhereOnADeclaredNumberChangesNothing) {
   Diagnosis diagnosis = example();
   constexpr double degree = std::numbers::pi / 180;

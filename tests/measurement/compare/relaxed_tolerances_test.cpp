@@ -125,5 +125,56 @@ TEST(FreeNumber, DoesNotExplainAnEffectThatIsThere) {
   EXPECT_LT(compared.gain_over_free(), compared.gain());
 }
 
+// Free, the mass is what nobody has weighed would be; its gain is that over the model that holds it, less one number.
+TEST(NumbersOff, HaveTheOneOfWhichSomebodyWasTooSure) {
+  const Compared compared(dragged_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
+  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
+  ASSERT_EQ(off.size(), 1u);
+  EXPECT_EQ(off.front().name, "mass");
+  const FittedHypothesis free = compared.fitted(slide(true_mass, true_damping), {});
+  EXPECT_NEAR(off.front().estimate.value().value, free.fit.values[0], 1e-5);
+  EXPECT_NEAR(off.front().estimate.value().value, true_mass, 1e-3);
+  const double expected =
+      quasi_bic(compared.without, 1.0) - quasi_bic(free, 1.0) - penalty_per_number(compared.without, 1.0);
+  EXPECT_NEAR(off.front().gain, expected, 0.5);
+}
+
+TEST(NumbersOff, HaveNoValueWhereTheyAreAFunction) {
+  replay::DeclaredModel declared = weighed_slide(true_mass + 0.05, 2e-4);
+  declared.calibration.front().function = "path";
+  const Compared compared(dragged_run(0.0), declared);
+  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
+  ASSERT_EQ(off.size(), 1u);
+  EXPECT_EQ(off.front().name, "path");
+  EXPECT_FALSE(off.front().estimate.has_value());
+}
+
+// Both are held: the mass, which is right, does not make up for the damping, and is not named beside it.
+TEST(NumbersOff, HaveNoneThatExplainsDecisivelyLess) {
+  replay::DeclaredModel declared = weighed_slide(true_mass, 2e-3);
+  replay::CalibrationParameter& damping = declared.calibration[1];
+  damping.declared = 1.5 * true_damping;
+  damping.tolerance = replay::Tolerance{.deviation = 0.05 * true_damping};
+  damping.scale = damping.tolerance->deviation;
+  damping.calibrated = false;
+  const Compared compared(dragged_run(0.0), declared);
+  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
+  ASSERT_EQ(off.size(), 1u);
+  EXPECT_EQ(off.front().name, "damping");
+  EXPECT_NEAR(off.front().estimate.value().value, true_damping, 0.02 * true_damping);
+}
+
+// Two and a half tolerances gain 6 at most, which the charge of one number exceeds; ten gain a hundred.
+TEST(NumbersOff, AreNoneThatChanceMayHaveMovedSoFar) {
+  const auto any = [](double tolerances) {
+    constexpr double tolerance = 5e-3;
+    const Compared compared(dragged_run(0.0), weighed_slide(true_mass + tolerances * tolerance, tolerance));
+    return !numbers_that_may_be_off(compared.runs, compared.without, 1.0).value.empty();
+  };
+  EXPECT_FALSE(any(0.5));
+  EXPECT_FALSE(any(2.5));
+  EXPECT_TRUE(any(10.0));
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::compare

@@ -1,0 +1,76 @@
+#include "report/diagnosis_numbers_off.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/diagnosis_numbers.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using namespace measurement;
+
+// Less, and declared numbers are off all together (measurement::Verdict::declared_numbers_off).
+constexpr double likely = 0.01;
+
+// The declared number that is meant; null for the shape of the torque, which is several.
+const MovedNumber* declared_of(const Diagnosis& diagnosis, const compare::NumberOff& off) {
+  const auto key = [](const MovedNumber& each) -> const std::string& { return each.estimate.key; };
+  const auto number = std::ranges::find(diagnosis.nominal, off.name, key);
+  return off.estimate && number != diagnosis.nominal.end() ? &*number : nullptr;
+}
+
+std::string free_value_text(const Diagnosis& diagnosis, const compare::NumberOff& off) {
+  const MovedNumber* number = declared_of(diagnosis, off);
+  if (number == nullptr) return "the torque has another shape over the angle than was declared";
+  const std::vector<std::string> free = estimate_row(*off.estimate);
+  return fmt::format("free, it is {}, {}; declared {}, {:.1f} tolerances away", free[1], free[2],
+                     number_text(formats::in_unit(*number).declared),
+                     std::abs(off.estimate->value - number->declared) / number->tolerance);
+}
+
+}  // namespace
+
+std::string numbers_off_sentence(const Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  for (const compare::NumberOff& each : diagnosis.numbers_off) names.push_back(each.name);
+  std::string text = fmt::format(
+      "A declared number is off: free from its tolerance, {} {}explains these data far better than within it, and no "
+      "missing effect does so decisively better.",
+      fmt::join(names, " or "), names.size() > 1 ? "(these data do not tell which) " : "");
+  if (diagnosis.probability_of_declared < likely) text += " Others may be off, too.";
+  return text;
+}
+
+std::string numbers_off_text(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const compare::NumberOff& each : diagnosis.numbers_off)
+    text += fmt::format("  {} {}: {};\n    the model gains {:.3g} by that\n", each.name,
+                        diagnosis.numbers_off.size() > 1 ? "may be the one that is off" : "is off",
+                        free_value_text(diagnosis, each), each.gain);
+  if (text.empty()) return text;
+  return text +
+         "  A gain of 6 is odds of 20 to 1. Held by its tolerance, the number that is off passes what it lacks to the\n"
+         "  numbers beside it.\n";
+}
+
+std::vector<std::string> numbers_off_to_measure(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
+  for (const compare::NumberOff& each : diagnosis.numbers_off) {
+    const MovedNumber* number = declared_of(diagnosis, each);
+    out.push_back(number == nullptr ? shape_to_measure()
+                                    : fmt::format("{} (declared {}, these data say {})", each.name,
+                                                  number_text(formats::in_unit(*number).declared),
+                                                  number_text(formats::in_unit(*each.estimate).value)));
+  }
+  return out;
+}
+
+std::string shape_to_measure() {
+  return "the torque over the angle at one current (a static_torque bench), whose shape is off";
+}
+
+}  // namespace coilwright::report

@@ -17,6 +17,7 @@
 #include "measurement/compare/relaxed_tolerances.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
+#include "measurement/compare/unseen_effects.hpp"
 #include "measurement/correction/find_correction.hpp"
 #include "measurement/data/usable_runs.hpp"
 #include "measurement/diagnosis_warnings.hpp"
@@ -142,6 +143,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
 
   compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared), options.progress);
   compare::Attribution& found = pruned.attribution;
+  auto hinted = compare::widen_by_unseen_effects(pruned.estimates, runs, found, pruned.overdispersion);
   compare::widen_by_rivals(pruned.estimates, found.rivals, pruned.overdispersion);
   const std::vector<compare::Estimate>& estimates = pruned.estimates;
   const auto idle_before = compare::idle_numbers(runs, found.before());
@@ -150,8 +152,9 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                               : compare::idle_numbers(runs, found.after());
   auto numbers_off = is_enough(found) ? compare::numbers_that_may_be_off(runs, found.before(), pruned.overdispersion)
                                       : fit::Counted<std::vector<compare::NumberOff>>{};
-  timer.end_phase("intervals and cross-validation", pruned.simulated_runs + idle_before.simulated_runs +
-                                                        idle_after.simulated_runs + numbers_off.simulated_runs);
+  timer.end_phase("intervals and cross-validation", pruned.simulated_runs + hinted.simulated_runs +
+                                                        idle_before.simulated_runs + idle_after.simulated_runs +
+                                                        numbers_off.simulated_runs);
 
   out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before.value);
   out.numbers_off = std::move(numbers_off.value);
@@ -160,6 +163,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.before = found.before().whiteness;
   out.after = found.after().whiteness;
   out.compared_hypotheses = std::move(found.compared);
+  out.hinted = std::move(hinted.value);
   out.indistinguishable = found.indistinguishable;
   for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
     const replay::CalibrationParameter& number = declared.calibration[i];

@@ -26,6 +26,7 @@ constexpr std::size_t most_candidates = 5;
 constexpr double decisive_lead = 6.0;   // of the gain: odds of 20 to 1
 constexpr double near_residual = 0.02;  // of the rms residual: models are not known better
 constexpr std::size_t most_near = 3;
+constexpr std::size_t most_hinted = 3;
 
 using Compared = std::vector<compare::ComparedHypothesis>;
 
@@ -138,6 +139,19 @@ bool gains_with_more(const Diagnosis& diagnosis) {
          });
 }
 
+// What may be there beside what is reported, and what that would do.
+std::string hinted_text(const Diagnosis& diagnosis) {
+  if (diagnosis.hinted.empty()) return {};
+  std::string text =
+      "  One more effect may be there that these data hint at, too weakly to be reported. All intervals have in them\n"
+      "  what it would do:\n";
+  for (const compare::HintedEffect& each :
+       std::span(diagnosis.hinted).first(std::min(diagnosis.hinted.size(), most_hinted)))
+    text += fmt::format("    {} (gain {:.1f}): the interval of {} is {:.1f} times wider for its sake\n",
+                        each.kind->id(), each.gain, each.number, each.wider);
+  return text;
+}
+
 }  // namespace
 
 std::string rivals_text(const Diagnosis& diagnosis) {
@@ -149,7 +163,7 @@ std::string rivals_text(const Diagnosis& diagnosis) {
   if (!diagnosis.effects.empty() && text.empty())
     text += fmt::format("  Nothing else that was tried explains these data as well{}.\n",
                         gains_with_more(diagnosis) ? " with as few effects" : "");
-  return "\nHow sure, and what else it could be\n" + text + compared_text(diagnosis);
+  return "\nHow sure, and what else it could be\n" + text + hinted_text(diagnosis) + compared_text(diagnosis);
 }
 
 }  // namespace coilwright::report

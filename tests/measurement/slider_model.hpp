@@ -99,18 +99,18 @@ inline double no_error() {
   return 0.0;
 }
 
-// A slide under a force that grows with the square of its speed in the direction of motion, opposite to a drag.
-inline data::Run pushed_run() {
-  data::Run run = slide_run(200, {}, no_error);
-  run.sigma = 0.1 * noise_sigma;
-  Normal normal(4);
+// A slide with a drag in the square of its speed besides, by the midpoint rule in steps of 0.1 ms, and normal noise.
+inline data::Run dragged_run(std::size_t samples, double drag, double sigma, unsigned seed) {
+  data::Run run = slide_run(samples, {}, no_error);
+  run.sigma = sigma;
+  Normal normal(seed);
   Place place;
   for (std::size_t i = 0; i < run.times.size(); ++i) {
-    run.channels.front().values[i] = place.position + *run.sigma * normal();
+    run.channels.front().values[i] = place.position + sigma * normal();
     constexpr int parts = 100;
-    for (int part = 0; part < parts; ++part) {  // the midpoint rule, in steps of 0.1 ms
+    for (int part = 0; part < parts; ++part) {
       const auto acceleration = [&](double speed) {
-        return (force_at(i) - true_damping * speed + 1.0 * speed * std::abs(speed)) / true_mass;
+        return (force_at(i) - true_damping * speed - drag * speed * std::abs(speed)) / true_mass;
       };
       const double step = interval / parts;
       const double middle = place.speed + 0.5 * step * acceleration(place.speed);
@@ -119,6 +119,11 @@ inline data::Run pushed_run() {
     }
   }
   return run;
+}
+
+// A slide under a force that grows with the square of its speed in the direction of motion, opposite to a drag.
+inline data::Run pushed_run() {
+  return dragged_run(200, -1.0, 0.1 * noise_sigma, 4);
 }
 
 }  // namespace coilwright::measurement

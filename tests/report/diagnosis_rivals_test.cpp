@@ -55,6 +55,17 @@ TEST(DiagnosisRivals, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
                         "    dry_friction           1   7.6\n"));
 }
 
+TEST(DiagnosisRivals, SaysWhatIsHintedAtAndWhatThatWouldDo) {
+  Diagnosis diagnosis = example();
+  EXPECT_THAT(rivals_text(diagnosis), Not(HasSubstr("hint")));
+  diagnosis.hinted = {{.kind = &dry_friction, .gain = -1.52, .number = "joint_stiffness_Nmm_rad", .wider = 2.46}};
+  EXPECT_THAT(rivals_text(diagnosis),
+              HasSubstr("  One more effect may be there that these data hint at, too weakly to be reported. All "
+                        "intervals have in them\n  what it would do:\n"
+                        "    dry_friction (gain -1.5): the interval of joint_stiffness_Nmm_rad is 2.5 times wider for "
+                        "its sake\n"));
+}
+
 // 12,000 samples at the noise; a rival that leaves 1 % more of it.
 TEST(DiagnosisRivals, SaysOfThoseThatAreWorseByLittleHowToSeeThem) {
   const actuator::EffectCatalogue& effects = actuator::standard_effects();

@@ -10,6 +10,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/measurement/compare/estimate.hpp"
 #include "coilwright/measurement/compare/evidence.hpp"
+#include "coilwright/measurement/compare/hinted_effect.hpp"
 #include "coilwright/measurement/compare/number_off.hpp"
 #include "coilwright/measurement/correction/nameless_correction.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
@@ -64,6 +65,8 @@ struct Phase {
 struct Diagnosis {
   Verdict verdict{};
   std::vector<AddedEffect> effects{};  ///< in the order in which they were added
+  /// Effects beside those that the data hint at, and whose absence they do not show: intervals have what they would do.
+  std::vector<compare::HintedEffect> hinted{};
   /// Sets of effects that these data cannot distinguish.
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
   std::vector<compare::Estimate> calibration{};

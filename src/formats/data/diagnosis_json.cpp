@@ -80,6 +80,14 @@ Json numbers_off_json(const Diagnosis& diagnosis) {
   return out;
 }
 
+Json hinted_json(const Diagnosis& diagnosis) {
+  Json out = Json::array();
+  for (const compare::HintedEffect& each : diagnosis.hinted)
+    out.add(Json::object(
+        {{"id", each.kind->id()}, {"criterion_gain", each.gain}, {"number", each.number}, {"wider", each.wider}}));
+  return out;
+}
+
 Json outliers_json(const Diagnosis& diagnosis) {
   Json out = Json::array();
   for (const Outliers& each : diagnosis.outliers) {
@@ -276,7 +284,7 @@ Json to_json(const DiagnosisReport& report) {
   // Beyond the format.
   out.set("probability_of_declared",
           diagnosis.nominal.empty() ? Json(nullptr) : number_or_null(diagnosis.probability_of_declared));
-  out.set("numbers_off", numbers_off_json(diagnosis));
+  out.set("hinted", hinted_json(diagnosis)).set("numbers_off", numbers_off_json(diagnosis));
   out.set("model_error", diagnosis.model_error);
   out.set("held_exact", words_json(diagnosis.held_exact));
   out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));

@@ -13,9 +13,11 @@ struct Attribution {
   std::vector<FittedHypothesis> rivals{};  ///< other hypotheses that these data cannot separate from the last step
   /// One set per effect of the last step that has rivals: the effect first, then those that could replace it.
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
-  std::vector<ComparedHypothesis> compared{};  ///< best first
-  double overdispersion{1.0};                  ///< of the residual of the best hypothesis; 1 for white noise
-  long simulated_runs{};                       ///< in the whole comparison
+  std::vector<ComparedHypothesis> compared{};        ///< best first
+  std::vector<const actuator::EffectKind*> kinds{};  ///< that were compared: those that fit this rig
+  actuator::RigScale scale{};                        ///< from which they derive their initial guesses
+  double overdispersion{1.0};                        ///< of the residual of the best hypothesis; 1 for white noise
+  long simulated_runs{};                             ///< in the whole comparison
   [[nodiscard]] const FittedHypothesis& before() const { return steps.front(); }
   [[nodiscard]] const FittedHypothesis& after() const { return steps.back(); }
 };

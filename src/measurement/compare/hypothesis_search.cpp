@@ -107,6 +107,8 @@ class HypothesisSearch {
     Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
     Attribution out{.steps = {before}, .overdispersion = overdispersion_};
     std::ranges::move(selection.steps, std::back_inserter(out.steps));
+    out.kinds = kinds_;
+    out.scale = scale_;
     out.rivals = std::move(selection.rivals);
     out.indistinguishable = std::move(selection.indistinguishable);
     for (auto* part : {&selection.ranked, &on_some_only, &applicable.inapplicable, &failed_, &selection.ruled_out})

@@ -17,9 +17,15 @@ namespace {
 using actuator::Effect;
 using actuator::EffectKind;
 
-// The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start), with
-// all that the parameters and local numbers of `base` can absorb projected out. Rows as base.stacked_residuals.
-fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
+// A change of residuals, with all projected out that the parameters and local numbers can absorb.
+struct Direction {
+  Eigen::VectorXd residuals{};
+  Eigen::VectorXd absorbed{};  // by the parameters
+};
+
+// The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start). Rows
+// as base.stacked_residuals.
+fit::Counted<std::optional<Direction>> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
   fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
   if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
@@ -34,9 +40,12 @@ fit::Counted<std::optional<Eigen::VectorXd>> residual_direction(const fit::FitRe
     out.segment(row, rows) = change;
     row += rows;
   }
-  if (base.jacobian.cols() == 0) return {.value = std::move(out), .simulated_runs = there.simulated_runs};
-  const Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * out);
-  return {.value = Eigen::VectorXd(out - base.jacobian * absorbed), .simulated_runs = there.simulated_runs};
+  if (base.jacobian.cols() == 0)
+    return {.value = Direction{.residuals = std::move(out)}, .simulated_runs = there.simulated_runs};
+  Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * out);
+  out -= base.jacobian * absorbed;
+  return {.value = Direction{.residuals = std::move(out), .absorbed = std::move(absorbed)},
+          .simulated_runs = there.simulated_runs};
 }
 
 std::vector<const ScreenedEffect*> best_first(std::span<const ScreenedEffect> screened) {
@@ -78,11 +87,13 @@ fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay:
     auto direction = residual_direction(fit_request_of(runs, plan), base.fit);
     simulated_runs[i] = direction.simulated_runs;
     if (!direction.value) return;
-    out[i].residual_direction = std::move(*direction.value);
+    out[i].residual_direction = std::move(direction.value->residuals);
+    out[i].absorbed = std::move(direction.value->absorbed);
     const double along = -out[i].residual_direction.dot(base.fit.stacked_residuals);
     const double square = out[i].residual_direction.squaredNorm();
     if (square <= 0.0 || (along < 0.0 && !may_be_negative(*out[i].guess.kind))) return;
     out[i].predicted_chi_square_fall = along * along / square;
+    out[i].predicted_share = along / square;
     out[i].effect = at_predicted_strength(out[i].guess, along / square);
   });
   long total = 0;

@@ -18,6 +18,8 @@ struct ScreenedEffect {
   Eigen::VectorXd residual_direction{};  ///< change of the stacked residuals by the guess, projected on what parameters
                                          ///< and initial states cannot absorb; empty if the guess cannot be simulated
   double predicted_chi_square_fall{};    ///< 0 where the effect would have to act against its sign
+  double predicted_share{};              ///< of the guess, at which the linearisation predicts that fall
+  Eigen::VectorXd absorbed{};            ///< what the guess, present, takes away from each parameter of the base
 };
 
 /// Which guesses are screened.

@@ -265,6 +265,17 @@ TEST(DiagnosisJson, HasTheDeclaredNumbersThatTheFitMoved) {
   EXPECT_EQ(json["held_exact"], ordered_json({"/magnet/remanence_T"}));
 }
 
+TEST(DiagnosisJson, HasTheEffectsThatAreHintedAt) {
+  Diagnosis diagnosis = example();
+  EXPECT_EQ(json_of(diagnosis)["hinted"], ordered_json::array());
+  diagnosis.hinted = {
+      {.kind = diagnosis.effects.front().kind, .gain = -1.5, .number = "joint_stiffness_Nmm_rad", .wider = 2.5}};
+  const std::string id(diagnosis.effects.front().kind->id());
+  EXPECT_EQ(json_of(diagnosis)["hinted"],
+            ordered_json::array(
+                {{{"id", id}, {"criterion_gain", -1.5}, {"number", "joint_stiffness_Nmm_rad"}, {"wider", 2.5}}}));
+}
+
 TEST(DiagnosisJson, HasTheNumbersOfWhichOneIsOff) {
   Diagnosis diagnosis = example();
   EXPECT_EQ(json_of(diagnosis)["numbers_off"], ordered_json::array());

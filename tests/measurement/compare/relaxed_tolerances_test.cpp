@@ -27,26 +27,8 @@ replay::DeclaredModel weighed_slide(double mass, double tolerance) {
 
 constexpr double sharp_sigma = 1e-2 * noise_sigma;
 
-// Steps of both signs, with a drag in the square of the speed, by the midpoint rule in steps of 0.1 ms.
-data::Run dragged_run(double drag) {
-  data::Run run = slide_run(400, {}, no_error);
-  run.sigma = sharp_sigma;
-  Normal normal(6);
-  Place place;
-  for (std::size_t i = 0; i < run.times.size(); ++i) {
-    run.channels.front().values[i] = place.position + sharp_sigma * normal();
-    constexpr int parts = 100;
-    for (int part = 0; part < parts; ++part) {
-      const auto acceleration = [&](double speed) {
-        return (force_at(i) - true_damping * speed - drag * speed * std::abs(speed)) / true_mass;
-      };
-      const double step = interval / parts;
-      const double middle = place.speed + 0.5 * step * acceleration(place.speed);
-      place.speed += step * acceleration(middle);
-      place.position += step * middle;
-    }
-  }
-  return run;
+data::Run sharp_run(double drag) {
+  return dragged_run(400, drag, sharp_sigma, 6);
 }
 
 struct Compared {
@@ -84,7 +66,7 @@ struct Compared {
 // mass, and seems to gain; the mass, free, does all of it. Charged as a number of the drag is, its fit is as good as
 // that of a mass that nobody has weighed.
 TEST(FreeNumber, ExplainsWhatAnEffectGainsFromAPriorThatIsTooTight) {
-  const Compared compared(dragged_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
+  const Compared compared(sharp_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
   EXPECT_GT(compared.gain(), 6.0);
   EXPECT_LT(compared.gain_over_free(), 0.0);
   EXPECT_EQ(compared.over_free().number, "mass");
@@ -103,16 +85,16 @@ TEST(FreeNumber, MayBeSeveralCoefficientsOfOneFunction) {
   damping.tolerance = replay::Tolerance{.deviation = 0.05 * true_damping};
   damping.scale = damping.tolerance->deviation;
   damping.calibrated = false;
-  const Compared apart(dragged_run(0.0), declared);
+  const Compared apart(sharp_run(0.0), declared);
   for (replay::CalibrationParameter& each : declared.calibration) each.function = "path";
-  const Compared together(dragged_run(0.0), declared);
+  const Compared together(sharp_run(0.0), declared);
   EXPECT_EQ(together.over_free().number, "path");
   EXPECT_NEAR(apart.gain_over_free() - together.gain_over_free(), 98.0, 10.0);
 }
 
 // The drag is there and the mass was weighed well enough: no number has moved far.
 TEST(FreeNumber, IsNotSoughtWhereNoneHasMovedFar) {
-  const Compared compared(dragged_run(0.2), weighed_slide(true_mass, 1.0));
+  const Compared compared(sharp_run(0.2), weighed_slide(true_mass, 1.0));
   EXPECT_GT(compared.gain(), 100.0);
   EXPECT_TRUE(std::isinf(compared.gain_over_free()));
 }
@@ -120,14 +102,14 @@ TEST(FreeNumber, IsNotSoughtWhereNoneHasMovedFar) {
 // The drag is there, and so tight is the tolerance of the right mass that the fit without the drag moves it far: free,
 // the mass still does not do what the drag does.
 TEST(FreeNumber, DoesNotExplainAnEffectThatIsThere) {
-  const Compared compared(dragged_run(0.2), weighed_slide(true_mass, 1e-3));
+  const Compared compared(sharp_run(0.2), weighed_slide(true_mass, 1e-3));
   EXPECT_GT(compared.gain_over_free(), 100.0);
   EXPECT_LT(compared.gain_over_free(), compared.gain());
 }
 
 // Free, the mass is what nobody has weighed would be; its gain is that over the model that holds it, less one number.
 TEST(NumbersOff, HaveTheOneOfWhichSomebodyWasTooSure) {
-  const Compared compared(dragged_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
+  const Compared compared(sharp_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
   const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off.front().name, "mass");
@@ -142,7 +124,7 @@ TEST(NumbersOff, HaveTheOneOfWhichSomebodyWasTooSure) {
 TEST(NumbersOff, HaveNoValueWhereTheyAreAFunction) {
   replay::DeclaredModel declared = weighed_slide(true_mass + 0.05, 2e-4);
   declared.calibration.front().function = "path";
-  const Compared compared(dragged_run(0.0), declared);
+  const Compared compared(sharp_run(0.0), declared);
   const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off.front().name, "path");
@@ -157,7 +139,7 @@ TEST(NumbersOff, HaveNoneThatExplainsDecisivelyLess) {
   damping.tolerance = replay::Tolerance{.deviation = 0.05 * true_damping};
   damping.scale = damping.tolerance->deviation;
   damping.calibrated = false;
-  const Compared compared(dragged_run(0.0), declared);
+  const Compared compared(sharp_run(0.0), declared);
   const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off.front().name, "damping");
@@ -168,7 +150,7 @@ TEST(NumbersOff, HaveNoneThatExplainsDecisivelyLess) {
 TEST(NumbersOff, AreNoneThatChanceMayHaveMovedSoFar) {
   const auto any = [](double tolerances) {
     constexpr double tolerance = 5e-3;
-    const Compared compared(dragged_run(0.0), weighed_slide(true_mass + tolerances * tolerance, tolerance));
+    const Compared compared(sharp_run(0.0), weighed_slide(true_mass + tolerances * tolerance, tolerance));
     return !numbers_that_may_be_off(compared.runs, compared.without, 1.0).value.empty();
   };
   EXPECT_FALSE(any(0.5));

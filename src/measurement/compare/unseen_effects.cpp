@@ -1,0 +1,107 @@
+#include "measurement/compare/unseen_effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+#include "measurement/compare/curvature.hpp"
+#include "measurement/compare/linear_screening.hpp"
+#include "measurement/compare/model_error.hpp"
+#include "measurement/compare/profile_likelihood.hpp"
+#include "measurement/compare/search_effort.hpp"
+
+namespace coilwright::measurement::compare {
+namespace {
+
+constexpr double notably_wider = 1.2;
+
+// Of each kind the guess that promises most.
+std::vector<const ScreenedEffect*> best_of_each_kind(const std::vector<ScreenedEffect>& screened) {
+  std::vector<const ScreenedEffect*> out;
+  for (const ScreenedEffect& each : screened) {
+    const auto known = std::ranges::find(out, each.guess.kind, [](const auto* best) { return best->guess.kind; });
+    if (known == out.end())
+      out.push_back(&each);
+    else if (each.predicted_chi_square_fall > (*known)->predicted_chi_square_fall)
+      *known = &each;
+  }
+  return out;
+}
+
+// One more effect beside the model that is reported.
+struct Addition {
+  const actuator::EffectKind* kind{};
+  double gain{};              // of the quasi-BIC
+  double weight{};            // that of the reported model being 1
+  Eigen::VectorXd squares{};  // of how far each number is then from where it is reported, beyond its own variance
+};
+
+std::vector<Addition> additions(const FittedHypothesis& fitted, const std::vector<ScreenedEffect>& screened,
+                                double overdispersion) {
+  const double per_number = penalty_per_number(fitted, overdispersion);
+  std::vector<Addition> out;
+  for (const ScreenedEffect* each : best_of_each_kind(screened)) {
+    const double fall = each->predicted_chi_square_fall / overdispersion;
+    if (fall < chi_square_95) continue;
+    const auto numbers = static_cast<double>(std::max<std::size_t>(1, each->guess.values.size()));
+    const double gain = fall - numbers * per_number;
+    const double share = std::min(std::abs(each->predicted_share), search_effort.strongest_start);
+    const double variance = overdispersion / each->residual_direction.squaredNorm();
+    out.push_back({.kind = each->guess.kind,
+                   .gain = gain,
+                   .weight = std::exp(0.5 * gain),
+                   .squares = (share * share + variance) * each->absorbed.cwiseAbs2()});
+  }
+  return out;
+}
+
+// How many times wider an interval is for variance beyond its own; 1 where it has none.
+double widened(double beyond, double deviation) {
+  return std::isfinite(deviation) && deviation > 0.0 ? std::sqrt(1.0 + beyond / (deviation * deviation)) : 1.0;
+}
+
+// Ends that pass a physical bound are open, as those are that the data do not set.
+void widen(Estimate& estimate, const fit::FitParameter& number, double wider) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  estimate.lower = estimate.value - wider * (estimate.value - estimate.lower);
+  estimate.upper = estimate.value + wider * (estimate.upper - estimate.value);
+  if (estimate.lower < number.lower) estimate.lower = -infinity;
+  if (estimate.upper > number.upper) estimate.upper = infinity;
+  estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
+}
+
+}  // namespace
+
+fit::Counted<std::vector<HintedEffect>> widen_by_unseen_effects(std::vector<Estimate>& estimates,
+                                                                std::span<const replay::PreparedRun> runs,
+                                                                const Attribution& attribution, double overdispersion) {
+  fit::Counted<std::vector<HintedEffect>> out;
+  const FittedHypothesis& fitted = attribution.after();
+  if (is_far_from_noise(fitted)) return out;
+  const auto screened = screen_effects(runs, fitted, {.kinds = attribution.kinds, .scale = attribution.scale});
+  out.simulated_runs = screened.simulated_runs;
+  const std::vector<Addition> more = additions(fitted, screened.value, overdispersion);
+  double weights = 1.0;
+  for (const Addition& each : more) weights += each.weight;
+  const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
+  for (const Addition& each : more) {
+    HintedEffect hint{.kind = each.kind, .gain = each.gain};
+    for (Eigen::Index i = 0; i < deviations.size(); ++i) {
+      const double wider = widened(each.weight / weights * each.squares[i], deviations[i]);
+      if (wider > hint.wider) hint = {each.kind, each.gain, estimates[static_cast<std::size_t>(i)].key, wider};
+    }
+    if (hint.wider >= notably_wider) out.value.push_back(std::move(hint));
+  }
+  std::ranges::stable_sort(out.value, std::ranges::greater{}, &HintedEffect::wider);
+  for (Eigen::Index i = 0; i < deviations.size(); ++i) {
+    double beyond = 0.0;
+    for (const Addition& each : more) beyond += each.weight / weights * each.squares[i];
+    const auto index = static_cast<std::size_t>(i);
+    widen(estimates[index], fitted.hypothesis.parameters()[index], widened(beyond, deviations[i]));
+  }
+  return out;
+}
+
+}  // namespace coilwright::measurement::compare

@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 
-#include "measurement/compare/curvature.hpp"
 #include "measurement/compare/linear_screening.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
@@ -57,16 +56,19 @@ std::vector<Addition> additions(const FittedHypothesis& fitted, const std::vecto
   return out;
 }
 
-// How many times wider an interval is for variance beyond its own; 1 where it has none.
-double widened(double beyond, double deviation) {
-  return std::isfinite(deviation) && deviation > 0.0 ? std::sqrt(1.0 + beyond / (deviation * deviation)) : 1.0;
+// How many times wider an interval is for variance beyond its own; 1 where it is open.
+double widened(const Estimate& estimate, double beyond) {
+  const double width = estimate.upper - estimate.lower;
+  return std::isfinite(width) && width > 0.0 ? std::hypot(width, 2.0 * normal_95 * std::sqrt(beyond)) / width : 1.0;
 }
 
-// Ends that pass a physical bound are open, as those are that the data do not set.
-void widen(Estimate& estimate, const fit::FitParameter& number, double wider) {
+// By a variance that is added to its own, whatever that is from (the curvature, a profile, a row of valleys). Ends that
+// pass a physical bound are open, as those are that the data do not set.
+void widen(Estimate& estimate, const fit::FitParameter& number, double beyond) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  estimate.lower = estimate.value - wider * (estimate.value - estimate.lower);
-  estimate.upper = estimate.value + wider * (estimate.upper - estimate.value);
+  const double reach = normal_95 * std::sqrt(beyond);
+  estimate.lower = estimate.value - std::hypot(estimate.value - estimate.lower, reach);
+  estimate.upper = estimate.value + std::hypot(estimate.upper - estimate.value, reach);
   if (estimate.lower < number.lower) estimate.lower = -infinity;
   if (estimate.upper > number.upper) estimate.upper = infinity;
   estimate.determined = std::isfinite(estimate.lower) || std::isfinite(estimate.upper);
@@ -85,21 +87,22 @@ fit::Counted<std::vector<HintedEffect>> widen_by_unseen_effects(std::vector<Esti
   const std::vector<Addition> more = additions(fitted, screened.value, overdispersion);
   double weights = 1.0;
   for (const Addition& each : more) weights += each.weight;
-  const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
+  const Eigen::Index numbers = fitted.hypothesis.size();
   for (const Addition& each : more) {
     HintedEffect hint{.kind = each.kind, .gain = each.gain};
-    for (Eigen::Index i = 0; i < deviations.size(); ++i) {
-      const double wider = widened(each.weight / weights * each.squares[i], deviations[i]);
-      if (wider > hint.wider) hint = {each.kind, each.gain, estimates[static_cast<std::size_t>(i)].key, wider};
+    for (Eigen::Index i = 0; i < numbers; ++i) {
+      const Estimate& estimate = estimates[static_cast<std::size_t>(i)];
+      const double wider = widened(estimate, each.weight / weights * each.squares[i]);
+      if (wider > hint.wider) hint = {each.kind, each.gain, estimate.key, wider};
     }
     if (hint.wider >= notably_wider) out.value.push_back(std::move(hint));
   }
   std::ranges::stable_sort(out.value, std::ranges::greater{}, &HintedEffect::wider);
-  for (Eigen::Index i = 0; i < deviations.size(); ++i) {
+  for (Eigen::Index i = 0; i < numbers; ++i) {
     double beyond = 0.0;
     for (const Addition& each : more) beyond += each.weight / weights * each.squares[i];
     const auto index = static_cast<std::size_t>(i);
-    widen(estimates[index], fitted.hypothesis.parameters()[index], widened(beyond, deviations[i]));
+    if (beyond > 0.0) widen(estimates[index], fitted.hypothesis.parameters()[index], beyond);
   }
   return out;
 }

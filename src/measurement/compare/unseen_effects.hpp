@@ -17,8 +17,8 @@ namespace coilwright::measurement::compare {
 /// section 4.3). Of each kind that guess counts that promises the largest fall of chi-square, where this is more than
 /// chance has it (3.84), to first order in its strength, at most SearchEffort::strongest_start times the guess. What
 /// the data cannot show at all is not in it: that is among the assumptions. `estimates` are those of estimated(); the
-/// values stay. Does nothing where the last step is far from the noise. Returns the effects that widen an interval by a
-/// fifth or more, the one that widens most first.
+/// values stay, and the further variance adds to that of an interval on both sides. Does nothing where the last step is
+/// far from the noise. Returns the effects that widen an interval by a fifth or more, the one that widens most first.
 fit::Counted<std::vector<HintedEffect>> widen_by_unseen_effects(std::vector<Estimate>& estimates,
                                                                 std::span<const replay::PreparedRun> runs,
                                                                 const Attribution& attribution, double overdispersion);

@@ -129,7 +129,7 @@ TEST(UnseenEffects, LeaveOpenWhatIsOpen) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Estimate> estimates = slid.estimates();
   estimates[0].upper = infinity;
-  estimates[1].lower = 1e-3;
+  estimates[1].lower = 1e-6;
   (void)widen_by_unseen_effects(estimates, slid.runs, slid.found, 1.0);
   EXPECT_EQ(estimates[0].upper, infinity);
   EXPECT_EQ(estimates[1].lower, -infinity);

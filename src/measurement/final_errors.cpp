@@ -136,16 +136,18 @@ FinalErrors::FinalErrors(std::vector<PreparedRun> runs, const ThreeModels& model
 }
 
 // Outliers pull at the run's clock and hum, and hide themselves among what these then leave: as long as some are found,
-// the run is fitted again without them, and without whatever is suspected besides.
+// the run is fitted again without them, and without whatever is suspected besides. Of the few pictures of a short step
+// many may be wrong, and the model is fitted no more: what it lacks is not hidden by leaving more out of a clock.
 void FinalErrors::set_outliers_aside(PreparedRun& prepared, const FittedHypothesis& model) {
   constexpr int most_looks = 4;
+  constexpr double most_suspects = 0.25;
   PreparedRun looked_at = prepared;
   for (int look = 0; look < most_looks; ++look) {
     const auto found = fit::evaluate_at(request_for(looked_at, model));
     simulated_runs_ += found.simulated_runs;
     if (!found.value) return;
     const bool any = fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
-    auto trimmed = fit::with_suspects_aside(std::span(&prepared, 1), *found.value);
+    auto trimmed = fit::with_suspects_aside(std::span(&prepared, 1), *found.value, most_suspects);
     if (!any && (look > 0 || !trimmed)) return;
     looked_at = trimmed ? std::move(trimmed->front()) : prepared;
   }

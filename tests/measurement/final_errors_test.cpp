@@ -50,7 +50,9 @@ TEST(FinalErrors, StateTheUncertaintyDueToTheFittedNumbers) {
   EXPECT_NEAR(std::sqrt(stated / observed), 1.0, 0.25);
 }
 
-// A slide of 120 samples beside a hum of four times the noise, these samples wrong by so many times the noise.
+using Wrong = std::vector<std::pair<std::size_t, double>>;  // samples, and by how many times the noise
+
+// A slide beside a hum of four times the noise, some of its samples wrong.
 struct HummingRun {
   data::Run run;
   data::Run still{.name = "still.csv",
@@ -58,7 +60,7 @@ struct HummingRun {
                   .channels = {{.name = "theta1_rad", .kind = data::ChannelKind::joint_angle}}};
 };
 
-HummingRun humming_run(const std::vector<std::pair<std::size_t, double>>& wrong) {
+HummingRun humming_run(std::size_t samples, const Wrong& wrong) {
   Normal normal(5);
   const auto hum = [](double time) { return 4.0 * noise_sigma * std::cos(2.0 * std::numbers::pi * 20.0 * time); };
   HummingRun out;
@@ -66,11 +68,17 @@ HummingRun humming_run(const std::vector<std::pair<std::size_t, double>>& wrong)
     out.still.times.push_back(interval * i);
     out.still.channels.front().values.push_back(noise_sigma * normal() + hum(interval * i));
   }
-  out.run = slide_run(120, {}, [&] { return noise_sigma * normal(); });
+  out.run = slide_run(samples, {}, [&] { return noise_sigma * normal(); });
   out.run.sigma.reset();
   std::vector<double>& values = out.run.channels.front().values;
   for (std::size_t i = 0; i < values.size(); ++i) values[i] += hum(out.run.times[i]);
   for (const auto& [sample, size] : wrong) values[sample] += size * noise_sigma;
+  return out;
+}
+
+std::vector<double> times_of(const data::Run& run, const Wrong& wrong) {
+  std::vector<double> out;
+  for (const auto& [sample, size] : wrong) out.push_back(run.times[sample]);
   return out;
 }
 
@@ -79,7 +87,6 @@ HummingRun humming_run(const std::vector<std::pair<std::size_t, double>>& wrong)
 TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
   const replay::DeclaredModel declared = slide(2.2, 2.7);
   const compare::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
-  using Wrong = std::vector<std::pair<std::size_t, double>>;
   for (const Wrong& wrong : {Wrong{{10, -40.0},
                                    {21, 52.0},
                                    {33, 64.0},
@@ -90,13 +97,11 @@ TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
                                    {97, 124.0},
                                    {110, 136.0}},
                              Wrong{{20, 600.0}, {45, 15.0}, {60, 560.0}, {75, -16.0}, {101, 14.0}}}) {
-    const HummingRun made = humming_run(wrong);
+    const HummingRun made = humming_run(120, wrong);
     const FinalErrors errors(data::SealedRuns({made.run}), declared, same_models(model), std::vector{made.still});
-    std::vector<double> times;
-    for (const auto& [sample, size] : wrong) times.push_back(made.run.times[sample]);
     ASSERT_EQ(errors.outliers().size(), 1U);
     EXPECT_TRUE(errors.outliers().front().validate);
-    EXPECT_EQ(errors.outliers().front().times, times);
+    EXPECT_EQ(errors.outliers().front().times, times_of(made.run, wrong));
     ASSERT_EQ(errors.errors().size(), 1U);
     EXPECT_EQ(errors.errors().front().samples, 120 - wrong.size());
     EXPECT_NEAR(errors.errors().front().after.rmse / noise_sigma, 1.0, 0.15);
@@ -106,6 +111,18 @@ TEST(FinalErrors, LeaveOutliersOutOfARunWithHum) {
 }
 
 // Of fit runs what the fits had set aside is left out, no more and no less.
+// Five of 41 pictures are wrong, and pull the hum with them, by which the others are then off from one to the next.
+TEST(FinalErrors, LeaveManyOutliersOutOfAShortRun) {
+  const replay::DeclaredModel declared = slide(2.2, 2.7);
+  const compare::FittedHypothesis model = fitted_to(declared, slide_run(400, {}, no_error));
+  const Wrong wrong{{5, 40.0}, {10, 40.0}, {20, 12.0}, {25, 40.0}, {30, 12.0}};
+  const HummingRun made = humming_run(41, wrong);
+  const FinalErrors errors(data::SealedRuns({made.run}), declared, same_models(model), std::vector{made.still});
+  ASSERT_EQ(errors.outliers().size(), 1U);
+  EXPECT_EQ(errors.outliers().front().times, times_of(made.run, wrong));
+  EXPECT_LT(errors.errors().front().after.rmse / noise_sigma, 1.2);
+}
+
 TEST(FinalErrors, OfFitRunsLeaveOutWhatTheFitsDid) {
   const replay::DeclaredModel declared = slide(true_mass, true_damping);
   const fit::Hypothesis hypothesis(declared, {});

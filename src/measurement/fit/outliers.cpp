@@ -131,7 +131,7 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
 }
 
 std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(std::span<const replay::PreparedRun> runs,
-                                                                    const Fit& fitted) {
+                                                                    const Fit& fitted, double most) {
   std::vector<replay::PreparedRun> out(runs.begin(), runs.end());
   bool any = false;
   for (std::size_t r = 0; r < out.size(); ++r) {
@@ -143,7 +143,7 @@ std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(std::span<co
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const auto left = left_of(prepared, c, fitted.runs[r].predictions);
       if (!left) continue;
-      const std::vector<char> suspects = noise::far_values(*left, prepared.noise[c].sigma);
+      const std::vector<char> suspects = noise::far_values(*left, prepared.noise[c].sigma, most);
       for (std::size_t i = 0; i < suspects.size(); ++i)
         if (suspects[i] != 0 && set_aside(prepared, c, i)) any = true;
     }

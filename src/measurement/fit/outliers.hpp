@@ -15,11 +15,11 @@ namespace coilwright::measurement::fit {
 [[nodiscard]] bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted);
 
 /// The runs with those samples set aside, too, that are suspected only: up to three in a row that lie more than four
-/// robust standard deviations of what the fit leaves of their channel from its prediction, if they are at most a tenth
-/// of the channel. Outliers that pull at the few pictures of a run, and at its clock, hide themselves among what is
-/// left; a fit without the suspects shows which of them stand apart. Nothing where there are none.
+/// robust standard deviations of what the fit leaves of their channel from its prediction, if they are at most the
+/// fraction `most` of the channel. Outliers that pull at the few pictures of a run, and at its clock, hide themselves
+/// among what is left; a fit without the suspects shows which of them stand apart. Nothing where there are none.
 [[nodiscard]] std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(
-    std::span<const replay::PreparedRun> runs, const Fit& fitted);
+    std::span<const replay::PreparedRun> runs, const Fit& fitted, double most = 0.1);
 
 /// As set_outliers_aside(), but only if what is set aside makes up much of what the fit leaves over: a fifth of its
 /// squared residual above the noise. Otherwise the runs stay as they are, and it returns false.

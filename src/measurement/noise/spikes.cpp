@@ -85,9 +85,8 @@ std::vector<char> spikes(std::span<const double> values, double least) {
   return out;
 }
 
-std::vector<char> far_values(std::span<const double> values, double least) {
-  constexpr double far = 4.0;         // standard deviations
-  constexpr std::size_t one_of = 10;  // more are no exceptions
+std::vector<char> far_values(std::span<const double> values, double least, double most) {
+  constexpr double far = 4.0;  // standard deviations
   std::vector<char> out(values.size(), 0);
   if (values.empty()) return out;
   std::vector<double> sizes;
@@ -95,7 +94,8 @@ std::vector<char> far_values(std::span<const double> values, double least) {
   const double limit = far * std::max(median(sizes) / normal_median, least);
   for (std::size_t i = 0; i < values.size(); ++i) out[i] = std::abs(values[i]) > limit ? 1 : 0;
   drop_events(out);
-  if (one_of * static_cast<std::size_t>(std::ranges::count(out, 1)) > out.size()) std::ranges::fill(out, char{0});
+  const auto count = static_cast<double>(std::ranges::count(out, 1));
+  if (count > most * static_cast<double>(out.size())) std::ranges::fill(out, char{0});
   return out;
 }
 

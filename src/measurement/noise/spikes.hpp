@@ -12,9 +12,9 @@ namespace coilwright::measurement::noise {
 [[nodiscard]] std::vector<char> spikes(std::span<const double> values, double least = 0.0);
 
 /// For each value whether it is far from 0 compared with the others: up to three in a row beyond four standard
-/// deviations, which are those of all values by their median, and at least `least`. None where more than a tenth are so
-/// far: then the values are not noise with exceptions.
-[[nodiscard]] std::vector<char> far_values(std::span<const double> values, double least);
+/// deviations, which are those of all values by their median, and at least `least`. None where more than the fraction
+/// `most` are so far: then the values are not noise with exceptions.
+[[nodiscard]] std::vector<char> far_values(std::span<const double> values, double least, double most = 0.1);
 
 /// The values with spikes replaced by straight lines between what is beside them.
 [[nodiscard]] std::vector<double> without_spikes(std::vector<double> values);

@@ -122,6 +122,7 @@ TEST(FarValues, AreUpToThreeInARowAndAFewInAll) {
   EXPECT_EQ(far_values(event, 0.1), expected);
   for (const std::size_t i : {10u, 24u, 34u}) values[i] = 9.0;
   EXPECT_EQ(std::ranges::count(far_values(values, 0.1), 1), 0);  // five of forty
+  EXPECT_EQ(std::ranges::count(far_values(values, 0.1, 0.125), 1), 5);
   EXPECT_TRUE(far_values({}, 0.1).empty());
 }
 

@@ -13,9 +13,6 @@ namespace {
 
 using namespace measurement;
 
-// Less, and declared numbers are off all together (measurement::Verdict::declared_numbers_off).
-constexpr double likely = 0.01;
-
 // The declared number that is meant; null for the shape of the torque, which is several.
 const MovedNumber* declared_of(const Diagnosis& diagnosis, const compare::NumberOff& off) {
   const auto key = [](const MovedNumber& each) -> const std::string& { return each.estimate.key; };
@@ -41,7 +38,7 @@ std::string numbers_off_sentence(const Diagnosis& diagnosis) {
       "A declared number is off: free from its tolerance, {} {}explains these data far better than within it, and no "
       "missing effect does so decisively better.",
       fmt::join(names, " or "), names.size() > 1 ? "(these data do not tell which) " : "");
-  if (diagnosis.probability_of_declared < likely) text += " Others may be off, too.";
+  if (diagnosis.probability_of_declared < least_probability) text += " Others may be off, too.";
   return text;
 }
 

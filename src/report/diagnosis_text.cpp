@@ -114,7 +114,7 @@ std::string declared_text(const Diagnosis& diagnosis) {
       "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
       "  rigs built to their tolerances are as far off or further ({}).\n",
       share,
-      probability < 0.01              ? "below 1 %: they are off, or an effect is missing"
+      probability < least_probability ? "below 1 %: they are off, or an effect is missing"
       : diagnosis.numbers_off.empty() ? "above 1 %: that may be chance"
                                       : "above 1 %: that may be chance of all, not of the one that is off");
 }

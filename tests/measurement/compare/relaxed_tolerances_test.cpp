@@ -8,20 +8,24 @@
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
-#include "measurement/compare/staged_fit.hpp"
+#include "measurement/compare/slide_fits.hpp"
 #include "measurement/random_numbers.hpp"
 #include "measurement/slider_model.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
 
-// A slide whose mass was weighed and whose damping is fitted.
-replay::DeclaredModel weighed_slide(double mass, double tolerance) {
-  replay::DeclaredModel declared = slide(mass, true_damping);
-  replay::CalibrationParameter& number = declared.calibration.front();
+// A number that is no longer fitted freely.
+void hold(replay::CalibrationParameter& number, double tolerance) {
   number.tolerance = replay::Tolerance{.deviation = tolerance};
   number.scale = tolerance;
   number.calibrated = false;
+}
+
+// A slide whose mass was weighed and whose damping is fitted.
+replay::DeclaredModel weighed_slide(double mass, double tolerance) {
+  replay::DeclaredModel declared = slide(mass, true_damping);
+  hold(declared.calibration.front(), tolerance);
   return declared;
 }
 
@@ -39,17 +43,9 @@ struct Compared {
         without(fitted(declared, {})),
         with(fitted(declared, {{.kind = actuator::standard_effects().find("quadratic_drag"), .values = {0.1}}})) {}
 
-  static actuator::Model model_of(const replay::DeclaredModel& declared) {
-    const fit::Hypothesis plain(declared, {});
-    return plain.model_at(plain.start());
-  }
   [[nodiscard]] FittedHypothesis fitted(const replay::DeclaredModel& under,
                                         std::vector<actuator::Effect> effects) const {
-    PlannedFit plan{.hypothesis = fit::Hypothesis(under, std::move(effects))};
-    plan.start = plan.hypothesis.start();
-    auto found = fit_exactly(runs, plan);
-    EXPECT_TRUE(found.value.has_value());
-    return std::move(*found.value);
+    return fitted_to(runs, under, std::move(effects));
   }
   [[nodiscard]] double gain() const { return quasi_bic(without, 1.0) - quasi_bic(with, 1.0); }
   [[nodiscard]] GainOverFreeNumber over_free() const { return gain_over_a_free_number(runs, without, with, 1.0).value; }
@@ -82,9 +78,7 @@ TEST(FreeNumber, MayBeSeveralCoefficientsOfOneFunction) {
   replay::DeclaredModel declared = weighed_slide(true_mass + 0.05, 5e-3);
   replay::CalibrationParameter& damping = declared.calibration[1];
   damping.declared = 1.5 * true_damping;
-  damping.tolerance = replay::Tolerance{.deviation = 0.05 * true_damping};
-  damping.scale = damping.tolerance->deviation;
-  damping.calibrated = false;
+  hold(damping, 0.05 * true_damping);
   const Compared apart(sharp_run(0.0), declared);
   for (replay::CalibrationParameter& each : declared.calibration) each.function = "path";
   const Compared together(sharp_run(0.0), declared);
@@ -136,9 +130,7 @@ TEST(NumbersOff, HaveNoneThatExplainsDecisivelyLess) {
   replay::DeclaredModel declared = weighed_slide(true_mass, 2e-3);
   replay::CalibrationParameter& damping = declared.calibration[1];
   damping.declared = 1.5 * true_damping;
-  damping.tolerance = replay::Tolerance{.deviation = 0.05 * true_damping};
-  damping.scale = damping.tolerance->deviation;
-  damping.calibrated = false;
+  hold(damping, 0.05 * true_damping);
   const Compared compared(sharp_run(0.0), declared);
   const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
   ASSERT_EQ(off.size(), 1u);
@@ -146,7 +138,7 @@ TEST(NumbersOff, HaveNoneThatExplainsDecisivelyLess) {
   EXPECT_NEAR(off.front().estimate.value().value, true_damping, 0.02 * true_damping);
 }
 
-// Two and a half tolerances gain 6 at most, which the charge of one number exceeds; ten gain a hundred.
+// Two and a half tolerances gain 6 before the charge of a number, which is 6; ten gain a hundred.
 TEST(NumbersOff, AreNoneThatChanceMayHaveMovedSoFar) {
   const auto any = [](double tolerances) {
     constexpr double tolerance = 5e-3;

@@ -11,7 +11,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "measurement/compare/curvature.hpp"
 #include "measurement/compare/rig_scale.hpp"
-#include "measurement/compare/staged_fit.hpp"
+#include "measurement/compare/slide_fits.hpp"
 #include "measurement/slider_model.hpp"
 
 namespace coilwright::measurement::compare {
@@ -24,19 +24,11 @@ struct Slid {
   Slid(double drag, unsigned seed)
       : run(dragged_run(400, drag, sigma, seed)),
         declared(slide(true_mass, true_damping)),
-        runs{replay::prepare_run(run, declared, model())},
-        found{.steps = {fitted({})}, .kinds = {&drag_kind}, .scale = rig_scale(runs, model())} {}
+        runs{replay::prepare_run(run, declared, model_of(declared))},
+        found{.steps = {fitted({})}, .kinds = {&drag_kind}, .scale = rig_scale(runs, model_of(declared))} {}
 
-  [[nodiscard]] actuator::Model model() const {
-    const fit::Hypothesis plain(declared, {});
-    return plain.model_at(plain.start());
-  }
   [[nodiscard]] FittedHypothesis fitted(std::vector<actuator::Effect> effects) const {
-    PlannedFit plan{.hypothesis = fit::Hypothesis(declared, std::move(effects))};
-    plan.start = plan.hypothesis.start();
-    auto out = fit_exactly(runs, plan);
-    EXPECT_TRUE(out.value.has_value());
-    return std::move(*out.value);
+    return fitted_to(runs, declared, std::move(effects));
   }
   [[nodiscard]] FittedHypothesis with_drag() const { return fitted({{.kind = &drag_kind, .values = {0.1}}}); }
   [[nodiscard]] std::vector<Estimate> estimates() const {

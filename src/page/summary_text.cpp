@@ -20,15 +20,11 @@ std::filesystem::path summary_in(const std::filesystem::path& folder) {
   return file;
 }
 
-std::istringstream lines_of(const std::filesystem::path& file) {
-  return std::istringstream(text::read_text(file, text::json_size_limit).text);
-}
-
 }  // namespace
 
 std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
   const std::filesystem::path file = summary_in(folder);
-  std::istringstream lines = lines_of(file);
+  std::istringstream lines(text::read_text(file, text::json_size_limit).text);
   std::string line;
   while (std::getline(lines, line) && !heading.empty() && line != heading) {
   }
@@ -49,13 +45,12 @@ std::vector<std::string> summary_lines(const std::filesystem::path& folder, std:
 void require_summary_of(const std::filesystem::path& folder, const std::string& dataset, const std::string& verdict) {
   const std::filesystem::path file = summary_in(folder);
   const std::string expected = fmt::format("{}: {}", dataset, verdict);
-  std::istringstream lines = lines_of(file);
-  std::string title;
-  std::getline(lines, title);
-  if (title != expected)
+  const std::string summary = text::read_text(file, text::json_size_limit).text;
+  // The name of a data set may have more than one line.
+  if (!summary.starts_with(expected + '\n'))
     throw text::InputError({.file = file.string(),
                             .rule = fmt::format("must begin with \"{}\", as diagnosis.json beside it has it", expected),
-                            .value = fmt::format("\"{}\"", title)});
+                            .value = fmt::format("\"{}\"", summary.substr(0, summary.find('\n')))});
 }
 
 }  // namespace coilwright::page

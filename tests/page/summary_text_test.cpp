@@ -11,12 +11,12 @@
 namespace coilwright::page {
 namespace {
 
-// Why a summary is refused as that of the data set "finger" with the verdict "explained"; empty if it is not.
-std::string fault_of(const std::string& summary) {
+// Why a summary is refused as that of a data set with the verdict "explained"; empty if it is not.
+std::string fault_of(const std::string& summary, const std::string& dataset = "finger") {
   const testing::TemporaryFolder folder;
   std::ofstream(folder.path() / "summary.txt") << summary;
   try {
-    require_summary_of(folder.path(), "finger", "explained");
+    require_summary_of(folder.path(), dataset, "explained");
   } catch (const text::InputError& error) {
     return error.what();
   }
@@ -24,6 +24,7 @@ std::string fault_of(const std::string& summary) {
 }
 
 TEST(SummaryText, BelongsToTheDiagnosisBesideIt) {
+  EXPECT_EQ(fault_of("finger\nof Monday: explained\n\nThe declared model lacks\n", "finger\nof Monday"), "");
   EXPECT_EQ(fault_of("finger: explained\n\nThe declared model lacks dry_friction.\n"), "");
   EXPECT_THAT(
       fault_of("gripper: explained\n\nThe declared model lacks dry_friction.\n"),

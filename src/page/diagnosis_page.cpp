@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
+#include "coilwright/text/input_error.hpp"
 #include "page/next_section.hpp"
 #include "page/result_words.hpp"
 #include "page/run_figures.hpp"
@@ -47,29 +49,27 @@ std::string interval_text(const Node& parameter) {
 // What the fit makes of a declared number: its value, or from where on it changes nothing.
 std::string fitted_text(const Node& number) {
   const auto idle_from = number.find("idle_from");
-  if (!idle_from) return cell_of(number.find("value").value());
-  const bool below = idle_from->number() < number.find("declared").value().number();
+  if (!idle_from) return cell_of(member_of(number, "value"));
+  const bool below = idle_from->number() < member_of(number, "declared").number();
   return fmt::format("{} {}", below ? "below" : "above", cell_of(*idle_from));
 }
 
 Section effects_section(const Node& diagnosis) {
   Section section{.id = "effects", .title = "What the model lacks", .blocks = {}};
-  Table table{
-      .header = {"effect", "number", "value", "95 % interval", "gain of the criterion", "gain on runs left out"},
-      .rows = {}};
-  for (const Node& effect : diagnosis.find("effects").value().elements()) {
+  Table table{.header = {"effect", "number", "value", "95 % interval", "gain", "gain on runs left out"}, .rows = {}};
+  for (const Node& effect : member_of(diagnosis, "effects").elements()) {
     const auto evidence = effect.find("evidence");
     const auto gain = [&](const char* key) {
       return evidence && !evidence->is_null() && evidence->find(key) ? cell_of(evidence->find(key).value()) : "-";
     };
     bool first = true;
-    const std::vector<Node> parameters = effect.find("parameters").value().members();
+    const std::vector<Node> parameters = member_of(effect, "parameters").members();
     if (parameters.empty())
       table.rows.push_back(
-          {effect.find("id").value().text(), "", "", "", gain("criterion_gain"), gain("cross_validated_gain")});
+          {member_of(effect, "id").text(), "", "", "", gain("criterion_gain"), gain("cross_validated_gain")});
     for (const Node& parameter : parameters) {
-      table.rows.push_back({first ? effect.find("id").value().text() : "", parameter.key(),
-                            cell_of(parameter.find("value").value()), interval_text(parameter),
+      table.rows.push_back({first ? member_of(effect, "id").text() : "", parameter.key(),
+                            cell_of(member_of(parameter, "value")), interval_text(parameter),
                             first ? gain("criterion_gain") : "", first ? gain("cross_validated_gain") : ""});
       first = false;
     }
@@ -82,7 +82,7 @@ Section effects_section(const Node& diagnosis) {
   for (const char* key : {"calibration", "nominal"})
     if (const auto numbers = diagnosis.find(key))
       for (const Node& each : numbers->members())
-        moved.rows.push_back({each.key(), each.find("declared") ? cell_of(each.find("declared").value()) : "-",
+        moved.rows.push_back({each.key(), each.find("declared") ? cell_of(member_of(each, "declared")) : "-",
                               fitted_text(each), interval_text(each)});
   if (!moved.rows.empty())
     section.blocks.emplace_back(
@@ -90,15 +90,25 @@ Section effects_section(const Node& diagnosis) {
   return section;
 }
 
+// Samples of runs in one role that errors are taken of, in all quantities.
+std::size_t samples_of(const Node& diagnosis, const char* role) {
+  const auto errors = member_of(diagnosis, "error").find(role);
+  if (!errors) return 0;
+  std::size_t out = 0;
+  if (const auto main = errors->find("samples")) out += main->integer<std::size_t>();
+  for (const Node& each : errors->members())
+    if (each.kind() == Node::Kind::object)
+      if (const auto other = each.find("samples")) out += other->integer<std::size_t>();
+  return out;
+}
+
 // Numbers of one object of errors, without those of other quantities inside of it.
 void add_errors(Table& table, const Node& errors, const std::string& runs) {
-  for (const auto& [key, name] :
-       {std::pair{"declared", "as declared"}, std::pair{"before", "recalibrated"},
-        std::pair{"after", "with the effects"}, std::pair{"corrected", "with a nameless torque"}}) {
+  for (const auto& [key, name] : model_words) {
     const auto model = errors.find(key);
     if (!model || model->is_null()) continue;
     for (const Node& each : model->members())
-      if (each.kind() == Node::Kind::number) table.rows.push_back({runs, name, each.key(), cell_of(each)});
+      if (each.kind() == Node::Kind::number) table.rows.push_back({runs, std::string(name), each.key(), cell_of(each)});
   }
   for (const Node& each : errors.members())
     if (each.kind() == Node::Kind::number && each.key() != "samples")
@@ -108,18 +118,37 @@ void add_errors(Table& table, const Node& errors, const std::string& runs) {
 Section errors_section(const Node& diagnosis) {
   Section section{.id = "errors", .title = "How far the models are off", .blocks = {}};
   Table table{.header = {"runs", "model", "error", "value"}, .rows = {}};
-  const Node errors = diagnosis.find("error").value();
+  const Node errors = member_of(diagnosis, "error");
   if (const auto held = errors.find("validate")) add_errors(table, *held, "held out");
   if (const auto fitted = errors.find("fit")) add_errors(table, *fitted, "fitted");
   section.blocks.emplace_back(TableBlock{.caption = "Errors of each model", .table = std::move(table)});
   return section;
 }
 
-std::vector<Section> runs_sections(const std::filesystem::path& folder) {
+// A table that was cut, or is of another diagnosis, would show other runs than those of the verdict.
+void require_all_samples(const std::filesystem::path& folder, const Node& diagnosis,
+                         const std::vector<RunRecord>& records) {
+  for (const char* role : {"fit", "validate"}) {
+    std::size_t there = 0;
+    for (const RunRecord& each : records)
+      if (each.role == role) there += each.measured.size() - each.outliers;
+    const std::size_t counted = samples_of(diagnosis, role);
+    if (there != counted)
+      throw text::InputError(
+          {.file = (folder / "residuals.csv").string(),
+           .rule =
+               fmt::format("must have the {} samples of role {} that diagnosis.json beside it counts", counted, role),
+           .value = fmt::format("{}", there)});
+  }
+}
+
+std::vector<Section> runs_sections(const std::filesystem::path& folder, const Node& diagnosis) {
   Section held{.id = "held", .title = "Runs that no fit has seen", .blocks = {}};
   Section fitted{.id = "fitted", .title = "Runs that were fitted", .blocks = {}};
   std::size_t number = 0;
-  for (const RunRecord& record : read_runs(folder)) {
+  const std::vector<RunRecord> records = read_runs(folder);
+  require_all_samples(folder, diagnosis, records);
+  for (const RunRecord& record : records) {
     ++number;
     std::vector<Block>& blocks = record.role == "fit" ? fitted.blocks : held.blocks;
     for (Figure& figure : run_figures(record, number)) blocks.emplace_back(std::move(figure));
@@ -142,17 +171,17 @@ Section torque_section(const Node& diagnosis) {
     section.blocks.emplace_back(Paragraph{"No residual torque was worked out from these records."});
     return section;
   }
-  const Node line = residual->find("frequency_Hz").value();
+  const Node line = member_of(*residual, "frequency_Hz");
   section.blocks.emplace_back(Paragraph{fmt::format(
       "What the model with the effects leaves over has, as a joint torque, {} N mm rms; noise alone would give {} N "
       "mm.{}",
-      cell_of(residual->find("rms_Nmm").value()), cell_of(residual->find("smallest_visible_Nmm").value()),
+      cell_of(member_of(*residual, "rms_Nmm")), cell_of(member_of(*residual, "smallest_visible_Nmm")),
       line.is_null() ? "" : fmt::format(" The strongest line of its spectrum lies at {} Hz.", cell_of(line)))});
   std::size_t number = 0;
-  for (const Node& each : residual->find("dependences").value().elements()) {
-    const std::string variable = each.find("variable").value().text();
+  for (const Node& each : member_of(*residual, "dependences").elements()) {
+    const std::string variable = member_of(each, "variable").text();
     Series series{
-        .name = "residual torque", .x = {}, .y = each.find("residual_Nmm").value().numbers(), .mark = Mark::points};
+        .name = "residual torque", .x = {}, .y = member_of(each, "residual_Nmm").numbers(), .mark = Mark::points};
     std::string title = variable;
     for (const Node& member : each.members()) {
       if (!member.key().starts_with("at")) continue;
@@ -167,7 +196,7 @@ Section torque_section(const Node& diagnosis) {
         Chart{.id = fmt::format("dependence-{}", ++number),
               .title = fmt::format("Residual torque over {}", variable),
               .description = fmt::format("Means in bins of as many samples each; {} explains {:.3g} % of the residual.",
-                                         variable, 100.0 * each.find("explained").value().number()),
+                                         variable, 100.0 * member_of(each, "explained").number()),
               .x_title = title,
               .y_title = "residual torque, N mm",
               .series = {std::move(joined), std::move(series)}}));
@@ -175,48 +204,61 @@ Section torque_section(const Node& diagnosis) {
   return section;
 }
 
+Section assumptions_section(const std::filesystem::path& folder) {
+  Section section{.id = "assumptions", .title = "What was assumed", .blocks = {}};
+  section.blocks.emplace_back(Listing{fmt::format("{}", fmt::join(summary_section(folder, "What was assumed"), "\n"))});
+  return section;
+}
+
 Section candidates_section(const Node& diagnosis) {
   Section section{.id = "candidates", .title = "Hypotheses that were compared", .blocks = {}};
-  Table table{.header = {"rank", "effects", "gain of the criterion", "gain on runs left out",
-                         "squared error over noise after", "remark"},
-              .rows = {}};
-  BarChart chart{
-      .id = "ranking",
-      .title = "The hypotheses by their gain",
-      .description = "Gain of the criterion over the recalibrated model, with its charge for parameters; the 15 best.",
-      .value_title = "gain of the criterion",
-      .label_title = "effects",
-      .bars = {}};
+  Table table{.header = {"rank", "effects", "residual", "gain", "gain on runs left out", "remark"}, .rows = {}};
+  const auto samples = static_cast<double>(samples_of(diagnosis, "fit"));
+  BarChart chart{.id = "ranking",
+                 .title = "The hypotheses by their gain",
+                 .description =
+                     "How much better than the declared model fitted anew, each further number charged: a "
+                     "lead of 6 is odds of 20 to 1, less decides nothing. The 15 best.",
+                 .value_title = "gain",
+                 .label_title = "effects",
+                 .bars = {}};
   std::map<std::string, int> seen;
-  for (const Node& each : diagnosis.find("candidates").value().elements()) {
-    const std::string ids = ids_text(each.find("effects").value());
+  for (const Node& each : member_of(diagnosis, "candidates").elements()) {
+    const std::string ids = ids_text(member_of(each, "effects"));
     const auto evidence = each.find("evidence");
     const bool known = evidence && !evidence->is_null();
-    const auto number = [&](const char* key) { return known ? cell_of(evidence->find(key).value()) : "-"; };
-    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), ids, number("criterion_gain"),
-                          number("cross_validated_gain"), number("chi_square_after"),
-                          cell_of(each.find("remark").value())});
+    const auto number = [&](const char* key) { return known ? cell_of(member_of(*evidence, key)) : "-"; };
+    const auto left = known ? evidence->find("chi_square_after") : std::nullopt;
+    const bool is_told = left && !left->is_null() && samples > 0.0;
+    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), ids,
+                          is_told ? short_number(std::sqrt(left->number() / samples)) : "-", number("criterion_gain"),
+                          number("cross_validated_gain"), cell_of(member_of(each, "remark"))});
     if (!known || chart.bars.size() >= 15) continue;
     const int again = seen[ids]++;
-    const double gain = evidence->find("criterion_gain").value().number();
+    const double gain = member_of(*evidence, "criterion_gain").number();
     chart.bars.push_back({.label = again == 0 ? ids : fmt::format("{} ({})", ids, again + 1),
                           .value = gain,
-                          .group = each.find("remark").value().is_null() ? "compared" : "set aside"});
+                          .group = member_of(each, "remark").is_null() ? "compared" : "set aside"});
   }
   if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
   if (table.rows.empty())
     section.blocks.emplace_back(Paragraph{"None were compared."});
   else
     section.blocks.emplace_back(TableBlock{.caption = "Hypotheses, best first", .table = std::move(table)});
+  section.blocks.emplace_back(Paragraph{
+      "Residual: rms on the fitted runs over the noise; 1 is noise alone. Gain: as in the figure; below 0 a hypothesis "
+      "explains less than its numbers cost. Gain on runs left out: the share of the squared error above the noise that "
+      "it takes away from runs that its fit has not seen. Those far behind the best were fitted briefly: their gain "
+      "may be larger."});
   return section;
 }
 
 Section warnings_section(const Node& diagnosis) {
   Section section{.id = "warnings", .title = "Warnings", .blocks = {}};
-  for (const Node& each : diagnosis.find("warnings").value().elements()) {
-    const Node run = each.find("run").value();
+  for (const Node& each : member_of(diagnosis, "warnings").elements()) {
+    const Node run = member_of(each, "run");
     section.blocks.emplace_back(
-        Paragraph{fmt::format("{}: {}", run.is_null() ? "All runs" : run.text(), each.find("text").value().text())});
+        Paragraph{fmt::format("{}: {}", run.is_null() ? "All runs" : run.text(), member_of(each, "text").text())});
   }
   return section;
 }
@@ -224,17 +266,19 @@ Section warnings_section(const Node& diagnosis) {
 }  // namespace
 
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
-  const std::string dataset = diagnosis.find("dataset").value().text();
-  require_summary_of(folder, dataset, diagnosis.find("verdict").value().text());
+  const std::string dataset = member_of(diagnosis, "dataset").text();
+  require_summary_of(folder, dataset, member_of(diagnosis, "verdict").text());
   Page page{.title = fmt::format("{}: diagnosis", dataset),
             .verdict = verdict_of(folder),
             .cautions = cautions_of(folder),
             .origin = origin_text(folder, made_by),
+            .inputs = input_lines(folder),
             .sections = {}};
   Section warnings = warnings_section(diagnosis);
   page.sections.push_back(effects_section(diagnosis));
+  page.sections.push_back(assumptions_section(folder));
   page.sections.push_back(errors_section(diagnosis));
-  for (Section& section : runs_sections(folder)) page.sections.push_back(std::move(section));
+  for (Section& section : runs_sections(folder, diagnosis)) page.sections.push_back(std::move(section));
   page.sections.push_back(torque_section(diagnosis));
   page.sections.push_back(candidates_section(diagnosis));
   page.sections.push_back(next_section(folder, diagnosis));

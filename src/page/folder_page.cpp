@@ -12,13 +12,15 @@
 namespace coilwright::page {
 namespace {
 
+constexpr const char* diagnosis_name = "diagnosis.json";
+
 Page page_of(const std::filesystem::path& folder, const std::filesystem::path& file, const text::Node& result,
              const PageInputs& inputs) {
   result.expect_object();
   const auto command = result.find("command");
   const std::string word = command && command->kind() == text::Node::Kind::text ? command->text() : "";
   try {
-    if (result.find("verdict")) return diagnosis_page(folder, result, inputs.made_by);
+    if (file.filename() == diagnosis_name) return diagnosis_page(folder, result, inputs.made_by);
     if (word == "size") return sizing_page(folder, result, inputs.made_by);
     if (word == "pareto") return front_page(folder, result, inputs);
     if (word == "sweep") return sweep_page(folder, result, inputs);
@@ -36,7 +38,7 @@ Page page_of(const std::filesystem::path& folder, const std::filesystem::path& f
 Page page_of(const std::filesystem::path& folder, const PageInputs& inputs) {
   if (!std::filesystem::is_directory(folder))
     throw text::InputError({.file = folder.string(), .rule = "must be a folder of results"});
-  for (const char* name : {"result.json", "diagnosis.json"}) {
+  for (const char* name : {"result.json", diagnosis_name}) {
     const std::filesystem::path file = folder / name;
     if (!std::filesystem::is_regular_file(file)) continue;
     const text::Document document = text::read_json(file);

@@ -29,9 +29,9 @@ std::string names_text(const std::vector<std::string>& names) {
 }
 
 std::string verdict_of(const Node& result, const FrontTable& front) {
-  const Node counts = result.find("evaluations").value();
+  const Node counts = member_of(result, "evaluations");
   const std::string search = fmt::format("{} designs were evaluated, {} of them keep every limit",
-                                         cell_of(counts.find("total").value()), cell_of(counts.find("ok").value()));
+                                         cell_of(member_of(counts, "total")), cell_of(member_of(counts, "ok")));
   if (front.rows() == 0) return fmt::format("No design that was found keeps every limit ({}).", search);
   std::vector<std::string> ranges;
   for (const std::string& objective : front.objectives) {
@@ -161,7 +161,7 @@ Json landmarks_of(const Node& result, const FrontTable& front) {
   const auto row_of = [&](const Node& design) -> std::optional<std::size_t> {
     for (std::size_t row = 0; row < front.rows(); ++row) {
       bool same = true;
-      for (const Node& variable : design.find("variables").value().members()) {
+      for (const Node& variable : member_of(design, "variables").members()) {
         const std::string& field = front.texts.column(variable.key())[row];
         same = same && (variable.kind() == Node::Kind::number ? text::number_in(field) == variable.number()
                                                               : field == cell_of(variable));
@@ -170,7 +170,7 @@ Json landmarks_of(const Node& result, const FrontTable& front) {
     }
     return std::nullopt;
   };
-  const std::vector<Node> ends = result.find("ends").value().elements();
+  const std::vector<Node> ends = member_of(result, "ends").elements();
   for (std::size_t i = 0; i < ends.size() && i < front.objectives.size(); ++i)
     if (const auto row = row_of(ends[i]))
       out.add(Json::object({{"name", "best " + front.objectives[i]}, {"row", *row}}));
@@ -184,10 +184,11 @@ Json landmarks_of(const Node& result, const FrontTable& front) {
 
 Page front_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
   const FrontTable front = read_front(folder, result);
-  Page page{.title = fmt::format("{}: front", result.find("study").value().text()),
+  Page page{.title = fmt::format("{}: front", member_of(result, "study").text()),
             .verdict = verdict_of(result, front),
             .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
+            .inputs = input_lines(folder),
             .sections = {}};
   const OtherDesigns others = read_other_designs(folder, front);
   Section trade{.id = "trade", .title = "The trade-off", .blocks = {}};
@@ -197,7 +198,7 @@ Page front_page(const std::filesystem::path& folder, const Node& result, const P
     const auto nearest = result.find("least_infeasible");
     if (nearest && !nearest->is_null())
       trade.blocks.emplace_back(
-          Paragraph{"The nearest design: " + members_text(nearest->find("variables").value()) + "."});
+          Paragraph{"The nearest design: " + members_text(member_of(*nearest, "variables")) + "."});
     page.sections.push_back(std::move(trade));
     return page;
   }

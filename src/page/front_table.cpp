@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "page/result_words.hpp"
+
 namespace coilwright::page {
 namespace {
 
@@ -46,7 +48,7 @@ std::optional<double> coordinate_of(const StudyVariable& variable, const std::st
 // Those of the first of some designs.
 std::vector<std::string> variables_of(const text::Node& designs) {
   const std::vector<text::Node> all = designs.elements();
-  return all.empty() ? std::vector<std::string>{} : all.front().find("variables").value().keys();
+  return all.empty() ? std::vector<std::string>{} : member_of(all.front(), "variables").keys();
 }
 
 FrontTable designs_in(const std::filesystem::path& file, const text::Node& result, std::vector<std::string> variables) {
@@ -56,7 +58,7 @@ FrontTable designs_in(const std::filesystem::path& file, const text::Node& resul
                      .largest = {},
                      .margins = {},
                      .quantities = {}};
-  for (const text::Node& each : result.find("objectives").value().elements()) {
+  for (const text::Node& each : member_of(result, "objectives").elements()) {
     const text::Node member = each.members().at(0);
     designs.objectives.push_back(member.text());
     designs.largest.push_back(member.key() == "maximise");
@@ -76,11 +78,11 @@ FrontTable designs_in(const std::filesystem::path& file, const text::Node& resul
 }  // namespace
 
 FrontTable read_front(const std::filesystem::path& folder, const text::Node& result) {
-  return designs_in(folder / "front.csv", result, variables_of(result.find("ends").value()));
+  return designs_in(folder / "front.csv", result, variables_of(member_of(result, "ends")));
 }
 
 FrontTable read_leaders(const std::filesystem::path& folder, const text::Node& result) {
-  return designs_in(folder / "best.csv", result, variables_of(result.find("best").value()));
+  return designs_in(folder / "best.csv", result, variables_of(member_of(result, "best")));
 }
 
 std::vector<std::string> shown_columns(const FrontTable& front) {

@@ -25,6 +25,9 @@ struct Writer {
   std::string operator()(const Paragraph& paragraph) const {
     return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
   }
+  std::string operator()(const Listing& listing) const {
+    return fmt::format("<pre class=\"wide\" tabindex=\"0\">{}</pre>\n", text::escaped_lines(listing.text));
+  }
   std::string operator()(const TableBlock& block) const { return table_html(block); }
   std::string operator()(const Widget& widget) const { return widget.html; }
   std::string operator()(const Figure& figure) const {
@@ -46,7 +49,14 @@ std::string body_of(const Page& page) {
       fmt::format("<header>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n", escaped(page.title), escaped(page.verdict));
   for (const std::string& caution : page.cautions)
     out += fmt::format("<p class=\"caution\">{}</p>\n", escaped(caution));
-  out += fmt::format("<p class=\"origin\">{}</p>\n</header>\n", escaped(page.origin));
+  out += fmt::format("<p class=\"origin\">{}</p>\n", escaped(page.origin));
+  if (!page.inputs.empty()) {
+    out += fmt::format("<details class=\"origin\"><summary>The files that it is made of ({})</summary>\n<ul>\n",
+                       page.inputs.size());
+    for (const std::string& input : page.inputs) out += fmt::format("<li>{}</li>\n", escaped(input));
+    out += "</ul></details>\n";
+  }
+  out += "</header>\n";
   out += "<nav aria-label=\"Sections\"><ul>\n";
   for (const Section& section : page.sections)
     out += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));

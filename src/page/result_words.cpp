@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
@@ -13,6 +14,21 @@
 namespace coilwright::page {
 
 using text::Node;
+
+namespace {
+
+std::optional<text::Document> provenance_in(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "provenance.json";
+  if (!std::filesystem::is_regular_file(file)) return std::nullopt;
+  return text::read_json(file);
+}
+
+}  // namespace
+
+Node member_of(const Node& object, std::string_view key) {
+  if (const auto found = object.find(key)) return *found;
+  throw object.error_without_value(fmt::format("must have \"{}\" (docs/formats.md)", key));
+}
 
 std::string cell_of(const Node& node) {
   switch (node.kind()) {
@@ -28,19 +44,19 @@ std::string cell_of(const Node& node) {
 }
 
 std::string limit_text(const Node& constraint) {
-  const std::string quantity = constraint.find("quantity").value().text();
+  const std::string quantity = member_of(constraint, "quantity").text();
   if (const auto most = constraint.find("at_most")) return fmt::format("{} <= {}", quantity, cell_of(*most));
-  return fmt::format("{} >= {}", quantity, cell_of(constraint.find("at_least").value()));
+  return fmt::format("{} >= {}", quantity, cell_of(member_of(constraint, "at_least")));
 }
 
 double margin_percent(const Node& constraint) {
   const auto most = constraint.find("at_most");
-  double scale = std::abs((most ? *most : constraint.find("at_least").value()).number());
+  double scale = std::abs((most ? *most : member_of(constraint, "at_least")).number());
   if (scale == 0.0) {
-    const auto* quantity = simulation::standard_quantities().find(constraint.find("quantity").value().text());
+    const auto* quantity = simulation::standard_quantities().find(member_of(constraint, "quantity").text());
     scale = quantity == nullptr ? 1.0 : quantity->scale;
   }
-  return 100.0 * constraint.find("margin").value().number() / scale;
+  return 100.0 * member_of(constraint, "margin").number() / scale;
 }
 
 std::string members_text(const Node& object) {
@@ -76,8 +92,8 @@ std::vector<std::string> cautions_of_parts(const Node& result) {
   std::vector<std::string> conditional;
   for (const Node& each : limits ? limits->elements() : std::vector<Node>())
     (is_conditional(each) ? conditional : broken)
-        .push_back(fmt::format("{} of them break {}: {}", cell_of(each.find("designs").value()),
-                               cell_of(each.find("quantity").value()), cell_of(each.find("consequence").value())));
+        .push_back(fmt::format("{} of them break {}: {}", cell_of(member_of(each, "designs")),
+                               cell_of(member_of(each, "quantity")), cell_of(member_of(each, "consequence"))));
   std::vector<std::string> out;
   if (was_interrupted(result)) out.emplace_back(interrupted_caution);
   if (!broken.empty())
@@ -87,21 +103,20 @@ std::vector<std::string> cautions_of_parts(const Node& result) {
 }
 
 bool is_feasible(const Node& result) {
-  return result.find("feasible").value().boolean();
+  return member_of(result, "feasible").boolean();
 }
 
 Objective objective_of(const Node& result) {
-  const Node first = result.find("objectives").value().elements().front();
+  const Node first = member_of(result, "objectives").elements().front();
   const Node member = first.members().front();
   return {.name = member.text(), .largest = member.key() == "maximise"};
 }
 
 std::string origin_text(const std::filesystem::path& folder, std::string_view made_by) {
   std::string out = fmt::format("Page by {}.", made_by);
-  const std::filesystem::path file = folder / "provenance.json";
-  if (!std::filesystem::is_regular_file(file)) return out;
-  const text::Document document = text::read_json(file);
-  const Node root = document.root();
+  const auto document = provenance_in(folder);
+  if (!document) return out;
+  const Node root = document->root();
   const auto word = [&](const char* key) {
     const auto node = root.find(key);
     return node ? cell_of(*node) : std::string("-");
@@ -109,11 +124,18 @@ std::string origin_text(const std::filesystem::path& folder, std::string_view ma
   out += fmt::format(" Results of {} {}, commit {}", word("command"), word("version"), word("commit").substr(0, 12));
   // Null where nothing is drawn.
   if (const auto seed = root.find("seed"); seed && !seed->is_null()) out += fmt::format(", seed {}", cell_of(*seed));
-  out += '.';
+  return out + '.';
+}
+
+std::vector<std::string> input_lines(const std::filesystem::path& folder) {
+  std::vector<std::string> out;
+  const auto document = provenance_in(folder);
+  if (!document) return out;
+  const Node root = document->root();
   if (const auto inputs = root.find("inputs"))
     for (const Node& input : inputs->elements())
-      out += fmt::format(" {}: SHA-256 {}.", cell_of(input.find("file").value()),
-                         cell_of(input.find("sha256").value()).substr(0, 12));
+      out.push_back(fmt::format("{}: SHA-256 {}", cell_of(member_of(input, "file")),
+                                cell_of(member_of(input, "sha256")).substr(0, 12)));
   return out;
 }
 

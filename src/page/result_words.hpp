@@ -1,13 +1,24 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "coilwright/page/page.hpp"
 #include "coilwright/text/json/node.hpp"
 
 namespace coilwright::page {
+
+/// What pages call the models of a diagnosis, by their keys in diagnosis.json, which are columns of residuals.csv: the
+/// words of summary.txt.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> model_words = {
+    {{"declared", "as declared"}, {"before", "fitted anew"}, {"after", "with effects"}, {"corrected", "corrected"}}};
+
+/// The value under `key` of an object of a result. Throws text::InputError that names the key where it is not there.
+[[nodiscard]] text::Node member_of(const text::Node& object, std::string_view key);
 
 /// A number of a result with four digits, a text as it is, "-" for null.
 [[nodiscard]] std::string cell_of(const text::Node& node);
@@ -52,7 +63,10 @@ struct Objective {
 };
 [[nodiscard]] Objective objective_of(const text::Node& result);
 
-/// What provenance.json and result.json tell of where a result is from, as one line.
+/// What provenance.json tells of where a result is from, as one line.
 [[nodiscard]] std::string origin_text(const std::filesystem::path& folder, std::string_view made_by);
+
+/// The files that the result was made of, as provenance.json names them, each with the first digits of its SHA-256.
+[[nodiscard]] std::vector<std::string> input_lines(const std::filesystem::path& folder);
 
 }  // namespace coilwright::page

@@ -15,16 +15,12 @@
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
+#include "page/result_words.hpp"
 #include "page/thinning.hpp"
 
 namespace coilwright::page {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> models = {
-    {{"declared", "as declared"},
-     {"before", "recalibrated"},
-     {"after", "with the effects"},
-     {"corrected", "with a nameless torque"}}};
 constexpr std::array<std::string_view, 3> axes = {"time_s", "angle_deg", "current_A"};
 
 // "angle, deg" of "bending_angle_deg" and the like: the column's own name says it.
@@ -41,10 +37,10 @@ RunRecord::Prediction& prediction_of(RunRecord& record, std::string_view name) {
       RunRecord::Prediction{.name = std::string(name), .x = {}, .y = {}, .residual = {}});
 }
 
-// Where no effect was added, the model with the effects is the recalibrated one.
+// Where no effect was added, the model with effects is the one that was fitted anew.
 void drop_repetition(RunRecord& record) {
-  const auto with = std::ranges::find(record.predictions, models[2].second, &RunRecord::Prediction::name);
-  const auto without = std::ranges::find(record.predictions, models[1].second, &RunRecord::Prediction::name);
+  const auto with = std::ranges::find(record.predictions, model_words[2].second, &RunRecord::Prediction::name);
+  const auto without = std::ranges::find(record.predictions, model_words[1].second, &RunRecord::Prediction::name);
   if (with != record.predictions.end() && without != record.predictions.end() && with->y == without->y)
     record.predictions.erase(with);
 }
@@ -68,7 +64,7 @@ std::optional<double> even_interval(const std::vector<double>& times) {
 
 std::vector<std::string> colour_order() {
   std::vector<std::string> names{"measured"};
-  for (const auto& [column, name] : models) names.emplace_back(name);
+  for (const auto& [column, name] : model_words) names.emplace_back(name);
   return names;
 }
 
@@ -169,7 +165,7 @@ std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
     record.measured.push_back(*measured);
     const bool left_out = table.has("left_out") && table.number("left_out", row).value_or(0.0) != 0.0;
     if (left_out) ++record.outliers;
-    for (const auto& [column, name] : models) {
+    for (const auto& [column, name] : model_words) {
       if (!table.has(column)) continue;
       const auto predicted = table.number(column, row);
       if (!predicted) continue;

@@ -18,7 +18,7 @@ namespace {
 
 std::string violations_text(const Node& step) {
   std::vector<std::string> names;
-  for (const Node& each : step.find("violates").value().elements()) names.push_back(cell_of(each));
+  for (const Node& each : member_of(step, "violates").elements()) names.push_back(cell_of(each));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -33,13 +33,13 @@ Section sensitivity_section(const Node& result) {
                  .label_title = "step",
                  .bars = {}};
   Table table{.header = {"variable", "from", "to", "change", "breaks"}, .rows = {}};
-  for (const Node& each : result.find("steps").value().elements()) {
-    const Node change = each.find("objective_change").value();
+  for (const Node& each : member_of(result, "steps").elements()) {
+    const Node change = member_of(each, "objective_change");
     const std::string broken = violations_text(each);
-    table.rows.push_back({cell_of(each.find("variable").value()), cell_of(each.find("from").value()),
-                          cell_of(each.find("to").value()), cell_of(change), broken});
+    table.rows.push_back({cell_of(member_of(each, "variable")), cell_of(member_of(each, "from")),
+                          cell_of(member_of(each, "to")), cell_of(change), broken});
     if (change.is_null()) continue;
-    const bool improves = each.find("improves").value().boolean();
+    const bool improves = member_of(each, "improves").boolean();
     chart.bars.push_back(
         {.label = fmt::format("{} {} to {}", table.rows.back()[0], table.rows.back()[1], table.rows.back()[2]),
          .value = change.number(),
@@ -53,10 +53,10 @@ Section sensitivity_section(const Node& result) {
   else
     section.blocks.emplace_back(TableBlock{.caption = "Steps of the variables", .table = std::move(table)});
   Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}, .rows = {}};
-  for (const Node& each : result.find("binding").value().elements()) {
+  for (const Node& each : member_of(result, "binding").elements()) {
     const auto design = each.find("relaxed_best");
-    relaxed.rows.push_back({cell_of(each.find("constraint").value()), cell_of(each.find("relaxed_to").value()),
-                            cell_of(each.find("objective_change").value()),
+    relaxed.rows.push_back({cell_of(member_of(each, "constraint")), cell_of(member_of(each, "relaxed_to")),
+                            cell_of(member_of(each, "objective_change")),
                             design && !design->is_null() ? members_text(*design) : "-"});
   }
   if (!relaxed.rows.empty())
@@ -66,7 +66,7 @@ Section sensitivity_section(const Node& result) {
 
 Section assumptions_section(const Node& result) {
   Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
-  const std::vector<Node> all = result.find("assumptions").value().elements();
+  const std::vector<Node> all = member_of(result, "assumptions").elements();
   if (all.empty()) {
     section.blocks.emplace_back(
         Paragraph{fmt::format("No other modelling choice was looked at: {}.",
@@ -82,27 +82,27 @@ Section assumptions_section(const Node& result) {
                  .label_title = "if it is otherwise",
                  .bars = {},
                  .symbols = true};
-  const double value = result.find("best").value().find("objectives").value().members().front().number();
+  const double value = member_of(member_of(result, "best"), "objectives").members().front().number();
   chart.bars.push_back({.label = "as taken", .value = value, .group = "as taken"});
   Table table{.header = {"subject", "taken", "otherwise", "objective then", "worst margin, % of its limit",
                          "another design", "settled by"},
               .rows = {}};
   for (const Node& each : all) {
     const std::vector<Node> objectives =
-        each.find("objectives").value().is_null() ? std::vector<Node>{} : each.find("objectives").value().members();
+        member_of(each, "objectives").is_null() ? std::vector<Node>{} : member_of(each, "objectives").members();
     const auto worst = each.find("worst_margin");
     const bool known = !objectives.empty() && !objectives.front().is_null();
-    table.rows.push_back({cell_of(each.find("subject").value()), cell_of(each.find("taken").value()),
-                          cell_of(each.find("otherwise").value()), known ? cell_of(objectives.front()) : "-",
+    table.rows.push_back({cell_of(member_of(each, "subject")), cell_of(member_of(each, "taken")),
+                          cell_of(member_of(each, "otherwise")), known ? cell_of(objectives.front()) : "-",
                           worst && !worst->is_null()
-                              ? fmt::format("{} ({:.3g})", cell_of(worst->find("limit").value()),
-                                            100.0 * worst->find("relative_margin").value().number())
+                              ? fmt::format("{} ({:.3g})", cell_of(member_of(*worst, "limit")),
+                                            100.0 * member_of(*worst, "relative_margin").number())
                               : "-",
-                          cell_of(each.find("changes_design").value()), cell_of(each.find("settled_by").value())});
+                          cell_of(member_of(each, "changes_design")), cell_of(member_of(each, "settled_by"))});
     if (known)
       chart.bars.push_back({.label = fmt::format("{}: {}", table.rows.back()[0], table.rows.back()[2]),
                             .value = objectives.front().number(),
-                            .group = each.find("feasible").value().boolean() ? "keeps every limit" : "breaks a limit"});
+                            .group = member_of(each, "feasible").boolean() ? "keeps every limit" : "breaks a limit"});
   }
   section.blocks.emplace_back(figure_of(chart));
   section.blocks.emplace_back(TableBlock{.caption = "Modelling choices", .table = std::move(table)});

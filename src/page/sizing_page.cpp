@@ -29,12 +29,12 @@ std::vector<std::string> cautions_of_design(const Node& result) {
   std::vector<std::string> broken;
   std::vector<std::string> conditional;
   for (const Node& each : limits ? limits->elements() : std::vector<Node>()) {
-    if (!each.find("broken").value().boolean()) continue;
+    if (!member_of(each, "broken").boolean()) continue;
     const char* side = each.find("at_most") ? "at_most" : "at_least";
     (is_conditional(each) ? conditional : broken)
-        .push_back(fmt::format("{} {}, {} {}: {}", cell_of(each.find("quantity").value()),
-                               cell_of(each.find("value").value()), each.find("at_most") ? "at most" : "at least",
-                               cell_of(each.find(side).value()), cell_of(each.find("consequence").value())));
+        .push_back(fmt::format("{} {}, {} {}: {}", cell_of(member_of(each, "quantity")),
+                               cell_of(member_of(each, "value")), each.find("at_most") ? "at most" : "at least",
+                               cell_of(member_of(each, side)), cell_of(member_of(each, "consequence"))));
   }
   std::vector<std::string> out;
   if (was_interrupted(result)) out.emplace_back(interrupted_caution);
@@ -48,17 +48,17 @@ std::vector<std::string> cautions_of_design(const Node& result) {
 
 std::string verdict_of(const Node& result) {
   const Objective objective = objective_of(result);
-  const Node best = result.find("best").value();
+  const Node best = member_of(result, "best");
   if (best.is_null()) return "No design was evaluated.";
   if (!is_feasible(result)) {
     std::vector<std::string> broken;
-    for (const Node& each : result.find("violated").value().elements()) broken.push_back(cell_of(each));
+    for (const Node& each : member_of(result, "violated").elements()) broken.push_back(cell_of(each));
     return fmt::format(
         "No design that was found keeps every limit; this page shows the least infeasible one, which breaks {}.",
         fmt::join(broken, ", "));
   }
-  const double value = best.find("objectives").value().members().front().number();
-  const std::vector<Node> limits = best.find("constraints").value().elements();
+  const double value = member_of(best, "objectives").members().front().number();
+  const std::vector<Node> limits = member_of(best, "constraints").elements();
   std::string out = fmt::format("The {} {} found is {}", objective.largest ? "largest" : "smallest", objective.name,
                                 short_number(value));
   if (limits.empty()) {
@@ -70,8 +70,8 @@ std::string verdict_of(const Node& result) {
                        limit_text(*tightest), margin_percent(*tightest));
   }
   std::size_t changes = 0;
-  const std::vector<Node> assumptions = result.find("assumptions").value().elements();
-  for (const Node& each : assumptions) changes += each.find("changes_design").value().boolean() ? 1 : 0;
+  const std::vector<Node> assumptions = member_of(result, "assumptions").elements();
+  for (const Node& each : assumptions) changes += member_of(each, "changes_design").boolean() ? 1 : 0;
   if (changes > 0)
     out += fmt::format("; {} of {} other modelling choices would lead to another design", changes, assumptions.size());
   const auto first = result.find("measure_first");
@@ -81,7 +81,7 @@ std::string verdict_of(const Node& result) {
 
 TableBlock variables_table(const Node& result) {
   Table table{.header = {"variable", "value"}, .rows = {}};
-  for (const Node& each : result.find("best").value().find("variables").value().members())
+  for (const Node& each : member_of(member_of(result, "best"), "variables").members())
     table.rows.push_back({each.key(), cell_of(each)});
   const auto ends = result.find("at_range_end");
   if (ends && !ends->elements().empty()) {
@@ -89,7 +89,7 @@ TableBlock variables_table(const Node& result) {
     for (std::vector<std::string>& row : table.rows) {
       std::string end;
       for (const Node& each : ends->elements())
-        if (each.find("variable").value().text() == row.front()) end = each.find("end").value().text();
+        if (member_of(each, "variable").text() == row.front()) end = member_of(each, "end").text();
       row.push_back(end);
     }
   }
@@ -98,15 +98,15 @@ TableBlock variables_table(const Node& result) {
 
 Section limits_section(const Node& result) {
   Section section{.id = "limits", .title = "Objective and limits", .blocks = {}};
-  const Node best = result.find("best").value();
-  std::string line = fmt::format("{}.", first_member_text(best.find("objectives").value()));
+  const Node best = member_of(result, "best");
+  std::string line = fmt::format("{}.", first_member_text(member_of(best, "objectives")));
   const auto base = result.find("base");
   if (base && base->find("objectives"))
     line += fmt::format(" The study's own actuator with {} A, for comparison: {}.",
-                        cell_of(base->find("current_A").value()), first_member_text(base->find("objectives").value()));
+                        cell_of(member_of(*base, "current_A")), first_member_text(member_of(*base, "objectives")));
   else if (base && base->find("reason"))
     line +=
-        fmt::format(" The study's own actuator, for comparison, has none: {}.", cell_of(base->find("reason").value()));
+        fmt::format(" The study's own actuator, for comparison, has none: {}.", cell_of(member_of(*base, "reason")));
   section.blocks.emplace_back(Paragraph{line});
   Table table{.header = {"limit", "value", "margin", "margin, % of the limit", "in the way"}, .rows = {}};
   BarChart chart{.id = "margins",
@@ -117,13 +117,13 @@ Section limits_section(const Node& result) {
                  .value_title = "margin, %",
                  .label_title = "limit",
                  .bars = {}};
-  for (const Node& each : best.find("constraints").value().elements()) {
+  for (const Node& each : member_of(best, "constraints").elements()) {
     const double percent = margin_percent(each);
     std::string way;
-    for (const Node& binding : result.find("binding").value().elements())
-      if (binding.find("constraint").value().text() == limit_text(each))
-        way = binding.find("at_limit").value().boolean() ? "at its limit" : "an improving step breaks it";
-    table.rows.push_back({limit_text(each), cell_of(each.find("value").value()), cell_of(each.find("margin").value()),
+    for (const Node& binding : member_of(result, "binding").elements())
+      if (member_of(binding, "constraint").text() == limit_text(each))
+        way = member_of(binding, "at_limit").boolean() ? "at its limit" : "an improving step breaks it";
+    table.rows.push_back({limit_text(each), cell_of(member_of(each, "value")), cell_of(member_of(each, "margin")),
                           fmt::format("{:.3g}", percent), way});
     chart.bars.push_back({.label = limit_text(each),
                           .value = percent,
@@ -152,8 +152,8 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
       .title = "Every design of the search",
       .description = fmt::format("The best {} so far, and the value of every design that was evaluated; {} ended "
                                  "the search after {} designs.",
-                                 objective, cell_of(result.find("stop_reason").value()),
-                                 cell_of(result.find("evaluations").value().find("total").value())),
+                                 objective, cell_of(member_of(result, "stop_reason")),
+                                 cell_of(member_of(member_of(result, "evaluations"), "total"))),
       .x_title = "evaluation",
       .y_title = objective,
       .series = {}};
@@ -215,12 +215,13 @@ Section quantities_section(const Node& result) {
 }  // namespace
 
 Page sizing_page(const std::filesystem::path& folder, const Node& result, std::string_view made_by) {
-  Page page{.title = fmt::format("{}: sizing", result.find("study").value().text()),
+  Page page{.title = fmt::format("{}: sizing", member_of(result, "study").text()),
             .verdict = verdict_of(result),
             .cautions = cautions_of_design(result),
             .origin = origin_text(folder, made_by),
+            .inputs = input_lines(folder),
             .sections = {}};
-  const Node best = result.find("best").value();
+  const Node best = member_of(result, "best");
   if (best.is_null()) return page;
   std::vector<Section> design;
   if (std::filesystem::is_regular_file(folder / "actuator.json"))

@@ -22,7 +22,7 @@ std::filesystem::path summary_in(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
+std::vector<std::string> summary_section(const std::filesystem::path& folder, std::string_view heading) {
   const std::filesystem::path file = summary_in(folder);
   std::istringstream lines(text::read_text(file, text::json_size_limit).text);
   std::string line;
@@ -35,10 +35,16 @@ std::vector<std::string> summary_lines(const std::filesystem::path& folder, std:
   std::vector<std::string> out;
   while (std::getline(lines, line)) {
     if (line.empty() && !out.empty()) break;
-    if (!line.empty()) out.push_back(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+    if (!line.empty()) out.push_back(line);
   }
   if (out.empty() && heading.empty())
     throw text::InputError({.file = file.string(), .rule = "must say the verdict below its title"});
+  return out;
+}
+
+std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
+  std::vector<std::string> out = summary_section(folder, heading);
+  for (std::string& line : out) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
   return out;
 }
 

@@ -7,9 +7,12 @@
 
 namespace coilwright::page {
 
-/// The lines below a heading of summary.txt in a folder of `diagnose`, up to the next empty one, without what indents
-/// them; below its title where `heading` is empty. Throws InputError where there is no such file or heading, and
-/// where nothing stands below the title: a page without its verdict or its doubts would say more than is known.
+/// The lines below a heading of summary.txt in a folder of `diagnose`, up to the next empty one; below its title where
+/// `heading` is empty. Throws InputError where there is no such file or heading, and where nothing stands below the
+/// title: a page without its verdict or its doubts would say more than is known.
+[[nodiscard]] std::vector<std::string> summary_section(const std::filesystem::path& folder, std::string_view heading);
+
+/// The same without what indents them.
 [[nodiscard]] std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading);
 
 /// Throws InputError where the title of that file is not this data set and verdict: it is the summary of another

@@ -52,8 +52,8 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
 
 std::string verdict_of(const Node& result, const FrontTable& leaders) {
   const std::string counts = fmt::format("{} of the {} designs of the grid were evaluated, {} of them keep every limit",
-                                         cell_of(result.find("evaluated").value()),
-                                         cell_of(result.find("designs").value()), cell_of(result.find("ok").value()));
+                                         cell_of(member_of(result, "evaluated")), cell_of(member_of(result, "designs")),
+                                         cell_of(member_of(result, "ok")));
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < leaders.objectives.size(); ++i)
     if (const auto row = best_row(leaders, i))
@@ -227,12 +227,13 @@ std::vector<Section> drawn_sections(const FrontTable& leaders, const PageInputs&
 
 Page sweep_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
   const FrontTable leaders = read_leaders(folder, result);
-  Page page{.title = fmt::format("{}: sweep", result.find("study").value().text()),
+  Page page{.title = fmt::format("{}: sweep", member_of(result, "study").text()),
             .verdict = verdict_of(result, leaders),
             .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
+            .inputs = input_lines(folder),
             .sections = {}};
-  const auto evaluated = static_cast<std::size_t>(result.find("evaluated").value().number());
+  const auto evaluated = static_cast<std::size_t>(member_of(result, "evaluated").number());
   if (evaluated == 0) return page;
   const SweepTable table = read_sweep(folder, leaders, evaluated);
   page.sections.push_back(leaders_section(leaders));

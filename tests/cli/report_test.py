@@ -40,7 +40,7 @@ class Report(ProgramTest):
     def test_a_damaged_result_is_refused_and_nothing_written(self):
         self.write("none/result.json", '{"command": "size", "study": "s", "objectives": [{"maximise": "mass_g"}]}')
         self.assert_refused(("report", "none"),
-                            "none/result.json: lacks a key that these results have (docs/formats.md)")
+                            'none/result.json: /: must have "best" (docs/formats.md)')
 
     def test_a_page_comes_with_the_results_where_it_is_asked_for(self):
         self.size("--report")

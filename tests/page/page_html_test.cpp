@@ -15,11 +15,11 @@ using testing::Not;
 constexpr const char* hostile = "</script><script>alert(1)</script>\"'&";
 
 Page hostile_page() {
-  Page page{.title = hostile, .verdict = hostile, .origin = hostile, .sections = {}, .data = {}};
+  Page page{.title = hostile, .verdict = hostile, .origin = hostile, .inputs = {hostile}, .sections = {}, .data = {}};
   Figure figure{
       .id = "f", .title = hostile, .description = hostile, .content = text::Json::object({{"title", hostile}})};
   figure.table = {.header = {hostile}, .rows = {{hostile}}};
-  page.sections.push_back({.id = "s", .title = hostile, .blocks = {Paragraph{hostile}, figure}});
+  page.sections.push_back({.id = "s", .title = hostile, .blocks = {Paragraph{hostile}, Listing{hostile}, figure}});
   page.data.push_back({.id = "d", .json = text::Json::object({{"name", hostile}}).text()});
   return page;
 }

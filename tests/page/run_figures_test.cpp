@@ -52,7 +52,7 @@ TEST(Runs, AreReadWithWhatEachModelLeavesOver) {
   const std::vector<RunRecord> runs = read_runs(folder.path());
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].measured, (std::vector<double>{1.5, 2.5}));
-  ASSERT_EQ(runs[0].predictions.size(), 2U);  // with the effects: the same as recalibrated
+  ASSERT_EQ(runs[0].predictions.size(), 2U);  // with effects: the same as fitted anew
   EXPECT_EQ(runs[0].predictions[0].x, (std::vector<double>{0.0}));
   EXPECT_EQ(runs[0].predictions[1].residual, (std::vector<double>{0.25, 0.25}));
   EXPECT_EQ(runs[1].axis, "angle_deg");

@@ -42,6 +42,11 @@ struct Paragraph {
   std::string text;
 };
 
+/// Lines that spaces align, shown as they are.
+struct Listing {
+  std::string text;
+};
+
 /// A table that stands for itself.
 struct TableBlock {
   std::string caption;
@@ -53,7 +58,7 @@ struct Widget {
   std::string html;
 };
 
-using Block = std::variant<Paragraph, TableBlock, Figure, Widget>;
+using Block = std::variant<Paragraph, Listing, TableBlock, Figure, Widget>;
 
 /// What stands under one heading.
 struct Section {
@@ -73,7 +78,8 @@ struct Page {
   std::string title;
   std::string verdict;                  ///< one sentence, or a few: what comes first
   std::vector<std::string> cautions{};  ///< what a reader must know beside it: "BEWARE: ...", each a paragraph
-  std::string origin;                   ///< program, version, command, inputs: one line
+  std::string origin;                   ///< program, version, command: one line
+  std::vector<std::string> inputs{};    ///< the files that it is made of, with their hashes, a line each
   std::vector<Section> sections;
   std::vector<DataBlock> data{};
 };

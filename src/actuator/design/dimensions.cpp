@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "coilwright/actuator/design/current_shares.hpp"
+#include "coilwright/actuator/design/largest_values.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/winding/packing.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
@@ -75,6 +76,10 @@ void check_sizes(const Design& design, MisfitList& list) {
   list.require_length(design.magnet.radius, "magnet radius");
   list.require_length(design.magnet.length, "magnet length");
   list.require_positive(design.magnet.remanence, "remanence", 1.0, "T");
+  if (design.magnet.remanence > most_remanence && std::isfinite(design.magnet.remanence))
+    list.add(fmt::format("remanence must be at most {} T, which no magnet reaches; got {:.6g} T", most_remanence,
+                         design.magnet.remanence),
+             design.magnet.remanence / most_remanence - 1.0);
   list.require_positive(design.magnet.density, "magnet density", 1.0, "kg/m3");
   const BodyDesign& body = design.body;
   list.require_length(body.gap, "gap");
@@ -98,8 +103,8 @@ void check_sizes(const Design& design, MisfitList& list) {
 
 void check_surroundings(const Design& design, MisfitList& list) {
   const Surroundings& around = design.surroundings;
-  if (!(std::isfinite(around.gravity) && around.gravity >= 0.0))
-    list.add(fmt::format("gravity must be finite and >= 0; got {} m/s2", around.gravity), 1.0);
+  if (!(around.gravity >= 0.0 && around.gravity <= most_gravity))
+    list.add(fmt::format("gravity must lie in 0 to {} m/s2; got {}", most_gravity, around.gravity), 1.0);
   list.require_finite(around.base_tilt, "base tilt", "rad");
   list.require_finite(around.coil_limit, "coil temperature limit", "degC");
   list.require_finite(design.magnet.temperature_limit, "magnet temperature limit", "degC");

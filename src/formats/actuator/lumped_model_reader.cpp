@@ -93,7 +93,7 @@ void read_magnetics(const Node& node, LumpedModelContent& content) {
 LumpedModelContent read_lumped_model(ObjectReader& in, const actuator::EffectCatalogue& known) {
   LumpedModelContent content;
   actuator::LumpedModel& model = content.model;
-  model.gravity = in.quantity_or(gravity_key, usual_gravity, non_negative);
+  model.gravity = in.quantity_or(gravity_key, usual_gravity, gravity_rule);
   for (const Node& node : in.elements("links", Length::from_to(1, mechanics::max_joints)))
     model.links.push_back(read_link(node));
   for (const Node& node : in.elements("joints", Length::exactly(model.links.size())))

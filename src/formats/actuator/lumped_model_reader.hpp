@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "coilwright/actuator/design/largest_values.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/actuator/model/lumped_model.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
@@ -19,6 +20,7 @@ struct LumpedModelContent {
 
 inline constexpr std::string_view gravity_key = "gravity_m_s2";
 inline constexpr double usual_gravity = 9.81;  // m/s^2
+inline constexpr text::Rule gravity_rule = text::Rule::between(0, actuator::most_gravity);
 
 inline constexpr std::array link_numbers = {
     PartKey<mechanics::Link>{"length_m", text::non_negative, &mechanics::Link::length},

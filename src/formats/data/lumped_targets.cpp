@@ -154,7 +154,7 @@ class NumberResolver {
   [[nodiscard]] std::optional<KnownNumber> find(std::size_t i, std::span<const std::string> steps) const {
     if (steps.front() == "magnetics") return find_magnetic(i, steps);
     if (steps.size() == 1 && steps[0] == gravity_key)
-      return KnownNumber{.number = GravityNumber{}, .key = std::string(gravity_key), .rule = non_negative};
+      return KnownNumber{.number = GravityNumber{}, .key = std::string(gravity_key), .rule = gravity_rule};
     const auto index = steps.size() < 3 ? std::nullopt : array_index(steps[1]);
     if (!index || *index >= model_.links.size()) return std::nullopt;
     if (steps[0] == "links" && steps.size() == 3) return number_of(link_numbers, *index, steps[2]);

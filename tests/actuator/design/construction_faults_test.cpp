@@ -41,6 +41,8 @@ TEST(ConstructionFaults, NameEverySizeThatIsNotPositive) {
   expect([](Design& d) { d.magnet.radius = 0.0; }, "magnet radius must be from 0.01 to 1000 mm; got 0 mm");
   expect([](Design& d) { d.magnet.length = infinity; }, "magnet length must be from 0.01 to 1000 mm; got inf mm");
   expect([](Design& d) { d.magnet.remanence = not_a_number; }, "remanence must be finite and > 0; got nan T");
+  expect([](Design& d) { d.magnet.remanence = 14.4; },
+         "remanence must be at most 2 T, which no magnet reaches; got 14.4 T");
   expect([](Design& d) { d.magnet.density = -7.0; }, "magnet density must be finite and > 0; got -7 kg/m3");
   expect([](Design& d) { d.body.gap = -0.3e-3; }, "gap must be from 0.01 to 1000 mm; got -0.3 mm");
   expect([](Design& d) { d.body.bottom_layer = 0.0; }, "bottom layer must be from 0.01 to 1000 mm; got 0 mm");
@@ -88,7 +90,9 @@ TEST(ConstructionFaults, NameMaterialsAndSurroundingsOutsideTheirRange) {
   EXPECT_EQ(rules_after([](Design& d) { d.body.shore_hardness = not_a_number; }),
             "shore hardness must lie in 20 to 80; got nan");
   EXPECT_EQ(rules_after([](Design& d) { d.surroundings.gravity = -9.81; }),
-            "gravity must be finite and >= 0; got -9.81 m/s2");
+            "gravity must lie in 0 to 100 m/s2; got -9.81");
+  EXPECT_EQ(rules_after([](Design& d) { d.surroundings.gravity = 9810.0; }),
+            "gravity must lie in 0 to 100 m/s2; got 9810");
   EXPECT_EQ(rules_after([](Design& d) { d.surroundings.base_tilt = infinity; }),
             "base tilt must be finite; got inf rad");
   EXPECT_EQ(rules_after([](Design& d) { d.surroundings.ambient = 250.0; }),

@@ -63,6 +63,7 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
     design.coil.wire_gauge = 20 + i % 21;
     design.coil.inner_radius = 4.0 * factor(random) / 1e3;  // no bore too tight for the wire
     design.body.shore_hardness = 40.0 * factor(random);     // within Gent's relation
+    design.magnet.remanence = 1.4 * factor(random);         // up to 2 T
     design.body.poisson_ratio = 0.35 * factor(random);      // up to 0.5
     design.coil.current_shares = {0.7 * factor(random), -0.7 * factor(random), 1.0, 1.0};  // of two coils, up to 1
     const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");

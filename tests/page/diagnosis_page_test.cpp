@@ -1,0 +1,106 @@
+#include "page/diagnosis_page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coilwright/page/folder_page.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "temporary_folder.hpp"
+
+namespace coilwright::page {
+namespace {
+
+using ::testing::EndsWith;
+
+constexpr const char* diagnosis_text = R"({"format": "diagnosis/1", "dataset": "finger", "verdict": "explained",
+  "effects": [{"id": "dry_friction", "parameters": {"torque_Nmm": {"value": 0.5, "ci95": [0.4, 0.6]}},
+               "evidence": {"criterion_gain": 40, "cross_validated_gain": 0.9}}],
+  "error": {"fit": {"declared": {"rmse_deg": 2}, "before": {"rmse_deg": 1}, "after": {"rmse_deg": 0.5}, "samples": 3,
+                    "torque": {"declared": {"rmse_Nmm": 1}, "samples": 1}},
+            "validate": {"after": {"rmse_deg": 0.6}, "samples": 1}},
+  "candidates": [{"effects": ["dry_friction"], "remark": null,
+                  "evidence": {"criterion_gain": 40, "cross_validated_gain": 0.9, "chi_square_after": 9}}],
+  "warnings": [], "next_experiment": null})";
+
+constexpr const char* summary = R"(finger: explained
+
+The declared model lacks dry_friction.
+
+What was assumed
+  Numbers fitted freely:
+    joint_stiffness_Nmm_rad  12.1  12.0 to 12.2 (95 %)
+
+How sure, and what else it could be
+  Nothing else.
+
+What to do next
+  Go on with actuator.json.
+)";
+
+constexpr const char* residuals = R"(run,role,channel,time_s,angle_deg,current_A,left_out,measured,declared,before,after
+a.csv,fit,theta_deg,0,,,0,1.5,1,1,1.25
+a.csv,fit,theta_deg,0.1,,,1,9,1,1,2.25
+a.csv,fit,theta_deg,0.2,,,0,2,1,1,2
+a.csv,fit,theta_deg,0.3,,,0,2,1,1,2
+b.csv,fit,torque_Nmm,,30,,0,4,5,3,4.5
+c.csv,validate,theta_deg,0,,,0,1.5,1,1,1.25
+)";
+
+struct Folder {
+  std::string diagnosis = diagnosis_text;
+  std::string residual_table = residuals;
+
+  [[nodiscard]] Page page() const {
+    const testing::TemporaryFolder folder;
+    folder.file("diagnosis.json", diagnosis);
+    folder.file("summary.txt", summary);
+    folder.file("residuals.csv", residual_table);
+    return page_of(folder.path(), {});
+  }
+  [[nodiscard]] std::string fault() const {
+    try {
+      (void)page();
+    } catch (const text::InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+const Section& section(const Page& page, const std::string& id) {
+  return *std::ranges::find(page.sections, id, &Section::id);
+}
+
+TEST(DiagnosisPage, HasTheWordsAndNumbersOfTheSummary) {
+  const Page page = Folder().page();
+  EXPECT_EQ(std::get<Listing>(section(page, "assumptions").blocks.front()).text,
+            "  Numbers fitted freely:\n    joint_stiffness_Nmm_rad  12.1  12.0 to 12.2 (95 %)");
+  const Table& errors = std::get<TableBlock>(section(page, "errors").blocks.front()).table;
+  ASSERT_GE(errors.rows.size(), 1U);
+  EXPECT_EQ(errors.rows[0], (std::vector<std::string>{"held out", "with effects", "rmse_deg", "0.6"}));
+  // Of four samples that count a chi-square of 9 is 1.5 times the noise.
+  const Table& compared = std::get<TableBlock>(section(page, "candidates").blocks[1]).table;
+  EXPECT_EQ(compared.rows, (std::vector<std::vector<std::string>>{{"1", "dry_friction", "1.5", "40", "0.9", "-"}}));
+}
+
+TEST(DiagnosisPage, IsRefusedWithWhatIsMissing) {
+  EXPECT_EQ(Folder().fault(), "");
+  EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("verdict": "explained",)", "")}.fault(),
+              EndsWith("diagnosis.json: /: must have \"verdict\" (docs/formats.md)"));
+  EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("id": "dry_friction", )", "")}.fault(),
+              EndsWith("diagnosis.json: /effects/0: must have \"id\" (docs/formats.md)"));
+  EXPECT_THAT(
+      Folder{.residual_table = replaced(residuals, "a.csv,fit,theta_deg,0.3,,,0,2,1,1,2\n", "")}.fault(),
+      EndsWith("residuals.csv: must have the 4 samples of role fit that diagnosis.json beside it counts; got 3"));
+}
+
+}  // namespace
+}  // namespace coilwright::page

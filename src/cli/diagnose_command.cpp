@@ -73,7 +73,12 @@ struct Options {
 
 std::filesystem::path declared_path(const Options& options, const formats::DatasetFile& set) {
   if (options.actuator) return *options.actuator;
-  if (set.actuator) return *set.actuator;
+  if (set.actuator && std::filesystem::exists(*set.actuator)) return *set.actuator;
+  if (set.actuator)
+    throw text::InputError({.file = set.file,
+                            .place = "/actuator",
+                            .rule = "must name a file, from the folder of the data set on, or be given by --actuator",
+                            .value = fmt::format("{}, which is not there", set.actuator->string())});
   throw text::InputError({.file = set.file, .rule = "names no \"actuator\"; one must be given with --actuator"});
 }
 

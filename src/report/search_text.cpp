@@ -18,8 +18,12 @@ std::string to_text(const formats::ArchiveCounts& counts) {
 std::string late_gain_text(sizing::StopReason reason, const sizing::Archive& archive, std::size_t evaluations) {
   if (reason != sizing::StopReason::evaluation_limit) return {};
   const std::optional<double> gain = sizing::late_gain(archive, evaluations);
+  if (!gain && formats::counts_of(archive).ok == 0)
+    return " None keeps every limit: more evaluations (--max-evaluations) help only if some design does; look first at "
+           "what the nearest one breaks.";
   if (!gain)
-    return " Nothing feasible was among the first four fifths of them: a larger --max-evaluations will find better.";
+    return " None of the first four fifths of them keeps every limit: more evaluations (--max-evaluations) would find "
+           "better.";
   const bool of_front = archive.problem().objectives.size() > 1;
   if (*gain == 0.0)
     return of_front ? " The last fifth of them added nothing to the front."

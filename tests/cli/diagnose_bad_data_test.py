@@ -155,7 +155,8 @@ class BadData(ProgramTest):
 
     def test_actuators_that_are_not_there_or_no_models(self):
         self.set["actuator"] = "nowhere.json"
-        self.refuse("set/nowhere.json: cannot be opened: No such file or directory")
+        self.refuse("set/dataset.json: /actuator: must name a file, from the folder of the data set on, or be given by --actuator; "
+                    "got set/nowhere.json, which is not there")
         del self.set["actuator"]
         self.refuse('set/dataset.json: names no "actuator"; one must be given with --actuator')
         self.refuse("other.json: cannot be opened: No such file or directory", "--actuator", "other.json")

@@ -184,6 +184,9 @@ class Size(ProgramTest):
         self.assertAlmostEqual(answer["best"]["constraints"][0]["margin"], nearest, places=9)
         self.assertEqual(json.loads((self.folder / "out/actuator.json").read_text())["name"],
                          "small (least infeasible)")
+        # No promise that more evaluations would help: none would.
+        self.assertIn("None keeps every limit: more evaluations (--max-evaluations) help only if some design does",
+                      self.size("--max-evaluations", "30", code=3))
 
     def test_designs_that_cannot_be_built_say_why(self):
         write_study(self, variables={"coil_inner_radius_mm": {"values": [0.3, 0.4, 0.5]}})

@@ -20,8 +20,10 @@ std::vector<std::string> CalibrateNames::steps(std::size_t i) const {
 }
 
 void CalibrateNames::claim(std::size_t i, const std::vector<std::string>& pointers) {
-  for (const std::string& pointer : pointers)
-    if (!claimed_.insert(pointer).second) throw error(i, "must not mean a number that another name means");
+  for (const std::string& pointer : pointers) {
+    const auto [claimed, is_new] = claimed_.emplace(pointer, i);
+    if (!is_new) throw error(i, "must not mean a number that another name means: " + in_quotes(name(claimed->second)));
+  }
 }
 
 InputError CalibrateNames::error(std::size_t i, const std::string& rule) const {

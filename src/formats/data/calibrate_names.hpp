@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,7 +51,7 @@ class CalibrateNames {
   std::vector<CalibrateName> names_;
   std::string dataset_;
   std::string actuator_;
-  std::set<std::string> claimed_{};
+  std::map<std::string, std::size_t> claimed_{};  // number to the place of its name
 };
 
 /// A parameter of that name and value (SI), with the bounds of `rule` in the unit of `key`. `usual` is a change of it

@@ -197,7 +197,7 @@ TEST(DeclaredLumpedModel, RefusesNamesThatMeanNoNumber) {
             at + "must be \"joint_stiffness\", \"joint_damping\" or a JSON pointer into the actuator file; got text "
                  "\"/links~2\"");
   EXPECT_EQ(refusal(lumped, {"joint_stiffness", "/joints/1/stiffness_Nm_rad"}),
-            "dataset.json: /calibrate/1: must not mean a number that another name means; got text "
+            "dataset.json: /calibrate/1: must not mean a number that another name means: \"joint_stiffness\"; got text "
             "\"/joints/1/stiffness_Nm_rad\"");
   EXPECT_EQ(refusal("{", {}), "a.json: line 1, column 2: ends before its JSON value is complete");
 }
@@ -299,7 +299,8 @@ TEST(DeclaredDesign, RefusesNamesThatNoFitCanMove) {
   EXPECT_EQ(refusal(design, {"/links/0/mass_kg"}),
             at + "must lead to a number of a.json, and leads nowhere; got text \"/links/0/mass_kg\"");
   EXPECT_EQ(refusal(design, {"/measured/joint_stiffness_Nmm_rad", "joint_stiffness"}),
-            "dataset.json: /calibrate/1: must not mean a number that another name means; got text "
+            "dataset.json: /calibrate/1: must not mean a number that another name means: "
+            "\"/measured/joint_stiffness_Nmm_rad\"; got text "
             "\"joint_stiffness\"");
   const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "coil": {"inner_radius_mm": 0.02}})";
   EXPECT_THAT(refusal(impossible, {}), ::testing::StartsWith("a.json: /: "));

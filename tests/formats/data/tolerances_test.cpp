@@ -286,7 +286,8 @@ TEST(Tolerances, AreRefusedWhereTheActuatorHasNoSuchNumber) {
   EXPECT_EQ(wrong(lumped, "joint_damping", 0.0),
             "dataset.json: /tolerances/joint_damping: must be > 0, because the number is calibrated; got 0");
   EXPECT_EQ(wrong(lumped, "/joints/1/damping_Nms_rad"),
-            "dataset.json: /tolerances/~1joints~11~1damping_Nms_rad: must not mean a number that another name means");
+            "dataset.json: /tolerances/~1joints~11~1damping_Nms_rad: must not mean a number that another name means: "
+            "\"joint_damping\"");
   const std::string rod = R"({"format": "lumped-model/1",
     "links": [{"length_m": 1, "com_along_m": 1, "com_offset_m": 0, "mass_kg": 95, "inertia_kgm2": 0}],
     "joints": [{"stiffness_Nm_rad": 1, "damping_Nms_rad": 200}]})";

@@ -16,6 +16,7 @@ namespace {
 constexpr double least_share = 0.003;  // of the range: less is the resolution of a logger
 constexpr double most_alike = 0.2;     // of the neighbours: more, and the column is a command
 constexpr double edge_deviations = 8.0;
+constexpr double edge_over_median = 4.0;  // times the median step of an input that moves all the time
 constexpr std::size_t fewest_samples_of_level = 40;
 constexpr std::size_t shortest_level = 3;  // samples on each side of an edge
 
@@ -25,10 +26,20 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// First samples after an edge: the medians of the levels on both sides differ by more than the noise can.
-std::vector<std::size_t> edges_of(const std::vector<double>& values, double sigma) {
+// What levels must differ by on both sides of an edge: more than the noise makes of them, and more than an input that
+// moves from sample to sample (a chirp) does in as many samples as lie between the two medians. Cut at its steepest
+// parts, a chirp of 8 s would have hundreds of pieces with errors of their own.
+double least_edge(const std::vector<double>& values, double sigma) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(std::abs(values[i] - values[i - 1]));
+  const double moves =
+      std::max(0.0, median(std::move(steps)) - sigma);  // 0 where it rests: noise alone makes 0.95 sigma
+  return std::max(edge_deviations * sigma, edge_over_median * static_cast<double>(shortest_level) * moves);
+}
+
+// First samples after an edge: the medians of the levels on both sides differ by more than `least`.
+std::vector<std::size_t> edges_of(const std::vector<double>& values, double least) {
   std::vector<std::size_t> out;
-  const double least = edge_deviations * sigma;
   for (std::size_t i = shortest_level; i + shortest_level <= values.size(); ++i) {
     const auto at = [&](std::size_t k) { return values.begin() + static_cast<std::ptrdiff_t>(k); };
     const double before = median({at(i - shortest_level), at(i)});
@@ -64,7 +75,7 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   std::vector<std::size_t> starts{0};
   // A fast sine is as steep as an edge: it is one command, and no pieces.
   if (!command_shape(times, values, noise))
-    for (const std::size_t edge : edges_of(values, level.sigma)) starts.push_back(edge);
+    for (const std::size_t edge : edges_of(values, least_edge(values, level.sigma))) starts.push_back(edge);
   starts.push_back(values.size());
   std::vector<noise::SampledSegment> segments;
   for (std::size_t s = 0; s + 1 < starts.size(); ++s)

@@ -25,9 +25,10 @@ struct CleanInput {
 
 /// A recorded input has noise where hardly two neighbours are alike and what is left of smooth curves is more than
 /// 0.3 % of its range. Between its edges (steps of more than eight standard deviations between two samples, to a level
-/// that stays) it is then the simplest command that explains it (command_shape.hpp), whose few numbers keep an error
-/// each; what no such command explains is smoothed by Whittaker's smoother of least expected error, and what that
-/// leaves is not among the errors. Nothing for an input without noise: a command, which is exact.
+/// that stays, and of four times its median step where it moves all the time) it is then the simplest command that
+/// explains it (command_shape.hpp), whose few numbers keep an error each; what no such command explains is smoothed by
+/// Whittaker's smoother of least expected error, and what that leaves is not among the errors. Nothing for an input
+/// without noise: a command, which is exact.
 [[nodiscard]] std::optional<CleanInput> without_noise(const data::Run& run);
 
 }  // namespace coilwright::measurement::replay

@@ -56,6 +56,30 @@ TEST(InputNoise, OfAFastSineLeavesOneSine) {
   EXPECT_EQ(clean->errors.size(), 4U);
 }
 
+// A chirp is as steep as an edge for most of its time, and one command that has no edge: cut at its steepest parts it
+// would have hundreds of errors, each with a derivative of its own.
+TEST(InputNoise, OfAChirpLeavesOnePiece) {
+  constexpr double noise = 0.01;
+  const auto chirp = [](double time) {
+    return 0.7 + 0.7 * std::sin(2.0 * std::numbers::pi * (0.5 * time + 0.5 * 19.5 / 8.0 * time * time));
+  };
+  Normal normal(3);
+  data::Run run{.name = "chirp.csv", .kind = data::RunKind::transient, .drive = data::Drive::current};
+  for (int i = 0; i < 1600; ++i) {
+    run.times.push_back(0.005 * i);
+    run.inputs.push_back({chirp(run.times.back()) + noise * normal()});
+  }
+  const auto clean = without_noise(run);
+  ASSERT_TRUE(clean);
+  EXPECT_EQ(clean->errors.size(), 0U);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < run.times.size(); ++i) {
+    const double error = clean->rows[i][0] - chirp(run.times[i]);
+    squares += error * error;
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(run.times.size())), noise);
+}
+
 // Records of two levels: those of the first thousand whose noise is estimated so low that a constant would not pass if
 // the estimate were exact, and one other.
 TEST(InputNoise, LeavesLevelsOfWhichEachKeepsOneError) {

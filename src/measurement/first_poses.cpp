@@ -67,8 +67,8 @@ std::optional<data::Warning> far_first_pose(std::span<const replay::PreparedRun>
           data::Warning{.run = run.name,
                         .text = fmt::format(
                             "{} begins at {:.3g} deg, where the declared model rests at {:.3g} deg. If the angle is "
-                            "counted from its rest, add {:.3g} deg to the record: 0 is a straight finger, and "
-                            "no effect moves the zero of a sensor by more than 10 deg",
+                            "counted from its rest, add {:.3g} deg to the record: 0 is a straight finger. If "
+                            "it is not, check the masses, lengths, magnets and gravity of the actuator file",
                             run.channels[c].name, units::degrees_per_radian * seen,
                             units::degrees_per_radian * *expected, units::degrees_per_radian * (*expected - seen))});
     }

@@ -219,7 +219,13 @@ std::string advice_text(const formats::DiagnosisReport& report) {
     steps.emplace_back(
         "To learn how small an effect these runs could have shown, describe them as an experiment and run plan: a "
         "smaller one may still be there.");
-  if (!structure)
+  if (!structure && !diagnosis.numbers_off.empty())
+    steps.push_back(
+        fmt::format("Do not build on {}: it has the number that is off as far as its tolerance lets it, and what it "
+                    "lacks in others. "
+                    "Go on with that of the new diagnosis.",
+                    report.updated_actuator));
+  else if (!structure)
     steps.push_back(fmt::format(
         "{} with {}: {} take it.", steps.empty() ? "Go on" : "Once that is done, go on", report.updated_actuator,
         report.is_design ? "evaluate, simulate and the studies of size" : "evaluate and simulate"));

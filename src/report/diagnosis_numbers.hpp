@@ -23,6 +23,9 @@ namespace coilwright::report {
 /// Declared numbers are off all together where fewer of the rigs built to their tolerances are as far off.
 inline constexpr double least_probability = 0.01;
 
+/// A lead in the gain that decides: odds of 20 to 1.
+inline constexpr double decisive_lead = 6.0;
+
 /// "1 run", "2 runs".
 [[nodiscard]] std::string counted(std::size_t count, const char* one);
 

@@ -29,15 +29,32 @@ std::string free_value_text(const Diagnosis& diagnosis, const compare::NumberOff
                      std::abs(off.estimate->value - number->declared) / number->tolerance);
 }
 
+// Hypotheses of missing effects that explain these data as well as a number that is off, or so nearly that its lead
+// decides nothing.
+std::vector<std::string> rivals_of_numbers(const Diagnosis& diagnosis) {
+  double best = 0.0;
+  for (const compare::NumberOff& each : diagnosis.numbers_off) best = std::max(best, each.gain);
+  std::vector<std::string> out;
+  for (const compare::ComparedHypothesis& each : formats::compared_as_reported(diagnosis))
+    if (!each.effects.empty() && each.evidence && each.evidence->quasi_bic_gain > best - decisive_lead)
+      out.push_back(fmt::format("{}", fmt::join(formats::ids(each.effects), " + ")));
+  constexpr std::size_t most = 3;
+  if (out.size() > most) out.resize(most);
+  return out;
+}
+
 }  // namespace
 
 std::string numbers_off_sentence(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const compare::NumberOff& each : diagnosis.numbers_off) names.push_back(each.name);
+  const std::vector<std::string> rivals = rivals_of_numbers(diagnosis);
   std::string text = fmt::format(
-      "A declared number is off: free from its tolerance, {} {}explains these data far better than within it, and no "
-      "missing effect does so decisively better.",
+      "A declared number is off: free from its tolerance, {} {}explains these data far better than within it",
       fmt::join(names, " or "), names.size() > 1 ? "(these data do not tell which) " : "");
+  text += rivals.empty() ? ", and decisively better than any missing effect that was tried."
+                         : fmt::format(". Or {} is missing, which explains them about as well: measure {} to know.",
+                                       fmt::join(rivals, " or "), names.size() > 1 ? "these numbers" : "that number");
   if (diagnosis.probability_of_declared < least_probability) text += " Others may be off, too.";
   return text;
 }
@@ -50,8 +67,8 @@ std::string numbers_off_text(const Diagnosis& diagnosis) {
                         free_value_text(diagnosis, each), each.gain);
   if (text.empty()) return text;
   return text +
-         "  A gain of 6 is odds of 20 to 1. Held by its tolerance, the number that is off passes what it lacks to the\n"
-         "  numbers beside it.\n";
+         "  A gain of 6 is odds of 20 to 1. The numbers that moved, above, are those of a fit that holds each by its\n"
+         "  tolerance: there the one that is off passes what it lacks to those beside it.\n";
 }
 
 std::vector<std::string> numbers_off_to_measure(const Diagnosis& diagnosis) {

@@ -23,7 +23,6 @@ using namespace measurement;
 using enum TextTable::Align;
 
 constexpr std::size_t most_candidates = 5;
-constexpr double decisive_lead = 6.0;   // of the gain: odds of 20 to 1
 constexpr double near_residual = 0.02;  // of the rms residual: models are not known better
 constexpr std::size_t most_near = 3;
 constexpr std::size_t most_hinted = 3;
@@ -58,7 +57,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
     const compare::ComparedHypothesis& first = compared.front();
     const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
                          first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
-    return each.remark.empty() && as_good ? "these data do not tell it from the first" : each.remark;
+    return each.remark.empty() && as_good ? "these data do not tell it from the first of this list" : each.remark;
   };
   for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
     table.row({hypothesis(compared, each),

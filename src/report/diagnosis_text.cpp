@@ -115,8 +115,9 @@ std::string declared_text(const Diagnosis& diagnosis) {
       "  rigs built to their tolerances are as far off or further ({}).\n",
       share,
       probability < least_probability ? "below 1 %: they are off, or an effect is missing"
-      : diagnosis.numbers_off.empty() ? "above 1 %: that may be chance"
-                                      : "above 1 %: that may be chance of all, not of the one that is off");
+      : diagnosis.numbers_off.empty()
+          ? "above 1 %: that may be chance"
+          : "above 1 %: taken together that may be chance, though the one that is off is none");
 }
 
 // With the reason against the one that came nearest, where there is one.

@@ -22,9 +22,9 @@ HEADER = ["time_s", "torque1_Nm", "theta1_deg"]
 COILS = ["time_s", "current_A", "bending_angle_deg"]
 
 
-def rows(count=60, angle=lambda t: 10 * math.sin(t), command=lambda t: 0.2 * math.sin(t)):
+def rows(count=60, angle=lambda t: 10 * math.sin(t), command=lambda t: 0.2 * math.sin(t), draw=0):
     """A plausible record at 50 Hz, with noise that is the same every time."""
-    return [[round(i / 50, 4), round(command(i / 50), 6), round(angle(i / 50) + 0.05 * ((i * 7919) % 13 - 6), 3)]
+    return [[round(i / 50, 4), round(command(i / 50), 6), round(angle(i / 50) + 0.05 * (((i + draw) * 7919) % 13 - 6), 3)]
             for i in range(count)]
 
 
@@ -42,8 +42,8 @@ class BadData(ProgramTest):
                     "runs": [{"file": name, "kind": "transient", "role": role, "drive": "torque", "start": "at_rest"}
                              for name, role in (("a.csv", "fit"), ("b.csv", "validate"))]}
         self.write("set/rod.json", json.dumps(ROD))
-        for name in ("a.csv", "b.csv"):
-            self.write(f"set/{name}", table(HEADER, rows()))
+        for draw, name in enumerate(("a.csv", "b.csv")):
+            self.write(f"set/{name}", table(HEADER, rows(draw=draw)))
 
     def refuse(self, message, *arguments):
         self.write("set/dataset.json", json.dumps(self.set))
@@ -183,8 +183,8 @@ class BadData(ProgramTest):
         chain = {**FINGER, **{key: FINGER[key] * 2 for key in ("links", "joints", "magnetics")}}
         self.write("set/finger.json", json.dumps(chain))
         self.set["actuator"] = "finger.json"
-        for entry in self.set["runs"]:
-            self.write(f"set/{entry['file']}", table(COILS, rows(command=lambda t: 5000 if t > 0.2 else 0)))
+        for draw, entry in enumerate(self.set["runs"]):
+            self.write(f"set/{entry['file']}", table(COILS, rows(command=lambda t: 5000 if t > 0.2 else 0, draw=draw)))
             entry["drive"] = "current"
         self.write("set/dataset.json", json.dumps(self.set))
         result = run("diagnose", "set", "--out", "out", "--quiet", cwd=self.folder)

@@ -53,8 +53,8 @@ TEST(FirstPoses, FarFromTheDeclaredRestAreNamedWithBothAngles) {
   EXPECT_EQ(warning->run, "slide.csv");
   EXPECT_EQ(warning->text,
             "theta1_rad begins at -20.1 deg, where the declared model rests at 0 deg. If the angle is counted from its "
-            "rest, add 20.1 deg to the record: 0 is a straight finger, and no effect moves the zero of a sensor by "
-            "more than 10 deg");
+            "rest, add 20.1 deg to the record: 0 is a straight finger. If it is not, check the masses, lengths, "
+            "magnets and gravity of the actuator file");
 }
 
 TEST(FirstPoses, NearItWithinTheNoiseOrFreeSayNothing) {

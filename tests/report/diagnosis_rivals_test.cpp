@@ -51,7 +51,7 @@ TEST(DiagnosisRivals, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
       {.effects = {&dry_friction}, .evidence = evidence(7.6), .remark = ""}};
   EXPECT_THAT(rivals_text(diagnosis),
               HasSubstr("    coil_heating           1  51.7  makes runs that are left out worse\n"
-                        "    magnet_heating         1  50.7  these data do not tell it from the first\n"
+                        "    magnet_heating         1  50.7  these data do not tell it from the first of this list\n"
                         "    dry_friction           1   7.6\n"));
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "coilwright/measurement/data/copied_runs.hpp"
 #include "coilwright/measurement/data/data_quality.hpp"
 #include "coilwright/measurement/data/hold_out.hpp"
 #include "coilwright/text/json/document.hpp"
@@ -79,6 +80,7 @@ Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
   files.assign(met.begin(), met.end());
   files.insert(files.end(), input_files.begin(), input_files.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
+  data.warnings = measurement::data::copied_runs(data.fit, validate);
   data.validate = measurement::data::SealedRuns(std::move(validate));
   data = measurement::data::with_runs_held_out(std::move(data));
   for (const std::vector<Run>* runs : {&data.fit, &data.still})

@@ -1,5 +1,6 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -195,6 +196,17 @@ TEST_F(DatasetFiles, WarnOfRunsThatLookWrong) {
   ASSERT_EQ(file.data.warnings.size(), 1u);
   EXPECT_EQ(file.data.warnings[0].run, "a.csv");
   EXPECT_THAT(file.data.warnings[0].text, HasSubstr("the input never moves"));
+}
+
+TEST_F(DatasetFiles, WarnOfACopyUnderAnotherName) {
+  std::string record = "time_s,current_A,bending_angle_deg\n";
+  for (int i = 0; i < 20; ++i) record += fmt::format("{},{},{}\n", 0.01 * i, i < 3 ? 0.0 : 1.4, 0.5 * i);
+  write("a.csv", record);
+  write("b.csv", record);
+  const DatasetFile file = read_runs(run_a + "," + run_b);
+  ASSERT_EQ(file.data.warnings.size(), 1u);
+  EXPECT_EQ(file.data.warnings[0].run, "b.csv");
+  EXPECT_THAT(file.data.warnings[0].text, HasSubstr("has the readings of a.csv, every one"));
 }
 
 const std::string seen = "time_s,bending_angle_deg\n0.1,1\n0.14,2\n0.16,4.5\n0.2,6.5\n";

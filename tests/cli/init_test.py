@@ -20,7 +20,7 @@ class Init(ProgramTest):
     def test_a_study_finds_a_feasible_design(self):
         self.assertEqual(self.init("study"),
                          "study.json\nactuator.json\nNext: coilwright size study.json --out results\n")
-        self.run_well("size", "study.json", "--out", "results")
+        self.run_well("size", "study.json", "--out", "results", "--quiet")
         answer = self.result("results/result.json")
         self.assertTrue(answer["feasible"])
         study = json.loads((self.folder / "study.json").read_text())

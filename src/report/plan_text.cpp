@@ -34,6 +34,18 @@ std::string name_text(const actuator::Effect& effect, std::size_t number) {
   return out;
 }
 
+// "gain 0.854 (1 without it)", "current 1.35 A or less" of a limit: of most effects the strength is 0 where they are
+// not there, which goes without saying.
+std::string strength_text(const VisibleEffect& effect) {
+  if (!effect.main) return effect.visible ? "shows as it is" : "";
+  const std::size_t main = *effect.main;
+  std::string out = name_text(effect.effect, main) + " " + parameter_text(effect.effect, main);
+  const actuator::EffectParameter& number = effect.effect.kind->parameters()[main];
+  if (!number.absent || *number.absent == 0.0) return out;
+  if (std::isinf(*number.absent)) return out + " or less";
+  return out + fmt::format(" ({:.3g} without it)", units::from_memory(*number.absent, number.key));
+}
+
 // The other numbers, at which that strength holds.
 std::string shape_text(const VisibleEffect& effect) {
   std::string out;
@@ -47,14 +59,14 @@ std::string shape_text(const VisibleEffect& effect) {
 std::string strengths_text(const ExperimentPlan& plan) {
   TextTable table;
   for (const VisibleEffect& each : plan.effects) {
-    const std::string strength =
-        each.main ? name_text(each.effect, *each.main) + " " + parameter_text(each.effect, *each.main) : "there or not";
+    const std::string strength = strength_text(each);
     const std::string shape = shape_text(each);
-    if (each.visible)
+    if (each.visible) {
       table.row({std::string(each.effect.kind->id()), strength, shape});
-    else
-      table.row({std::string(each.effect.kind->id()), "never",
-                 fmt::format("{} ({}{})", each.remark, strength, shape.empty() ? "" : " " + shape)});
+      continue;
+    }
+    const std::string tried = strength + (strength.empty() || shape.empty() ? "" : " ") + shape;
+    table.row({std::string(each.effect.kind->id()), "never", each.remark + (tried.empty() ? "" : ": " + tried)});
   }
   return table.text(2, {left, left, left});
 }
@@ -115,8 +127,8 @@ std::string to_text(const formats::PlanReport& report) {
       report.experiment, report.actuator, plan.samples);
   out += strengths_text(plan);
   out +=
-      "A diagnosis needs more, twice that at a camera's rate: where it was tried, it found 2 of 9 effects at these "
-      "strengths and\n9 of 12 at twice (before declared numbers were fitted to each change).\n";
+      "Count on twice these strengths: where it was tried, at 60 frames a second, a diagnosis found 2 of 9 effects at "
+      "these\nstrengths and 9 of 12 at twice (with older estimates, which were lower).\n";
   if (const double stronger = std::sqrt(plan.overdispersion); stronger > 1.05)
     out += fmt::format(
         "The noise is not white, or its level not known: effects must be {:.2g} times as strong as in white noise of\n"

@@ -19,7 +19,10 @@ ExperimentPlan example() {
   const actuator::EffectCatalogue& effects = actuator::standard_effects();
   ExperimentPlan plan{.samples = 1200};
   plan.effects = {{.effect = {.kind = effects.find("dry_friction"), .values = {0.0144e-3}}, .main = 0, .visible = true},
-                  {.effect = {.kind = effects.find("coil_coil_force"), .values = {}}, .visible = true},
+                  {.effect = {.kind = effects.find("off_axis_force"), .values = {}}, .visible = true},
+                  {.effect = {.kind = effects.find("coil_coil_force"), .values = {}}, .remark = "changes too little"},
+                  {.effect = {.kind = effects.find("force_gain"), .values = {0.854}}, .main = 0, .visible = true},
+                  {.effect = {.kind = effects.find("driver_saturation"), .values = {1.35}}, .main = 0, .visible = true},
                   {.effect = {.kind = effects.find("added_mass"), .values = {1e-3}},
                    .main = 0,
                    .remark = "would not be found even at its physical bound"}};
@@ -31,9 +34,13 @@ TEST(PlanText, SaysHowStrongEachEffectMustBe) {
               HasSubstr("What steps.json could show on finger.json: 1200 samples of its fit runs.\n"));
   EXPECT_THAT(
       text_of(example()),
-      HasSubstr("  dry_friction     torque 0.0144 Nmm\n"
-                "  coil_coil_force  there or not\n"
-                "  added_mass       never              would not be found even at its physical bound (mass 1 g)\n"));
+      HasSubstr(
+          "  dry_friction       torque 0.0144 Nmm\n"
+          "  off_axis_force     shows as it is\n"
+          "  coil_coil_force    never                      changes too little\n"
+          "  force_gain         gain 0.854 (1 without it)\n"
+          "  driver_saturation  current 1.35 A or less\n"
+          "  added_mass         never                      would not be found even at its physical bound: mass 1 g\n"));
 }
 
 // No pair is inseparable where nothing shows: that is no success.
@@ -56,7 +63,7 @@ TEST(PlanText, SaysWhatNoiseCostsWhoseColourIsNotKnown) {
 TEST(PlanText, SaysHowMuchPairsDiffer) {
   ExperimentPlan plan = example();
   EXPECT_THAT(text_of(plan), HasSubstr("every effect that shows could be told from every other one.\n"));
-  plan.pairs = {{.first = 0, .second = 2, .over_limit = 0.38}};
+  plan.pairs = {{.first = 0, .second = 5, .over_limit = 0.38}};
   EXPECT_THAT(text_of(plan), HasSubstr("five times as strong. The number is how much they differ, over what\n"
                                        "telling them apart takes; 1 would be enough:\n"
                                        "  dry_friction  added_mass  0.38\n"));

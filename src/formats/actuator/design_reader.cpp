@@ -164,7 +164,7 @@ Rule rule_of(const actuator::Parameter& parameter) {
   if (parameter.name == "wire_gauge_AWG") return Rule::between(winding::thickest_gauge, winding::thinnest_gauge);
   if (parameter.name == "poisson_ratio") return Rule::between(0.0, 0.5);
   if (parameter.name == "shore_hardness_A") return Rule::between(softest_shore, hardest_shore);
-  if (parameter.name == "remanence_T") return part_remanence;
+  if (parameter.name == "remanence_T") return design_remanence;
   if (parameter.name == "gravity_m_s2") return Rule::between(0.0, actuator::most_gravity);
   if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));
   switch (parameter.rule) {

@@ -12,8 +12,10 @@ namespace coilwright::formats {
 
 /// Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows or takes for ever.
 inline constexpr text::Rule part_dimension = text::positive.and_also(text::Rule::at_most(1e6));  // mm
-inline constexpr text::Rule part_remanence =
+inline constexpr text::Rule design_remanence =
     text::positive.and_also(text::Rule::at_most(actuator::most_remanence));  // T
+inline constexpr text::Rule part_remanence =
+    text::positive.and_also(text::Rule::at_most(actuator::most_effective_remanence));  // T
 
 inline constexpr std::array magnet_keys = {
     PartKey<magnetics::CylinderMagnet::Spec>{"radius_mm", part_dimension, &magnetics::CylinderMagnet::Spec::radius},

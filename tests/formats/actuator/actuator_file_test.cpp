@@ -321,6 +321,15 @@ TEST(LumpedModel, MayHaveAMagnetWithRecoil) {
   EXPECT_EQ(refusal(with("1.3")), "a.json: /magnetics/0/magnet/recoil_permeability: must be from 1 to 1.2; got 1.3");
 }
 
+// A fit makes a magnet as strong as the records ask for, and its result must be a file that can be read.
+TEST(LumpedModel, MayHaveAMagnetStrongerThanAnyMaterial) {
+  const auto with = [](const std::string& remanence) {
+    return changed(pair, R"("remanence_T": 1.44)", R"("remanence_T": )" + remanence);
+  };
+  EXPECT_NO_THROW((void)parse_actuator(with("2.0067"), "a.json"));
+  EXPECT_EQ(refusal(with("14.4")), "a.json: /magnetics/0/magnet/remanence_T: must be > 0 and <= 5; got 14.4");
+}
+
 // Two joints with a pair on each are configuration B: coils on the base and on the last link, magnets between them.
 TEST(LumpedModel, KnowsWhereTheCoilsOfTwoPairsAre) {
   const auto rig = [](const std::string& text) {

@@ -5,6 +5,9 @@ namespace coilwright::actuator {
 /// Values beyond which a slip of the unit or of the decimal point is likelier than hardware.
 ///@{
 inline constexpr double most_remanence = 2.0;  ///< T; sintered NdFeB has up to 1.5
+/// T; of a lumped model, whose magnets stand for all that makes the torque stronger: a fit to an actuator with another
+/// effect than those of the catalogue has found 2.007 T.
+inline constexpr double most_effective_remanence = 5.0;
 inline constexpr double most_gravity = 100.0;  ///< m/s^2; 9.81 as mm/s^2 is 9810
 ///@}
 

@@ -65,7 +65,9 @@ std::string strengths_text(const ExperimentPlan& plan) {
       table.row({std::string(each.effect.kind->id()), strength, shape});
       continue;
     }
-    const std::string tried = strength + (strength.empty() || shape.empty() ? "" : " ") + shape;
+    std::string tried = strength;
+    if (!strength.empty() && !shape.empty()) tried += ' ';
+    tried += shape;
     table.row({std::string(each.effect.kind->id()), "never", each.remark + (tried.empty() ? "" : ": " + tried)});
   }
   return table.text(2, {left, left, left});

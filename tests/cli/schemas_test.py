@@ -248,7 +248,7 @@ class SchemasAndProgram(ProgramTest):
             ("lumped_model", "/magnetics/1/torque_Nmm_A", None), ("lumped_model", "/magnetics/1/angle_deg", [0, 1, 2]),
             ("lumped_model", "/magnetics/1/angle_rad", [0, 1, 2, 3]), ("lumped_model", "/magnetics/0", {}),
             ("lumped_model", "/magnetics/1/coil", {}),
-            ("pair", "/poses", []), ("pair", "/poses", None), ("pair", "/magnet", None), ("pair", "/magnet/remanence_T", 5.1),
+            ("pair", "/poses", []), ("pair", "/poses", None), ("pair", "/magnet", None), ("pair", "/magnet/remanence_T", 2.1),
             ("pair", "/coil/turns_axial", 0), ("pair", "/currents_A", [1, 2]), ("pair", "/current_A", None),
             ("pair", "/current_A", 2e6), ("pair", "/winding", "round"), ("pair", "/poses/0/axis", [0, 0]),
             ("pair", "/poses/0/position_mm/1", "0"), ("pair", "/magnets", []), ("pair", "/format", "pair/1"),

@@ -46,7 +46,7 @@ PairDimensions read_dimensions(ObjectReader& in) {
   PairDimensions pair;
   const magnetics::CurrentDistribution winding = read_winding(in);
   pair.coil = read_coil(in.at("coil"), winding);
-  pair.magnet = read_magnet(in.at("magnet"));
+  pair.magnet = read_magnet(in.at("magnet"), effective_remanence);
   for (const GeometryKey& key : geometry_keys) pair.geometry.*key.member = read_length(in, key);
   pair.fidelity =
       in.choice_or("torque", pair.fidelity,

@@ -19,9 +19,10 @@ constexpr Rule turns = Rule::between(1, 10'000);  // layers, or turns in a layer
 
 }  // namespace
 
-CylinderMagnet::Spec read_magnet(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
+CylinderMagnet::Spec read_magnet(const Node& node, const Rule& remanence) {
+  return read_object(node, [&remanence](ObjectReader& in) {
     const auto spec = read_numbers(in, magnet_keys);
+    (void)in.quantity("remanence_T", remanence);
     (void)CylinderMagnet(spec);
     return spec;
   });

@@ -14,13 +14,13 @@ namespace coilwright::formats {
 inline constexpr text::Rule part_dimension = text::positive.and_also(text::Rule::at_most(1e6));  // mm
 inline constexpr text::Rule design_remanence =
     text::positive.and_also(text::Rule::at_most(actuator::most_remanence));  // T
-inline constexpr text::Rule part_remanence =
+inline constexpr text::Rule effective_remanence =
     text::positive.and_also(text::Rule::at_most(actuator::most_effective_remanence));  // T
 
 inline constexpr std::array magnet_keys = {
     PartKey<magnetics::CylinderMagnet::Spec>{"radius_mm", part_dimension, &magnetics::CylinderMagnet::Spec::radius},
     PartKey<magnetics::CylinderMagnet::Spec>{"length_mm", part_dimension, &magnetics::CylinderMagnet::Spec::length},
-    PartKey<magnetics::CylinderMagnet::Spec>{"remanence_T", part_remanence,
+    PartKey<magnetics::CylinderMagnet::Spec>{"remanence_T", text::positive,
                                              &magnetics::CylinderMagnet::Spec::remanence},
     PartKey<magnetics::CylinderMagnet::Spec>{
         "recoil_permeability", text::Rule::between(1, magnetics::CylinderMagnet::most_recoil_permeability),
@@ -33,8 +33,8 @@ inline constexpr std::array coil_keys = {
 };
 
 /// {"radius_mm", "length_mm", "remanence_T", "recoil_permeability" (1 if absent)}, of which a CylinderMagnet can be
-/// made.
-[[nodiscard]] magnetics::CylinderMagnet::Spec read_magnet(const text::Node& node);
+/// made; its remanence keeps the rule: of a material, or of what a fit may find.
+[[nodiscard]] magnetics::CylinderMagnet::Spec read_magnet(const text::Node& node, const text::Rule& remanence);
 
 /// {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"}, of which a ThickCoil can be
 /// made.

@@ -38,7 +38,8 @@ Pose read_pose(const Node& node) {
 
 TwoMagnets read_two_magnets(ObjectReader& in) {
   const auto magnets = in.elements("magnets", Length::exactly(2));
-  return {.first = CylinderMagnet(read_magnet(magnets[0])), .second = CylinderMagnet(read_magnet(magnets[1]))};
+  return {.first = CylinderMagnet(read_magnet(magnets[0], design_remanence)),
+          .second = CylinderMagnet(read_magnet(magnets[1], design_remanence))};
 }
 
 TwoCoils read_two_coils(ObjectReader& in) {
@@ -56,7 +57,7 @@ TwoCoils read_two_coils(ObjectReader& in) {
 CoilAndMagnet read_coil_and_magnet(ObjectReader& in) {
   return {.coil = ThickCoil(read_coil(in.at("coil"), read_winding(in))),
           .current = in.quantity("current_A", current),
-          .magnet = CylinderMagnet(read_magnet(in.at("magnet")))};
+          .magnet = CylinderMagnet(read_magnet(in.at("magnet"), design_remanence))};
 }
 
 std::variant<CoilAndMagnet, TwoCoils, TwoMagnets> read_bodies(ObjectReader& in) {

@@ -98,7 +98,7 @@ TEST(PairFile, RefusesDimensionsThatCannotBe) {
 
 TEST(PairFile, RefusesNumbersThatNoHardwareHasAndNoFormulaSurvives) {
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_T": 1300})")),
-            "x.json: /magnet/remanence_T: must be > 0 and <= 5; got 1300");
+            "x.json: /magnet/remanence_T: must be > 0 and <= 2; got 1300");
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 1e300, "length_mm": 6, "remanence_T": 1.3})")),
             "x.json: /magnet/radius_mm: must be > 0 and <= 1000000; got 1e+300");
   EXPECT_EQ(refusal("\"magnets\": [" + magnet + "," + magnet +

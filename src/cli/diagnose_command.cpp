@@ -2,6 +2,7 @@
 #include <glog/logging.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
@@ -129,35 +130,44 @@ const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
   return std::get<actuator::Model>(file.content).nominal_spec().effects;
 }
 
-// An actuator file that was checked where it will be used.
-struct CheckedActuator {
-  std::string text;
+// The files of actuators that were found, read back where they will be used.
+struct FoundActuators {
+  std::string updated;
   bool is_design{};
+  std::string corrected;             // with the nameless correction; empty: none
+  std::vector<std::string> refused;  // why a file is no input of other commands, a line each
 };
 
-// The updated actuator: its text is read back and must have every effect.
-CheckedActuator updated_actuator(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
-  const std::vector<Effect> added = measurement::effects_of(diagnosis);
-  std::string text =
-      formats::to_json(declared.updated(measurement::calibration_of(diagnosis), added), declared.name).text();
-  const formats::ActuatorFile back = formats::parse_actuator(text, actuator_name);
-  for (const Effect& effect : added) {
-    bool there = false;
-    for (const Effect& read : effects_of(back)) there = there || read.kind == effect.kind;
-    if (!there) throw std::logic_error(fmt::format("{} is lost when the actuator is read back", effect.kind->id()));
-  }
-  return {.text = std::move(text), .is_design = std::holds_alternative<actuator::Design>(back.content)};
+// Whether every effect is there in an actuator that is read back.
+void check_effects(const formats::ActuatorFile& back, const std::vector<Effect>& added) {
+  const std::vector<Effect>& read = effects_of(back);
+  for (const Effect& effect : added)
+    if (std::ranges::find(read, effect.kind, &Effect::kind) == read.end())
+      throw std::logic_error(fmt::format("{} is lost when the actuator is read back", effect.kind->id()));
 }
 
-// The actuator with the nameless correction, read back as well; empty where there is none.
-std::string corrected_text(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
-  const auto& found = diagnosis.correction.found;
-  if (!found) return {};
-  formats::UpdatedActuator actuator = declared.updated(found->calibration, found->effects);
-  std::visit([&](auto& content) { content.as_built.torque_correction = found->torque; }, actuator);
-  std::string text = formats::to_json(actuator, declared.name).text();
-  (void)formats::parse_actuator(text, corrected_name);
-  return text;
+FoundActuators found_actuators(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
+  FoundActuators out;
+  // A fit may go beyond what an actuator can be: its result is kept and says so, rather than being lost at the end.
+  const auto read_back = [&](const std::string& text, const char* name, const std::vector<Effect>& added) {
+    try {
+      check_effects(formats::parse_actuator(text, name), added);
+    } catch (const text::InputError& refusal) {
+      out.refused.emplace_back(refusal.what());
+    }
+  };
+  const std::vector<Effect> added = measurement::effects_of(diagnosis);
+  const formats::UpdatedActuator updated = declared.updated(measurement::calibration_of(diagnosis), added);
+  out.updated = formats::to_json(updated, declared.name).text();
+  out.is_design = std::holds_alternative<actuator::Design>(updated);
+  read_back(out.updated, actuator_name, added);
+  if (const auto& found = diagnosis.correction.found) {
+    formats::UpdatedActuator actuator = declared.updated(found->calibration, found->effects);
+    std::visit([&](auto& content) { content.as_built.torque_correction = found->torque; }, actuator);
+    out.corrected = formats::to_json(actuator, declared.name).text();
+    read_back(out.corrected, corrected_name, found->effects);
+  }
+  return out;
 }
 
 // All that is to be written.
@@ -165,9 +175,7 @@ struct Found {
   Diagnosis diagnosis;
   std::string dataset;
   std::vector<std::string> held_out;
-  std::string actuator;
-  bool is_design{};
-  std::string corrected;        // empty: none
+  FoundActuators actuators;
   std::string next_experiment;  // empty: there is none
   Provenance provenance;
 };
@@ -193,15 +201,12 @@ Found find(const Options& options) {
   Provenance provenance = provenance_of(set, declared_file, options.seed);
   Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
   if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
-  CheckedActuator actuator = updated_actuator(diagnosis, declared);
-  std::string corrected = corrected_text(diagnosis, declared);
+  FoundActuators actuators = found_actuators(diagnosis, declared);
   std::string next_experiment = next_experiment_text(diagnosis);
   return {.diagnosis = std::move(diagnosis),
           .dataset = set.data.name,
           .held_out = set.data.held_out,
-          .actuator = std::move(actuator.text),
-          .is_design = actuator.is_design,
-          .corrected = std::move(corrected),
+          .actuators = std::move(actuators),
           .next_experiment = std::move(next_experiment),
           .provenance = std::move(provenance)};
 }
@@ -210,22 +215,23 @@ void write(const Options& options, const Found& found) {
   const formats::DiagnosisReport answer{.diagnosis = found.diagnosis,
                                         .dataset = found.dataset,
                                         .updated_actuator = actuator_name,
-                                        .is_design = found.is_design,
-                                        .corrected_actuator = found.corrected.empty() ? "" : corrected_name,
+                                        .is_design = found.actuators.is_design,
+                                        .corrected_actuator = found.actuators.corrected.empty() ? "" : corrected_name,
                                         .held_out = found.held_out,
                                         .seed = options.seed,
-                                        .next_experiment_file = found.next_experiment.empty() ? "" : next_name};
+                                        .next_experiment_file = found.next_experiment.empty() ? "" : next_name,
+                                        .refused = found.actuators.refused};
   text::OutputFolder folder(options.out);
   const std::string summary = report::to_text(answer);
   const std::string diagnosis = formats::to_json(answer).text();
   folder.write(diagnosis_name, diagnosis);
   folder.write(provenance_name, to_json(found.provenance).text());
-  folder.write(actuator_name, found.actuator);
+  folder.write(actuator_name, found.actuators.updated);
   // One of an earlier diagnosis must not stand beside this one.
-  if (found.corrected.empty())
+  if (found.actuators.corrected.empty())
     folder.remove(corrected_name);
   else
-    folder.write(corrected_name, found.corrected);
+    folder.write(corrected_name, found.actuators.corrected);
   formats::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
   folder.write(summary_name, summary);
   if (found.next_experiment.empty())

@@ -167,6 +167,12 @@ std::vector<std::string> errors_beyond_noise(const Diagnosis& diagnosis) {
   return out;
 }
 
+std::string refusal(const formats::DiagnosisReport& report) {
+  if (report.refused.empty()) return {};
+  return fmt::format("But it needs a number that no actuator has, and the other commands refuse the file: {}.",
+                     report.refused.front());
+}
+
 bool may_be_the_camera(const Diagnosis& diagnosis) {
   // Colour alone makes no more of noise whose level was taken from one sample to the next.
   constexpr double most_of_colour = 10.0;
@@ -178,6 +184,11 @@ std::string advice_text(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   std::vector<std::string> steps;
   const bool structure = leaves_structure(diagnosis);
+  if (!report.refused.empty())
+    steps.push_back(fmt::format(
+        "Do not build on {}. Look at the units of the records and at the declared numbers that act with the "
+        "refused one (turns, gap, magnet, stiffness), then diagnose again.",
+        report.updated_actuator));
   if (diagnosis.far_first_pose)
     steps.emplace_back(
         "Look at a picture of the finger at rest: 0 deg is a straight finger. If the records count from another zero, "
@@ -225,7 +236,7 @@ std::string advice_text(const formats::DiagnosisReport& report) {
                     "lacks in others. "
                     "Go on with that of the new diagnosis.",
                     report.updated_actuator));
-  else if (!structure)
+  else if (!structure && report.refused.empty())
     steps.push_back(fmt::format(
         "{} with {}: {} take it.", steps.empty() ? "Go on" : "Once that is done, go on", report.updated_actuator,
         report.is_design ? "evaluate, simulate and the studies of size" : "evaluate and simulate"));

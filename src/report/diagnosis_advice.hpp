@@ -23,6 +23,10 @@ namespace coilwright::report {
 /// noise; empty where none did, or where the verdict says it.
 [[nodiscard]] std::string far_numbers(const measurement::Diagnosis& diagnosis);
 
+/// One sentence with the words of the other commands where they refuse the updated actuator as input; empty where they
+/// take it.
+[[nodiscard]] std::string refusal(const formats::DiagnosisReport& report);
+
 /// Whether what is left over may be noise of the camera: no record shows the colour of the noise of any channel without
 /// the motion, and there is not more of it than colour makes.
 [[nodiscard]] bool may_be_the_camera(const measurement::Diagnosis& diagnosis);

@@ -85,6 +85,7 @@ std::string use_text(const formats::DiagnosisReport& report) {
   if (!text.empty())
     return text + fmt::format("  Do not use {}, which has it, before a run of that kind is among those fitted.\n",
                               report.corrected_actuator);
+  if (!report.refused.empty()) return fmt::format("  {} has it.\n", report.corrected_actuator);
   return fmt::format("  {} has it: evaluate and simulate take it, and size where the geometry stays.\n",
                      report.corrected_actuator);
 }

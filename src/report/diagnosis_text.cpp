@@ -225,6 +225,7 @@ std::string to_text(const formats::DiagnosisReport& report) {
   if (diagnosis.far_first_pose)
     head += fmt::format("CHECK THE ZERO of the angle first. {}: {}.\n", diagnosis.far_first_pose->run,
                         diagnosis.far_first_pose->text);
+  if (const std::string refused = refusal(report); !refused.empty()) head += refused + '\n';
   if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
   for (const std::string& sentence : errors_beyond_noise(diagnosis)) head += sentence + '\n';

@@ -197,6 +197,44 @@ class Diagnose(ProgramTest):
         self.assert_refused(["diagnose", "set", "--out", "out"],
                             "set/dataset.json: slow.csv: drives coils, and the model has none")
 
+    def test_a_result_that_other_commands_refuse_is_written_and_says_so(self):
+        def wound(turns):
+            return {**ROD, "joints": [{"stiffness_Nm_rad": 0.0125, "damping_Nms_rad": 5e-4}],
+                    "links": [{"length_m": 0.019, "com_along_m": 0.011, "com_offset_m": 0.004, "mass_kg": 0.017,
+                               "inertia_kgm2": 0}],
+                    "magnetics": [{"coil": {"inner_radius_mm": 3, "outer_radius_mm": 9.5, "length_mm": 12,
+                                            "turns_radial": turns, "turns_axial": 30},
+                                   "magnet": {"radius_mm": 10, "length_mm": 6, "remanence_T": 1.4},
+                                   "coil_offset_mm": 6.4, "magnet_offset_mm": 3.4, "axis_offset_mm": 11.5}]}
+
+        def swung(name, role, frequency):
+            return {"file": name, "role": role, "duration_s": 2, "input": {
+                "sine": {"amplitude_A": 0.6, "offset_A": 0.3, "frequency_Hz": frequency}}}
+
+        # A coil of 16 layers where 4 are declared: only a magnet four times as strong explains its torque.
+        self.write("rod.json", json.dumps(wound(16)))
+        self.write("declared.json", json.dumps(wound(4)))
+        self.write("plan.json", json.dumps({**PLAN, "noise": {"angle_deg": 0.1}, "runs": [
+            swung("a.csv", "fit", 0.7), swung("b.csv", "fit", 2), swung("c.csv", "validate", 1.1)]}))
+        self.twin()
+        data = self.result("set/dataset.json")
+        data["calibrate"] = ["joint_damping", "/magnetics/0/magnet/remanence_T"]
+        self.write("set/dataset.json", json.dumps(data))
+        result = self.diagnose("out", "--actuator", "declared.json", "--quiet")
+        found = self.result("out/diagnosis.json")
+        remanence = found["calibration"]["/magnetics/0/magnet/remanence_T"]["value"]
+        self.assertAlmostEqual(remanence, 4 * 1.4, delta=0.1)
+        self.assertEqual(len(found["refused"]), 1)
+        self.assertIn("needs a number that no actuator has, and the other commands refuse the file: "
+                      f"{found['refused'][0]}.\n", result.stdout)
+        self.assertIn("\nWhat to do next\n  Do not build on actuator.json.", result.stdout)
+        self.assertNotIn("take it", result.stdout)
+        self.assert_refused(["evaluate", "out/actuator.json", "--current-A", "1"], "out/" + found["refused"][0])
+        self.assertIn("/magnetics/0/magnet/remanence_T: must be > 0 and <= 5; got", found["refused"][0])
+        # One that is taken says nothing.
+        self.diagnose("right", "--quiet")
+        self.assertEqual(self.result("right/diagnosis.json")["refused"], [])
+
     def test_an_actuator_that_is_an_input_is_never_overwritten(self):
         self.twin()
         (self.folder / "out").mkdir()

@@ -116,5 +116,20 @@ TEST(DiagnosisAdvice, BeginsWithPicturesThatStandStill) {
                         "from when on), and diagnose again: "));
 }
 
+// A fit is not bound by what a magnet can be.
+TEST(DiagnosisAdvice, DoesNotSendOnToCommandsThatRefuseTheActuator) {
+  const Diagnosis diagnosis = corrected_example();
+  formats::DiagnosisReport report = report_of(diagnosis);
+  report.corrected_actuator = "corrected_actuator.json";
+  report.refused = {"actuator.json: /magnet: must be less; got more", "corrected_actuator.json: the same"};
+  const std::string text = to_text(report);
+  EXPECT_THAT(text, HasSubstr("\nBut it needs a number that no actuator has, and the other commands refuse the file: "
+                              "actuator.json: /magnet: must be less; got more.\n"));
+  EXPECT_THAT(text,
+              HasSubstr("  Do not build on actuator.json. Look at the units of the records and at the declared "));
+  EXPECT_THAT(text, HasSubstr("  corrected_actuator.json has it.\n"));
+  EXPECT_THAT(text, Not(HasSubstr("take it")));
+}
+
 }  // namespace
 }  // namespace coilwright::report

@@ -282,6 +282,7 @@ Json to_json(const DiagnosisReport& report) {
   out.set("nominal", nominal_json(diagnosis)).set("outliers", outliers_json(diagnosis));
   out.set("corrected_actuator", text_or_null(report.corrected_actuator));
   // Beyond the format.
+  out.set("refused", words_json(report.refused));
   out.set("probability_of_declared",
           diagnosis.nominal.empty() ? Json(nullptr) : number_or_null(diagnosis.probability_of_declared));
   out.set("hinted", hinted_json(diagnosis)).set("numbers_off", numbers_off_json(diagnosis));

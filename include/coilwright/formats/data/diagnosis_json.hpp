@@ -19,6 +19,9 @@ struct DiagnosisReport {
   std::vector<std::string> held_out{};      ///< files that the tool itself kept from the fit
   std::uint64_t seed{};
   std::string next_experiment_file{};  ///< of the next experiment, beside the report; empty: it is not written
+  /// Why the actuator files are refused as input, a line each: a fit is not bound by what an actuator can be. Empty:
+  /// they are taken.
+  std::vector<std::string> refused{};
 };
 
 /// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it

@@ -2,6 +2,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iterator>
@@ -30,6 +31,7 @@
 #include "measurement/localise/localisation.hpp"
 #include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
+#include "measurement/unanswered_runs.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -120,7 +122,14 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
   }
   FinalErrors::require_fits_model(data.validate, declared, nominal);
+  out.unanswered_runs = unanswered_runs(usable.runs, declared);
+  append(out.unanswered_runs, FinalErrors::unanswered_runs(data.validate, declared));
+  append(out.warnings, out.unanswered_runs);
+  // A finger that does not answer has no pose that could tell of the zero.
   out.far_first_pose = far_first_pose(runs, declared);
+  if (out.far_first_pose &&
+      std::ranges::find(out.unanswered_runs, out.far_first_pose->run, &data::Warning::run) != out.unanswered_runs.end())
+    out.far_first_pose.reset();
   if (out.far_first_pose) out.warnings.push_back(*out.far_first_pose);
   for (const data::Run& run : usable.runs)
     if (auto frozen = frozen_pictures(run)) {

@@ -15,6 +15,7 @@
 #include "measurement/fit/outliers.hpp"
 #include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
+#include "measurement/unanswered_runs.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -115,6 +116,11 @@ void FinalErrors::require_fits_model(const data::SealedRuns& runs, const replay:
 
 void FinalErrors::require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared) {
   measurement::require_no_slip(runs.runs_, declared);
+}
+
+std::vector<data::Warning> FinalErrors::unanswered_runs(const data::SealedRuns& runs,
+                                                        const replay::DeclaredModel& declared) {
+  return measurement::unanswered_runs(runs.runs_, declared);
 }
 
 FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,

@@ -29,6 +29,9 @@ class FinalErrors {
                                  const actuator::Model& nominal);
   /// Throws RecordSlip as require_no_slip() does of other runs. Reveals nothing else.
   static void require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared);
+  /// What unanswered_runs() says of other runs.
+  [[nodiscard]] static std::vector<data::Warning> unanswered_runs(const data::SealedRuns& runs,
+                                                                  const replay::DeclaredModel& declared);
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
   /// which one of the models cannot be simulated is left out with a warning, and outliers are left out, too. The
   /// clocks, edges and hum of each run are fitted to it for each model, their priors weighed by the model error of the

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,13 +13,10 @@
 #include <vector>
 
 #include "coilwright/measurement/record_slip.hpp"
-#include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/units/angle.hpp"
 #include "measurement/data/usual_interval.hpp"
+#include "measurement/declared_angles.hpp"
 #include "measurement/fit/hypothesis.hpp"
-#include "measurement/replay/prediction.hpp"
-#include "measurement/replay/prepared_run.hpp"
-#include "measurement/replay/rig_change.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -43,15 +41,6 @@ struct Slip {
   std::string looks_like{};
   std::string remedy{};
 };
-
-bool is_angle(const data::Channel& channel) {
-  return channel.kind == data::ChannelKind::bending_angle || channel.kind == data::ChannelKind::joint_angle;
-}
-
-bool is_of_use(const data::Run& run) {
-  return run.kind == data::RunKind::transient && run.start == data::Start::at_rest &&
-         std::ranges::any_of(run.channels, is_angle);
-}
 
 bool counts_frames(const data::Run& run) {
   for (std::size_t i = 1; i < run.times.size(); ++i)
@@ -104,33 +93,21 @@ struct Sums {
   std::size_t count = 0;  // of readings
 };
 
-// Adds the first window of a run; false where the model cannot follow it.
-bool add(Sums& sums, const data::Run& run, const replay::DeclaredModel& declared, const fit::Hypothesis& as_declared) {
-  const actuator::ModelSpec spec = as_declared.spec_at(as_declared.start());
-  const replay::PreparedRun prepared = replay::prepare_run(run, declared, actuator::Model(spec));
-  const actuator::Model model(replay::on_changed_rig(spec, run.rig));
-  const replay::Window& window = prepared.windows.front();
-  const auto rest = simulation::equilibrium_at_first_input(model, window.input);
-  if (!rest) return false;
-  const auto predicted = replay::predict_window(model, prepared, window, *rest);
-  if (!predicted) return false;
-  const Eigen::VectorXd measured = replay::measured_values(run, window.range);
-  const auto samples = static_cast<Eigen::Index>(window.samples());
-  for (std::size_t c = 0; c < run.channels.size(); ++c) {
-    if (!is_angle(run.channels[c])) continue;
-    const auto seen = measured.segment(static_cast<Eigen::Index>(c) * samples, samples);
-    sums.missed += (seen - predicted->values.segment(static_cast<Eigen::Index>(c) * samples, samples)).squaredNorm();
-    sums.varied += (seen.array() - seen.mean()).square().sum();
-    sums.count += window.samples();
-  }
-  return true;
-}
-
-// Nothing where the model cannot follow it.
+// Of the first window as `slip` says; nothing where the model cannot follow it.
 std::optional<Sums> sums_of(const data::Run& run, const Slip& slip, const replay::DeclaredModel& declared,
                             const fit::Hypothesis& as_declared) {
+  const data::Run meant = meant_as(run, slip);
+  const auto angles = declared_angles(meant, declared, as_declared);
+  if (!angles) return std::nullopt;
   Sums out;
-  return add(out, meant_as(run, slip), declared, as_declared) ? std::optional(out) : std::nullopt;
+  for (const DeclaredAngle& angle : *angles) {
+    const auto size = static_cast<Eigen::Index>(angle.measured.size());
+    const Eigen::Map<const Eigen::ArrayXd> seen(angle.measured.data(), size);
+    out.missed += (seen - Eigen::Map<const Eigen::ArrayXd>(angle.declared.data(), size)).square().sum();
+    out.varied += (seen - seen.mean()).square().sum();
+    out.count += angle.measured.size();
+  }
+  return out;
 }
 
 double rms(double squares, std::size_t count) {
@@ -143,7 +120,7 @@ std::string column_of(const data::Run& run, const Slip& slip) {
 
 std::string slip_text(const data::Run& run, const Slip& slip, const Sums& meant, const std::string& as_written) {
   return fmt::format(
-      "{}: {}: looks like {}: the declared model then misses the angles by {:.2g} deg (rms), as written {}; {}",
+      "{}: {}: looks like {}: read so, the declared model misses the angles by {:.2g} deg (rms), as written {}; {}",
       run.name, column_of(run, slip), slip.looks_like, rms(meant.missed, meant.count), as_written, slip.remedy);
 }
 
@@ -216,7 +193,7 @@ void require_no_slip(std::span<const data::Run> runs, const replay::DeclaredMode
   // Each by itself: of several records one may have come from another program than the others.
   std::size_t looked_at = 0;
   for (const data::Run& run : runs) {
-    if (!is_of_use(run) || looked_at++ >= enough_runs) continue;
+    if (!is_motion_of_angles(run) || looked_at++ >= enough_runs) continue;
     if (run.times.size() > 2) {
       require_no_milliseconds(run, declared, as_declared);
       require_no_seconds(run, declared, as_declared);

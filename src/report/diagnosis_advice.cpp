@@ -24,10 +24,6 @@ constexpr double far = 2.0;
 constexpr double very_far = 3.0;
 constexpr std::size_t most_to_measure = 3;
 
-bool leaves_structure(const Diagnosis& diagnosis) {
-  return diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
-}
-
 bool is_colour_unknown(const noise::NoiseLevel& level) {
   return level.colour.starts_with("taken as white");
 }
@@ -114,6 +110,15 @@ std::string repeating_step(const Diagnosis& diagnosis) {
       fmt::join(formats::ids(best.effects), " + "));
 }
 
+// Effects whose numbers the other runs leave too open, whichever run is left out.
+std::vector<std::string> untested_effects(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
+  for (const AddedEffect& each : diagnosis.effects)
+    if (!std::isfinite(each.evidence.cross_validated_gain) && !each.evidence.untold_runs.empty())
+      out.emplace_back(each.kind->id());
+  return out;
+}
+
 }  // namespace
 
 std::string far_numbers(const Diagnosis& diagnosis) {
@@ -127,6 +132,16 @@ std::string far_numbers(const Diagnosis& diagnosis) {
   return fmt::format(
       "{}eclared numbers had to move far, in tolerances: {}. Measure them before you rely on this model.",
       diagnosis.effects.empty() ? "But d" : "Even so d", fmt::join(names, ", "));
+}
+
+bool leaves_structure(const Diagnosis& diagnosis) {
+  return diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
+}
+
+std::vector<std::string> names_of_runs(std::span<const data::Warning> warnings) {
+  std::vector<std::string> out;
+  for (const data::Warning& each : warnings) out.push_back(each.run);
+  return out;
 }
 
 bool has_risen(const Errors& from, const Errors& to, double noise) {
@@ -189,6 +204,11 @@ std::string advice_text(const formats::DiagnosisReport& report) {
         "Do not build on {}. Look at the units of the records and at the declared numbers that act with the "
         "refused one (turns, gap, magnet, stiffness), then diagnose again.",
         report.updated_actuator));
+  if (!diagnosis.unanswered_runs.empty())
+    steps.push_back(
+        fmt::format("Look at the film and the wiring of {}. Where no current flowed, leave the run out and diagnose "
+                    "again, before anything else.",
+                    fmt::join(names_of_runs(diagnosis.unanswered_runs), ", ")));
   if (diagnosis.far_first_pose)
     steps.emplace_back(
         "Look at a picture of the finger at rest: 0 deg is a straight finger. If the records count from another zero, "
@@ -226,16 +246,23 @@ std::string advice_text(const formats::DiagnosisReport& report) {
   if (structure && diagnosis.verdict == Verdict::partly_explained)
     steps.emplace_back(
         "Do not take the numbers of the effects for those of the finger: what is missing distorts them.");
+  if (const std::vector<std::string> untested = untested_effects(diagnosis); !untested.empty())
+    steps.push_back(
+        fmt::format("Record each motion a second time and diagnose again: no run left out of the fit could test {}.",
+                    fmt::join(untested, " and ")));
+  if (diagnosis.validate_errors.empty() && !structure)
+    steps.emplace_back(
+        "Record a further run and give it the role validate: this result was judged by the runs that it was fitted "
+        "to.");
   if (diagnosis.verdict == Verdict::no_missing_effect)
     steps.emplace_back(
         "To learn how small an effect these runs could have shown, describe them as an experiment and run plan: a "
         "smaller one may still be there.");
   if (!structure && !diagnosis.numbers_off.empty())
-    steps.push_back(
-        fmt::format("Do not build on {}: it has the number that is off as far as its tolerance lets it, and what it "
-                    "lacks in others. "
-                    "Go on with that of the new diagnosis.",
-                    report.updated_actuator));
+    steps.push_back(fmt::format(
+        "Do not build on {}: there its tolerance holds back the number that is off, and others carry what it "
+        "lacks. Go on with that of the new diagnosis.",
+        report.updated_actuator));
   else if (!structure && report.refused.empty())
     steps.push_back(fmt::format(
         "{} with {}: {} take it.", steps.empty() ? "Go on" : "Once that is done, go on", report.updated_actuator,

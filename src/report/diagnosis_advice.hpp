@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,12 @@
 #include "coilwright/measurement/diagnosis.hpp"
 
 namespace coilwright::report {
+
+/// Whether something is left over that is no noise: partly_explained and unexplained.
+[[nodiscard]] bool leaves_structure(const measurement::Diagnosis& diagnosis);
+
+/// The runs that warnings are of.
+[[nodiscard]] std::vector<std::string> names_of_runs(std::span<const measurement::data::Warning> warnings);
 
 /// Whether the rms of errors is larger by more than a tenth of the noise.
 [[nodiscard]] bool has_risen(const measurement::Errors& from, const measurement::Errors& to, double noise);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -97,9 +98,11 @@ std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& e
                         100.0 * std::min(1.0, evidence.cross_validated_gain));
   if (!evidence.untold_runs.empty())
     text += fmt::format(
-        "    not tested on {}: the other runs leave the effect's numbers too open to predict {}; record {} again\n",
+        "    not tested on {}: the other runs leave the effect's numbers too open to predict {}; record {} motion a "
+        "second "
+        "time\n",
         fmt::join(evidence.untold_runs, ", "), evidence.untold_runs.size() == 1 ? "it" : "them",
-        evidence.untold_runs.size() == 1 ? "it" : "them");
+        evidence.untold_runs.size() == 1 ? "that" : "each such");
   return text;
 }
 
@@ -115,6 +118,7 @@ std::string declared_text(const Diagnosis& diagnosis) {
       "  rigs built to their tolerances are as far off or further ({}).\n",
       share,
       probability < least_probability ? "below 1 %: they are off, or an effect is missing"
+      : leaves_structure(diagnosis)   ? "above 1 %: it is not they that are far off"
       : diagnosis.numbers_off.empty()
           ? "above 1 %: that may be chance"
           : "above 1 %: taken together that may be chance, though the one that is off is none");
@@ -183,12 +187,13 @@ std::string errors_text(const Diagnosis& diagnosis) {
 
 // Only where something is left over: on a residual that is noise there is nothing to name.
 std::string residual_text(const Diagnosis& diagnosis) {
-  const bool structure = diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained;
-  if (!structure || !diagnosis.residual) return {};
+  if (!leaves_structure(diagnosis) || !diagnosis.residual) return {};
   const localise::ResidualTorque& residual = *diagnosis.residual;
   const units::Unit torque = error_unit(data::ChannelKind::torque);
   std::string text = fmt::format("\nWhat is left over, as a joint torque\n  rms {}, where noise alone gives {}\n",
                                  in_unit_text(residual.rms, torque), in_unit_text(residual.noise_floor, torque));
+  if (residual.rms < residual.noise_floor)
+    text += "  No more than noise makes of it: as a torque its size cannot be read. Look at it in residuals.csv.\n";
   TextTable table;
   for (const localise::Dependence& each : residual.dependences) {
     if (table.rows() == most_dependences || each.explained < least_dependence) break;
@@ -205,11 +210,31 @@ std::string residual_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+// Of records that are none of a moving finger: effects stand in for what the rig did.
+std::string records_to_check(const Diagnosis& diagnosis) {
+  std::string text;
+  if (!diagnosis.unanswered_runs.empty()) {
+    const data::Warning& first = diagnosis.unanswered_runs.front();
+    text += fmt::format("CHECK THE RECORDS first. {}: {}.\n", first.run, first.text);
+  }
+  if (diagnosis.unanswered_runs.size() > 1)
+    text +=
+        fmt::format("Alike in {}.\n", fmt::join(names_of_runs(std::span(diagnosis.unanswered_runs).subspan(1)), ", "));
+  if (!diagnosis.frozen_runs.empty())
+    text += fmt::format(
+        "CHECK THE CAMERA first. The pictures of {} stand still for a while, and were fitted as if the finger had "
+        "stopped.\n",
+        fmt::join(diagnosis.frozen_runs, ", "));
+  return text;
+}
+
 // Before all else that follows from the data.
 std::string warnings_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const data::Warning& each : diagnosis.warnings) {
-    const bool said = diagnosis.far_first_pose && each.text == diagnosis.far_first_pose->text;
+    const auto is_this = [&](const data::Warning& other) { return other.run == each.run && other.text == each.text; };
+    const bool said = (diagnosis.far_first_pose && each.text == diagnosis.far_first_pose->text) ||
+                      std::ranges::any_of(diagnosis.unanswered_runs, is_this);
     if (!said) text += fmt::format("  {}{}\n", each.run.empty() ? "" : each.run + ": ", each.text);
   }
   return text.empty() ? "" : "\nWarnings\n" + text;
@@ -221,6 +246,7 @@ std::string to_text(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   std::string head =
       fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis));
+  head += records_to_check(diagnosis);
   // Effects that bend the rest pose take the place of a zero: what follows is right only if the zero is.
   if (diagnosis.far_first_pose)
     head += fmt::format("CHECK THE ZERO of the angle first. {}: {}.\n", diagnosis.far_first_pose->run,

@@ -37,8 +37,8 @@ class Slips(ProgramTest):
 
     def assert_slip(self, change, column, words, remedy):
         self.write_as(change)
-        self.assertRegex(self.refusal(), rf"^coilwright: \./dataset\.json: step_1\.4A\.csv: {column}: looks like {words}: the declared "
-                                         rf"model then misses the angles by [\d.]+ deg \(rms\), as written by .*; {remedy}; "
+        self.assertRegex(self.refusal(), rf"^coilwright: \./dataset\.json: step_1\.4A\.csv: {column}: looks like {words}: read so, the declared "
+                                         rf"model misses the angles by [\d.]+ deg \(rms\), as written by .*; {remedy}; "
                                          r"--as-written takes it as it is\n$")
 
     def test_radians(self):
@@ -76,15 +76,15 @@ class Slips(ProgramTest):
 
     def test_milliseconds(self):
         self.write_as(lambda i, t, c, a: (1000 * t, c, a))
-        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_s: looks like milliseconds: the declared model then misses the "
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_s: looks like milliseconds: read so, the declared model misses the "
                                          r"angles by [\d.]+ deg \(rms\), as written there is a sample every 5 s; "
                                          r"name the column time_ms; --as-written takes it as it is\n$")
 
     def test_seconds_under_milliseconds(self):
         for name, text in self.records.items():
             self.write(name, text.replace("time_s", "time_ms", 1))
-        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time column: looks like seconds: the declared model "
-                                         r"then misses the angles by [\d.]+ deg \(rms\), as written there is a sample every 5e-06 s; "
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time column: looks like seconds: read so, the declared model "
+                                         r"misses the angles by [\d.]+ deg \(rms\), as written there is a sample every 5e-06 s; "
                                          r"name the column time_s; --as-written takes it as it is\n$")
 
     def test_seconds_beside_an_input_whose_own_file_is_right(self):

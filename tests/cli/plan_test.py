@@ -63,8 +63,11 @@ class Plan(ProgramTest):
     def test_what_cannot_be_planned_is_refused(self):
         command = ["plan", "plan.json", "--actuator", str(PAPER_FINGER)]
         for change, message in (
-                ({"noise": {}}, "plan.json: step.csv: the instrument of bending_angle_deg must have a noise or a resolution "
-                                "> 0; got 0 for both"),
+                ({"noise": {}}, "plan.json: step.csv: the instrument of bending_angle_deg must have a noise > 0, one "
+                                "standard deviation of a reading; got 0"),
+                ({"noise": {}, "resolution": {"angle_deg": 0.1}},
+                 "plan.json: step.csv: the instrument of bending_angle_deg must have a noise > 0, one standard deviation "
+                 "of a reading; got 0"),
                 ({"runs": [{**EXPERIMENT["runs"][0], "role": "validate"}]},
                  "plan.json: must have a run of role fit that is not still; got none"),
                 ({"runs": [{**EXPERIMENT["runs"][0], "coil": 9}]},

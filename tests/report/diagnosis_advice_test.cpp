@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+#include <optional>
+
 #include "report/text_of_diagnosis.hpp"
 
 namespace coilwright::report {
@@ -112,6 +115,9 @@ TEST(DiagnosisAdvice, BeginsWithPicturesThatStandStill) {
   diagnosis.verdict = Verdict::partly_explained;
   diagnosis.frozen_runs = {"a.csv", "b.csv"};
   EXPECT_THAT(text_of(diagnosis),
+              HasSubstr("CHECK THE CAMERA first. The pictures of a.csv, b.csv stand still for a while, and were "
+                        "fitted as if the finger had stopped.\n"));
+  EXPECT_THAT(text_of(diagnosis),
               HasSubstr("What to do next\n  Leave the pictures that stand still out of a.csv, b.csv (the warnings say "
                         "from when on), and diagnose again: "));
 }
@@ -129,6 +135,36 @@ TEST(DiagnosisAdvice, DoesNotSendOnToCommandsThatRefuseTheActuator) {
               HasSubstr("  Do not build on actuator.json. Look at the units of the records and at the declared "));
   EXPECT_THAT(text, HasSubstr("  corrected_actuator.json has it.\n"));
   EXPECT_THAT(text, Not(HasSubstr("take it")));
+}
+
+// Effects stand in for what the rig did: that is said before them.
+TEST(DiagnosisAdvice, BeginsWithRunsThatDoNotAnswerTheirInput) {
+  Diagnosis diagnosis = example();
+  diagnosis.unanswered_runs = {{.run = "a.csv", .text = "keeps within little"},
+                               {.run = "b.csv", .text = "keeps within less"}};
+  diagnosis.warnings = diagnosis.unanswered_runs;
+  diagnosis.far_first_pose = std::nullopt;
+  const std::string text = text_of(diagnosis);
+  EXPECT_THAT(text, HasSubstr("is noise.\nCHECK THE RECORDS first. a.csv: keeps within little.\nAlike in b.csv.\n"));
+  EXPECT_THAT(text, Not(HasSubstr("keeps within less")));  // one text is enough; the others are in diagnosis.json
+  EXPECT_THAT(text, HasSubstr("What to do next\n  Look at the film and the wiring of a.csv, b.csv. Where no current "
+                              "flowed, leave the run out and diagnose again, before anything else.\n"));
+}
+
+TEST(DiagnosisAdvice, AsksForARunThatJudgesWhereNoneWasKept) {
+  Diagnosis diagnosis = example();
+  const std::string words = "  Record a further run and give it the role validate";
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(words)));
+  diagnosis.validate_errors.clear();
+  EXPECT_THAT(text_of(diagnosis), HasSubstr(words));
+}
+
+TEST(DiagnosisAdvice, AsksForRepeatsWhereNoRunLeftOutCouldTestAnEffect) {
+  Diagnosis diagnosis = example();
+  const std::string words = "no run left out of the fit could test dry_friction.\n";
+  EXPECT_THAT(text_of(diagnosis), Not(HasSubstr(words)));
+  diagnosis.effects.front().evidence.cross_validated_gain = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(text_of(diagnosis), HasSubstr(words));
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ TEST(DiagnosisNumbersOff, SayWhichOneIsOffAndToWeighIt) {
   EXPECT_THAT(text, HasSubstr("What to do next\n"
                               "  Weigh or measure /links/1/mass_kg (declared 0.0225, these data say 0.02), correct the "
                               "actuator file and diagnose again.\n"
-                              "  Do not build on actuator.json: it has the number that is off as far as its tolerance "
-                              "lets it, and what it lacks in others. Go on with that of the new diagnosis.\n"));
+                              "  Do not build on actuator.json: there its tolerance holds back the number that is off, "
+                              "and others carry what it lacks. Go on with that of the new diagnosis.\n"));
 }
 
 TEST(DiagnosisNumbersOff, SayBetweenWhichTheDataDoNotTell) {

@@ -94,6 +94,9 @@ struct Diagnosis {
   std::vector<data::Warning> warnings{};
   /// Of the first run that begins far from where the declared model rests; also among the warnings.
   std::optional<data::Warning> far_first_pose{};
+  /// Of each run, fitted or not, in which an angle hardly moves where the declared model moves it far, as without
+  /// current; also among the warnings.
+  std::vector<data::Warning> unanswered_runs{};
   /// Fitted runs with a stretch in which the camera or the tracker stops; their warnings say where.
   std::vector<std::string> frozen_runs{};
   std::vector<Phase> phases{};

@@ -295,6 +295,10 @@ Json to_json(const DiagnosisReport& report) {
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis)).set("candidates", candidates_json(diagnosis));
   out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis));
+  Json unanswered = Json::array();
+  for (const data::Warning& each : diagnosis.unanswered_runs)
+    unanswered.add(Json::object({{"run", each.run}, {"text", each.text}}));
+  out.set("unanswered_runs", std::move(unanswered)).set("frozen_runs", words_json(diagnosis.frozen_runs));
   out.set("far_first_pose", diagnosis.far_first_pose ? Json::object({{"run", diagnosis.far_first_pose->run},
                                                                      {"text", diagnosis.far_first_pose->text}})
                                                      : Json(nullptr));

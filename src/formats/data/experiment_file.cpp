@@ -251,8 +251,11 @@ Experiment read_experiment_file(const Document& document) {
     if (const auto measure = in.find("measure")) defaults.measure = read_measure(*measure);
     experiment.instruments = read_instruments(in);
     read_recording(in, defaults.clock, defaults.hold, defaults.input_rate);
+    const std::vector<Node> runs = in.elements("runs", Length::from_to(1, most_runs));
+    // A default whose key is misspelt would be missing in every run.
+    in.finish();
     std::set<std::string> names;
-    for (const Node& element : in.elements("runs", Length::from_to(1, most_runs))) {
+    for (const Node& element : runs) {
       experiment.runs.push_back(read_run(element, defaults));
       if (!names.insert(experiment.runs.back().plan.name).second)
         throw element.find("file")->error("must not be there twice");

@@ -110,8 +110,7 @@ std::optional<std::string> stuck_sensor(const Channel& channel) {
   if (rest.extreme < shortest_rest || rest.extreme <= unusual_rest * rest.other) return std::nullopt;
   return fmt::format(
       "{} stays at exactly {}, its extreme, for {} samples, and nowhere else for more than {}: the sensor is "
-      "saturated, "
-      "or the motion ends at a stop",
+      "saturated, the camera stopped, or the motion ends at a stop",
       channel.name, in_unit(rest.value, channel), rest.extreme, rest.other);
 }
 

@@ -68,16 +68,16 @@ Experiment only_with(const Experiment& experiment, const PlannedRun& run) {
   return out;
 }
 
-// Without any error of an instrument every effect would be visible at any strength.
+// Without noise every effect would be visible at any strength; rounding alone repeats itself and sets no limit.
 void require_noise(const Experiment& experiment) {
   for (const PlannedRun& run : experiment.runs) {
     if (run.validate || run.plan.kind == data::RunKind::still || run.plan.sigma) continue;
     for (const data::Channel& channel : run.plan.channels) {
       const Instrument& instrument = experiment.instruments.of(channel.kind);
-      if (instrument.noise > 0.0 || instrument.resolution > 0.0) continue;
+      if (instrument.noise > 0.0) continue;
       throw std::invalid_argument(
-          fmt::format("{}: the instrument of {} must have a noise or a resolution > 0; got 0 for both", run.plan.name,
-                      channel.name));
+          fmt::format("{}: the instrument of {} must have a noise > 0, one standard deviation of a reading; got 0",
+                      run.plan.name, channel.name));
     }
   }
 }

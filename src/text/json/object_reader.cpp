@@ -80,6 +80,8 @@ std::string ObjectReader::one_of(std::initializer_list<std::string_view> keys) {
     for (const std::string_view asked : keys) {
       if (differs_in_unit_only(key, asked)) throw unknown(key);
     }
+    const std::vector<std::string> candidates(keys.begin(), keys.end());
+    if (!asked_for_.contains(key) && !did_you_mean(key, candidates).empty()) throw unknown(key);
   }
   throw node_.error_without_value(fmt::format("needs one of {}", fmt::join(listed, ", ")));
 }

@@ -216,6 +216,12 @@ TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
   EXPECT_EQ(
       refusal(R"({"file": "a.csv", )" + head + R"("input": {"hold": {"level_A": 1, "from_s": 0.5, "until_s": 0.5}}})"),
       "x.json: /runs/0/input/hold/until_s: must exceed from_s (0.5); got 0.5");
+  EXPECT_EQ(text::testing::error_of([] {
+              (void)parse_experiment(R"({"format": "experiment/1", "name": "x", "sampling_rate_hz": 60, "runs": [
+                  {"file": "a.csv", "role": "fit", "duration_s": 2, "input": {"step": {"after_A": 1, "at_s": 0}}}]})",
+                                     "x.json");
+            }),
+            R"(x.json: /sampling_rate_hz: unknown key; did you mean "sampling_rate_Hz"?)");
   // Nothing of such a change would be recorded.
   EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_A": 1, "at_s": 2}}})"),
             "x.json: /runs/0/input/step/at_s: must be below the run's duration, 2 s; got 2");

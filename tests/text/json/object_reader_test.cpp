@@ -132,6 +132,7 @@ TEST(ObjectReader, WantsExactlyOneOfSeveralKeys) {
   EXPECT_EQ(chosen(R"({"voltage_V": 3})"), "accepted");
   EXPECT_EQ(chosen(R"({"voltage_V": 3, "current_A": 2})"), "x.json: /voltage_V: cannot stand beside \"current_A\"");
   EXPECT_EQ(chosen("{}"), "x.json: /: needs one of \"current_A\", \"voltage_V\"");
+  EXPECT_EQ(chosen(R"({"curent_A": 1})"), "x.json: /curent_A: unknown key; did you mean \"current_A\"?");
   EXPECT_EQ(chosen(R"({"current_mA": 3})"), "x.json: /current_mA: unknown key; did you mean \"current_A\"?");
 }
 

@@ -98,9 +98,8 @@ std::string evidence_text(const Diagnosis& diagnosis, const compare::Evidence& e
                         100.0 * std::min(1.0, evidence.cross_validated_gain));
   if (!evidence.untold_runs.empty())
     text += fmt::format(
-        "    not tested on {}: the other runs leave the effect's numbers too open to predict {}; record {} motion a "
-        "second "
-        "time\n",
+        "    not tested on {}: the other runs leave the effect's numbers too open to predict {};\n"
+        "    record {} motion a second time\n",
         fmt::join(evidence.untold_runs, ", "), evidence.untold_runs.size() == 1 ? "it" : "them",
         evidence.untold_runs.size() == 1 ? "that" : "each such");
   return text;

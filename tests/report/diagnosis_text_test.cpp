@@ -69,7 +69,8 @@ What was found
     torque_Nmm  0.61  0.58 to 0.64 (95 %)
     residual on the fit runs: 2.082 times the noise without it, 1 with it (rms)
     on runs left out in turn: takes away 97 % of the squared error above the noise
-    not tested on hold.csv: the other runs leave the effect's numbers too open to predict it; record that motion a second time
+    not tested on hold.csv: the other runs leave the effect's numbers too open to predict it;
+    record that motion a second time
   Without any effect the declared numbers would have to be so far off, all together, that 25 % of the
   rigs built to their tolerances are as far off or further (above 1 %: that may be chance).
 

@@ -50,19 +50,19 @@ std::string body_of(const Page& page) {
   for (const std::string& caution : page.cautions)
     out += fmt::format("<p class=\"caution\">{}</p>\n", escaped(caution));
   out += fmt::format("<p class=\"origin\">{}</p>\n", escaped(page.origin));
+  out += "</header>\n";
+  out += "<nav aria-label=\"Sections\"><ul>\n";
+  for (const Section& section : page.sections)
+    out += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));
+  out += "</ul></nav>\n";
+  // Behind the navigation, which the keyboard reaches first.
   if (!page.inputs.empty()) {
     out += fmt::format("<details class=\"origin\"><summary>The files that it is made of ({})</summary>\n<ul>\n",
                        page.inputs.size());
     for (const std::string& input : page.inputs) out += fmt::format("<li>{}</li>\n", escaped(input));
     out += "</ul></details>\n";
   }
-  out += "</header>\n";
-  out += "<nav aria-label=\"Sections\"><ul>\n";
-  for (const Section& section : page.sections)
-    out += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));
-  out +=
-      "</ul></nav>\n<noscript><p>The plots need scripts; every table is readable without "
-      "them.</p></noscript>\n<main>\n";
+  out += "<noscript><p>The plots need scripts; every table is readable without them.</p></noscript>\n<main>\n";
   for (const Section& section : page.sections) {
     out += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h2 id=\"{0}-title\">{1}</h2>\n",
                        section.id, escaped(section.title));

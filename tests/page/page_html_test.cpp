@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 namespace coilwright::page {
@@ -35,6 +36,14 @@ TEST(PageHtml, LeavesNothingOfATextAsMarkup) {
   EXPECT_THAT(html, Not(HasSubstr("</script><script>")));
   EXPECT_THAT(html, HasSubstr("\\u003c/script>\\u003cscript>alert(1)"));
   EXPECT_THAT(html, HasSubstr("MIT &lt;of it&gt;"));
+}
+
+// The first stop of the keyboard.
+TEST(PageHtml, HasTheNavigationBeforeTheListOfFiles) {
+  const std::string html = html_of(hostile_page());
+  const std::size_t files = html.find("<summary>The files that it is made of (1)");
+  ASSERT_NE(files, std::string::npos);
+  EXPECT_LT(html.find("<nav"), files);
 }
 
 TEST(PageHtml, LetsOnlyItsOwnScriptsRun) {

@@ -70,6 +70,8 @@ class Plan(ProgramTest):
                  "of a reading; got 0"),
                 ({"runs": [{**EXPERIMENT["runs"][0], "role": "validate"}]},
                  "plan.json: must have a run of role fit that is not still; got none"),
+                ({"runs": [{**EXPERIMENT["runs"][0], "input": {"step": {"after_A": 1400, "at_s": 0.1}}}]},
+                 "plan.json: step.csv: the motion leaves the model under an input of up to 1400 A"),
                 ({"runs": [{**EXPERIMENT["runs"][0], "coil": 9}]},
                  "plan.json: step.csv: drives coil 9, and the model has 2")):
             self.write("plan.json", json.dumps({**EXPERIMENT, **change}))

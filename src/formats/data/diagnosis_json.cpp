@@ -261,10 +261,13 @@ Json noise_json(const Diagnosis& diagnosis) {
   return out;
 }
 
-Json warnings_json(const Diagnosis& diagnosis) {
+Json warning_json(const data::Warning& warning) {
+  return Json::object({{"run", text_or_null(warning.run)}, {"text", warning.text}});
+}
+
+Json warnings_json(const std::vector<data::Warning>& warnings) {
   Json out = Json::array();
-  for (const data::Warning& each : diagnosis.warnings)
-    out.add(Json::object({{"run", text_or_null(each.run)}, {"text", each.text}}));
+  for (const data::Warning& each : warnings) out.add(warning_json(each));
   return out;
 }
 
@@ -294,14 +297,10 @@ Json to_json(const DiagnosisReport& report) {
   out.set("nameless_correction", correction_json(diagnosis));
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
   out.set("residual", residual_json(diagnosis)).set("candidates", candidates_json(diagnosis));
-  out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis));
-  Json unanswered = Json::array();
-  for (const data::Warning& each : diagnosis.unanswered_runs)
-    unanswered.add(Json::object({{"run", each.run}, {"text", each.text}}));
-  out.set("unanswered_runs", std::move(unanswered)).set("frozen_runs", words_json(diagnosis.frozen_runs));
-  out.set("far_first_pose", diagnosis.far_first_pose ? Json::object({{"run", diagnosis.far_first_pose->run},
-                                                                     {"text", diagnosis.far_first_pose->text}})
-                                                     : Json(nullptr));
+  out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis.warnings));
+  out.set("unanswered_runs", warnings_json(diagnosis.unanswered_runs));
+  out.set("frozen_runs", words_json(diagnosis.frozen_runs));
+  out.set("far_first_pose", diagnosis.far_first_pose ? warning_json(*diagnosis.far_first_pose) : Json(nullptr));
   return out;
 }
 

@@ -71,10 +71,7 @@ TableShape small_large_small(double level) {
 class Menu {
  public:
   Menu(const PlannedRun& like, double level, const Model& nominal, std::string prefix)
-      : like_(like), level_(level), nominal_(nominal), prefix_(std::move(prefix)) {
-    if (like.plan.drive == data::Drive::torque) unit_ = "N m";
-    if (like.plan.drive == data::Drive::voltage) unit_ = "V";
-  }
+      : like_(like), level_(level), nominal_(nominal), prefix_(std::move(prefix)) {}
 
   std::vector<CandidateRun> all() {
     add_commands();
@@ -84,7 +81,9 @@ class Menu {
   }
 
  private:
-  [[nodiscard]] std::string amount(double share) const { return fmt::format("{:.3g} {}", share * level_, unit_); }
+  [[nodiscard]] std::string amount(double share) const {
+    return fmt::format("{:.3g} {}", share * level_, unit_of_drive(like_.plan.drive));
+  }
   [[nodiscard]] SineShape sine(double frequency) const {
     return {.amplitude = 0.5 * level_, .offset = 0.5 * level_, .frequency = frequency};
   }
@@ -174,7 +173,6 @@ class Menu {
   double level_;
   const Model& nominal_;
   std::string prefix_;
-  const char* unit_ = "A";
   std::vector<CandidateRun> out_;
 };
 

@@ -125,18 +125,6 @@ simulation::State initial_state_of(const PlannedRun& planned, const Model& model
       fmt::format("{}: has no stable pose under the first input to start from", planned.plan.name));
 }
 
-const char* unit_of_input(data::Drive drive) {
-  switch (drive) {
-    case data::Drive::current:
-      return "A";
-    case data::Drive::voltage:
-      return "V";
-    case data::Drive::torque:
-      return "Nm";
-  }
-  return "";
-}
-
 Eigen::VectorXd motion(const PlannedRun& planned, const replay::PreparedRun& prepared, const replay::Window& window,
                        const Model& model) {
   if (const auto predicted = replay::predict_window(model, prepared, window, initial_state_of(planned, model, window)))
@@ -144,9 +132,8 @@ Eigen::VectorXd motion(const PlannedRun& planned, const replay::PreparedRun& pre
   double largest = 0.0;
   for (const std::vector<double>& row : prepared.run->inputs)
     for (const double value : row) largest = std::max(largest, std::abs(value));
-  throw std::runtime_error(fmt::format(
-      "{}: the motion leaves the model (a joint turns beyond 180 degrees) under an input of up to {:.4g} {}",
-      planned.plan.name, largest, unit_of_input(planned.plan.drive)));
+  throw std::runtime_error(fmt::format("{}: the motion leaves the model under an input of up to {:.4g} {}",
+                                       planned.plan.name, largest, unit_of_drive(planned.plan.drive)));
 }
 
 // The same run sampled where the rig moves: at every look of the camera, at every edge, and between them.
@@ -208,6 +195,18 @@ Eigen::VectorXd at_rest(const data::Run& run, const Model& model) {
 }
 
 }  // namespace
+
+const char* unit_of_drive(data::Drive drive) {
+  switch (drive) {
+    case data::Drive::current:
+      return "A";
+    case data::Drive::voltage:
+      return "V";
+    case data::Drive::torque:
+      return "N m";
+  }
+  return "";
+}
 
 data::Run with_inputs(const PlannedRun& planned, const actuator::Model& model) {
   data::Run run = planned.plan;

@@ -8,6 +8,9 @@
 
 namespace coilwright::measurement::experiment {
 
+/// The SI unit of what drives a run, as a reader sees it.
+[[nodiscard]] const char* unit_of_drive(data::Drive drive);
+
 /// The planned run with its times and inputs, and with values that are still zero. Throws std::invalid_argument where
 /// it drives a coil or a joint that the model does not have.
 [[nodiscard]] data::Run with_inputs(const PlannedRun& planned, const actuator::Model& model);

@@ -47,11 +47,12 @@ class PanelRule {
   /// integrated over, and keep the cost of an overlapping pose in milliseconds.
   static constexpr double most_nodes = 192.0;
 
-  /// Enough nodes for a single rule of `needed` nodes (each of m panels then needs about needed / m), and one more.
+  /// Enough nodes for a single rule of `needed` nodes (each of m panels then needs about needed / m), and one more; as
+  /// many as there may be where `needed` is no number, as of lengths whose squares vanish.
   explicit PanelRule(double needed)
-      : panels_(static_cast<int>(std::ceil(std::min(needed, most_nodes) / largest_order))),
+      : panels_(static_cast<int>(std::ceil(std::min(most_nodes, needed) / largest_order))),
         rule_(gauss_legendre(
-            std::clamp(static_cast<int>(std::ceil(std::min(needed, most_nodes) / panels_)) + 1, 2, max_gauss_order))) {}
+            std::clamp(static_cast<int>(std::ceil(std::min(most_nodes, needed) / panels_)) + 1, 2, max_gauss_order))) {}
 
   [[nodiscard]] int count() const noexcept { return panels_ * static_cast<int>(rule_.count); }
   [[nodiscard]] double node(int i) const noexcept {

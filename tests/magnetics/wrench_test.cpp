@@ -12,6 +12,7 @@
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/constants.hpp"
+#include "magnetics/radial_nodes.hpp"
 #include "random_pairs.hpp"
 #include "reference_cases.hpp"
 
@@ -260,6 +261,14 @@ TEST(Wrench, IsFiniteWhateverThePoseOverlapsIncluded) {
     const Wrench result = wrench(coil, 1.0, magnet, pose);
     ASSERT_TRUE(result.force.allFinite() && result.torque.allFinite()) << i;
   }
+}
+
+// Lengths whose squares vanish make 0 / 0 of the number of nodes, which was cast to an int.
+TEST(Wrench, TakesTheMostNodesWhereTheNumberNeededIsNone) {
+  EXPECT_GE(PanelRule(std::numeric_limits<double>::quiet_NaN()).count(), PanelRule::most_nodes);
+  EXPECT_GE(PanelRule(std::numeric_limits<double>::infinity()).count(), PanelRule::most_nodes);
+  const CylinderMagnet mote({.radius = 1e-313, .length = 1e-313, .remanence = 1.3});
+  (void)wrench(mote, mote, {.position = {1e-3, 0, 2e-3}, .axis = {0, 0.1, 1}});
 }
 
 TEST(Wrench, RefusesAPoseThatIsNone) {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "coilwright/actuator/design/current_shares.hpp"
-#include "coilwright/actuator/design/largest_values.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/winding/packing.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
 

@@ -11,7 +11,6 @@
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
-#include "coilwright/actuator/design/largest_values.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire_gauge.hpp"
@@ -41,8 +40,8 @@ using actuator::Design;
 actuator::HingeReference read_hinge_reference(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     return actuator::HingeReference{
-        .width = in.quantity("width_mm", measurement),
-        .bottom_layer = in.quantity("bottom_layer_mm", measurement),
+        .width = in.quantity("width_mm", part_dimension),
+        .bottom_layer = in.quantity("bottom_layer_mm", part_dimension),
         .stiffness = in.quantity("joint_stiffness_Nmm_rad", measurement),
         .damping = in.quantity("joint_damping_Nmms_rad", Rule::between(0.0, largest_number)),
         .first_mode = in.quantity("first_mode_Hz", measurement)};
@@ -138,7 +137,8 @@ actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoic
 actuator::Measured read_measured(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     actuator::Measured measured;
-    for (const MeasuredKey& each : measured_keys) measured.*each.member = in.optional_quantity(each.key, measurement);
+    for (const MeasuredKey& each : measured_keys)
+      measured.*each.member = in.optional_quantity(each.key, each.key.ends_with("_mm") ? part_dimension : measurement);
     // A posture, not a size: closed joints are at 0.
     measured.continuous_current_joint_angle =
         in.optional_quantity("continuous_current_joint_angle_deg", Rule::between(0.0, 180.0));
@@ -171,8 +171,7 @@ Rule rule_of(const actuator::Parameter& parameter) {
     case actuator::ParameterRule::positive:
       return positive.and_also(Rule::at_most(largest_number));
     case actuator::ParameterRule::length:
-      return Rule::between(units::from_memory(actuator::shortest_length, parameter.key),
-                           units::from_memory(actuator::longest_length, parameter.key));
+      return part_length(parameter.key);
     case actuator::ParameterRule::not_negative:
       return Rule::between(0.0, largest_number);
     case actuator::ParameterRule::at_least_one:

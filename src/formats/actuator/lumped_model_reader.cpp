@@ -38,7 +38,8 @@ double read_length(ObjectReader& in, const GeometryKey& key) {
   const auto found = in.find_in_any_unit(key.ours);
   const auto other = in.find_in_any_unit(key.paper);
   if (found && other) throw other->error_without_value("cannot stand beside \"" + found->key() + "\"");
-  return other ? other->quantity(positive) : in.at_in_any_unit(key.ours).quantity(positive);
+  const Node node = other ? *other : in.at_in_any_unit(key.ours);
+  return node.quantity(part_length(node.key()));
 }
 
 // Coil and magnet of Table II with the paper's l_a, l_b and h.

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "coilwright/actuator/design/largest_values.hpp"
+#include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/actuator/model/lumped_model.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"

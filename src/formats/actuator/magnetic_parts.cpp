@@ -34,6 +34,11 @@ ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
     if (spec.outer_radius <= spec.inner_radius)
       throw in.at("outer_radius_mm")
           .error(fmt::format("must exceed inner_radius_mm ({})", in.number("inner_radius_mm")));
+    // A wall thinner than any wire, or than what a double can tell from none.
+    if (spec.outer_radius - spec.inner_radius < actuator::shortest_length)
+      throw in.at("outer_radius_mm")
+          .error(fmt::format("must exceed inner_radius_mm ({}) by at least {}", in.number("inner_radius_mm"),
+                             part_dimension.lower()));
     spec.turns_radial = in.integer("turns_radial", turns);
     spec.turns_axial = in.integer("turns_axial", turns);
     spec.winding = winding;

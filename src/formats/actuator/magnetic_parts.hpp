@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "coilwright/actuator/design/largest_values.hpp"
+#include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/magnetics/cylinder_magnet.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
 #include "coilwright/text/json/object_reader.hpp"
@@ -10,8 +10,9 @@
 
 namespace coilwright::formats {
 
-/// Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows or takes for ever.
-inline constexpr text::Rule part_dimension = text::positive.and_also(text::Rule::at_most(1e6));  // mm
+/// The rule of part_length() in mm.
+inline constexpr text::Rule part_dimension =
+    text::Rule::between(1e3 * actuator::shortest_length, 1e3 * actuator::longest_length);
 inline constexpr text::Rule design_remanence =
     text::positive.and_also(text::Rule::at_most(actuator::most_remanence));  // T
 inline constexpr text::Rule effective_remanence =

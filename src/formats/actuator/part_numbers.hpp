@@ -5,10 +5,17 @@
 #include <optional>
 #include <string_view>
 
+#include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
+
+/// The rule of a part's length in the unit of its key, "gap_mm" or "gap_m".
+[[nodiscard]] inline text::Rule part_length(std::string_view key) {
+  return text::Rule::between(units::from_memory(actuator::shortest_length, key),
+                             units::from_memory(actuator::longest_length, key));
+}
 
 /// A number of a part as a file writes it: shared by the reader and by the names of numbers that may be calibrated.
 template <class Part>

@@ -8,13 +8,8 @@
 
 namespace coilwright::actuator {
 
-/// What values a parameter may take in a file; a share is -1 to 1.
+/// What values a parameter may take in a file; a length is shortest_length to longest_length, a share -1 to 1.
 enum class ParameterRule { positive, length, not_negative, at_least_one, share, any };
-
-/// The lengths that a part may have, m (ParameterRule::length): beyond them a slip of the keyboard or of the unit is
-/// likelier than a finger.
-inline constexpr double shortest_length = 1e-5;
-inline constexpr double longest_length = 1.0;
 
 /// One number of a Design as files write it: the one table that the reader, the writer and a study's variables share.
 struct Parameter {

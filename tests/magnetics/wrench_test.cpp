@@ -12,7 +12,6 @@
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/constants.hpp"
-#include "magnetics/radial_nodes.hpp"
 #include "random_pairs.hpp"
 #include "reference_cases.hpp"
 
@@ -263,12 +262,11 @@ TEST(Wrench, IsFiniteWhateverThePoseOverlapsIncluded) {
   }
 }
 
-// Lengths whose squares vanish make 0 / 0 of the number of nodes, which was cast to an int.
-TEST(Wrench, TakesTheMostNodesWhereTheNumberNeededIsNone) {
-  EXPECT_GE(PanelRule(std::numeric_limits<double>::quiet_NaN()).count(), PanelRule::most_nodes);
-  EXPECT_GE(PanelRule(std::numeric_limits<double>::infinity()).count(), PanelRule::most_nodes);
+// Lengths whose squares vanish made 0 / 0 of the number of nodes, which was cast to an int: the sanitizers' run sees
+// it.
+TEST(Wrench, EndsAlsoForLengthsWhoseSquaresVanish) {
   const CylinderMagnet mote({.radius = 1e-313, .length = 1e-313, .remanence = 1.3});
-  (void)wrench(mote, mote, {.position = {1e-3, 0, 2e-3}, .axis = {0, 0.1, 1}});
+  EXPECT_NO_THROW((void)wrench(mote, mote, {.position = {1e-3, 0, 2e-3}, .axis = {0, 0.1, 1}}));
 }
 
 TEST(Wrench, RefusesAPoseThatIsNone) {

@@ -9,135 +9,229 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "coilwright/formats/actuator/pair_file.hpp"
-#include "coilwright/magnetics/overlap.hpp"
-#include "coilwright/magnetics/wrench.hpp"
+#include "coilwright/magnetics/forces.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
+#include "placed_bodies.hpp"
 
 namespace coilwright::cli {
 namespace {
 
+using formats::PairFile;
+using magnetics::Forces;
 using magnetics::Pose;
 using magnetics::Wrench;
 using text::Json;
 using units::from_si;
 
-struct Options {
+struct ForceOptions {
   std::string pair;
+  bool matrix{false};
   bool json{false};
 };
 
-Wrench wrench_on_second(const formats::CoilAndMagnet& pair, const Pose& pose) {
-  return magnetics::wrench(pair.coil, pair.current, pair.magnet, pose);
-}
-
-Wrench wrench_on_second(const formats::TwoCoils& pair, const Pose& pose) {
-  return magnetics::wrench(pair.first, pair.first_current, pair.second, pair.second_current, pose);
-}
-
-Wrench wrench_on_second(const formats::TwoMagnets& pair, const Pose& pose) {
-  return magnetics::wrench(pair.first, pair.second, pose);
-}
-
-std::array<double, 3> in_unit(const Eigen::Vector3d& vector, std::string_view name) {
+std::array<double, 3> components_in(const Eigen::Vector3d& vector, std::string_view name) {
   return {from_si(vector.x(), name), from_si(vector.y(), name), from_si(vector.z(), name)};
 }
 
-bool bodies_overlap(const formats::CoilAndMagnet& pair, const Pose& pose) {
-  return magnetics::overlap(magnetics::outline_of(pair.coil), magnetics::outline_of(pair.magnet), pose);
+/// What acts in each pose of the last body.
+std::vector<Forces> forces_of(const PairFile& file) {
+  std::vector<Forces> all;
+  all.reserve(file.poses.size());
+  for (const Pose& pose : file.poses) {
+    all.push_back(magnetics::forces(file.bodies_at(pose), file.plate));
+    for (const Wrench& each : all.back().on)
+      if (!each.force.allFinite() || !each.torque.allFinite())
+        throw std::domain_error(fmt::format("pose {}: the force is beyond what can be computed", all.size()));
+  }
+  return all;
 }
 
-bool bodies_overlap(const formats::TwoCoils& pair, const Pose& pose) {
-  return magnetics::overlap(magnetics::outline_of(pair.first), magnetics::outline_of(pair.second), pose);
+// Where faces touch, integrals over them lose digits.
+void warn_of_errors(const std::vector<Forces>& all, const std::string& name) {
+  constexpr double told_from = 1e-5;  // of the largest force
+  double worst = 0.0;
+  double error = 0.0;
+  for (const Forces& forces : all) {
+    double largest = 0.0;
+    for (const Wrench& each : forces.on) largest = std::max(largest, each.force.norm());
+    if (forces.error <= told_from * largest || forces.error / largest <= worst) continue;
+    worst = forces.error / largest;
+    error = forces.error;
+  }
+  if (worst > 0.0)
+    std::cerr << fmt::format("MIND: {}: edges of a body touch another one's face: a force is known to {:.2g} N.\n",
+                             name, error);
 }
 
-bool bodies_overlap(const formats::TwoMagnets& pair, const Pose& pose) {
-  return magnetics::overlap(magnetics::outline_of(pair.first), magnetics::outline_of(pair.second), pose);
+Json pose_json(const Pose& pose) {
+  return Json::object({{"position_mm", Json::numbers(components_in(pose.position, "position_mm"))},
+                       {"axis", Json::numbers(components_in(pose.axis, "axis"))}});
 }
 
-// Says so of poses that no two parts can have.
-void warn_of_overlaps(const formats::PairFile& file, const std::string& name) {
-  std::vector<std::size_t> poses;
-  for (std::size_t i = 0; i < file.poses.size(); ++i)
-    if (std::visit([&](const auto& pair) { return bodies_overlap(pair, file.poses[i]); }, file.bodies))
-      poses.push_back(i + 1);
-  if (poses.empty()) return;
-  constexpr std::size_t most = 5;
-  const std::size_t shown = std::min(most, poses.size());
-  std::cerr << fmt::format(
-      "MIND: {}: in {} {}{} the bodies are in the same place, as no two parts can be: what is computed is that of both "
-      "currents there, to about 0.5 %.\n",
-      name, poses.size() == 1 ? "pose" : "poses",
-      fmt::join(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-      poses.size() > shown ? ", .." : "");
+void append(Json& object, const Wrench& wrench) {
+  object.set("force_N", Json::numbers(components_in(wrench.force, "force_N")))
+      .set("torque_Nmm", Json::numbers(components_in(wrench.torque, "torque_Nmm")));
 }
 
-Json as_json(const std::vector<Pose>& poses, const std::vector<Wrench>& wrenches) {
+Eigen::Vector3d pull_on_plate(const Forces& forces) {
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+  for (const Wrench& each : forces.by_plate) pull -= each.force;
+  return pull;
+}
+
+Json plate_json(const PairFile& file, const Pose& pose, const Forces& forces) {
+  const magnetics::PlateLoad load = magnetics::plate_load(file.bodies_at(pose), *file.plate);
+  return Json::object({{"force_N", Json::numbers(components_in(pull_on_plate(forces), "force_N"))},
+                       {"flux_density_T", load.flux_density},
+                       {"least_thickness_mm", from_si(load.least_thickness, "thickness_mm")},
+                       {"reach_mm", from_si(load.reach, "reach_mm")}});
+}
+
+// One object for each body: its pose, what acts on it in all and, if asked, what each of the others adds.
+Json bodies_json(const PairFile& file, const Pose& pose, const Forces& forces, bool matrix) {
+  const std::vector<magnetics::Body> bodies = file.bodies_at(pose);
+  Json out = Json::array();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Json body = Json::object({{"name", file.names[i]}});
+    body.set("position_mm", Json::numbers(components_in(bodies[i].pose.position, "position_mm")))
+        .set("axis", Json::numbers(components_in(bodies[i].pose.axis, "axis")));
+    append(body, forces.on[i]);
+    if (matrix) {
+      Json from = Json::array();
+      for (std::size_t j = 0; j < bodies.size(); ++j) {
+        if (j == i) continue;
+        Json part = Json::object({{"name", file.names[j]}});
+        append(part, forces.by[i][j]);
+        from.add(std::move(part));
+      }
+      if (file.plate) {
+        Json part = Json::object({{"name", "plate"}});
+        append(part, forces.by_plate[i]);
+        from.add(std::move(part));
+      }
+      body.set("from", std::move(from));
+    }
+    out.add(std::move(body));
+  }
+  return out;
+}
+
+Json as_json(const PairFile& file, const std::vector<Forces>& all, bool matrix) {
   Json rows = Json::array();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    rows.add(Json::object({{"position_mm", Json::numbers(in_unit(poses[i].position, "position_mm"))},
-                           {"axis", Json::numbers(in_unit(poses[i].axis, "axis"))},
-                           {"force_N", Json::numbers(in_unit(wrenches[i].force, "force_N"))},
-                           {"torque_Nmm", Json::numbers(in_unit(wrenches[i].torque, "torque_Nmm"))}}));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Json row = pose_json(file.poses[i]);
+    if (file.listed || matrix)
+      row.set("bodies", bodies_json(file, file.poses[i], all[i], matrix));
+    else
+      append(row, all[i].on.back());
+    if (file.plate) row.set("plate", plate_json(file, file.poses[i], all[i]));
+    rows.add(std::move(row));
   }
   return Json::object({{"poses", std::move(rows)}});
 }
 
 // Ten digits: one more than the torque and the force of a tilted body are good for.
-std::string as_table(const std::vector<Pose>& poses, const std::vector<Wrench>& wrenches) {
-  std::string text = fmt::format("{:>5} {:>28}", "pose", "position (mm)");
-  for (const auto* name : {"force_x_N", "force_y_N", "force_z_N", "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm"}) {
+std::string numbers_text(const Wrench& wrench) {
+  std::string text;
+  for (const double force : components_in(wrench.force, "force_N")) text += fmt::format(" {:>17.9e}", force);
+  for (const double torque : components_in(wrench.torque, "torque_Nmm")) text += fmt::format(" {:>17.9e}", torque);
+  return text + '\n';
+}
+
+std::string heading_text() {
+  std::string text;
+  for (const auto* name : {"force_x_N", "force_y_N", "force_z_N", "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm"})
     text += fmt::format(" {:>17}", name);
-  }
-  text += '\n';
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const auto position = in_unit(poses[i].position, "position_mm");
-    text +=
-        fmt::format("{:>5} {:>28}", i + 1, fmt::format("{:.6g} {:.6g} {:.6g}", position[0], position[1], position[2]));
-    for (const double force : in_unit(wrenches[i].force, "force_N")) text += fmt::format(" {:>17.9e}", force);
-    for (const double torque : in_unit(wrenches[i].torque, "torque_Nmm")) text += fmt::format(" {:>17.9e}", torque);
-    text += '\n';
+  return text + '\n';
+}
+
+std::string position_text(const Pose& pose) {
+  const auto position = components_in(pose.position, "position_mm");
+  return fmt::format("{:.6g} {:.6g} {:.6g}", position[0], position[1], position[2]);
+}
+
+// A row for each pose of the second body.
+std::string pair_table(const PairFile& file, const std::vector<Forces>& all) {
+  std::string text = fmt::format("{:>5} {:>28}", "pose", "position (mm)") + heading_text();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += fmt::format("{:>5} {:>28}", i + 1, position_text(file.poses[i])) + numbers_text(all[i].on.back());
+  return text;
+}
+
+// A row for each body in each pose, and below it one for each of those that act on it.
+std::string list_table(const PairFile& file, const std::vector<Forces>& all, bool matrix) {
+  std::size_t width = 5;
+  for (const std::string& name : file.names) width = std::max(width, name.size() + 5);
+  std::string text = fmt::format("{:>5} {:<{}} {:>28}", "pose", "on", width, "position (mm)") + heading_text();
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    const std::vector<magnetics::Body> bodies = file.bodies_at(file.poses[p]);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      text += fmt::format("{:>5} {:<{}} {:>28}", p + 1, file.names[i], width, position_text(bodies[i].pose)) +
+              numbers_text(all[p].on[i]);
+      const auto part = [&](const std::string& name, const Wrench& wrench) {
+        text += fmt::format("{:>5} {:<{}} {:>28}", "", "by " + name, width, "") + numbers_text(wrench);
+      };
+      for (std::size_t j = 0; matrix && j < bodies.size(); ++j)
+        if (j != i) part(file.names[j], all[p].by[i][j]);
+      if (matrix && file.plate) part("plate", all[p].by_plate[i]);
+    }
   }
   return text;
 }
 
-std::vector<Wrench> wrenches_of(const formats::PairFile& file) {
-  std::vector<Wrench> wrenches;
-  wrenches.reserve(file.poses.size());
-  for (const Pose& pose : file.poses) {
-    wrenches.push_back(std::visit([&](const auto& pair) { return wrench_on_second(pair, pose); }, file.bodies));
-    const Wrench& last = wrenches.back();
-    if (!last.force.allFinite() || !last.torque.allFinite()) {
-      throw std::domain_error(fmt::format("pose {}: the force is beyond what can be computed", wrenches.size()));
-    }
+std::string plate_text(const PairFile& file, const std::vector<Forces>& all) {
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Eigen::Vector3d pull = pull_on_plate(all[i]);
+    const magnetics::PlateLoad load = magnetics::plate_load(file.bodies_at(file.poses[i]), *file.plate);
+    text += fmt::format(
+        "{}plate pulled with {:.6g} N; it carries up to {:.3g} T and must be {:.3g} mm thick for 2 T; "
+        "99 % of the pull within {:.3g} mm\n",
+        all.size() > 1 ? fmt::format("pose {}: ", i + 1) : "", pull.dot(file.plate->normal.normalized()),
+        load.flux_density, from_si(load.least_thickness, "thickness_mm"), from_si(load.reach, "reach_mm"));
   }
-  return wrenches;
+  return text;
 }
 
-void run_force(const Options& options) {
-  const formats::PairFile file = formats::read_pair(options.pair);
-  const std::vector<Wrench> wrenches = wrenches_of(file);
+std::string as_table(const PairFile& file, const std::vector<Forces>& all, bool matrix) {
+  return (file.listed || matrix ? list_table(file, all, matrix) : pair_table(file, all)) +
+         (file.plate ? plate_text(file, all) : "");
+}
+
+void run_force(const ForceOptions& options) {
+  const PairFile file = formats::read_pair(options.pair);
+  require_apart(file, options.pair);
+  const std::vector<Forces> all = forces_of(file);
   warn_of_overlaps(file, options.pair);
-  std::cout << (options.json ? as_json(file.poses, wrenches).text() : as_table(file.poses, wrenches));
+  warn_of_errors(all, options.pair);
+  if (file.plate) warn_of_plate(file, options.pair);
+  std::cout << (options.json ? as_json(file, all, options.matrix).text() : as_table(file, all, options.matrix));
 }
 
 }  // namespace
 
 void add_force_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ForceOptions>();
   CLI::App* command =
-      app.add_subcommand("force", "Compute force and torque between a coil and a magnet, two coils or two magnets");
-  command->add_option("PAIR.json", options->pair, "File with the two bodies and the poses of the second one")
+      app.add_subcommand("force", "Compute forces and torques between coils, magnets and a steel plate");
+  command
+      ->add_option("PAIR.json", options->pair, "File with two bodies and poses of the second one, or a list of bodies")
       ->required();
+  command->add_flag("--matrix", options->matrix, "Also print which body acts on which")->disable_flag_override();
   command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
   command->footer(
-      "The first body (the coil) is at the origin with its axis along +z. Force and torque act on the second body\n"
-      "(the magnet); the torque is about its centre. Both are given in the axes of the first body, in N and Nmm.\n\n"
+      "Of a pair, the first body (the coil) is at the origin with its axis along +z. Force and torque act on the "
+      "second\n"
+      "body (the magnet). Of a list they act on each body, from all others. A torque is about the centre of the body "
+      "that\n"
+      "it acts on. Both are given in the axes of the file (of a pair: of the first body), in N and Nmm; positive "
+      "turns\n"
+      "from x to y about z.\n\n"
       "Example:\n"
       "  coilwright force pair.json --json\n\n"
       "pair.json:\n"
@@ -148,7 +242,15 @@ void add_force_command(CLI::App& app, Outcome&) {
       "   \"poses\": [{\"position_mm\": [0.5, 0, 12], \"axis\": [0, 0.1, 1]}]}\n\n"
       "Instead of \"coil\" and \"magnet\", a file may have \"coils\": [.., ..] with \"currents_A\": [.., ..], or\n"
       "\"magnets\": [.., ..]. \"winding\" (paper_shells, layer_centres, uniform) says where in the coil the current\n"
-      "flows (default uniform).");
+      "flows (default uniform). A list of three, and a steel plate beside them:\n"
+      "  {\"bodies\": [{\"magnet\": {\"size_mm\": [10, 10, 5], \"remanence_T\": 1.3}, \"position_mm\": [0, 0, 4]},\n"
+      "              {\"magnet\": {\"inner_radius_mm\": 2, \"outer_radius_mm\": 6, \"length_mm\": 8, \"remanence_T\": "
+      "1.3,\n"
+      "                          \"magnetised_along\": [1, 0, 0]}, \"position_mm\": [0, 0, 15]},\n"
+      "              {\"coil\": {\"inner_radius_mm\": 5, \"outer_radius_mm\": 9, \"length_mm\": 10, \"turns_radial\": "
+      "8,\n"
+      "                        \"turns_axial\": 20}, \"current_A\": 1.4, \"position_mm\": [0, 0, 30]}],\n"
+      "   \"plate\": {\"thickness_mm\": 3}}");
   command->callback([options] { run_force(*options); });
 }
 

@@ -14,6 +14,7 @@
 #include "magnetics/recoil_currents.hpp"
 #include "magnetics/require.hpp"
 #include "magnetics/sheet_kernels.hpp"
+#include "magnetics/sheet_wrench.hpp"
 #include "magnetics/sheets.hpp"
 
 namespace coilwright::magnetics {
@@ -171,7 +172,9 @@ double force_on_shells(const SheetBody& source, const SheetBody& target, double 
   return mean;
 }
 
-double force(const SheetBody& first, const SheetBody& second, double distance) {
+}  // namespace
+
+double axial_force_of_sheets(const SheetBody& first, const SheetBody& second, double distance) {
   require_finite("distance", distance);
   if (distance == 0.0) return 0.0;  // by symmetry; the sums would leave a rounding error
   const double apart = std::abs(distance);
@@ -185,6 +188,8 @@ double force(const SheetBody& first, const SheetBody& second, double distance) {
   return std::copysign(1.0, distance) * vacuum_permeability * first.surface_current * second.surface_current * mean;
 }
 
+namespace {
+
 /// A coil's pull on a magnet, whatever its recoil.
 class CoilOnMagnet {
  public:
@@ -194,7 +199,7 @@ class CoilOnMagnet {
   }
 
   [[nodiscard]] double force(double distance) const {
-    const double rigid = magnetics::force(source_, target_, distance);
+    const double rigid = axial_force_of_sheets(source_, target_, distance);
     if (!recoil_ || distance == 0.0) return rigid;
     return rigid + vacuum_permeability * source_.surface_current * target_.surface_current *
                        recoil_->axial_force(source_, distance);
@@ -214,14 +219,14 @@ double axial_force(const ThickCoil& coil, double current, const CylinderMagnet& 
 }
 
 double axial_force(const CylinderMagnet& first, const CylinderMagnet& second, double distance) {
-  return force(weakened_sheets_of(first), weakened_sheets_of(second), distance);
+  return axial_force_of_sheets(weakened_sheets_of(first), weakened_sheets_of(second), distance);
 }
 
 double axial_force(const ThickCoil& first, double first_current, const ThickCoil& second, double second_current,
                    double distance) {
   require_finite("first_current", first_current);
   require_finite("second_current", second_current);
-  return force(sheets_of(first, first_current), sheets_of(second, second_current), distance);
+  return axial_force_of_sheets(sheets_of(first, first_current), sheets_of(second, second_current), distance);
 }
 
 void axial_force_per_ampere(const ThickCoil& coil, const CylinderMagnet& magnet, std::span<const double> distances,

@@ -76,7 +76,7 @@ Wrench RecoilCurrents::wrench(const SheetBody& source, const Eigen::Vector3d& po
 
 double RecoilCurrents::moment() const {
   double moment = 0.0;
-  for (const Ring& ring : rings_) moment += ring.current * std::numbers::pi * ring.radius * ring.radius;
+  for (const CurrentRing& ring : rings_) moment += ring.current * std::numbers::pi * ring.radius * ring.radius;
   return moment;
 }
 

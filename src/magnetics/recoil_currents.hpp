@@ -36,7 +36,7 @@ class RecoilCurrents {
   static constexpr std::size_t face_rings = 8;
 
   TargetSheet side_;
-  std::array<Ring, side_rings + 2 * face_rings> rings_;
+  std::array<CurrentRing, side_rings + 2 * face_rings> rings_;
 };
 
 }  // namespace coilwright::magnetics

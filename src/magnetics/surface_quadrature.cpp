@@ -246,11 +246,11 @@ Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, const 
   return turned_back(frame, sheet.total(), 4.0 * std::numbers::pi * target.radius * target.half_length);
 }
 
-Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, std::span<const Ring> rings,
+Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, std::span<const CurrentRing> rings,
                       const Eigen::Vector3d& position, const Eigen::Vector3d& axis) {
   const Frame frame = upright_frame(position, axis, size_of(source, target));
   RingByRing sum(source, target, frame);
-  for (const Ring& ring : rings) sum.add(ring.radius, ring.height, ring.radius * ring.current);
+  for (const CurrentRing& ring : rings) sum.add(ring.radius, ring.height, ring.radius * ring.current);
   return turned_back(frame, sum.total(), 2.0 * std::numbers::pi);
 }
 

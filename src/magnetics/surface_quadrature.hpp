@@ -20,14 +20,15 @@ struct TargetSheet {
                                     const Eigen::Vector3d& axis);
 
 /// A loop of current round the target's axis.
-struct Ring {
+struct CurrentRing {
   double radius;   ///< m
   double height;   ///< along the target's axis from its centre, m
   double current;  ///< A
 };
 
 /// The same on rings, which lie on a cylinder no larger than `target`.
-[[nodiscard]] Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target, std::span<const Ring> rings,
-                                    const Eigen::Vector3d& position, const Eigen::Vector3d& axis);
+[[nodiscard]] Wrench lorentz_wrench(const SheetBody& source, const TargetSheet& target,
+                                    std::span<const CurrentRing> rings, const Eigen::Vector3d& position,
+                                    const Eigen::Vector3d& axis);
 
 }  // namespace coilwright::magnetics

@@ -1,5 +1,6 @@
 #include "coilwright/magnetics/wrench.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "coilwright/magnetics/axial_force.hpp"
@@ -7,6 +8,7 @@
 #include "magnetics/radial_nodes.hpp"
 #include "magnetics/recoil_currents.hpp"
 #include "magnetics/require.hpp"
+#include "magnetics/sheet_wrench.hpp"
 #include "magnetics/sheets.hpp"
 #include "magnetics/surface_quadrature.hpp"
 
@@ -58,6 +60,27 @@ Wrench along_axis(double force) {
 
 }  // namespace
 
+Eigen::Matrix3d rotation_of(const Pose& pose) {
+  check(pose);
+  require(pose.x_axis.allFinite(), "pose x axis", "finite", pose.x_axis.norm());
+  constexpr double least_across = 1e-6;  // of the whole
+  const Eigen::Vector3d z = pose.axis.normalized();
+  const Eigen::Vector3d across = pose.x_axis - pose.x_axis.dot(z) * z;
+  const bool along = across.norm() <= least_across * pose.x_axis.norm();
+  Eigen::Matrix3d axes;
+  axes.col(2) = z;
+  axes.col(0) = (along ? Eigen::Vector3d(Eigen::Vector3d::UnitY() - z.y() * z) : across).normalized();
+  axes.col(1) = z.cross(axes.col(0));
+  return axes;
+}
+
+Pose seen_from(const Pose& first, const Pose& pose) {
+  const Eigen::Matrix3d to_first = rotation_of(first).transpose();
+  return {.position = to_first * (pose.position - first.position),
+          .axis = to_first * pose.axis,
+          .x_axis = to_first * pose.x_axis};
+}
+
 Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magnet, const Pose& pose) {
   require_finite("current", current);
   check(pose);
@@ -71,21 +94,22 @@ Wrench wrench(const ThickCoil& coil, double current, const CylinderMagnet& magne
   return total;
 }
 
-Wrench wrench(const CylinderMagnet& first, const CylinderMagnet& second, const Pose& pose) {
+Wrench wrench_of_sheets(const SheetBody& first, const SheetBody& second, const Pose& pose) {
   check(pose);
   if (const double sense = sense_on_axis(pose); sense != 0.0)
-    return along_axis(sense * axial_force(first, second, pose.position.z()));
-  return wrench_between(weakened_sheets_of(first), weakened_sheets_of(second), pose);
+    return along_axis(sense * axial_force_of_sheets(first, second, pose.position.z()));
+  return wrench_between(first, second, pose);
+}
+
+Wrench wrench(const CylinderMagnet& first, const CylinderMagnet& second, const Pose& pose) {
+  return wrench_of_sheets(weakened_sheets_of(first), weakened_sheets_of(second), pose);
 }
 
 Wrench wrench(const ThickCoil& first, double first_current, const ThickCoil& second, double second_current,
               const Pose& pose) {
   require_finite("first_current", first_current);
   require_finite("second_current", second_current);
-  check(pose);
-  if (const double sense = sense_on_axis(pose); sense != 0.0)
-    return along_axis(sense * axial_force(first, first_current, second, second_current, pose.position.z()));
-  return wrench_between(sheets_of(first, first_current), sheets_of(second, second_current), pose);
+  return wrench_of_sheets(sheets_of(first, first_current), sheets_of(second, second_current), pose);
 }
 
 }  // namespace coilwright::magnetics

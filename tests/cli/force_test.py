@@ -54,6 +54,58 @@ class Force(ProgramTest):
                              "is computed is that of both currents there, to about 0.5 %.\n"))
         self.assertEqual(len(json.loads(result.stdout)["poses"]), 4)
 
+    def test_pulls_a_disc_onto_a_plate_and_says_what_the_plate_must_be(self):
+        # 12.7 by 3.175 mm of 1.32 T: 34.08 N, by its image.
+        disc = {"bodies": [{"name": "disc", "magnet": {"radius_mm": 6.35, "length_mm": 3.175, "remanence_T": 1.32},
+                            "position_mm": [0, 0, 1.5875]}], "plate": {"thickness_mm": 3}}
+        (pose,) = self.wrench(disc)
+        self.assertAlmostEqual(pose["bodies"][0]["force_N"][2], -34.078, delta=0.001)
+        self.assertAlmostEqual(pose["plate"]["force_N"][2], 34.078, delta=0.001)
+        self.assertAlmostEqual(pose["plate"]["least_thickness_mm"], 1.21, delta=0.02)
+        disc["plate"] = {"thickness_mm": 1, "radius_mm": 8}
+        self.write("pair.json", json.dumps(disc))
+        result = run("force", "pair.json", cwd=self.folder)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("MIND: pair.json: the plate of 1 mm would have to carry 2.4", result.stderr)
+        self.assertIn("it pulls less than this. A mirror from 1.21 mm on.\n", result.stderr)
+        self.assertIn("MIND: pair.json: the plate ends 8 mm from its position, and 99 % of an endless plate's pull takes 11.", result.stderr)
+        self.assertIn("plate pulled with 34.0781 N; it carries up to 2.42 T", result.stdout)
+
+    def test_gives_what_acts_on_each_of_many_bodies_and_by_whom(self):
+        bodies = DATA / "formats" / "bodies.json"
+        result = run("force", bodies, "--matrix", "--json")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        poses = json.loads(result.stdout)["poses"]
+        self.assertEqual(len(poses), 2)
+        for pose in poses:
+            self.assertEqual([body["name"] for body in pose["bodies"]], ["pole", "coil 2", "magnet 3"])
+            left = [0.0, 0.0, 0.0]
+            for body in pose["bodies"]:
+                self.assertEqual([part["name"] for part in body["from"]],
+                                 [name for name in ("pole", "coil 2", "magnet 3", "plate") if name != body["name"]])
+                for i in range(3):
+                    self.assertAlmostEqual(sum(part["force_N"][i] for part in body["from"]), body["force_N"][i], delta=1e-12)
+                    left[i] += body["force_N"][i]
+            for i in range(3):
+                self.assertAlmostEqual(left[i] + pose["plate"]["force_N"][i], 0, delta=1e-12)
+        lines = run("force", bodies, "--matrix").stdout.splitlines()
+        self.assertEqual(sum(" by plate " in line for line in lines), 6)
+        # A pair as a list gives the same numbers.
+        pair = json.loads((DATA / "formats" / "pair.json").read_text())
+        (first, second) = self.wrench(pair)
+        listed = {"bodies": [{"coil": pair["coil"], "winding": pair["winding"], "current_A": pair["current_A"]},
+                             {"magnet": pair["magnet"]}], "poses": pair["poses"]}
+        for row, expected in zip(self.wrench(listed), (first, second)):
+            self.assertEqual(row["bodies"][1]["force_N"], expected["force_N"])
+            self.assertEqual(row["bodies"][1]["torque_Nmm"], expected["torque_Nmm"])
+
+    def test_refuses_magnets_in_one_place_whose_faces_would_mean_nothing(self):
+        block = {"magnet": {"size_mm": [10, 10, 5], "remanence_T": 1.3}}
+        self.write("pair.json", json.dumps({"bodies": [block, {**block, "position_mm": [1, 0, 4]}]}))
+        self.assert_refused(["force", "pair.json"],
+                            "pair.json: must have magnet 1 and magnet 2 apart: in pose 1 they are in the same place, where the "
+                            "force on a magnet's faces means nothing")
+
     def test_poses_two_coils_and_two_magnets(self):
         for name in ("two_coils.json", "two_magnets.json"):
             result = run("force", DATA / "formats" / name, "--json")
@@ -90,8 +142,8 @@ class Force(ProgramTest):
         with_nan = changed(lambda p: p["magnet"].update(remanence_T=float("nan")))
         truncated = changed(lambda p: None)[:-3]
         for text, message in (
-            (changed(lambda p: p.update(currnt_A=2)), '/currnt_A: unknown key; the keys here are "coil", "coils", '
-             '"current_A", "magnet", "magnets", "poses", "winding"'),
+            (changed(lambda p: p.update(currnt_A=2)), '/currnt_A: unknown key; the keys here are "bodies", "coil", "coils", '
+             '"current_A", "magnet", "magnets", "plate", "poses", "winding"'),
             (changed(lambda p: p.pop("current_A")), "/current_A: is missing"),
             (changed(lambda p: p["coil"].update(length_m=p["coil"].pop("length_mm"))),
              '/coil/length_m: unknown key; did you mean "length_mm"?'),

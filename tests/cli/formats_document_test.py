@@ -42,7 +42,7 @@ class FormatsDocument(ProgramTest):
             self.write("example.json", text.replace("../configs", str(ROOT / "configs")))
             result = run("size", "example.json", "--out", f"out{number}", "--max-evaluations", "40", cwd=self.folder)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertEqual([len(examples(kind)) for kind in ("actuator", "pair", "study")], [3, 1, 3])
+        self.assertEqual([len(examples(kind)) for kind in ("actuator", "pair", "study")], [3, 2, 3])
 
     def test_the_defaults_and_study_names_are_the_program_s(self):
         written = size_plain_finger(self)

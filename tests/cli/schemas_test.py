@@ -211,7 +211,7 @@ class SchemasAndProgram(ProgramTest):
 
     def test_refuse_the_same(self):
         bases = {name: data_file(f"{name}.json") for name in ("actuator", "lumped_model", "pair", "two_coils",
-                                                              "two_magnets", "study", "experiment")}
+                                                              "two_magnets", "bodies", "study", "experiment")}
         bases["experiment"]["runs"][2]["start_angles_deg"] = [9, 3]  # of the two joints of lumped_model.json
         bases["dataset"] = data_file("dataset/dataset.json")
         table = [
@@ -254,6 +254,11 @@ class SchemasAndProgram(ProgramTest):
             ("pair", "/poses/0/position_mm/1", "0"), ("pair", "/magnets", []), ("pair", "/format", "pair/1"),
             ("two_coils", "/current_A", 1), ("two_coils", "/currents_A", [1]), ("two_coils", "/currents_A", None),
             ("two_coils", "/coils/1", None), ("two_magnets", "/current_A", 1), ("two_magnets", "/magnets/0/radius_mm", -4),
+            ("bodies", "/bodies", []), ("bodies", "/bodies/0/magnet/length_mm", 5), ("bodies", "/bodies/0/magnet/size_mm", [1, 2]),
+            ("bodies", "/bodies/0/current_A", 1), ("bodies", "/bodies/1/current_A", None), ("bodies", "/bodies/1/magnet", {}),
+            ("bodies", "/bodies/2/magnet/outer_radius_mm", None), ("bodies", "/bodies/2/magnet/radius_mm", 3),
+            ("bodies", "/bodies/0/magnet/magnetised_along", [1, 0]), ("bodies", "/plate/thickness_mm", None),
+            ("bodies", "/plate/radius_m", 1), ("bodies", "/current_A", 1), ("bodies", "/bodies/0/name", 3),
             ("study", "/name", None), ("study", "/actuator", 3), ("study", "/variables", {}), ("study", "/variables/gap", {}),
             ("study", "/variables/gap_mm/values", [1]), ("study", "/variables/gap_mm/lower", -1),
             ("study", "/variables/gap_mm/upper", None), ("study", "/variables/gap_mm/step", 0),
@@ -314,8 +319,8 @@ class SchemasAndProgram(ProgramTest):
         study = {**data_file("study.json"), **BLOCKS}
         friction = {"id": "dry_friction", "parameters": {"torque_Nmm": 0.3}}
         bases = [{**data_file("actuator.json"), "effects": [friction]}, data_file("lumped_model.json"),
-                 data_file("pair.json"), data_file("two_coils.json"), data_file("two_magnets.json"), study,
-                 {**data_file("experiment.json")}]
+                 data_file("pair.json"), data_file("two_coils.json"), data_file("two_magnets.json"), data_file("bodies.json"),
+                 study, {**data_file("experiment.json")}]
         bases[-1]["runs"][2]["start_angles_deg"] = [9, 3]
         taken = 0
         for base in bases:
@@ -385,6 +390,7 @@ class SchemasAndProgram(ProgramTest):
     def test_bound_the_numbers_of_other_files_alike(self):
         self.assert_same_bounds("lumped-model", data_file("lumped_model.json"))
         self.assert_same_bounds("pair", data_file("pair.json"))
+        self.assert_same_bounds("pair", data_file("bodies.json"))
 
     def test_know_every_section_of_an_actuator(self):
         # The sections that `size` writes are complete.

@@ -9,8 +9,8 @@
 namespace coilwright::magnetics {
 namespace {
 
-const Outline coil{.inner_radius = 5e-3, .outer_radius = 9e-3, .length = 10e-3};
-const Outline magnet{.inner_radius = 0.0, .outer_radius = 4e-3, .length = 6e-3};
+const Ring coil{.inner_radius = 5e-3, .outer_radius = 9e-3, .length = 10e-3};
+const Ring magnet{.inner_radius = 0.0, .outer_radius = 4e-3, .length = 6e-3};
 
 Pose at(double x, double y, double z, const Eigen::Vector3d& axis = Eigen::Vector3d::UnitZ()) {
   return {.position = {x, y, z}, .axis = axis};
@@ -28,7 +28,7 @@ TEST(Overlap, OfBodiesWithParallelAxesFollowsFromTheirLengths) {
   EXPECT_FALSE(overlap(coil, magnet, at(9.3e-3, 9.3e-3, 0)));  // 13.15 mm apart
   EXPECT_TRUE(overlap(coil, magnet, at(9.1e-3, 9.1e-3, 0)));   // 12.87 mm
   // A thin disc right through the winding, larger than the coil: none of the coil's ends is in it.
-  const Outline disc{.inner_radius = 0.0, .outer_radius = 20e-3, .length = 1e-3};
+  const Ring disc{.inner_radius = 0.0, .outer_radius = 20e-3, .length = 1e-3};
   EXPECT_TRUE(overlap(coil, disc, at(0, 0, 1e-3)));
   EXPECT_FALSE(overlap(coil, disc, at(0, 0, 5.6e-3)));
   // Alike and in one place.
@@ -37,7 +37,7 @@ TEST(Overlap, OfBodiesWithParallelAxesFollowsFromTheirLengths) {
     EXPECT_TRUE(overlap(magnet, magnet, at(0, 0, z, -Eigen::Vector3d::UnitZ())));
   }
   // One in the other, whole.
-  const Outline large{.inner_radius = 0.0, .outer_radius = 30e-3, .length = 50e-3};
+  const Ring large{.inner_radius = 0.0, .outer_radius = 30e-3, .length = 50e-3};
   EXPECT_TRUE(overlap(coil, large, at(0, 0, 0)));
   EXPECT_TRUE(overlap(large, coil, at(0, 0, 0)));
 }
@@ -50,7 +50,7 @@ TEST(Overlap, OfTiltedBodies) {
   EXPECT_TRUE(overlap(coil, magnet, at(7e-3, 0, 8.9e-3, across)));
   // In the bore on its side: 8 mm across and 6 mm long fit into 10 mm only by their diagonal.
   EXPECT_FALSE(overlap(coil, magnet, at(0, 0, 0, across)));
-  EXPECT_TRUE(overlap(coil, {.inner_radius = 0.0, .outer_radius = 4.5e-3, .length = 6e-3}, at(0, 0, 0, across)));
+  EXPECT_TRUE(overlap(coil, Ring{.inner_radius = 0.0, .outer_radius = 4.5e-3, .length = 6e-3}, at(0, 0, 0, across)));
 }
 
 // A second route: points drawn inside both bodies. Where some lie in both, they overlap; the other way round needs no

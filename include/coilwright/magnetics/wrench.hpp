@@ -11,7 +11,17 @@ namespace coilwright::magnetics {
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< centre of the second body, m
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< its axis; finite, not zero, any length (it is normalised)
+  /// Its x axis, for bodies that are not alike all round; of it counts what is across `axis`. Where it has nothing
+  /// across, +y stands in for it.
+  Eigen::Vector3d x_axis = Eigen::Vector3d::UnitX();
 };
+
+/// The body's axes as columns: takes a vector from the body's axes to those that its pose is given in.
+[[nodiscard]] Eigen::Matrix3d rotation_of(const Pose& pose);
+
+/// A pose as the body at `first` sees it, both given in the same axes: position and directions in the axes of that
+/// body. From the origin and along the axes a pose keeps its bits.
+[[nodiscard]] Pose seen_from(const Pose& first, const Pose& pose);
 
 /// Force and torque on the second body.
 struct Wrench {

@@ -78,10 +78,9 @@ std::vector<FieldNumber> place_numbers(const FieldPair& pair) {
 
 ExportedFile pair_file(const FieldPair& pair) {
   const magnetics::Pose pose{.position = {0.0, 0.0, centre_distance(pair)}};
-  const formats::CoilAndMagnet bodies{.coil = magnetics::ThickCoil(pair.coil),
-                                      .current = -pair.current,
-                                      .magnet = magnetics::CylinderMagnet(pair.magnet)};
-  return {.name = "pair.json", .text = formats::to_json(bodies, std::array{pose}).text()};
+  const magnetics::DrivenCoil coil{.coil = magnetics::ThickCoil(pair.coil), .current = -pair.current};
+  return {.name = "pair.json",
+          .text = formats::to_json(coil, magnetics::CylinderMagnet(pair.magnet), std::array{pose}).text()};
 }
 
 std::vector<std::string> beyond_the_pair(const actuator::Model& model) {

@@ -13,23 +13,27 @@ namespace coilwright::formats {
 /// The rule of part_length() in mm.
 inline constexpr text::Rule part_dimension =
     text::Rule::between(1e3 * actuator::shortest_length, 1e3 * actuator::longest_length);
+/// The same of an outer radius, which no inner one can equal.
+inline constexpr text::Rule outer_dimension =
+    text::Rule::above(part_dimension.lower()).and_also(text::Rule::at_most(part_dimension.upper()));
 inline constexpr text::Rule design_remanence =
     text::positive.and_also(text::Rule::at_most(actuator::most_remanence));  // T
 inline constexpr text::Rule effective_remanence =
     text::positive.and_also(text::Rule::at_most(actuator::most_effective_remanence));  // T
+
+inline constexpr text::Rule recoil_rule = text::Rule::between(1, magnetics::CylinderMagnet::most_recoil_permeability);
 
 inline constexpr std::array magnet_keys = {
     PartKey<magnetics::CylinderMagnet::Spec>{"radius_mm", part_dimension, &magnetics::CylinderMagnet::Spec::radius},
     PartKey<magnetics::CylinderMagnet::Spec>{"length_mm", part_dimension, &magnetics::CylinderMagnet::Spec::length},
     PartKey<magnetics::CylinderMagnet::Spec>{"remanence_T", text::positive,
                                              &magnetics::CylinderMagnet::Spec::remanence},
-    PartKey<magnetics::CylinderMagnet::Spec>{
-        "recoil_permeability", text::Rule::between(1, magnetics::CylinderMagnet::most_recoil_permeability),
-        &magnetics::CylinderMagnet::Spec::recoil_permeability, 1.0},
+    PartKey<magnetics::CylinderMagnet::Spec>{"recoil_permeability", recoil_rule,
+                                             &magnetics::CylinderMagnet::Spec::recoil_permeability, 1.0},
 };
 inline constexpr std::array coil_keys = {
     PartKey<magnetics::ThickCoil::Spec>{"inner_radius_mm", part_dimension, &magnetics::ThickCoil::Spec::inner_radius},
-    PartKey<magnetics::ThickCoil::Spec>{"outer_radius_mm", part_dimension, &magnetics::ThickCoil::Spec::outer_radius},
+    PartKey<magnetics::ThickCoil::Spec>{"outer_radius_mm", outer_dimension, &magnetics::ThickCoil::Spec::outer_radius},
     PartKey<magnetics::ThickCoil::Spec>{"length_mm", part_dimension, &magnetics::ThickCoil::Spec::length},
 };
 

@@ -1,81 +1,95 @@
 #include "coilwright/formats/actuator/pair_file.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <utility>
 
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "formats/actuator/body_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 using namespace text;
+using magnetics::Body;
 using magnetics::CurrentDistribution;
-using magnetics::CylinderMagnet;
-using magnetics::Pose;
+using magnetics::DrivenCoil;
 using magnetics::ThickCoil;
 
-// Bounds far beyond any hardware, and near enough that nothing computed from the numbers overflows.
-constexpr Rule coordinate = Rule::between(-1e6, 1e6);  // mm
-constexpr Rule current = Rule::between(-1e6, 1e6);     // A
-constexpr Rule direction = Rule::between(-1e6, 1e6);
+// Bounds a message and the work: each body acts on each.
+constexpr std::size_t most_bodies = 200;
 
-Pose read_pose(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    const auto position = in.vector("position_mm", coordinate);
-    const Node axis_node = in.at("axis");
-    const auto axis = axis_node.vector(direction);
-    constexpr double shortest = 1e-6;
-    if (std::hypot(axis[0], axis[1], axis[2]) < shortest) {
-      throw axis_node.error_without_value(fmt::format("must be at least {} long, to give a direction", shortest));
-    }
-    return Pose{.position = {position[0], position[1], position[2]}, .axis = {axis[0], axis[1], axis[2]}};
-  });
+std::vector<Body> read_two_magnets(ObjectReader& in) {
+  std::vector<Body> bodies;
+  for (const Node& magnet : in.elements("magnets", Length::exactly(2))) bodies.push_back({.part = read_magnet(magnet)});
+  return bodies;
 }
 
-TwoMagnets read_two_magnets(ObjectReader& in) {
-  const auto magnets = in.elements("magnets", Length::exactly(2));
-  return {.first = CylinderMagnet(read_magnet(magnets[0], design_remanence)),
-          .second = CylinderMagnet(read_magnet(magnets[1], design_remanence))};
-}
-
-TwoCoils read_two_coils(ObjectReader& in) {
+std::vector<Body> read_two_coils(ObjectReader& in) {
   const CurrentDistribution winding = read_winding(in);
   const auto coils = in.elements("coils", Length::exactly(2));
   const bool one_each = in.one_of({"current_A", "currents_A"}) == "currents_A";
-  const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), current)
-                                 : std::vector<double>(2, in.quantity("current_A", current));
-  return {.first = ThickCoil(read_coil(coils[0], winding)),
-          .first_current = currents[0],
-          .second = ThickCoil(read_coil(coils[1], winding)),
-          .second_current = currents[1]};
+  const auto currents = one_each ? in.quantities("currents_A", Length::exactly(2), coil_current)
+                                 : std::vector<double>(2, in.quantity("current_A", coil_current));
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < coils.size(); ++i)
+    bodies.push_back({.part = DrivenCoil{.coil = ThickCoil(read_coil(coils[i], winding)), .current = currents[i]}});
+  return bodies;
 }
 
-CoilAndMagnet read_coil_and_magnet(ObjectReader& in) {
-  return {.coil = ThickCoil(read_coil(in.at("coil"), read_winding(in))),
-          .current = in.quantity("current_A", current),
-          .magnet = CylinderMagnet(read_magnet(in.at("magnet"), design_remanence))};
+std::vector<Body> read_coil_and_magnet(ObjectReader& in) {
+  const ThickCoil coil(read_coil(in.at("coil"), read_winding(in)));
+  const double current = in.quantity("current_A", coil_current);
+  return {{.part = DrivenCoil{.coil = coil, .current = current}}, {.part = read_magnet(in.at("magnet"))}};
 }
 
-std::variant<CoilAndMagnet, TwoCoils, TwoMagnets> read_bodies(ObjectReader& in) {
-  const std::string bodies = in.one_of({"coil", "coils", "magnets"});
-  if (bodies == "coils") return read_two_coils(in);
-  if (bodies == "magnets") return read_two_magnets(in);
-  return read_coil_and_magnet(in);
+void read_list(ObjectReader& in, PairFile& file) {
+  const std::vector<Node> bodies = in.elements("bodies", Length::from_to(1, most_bodies));
+  const bool posed_apart = in.find("poses").has_value();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    NamedBody body = read_body(bodies[i], !posed_apart || i + 1 < bodies.size());
+    file.names.push_back(body.name.empty() ? usual_name(body.body, i) : std::move(body.name));
+    file.bodies.push_back(std::move(body.body));
+  }
+  if (!posed_apart) file.poses.push_back(file.bodies.back().pose);
+}
+
+void read_pair_of_bodies(ObjectReader& in, const std::string& bodies, PairFile& file) {
+  file.bodies = bodies == "coils"     ? read_two_coils(in)
+                : bodies == "magnets" ? read_two_magnets(in)
+                                      : read_coil_and_magnet(in);
+  for (std::size_t i = 0; i < file.bodies.size(); ++i) file.names.push_back(usual_name(file.bodies[i], i));
 }
 
 PairFile read_pair_file(const Document& document) {
   return read_object(document.root(), [](ObjectReader& in) {
-    PairFile file{.bodies = read_bodies(in)};
-    for (const Node& pose : in.elements("poses", Length::at_least(1))) file.poses.push_back(read_pose(pose));
+    PairFile file;
+    const std::string bodies = in.one_of({"bodies", "coil", "coils", "magnets"});
+    file.listed = bodies == "bodies";
+    if (file.listed)
+      read_list(in, file);
+    else
+      read_pair_of_bodies(in, bodies, file);
+    if (file.poses.empty())
+      for (const Node& pose : in.elements("poses", Length::at_least(1))) file.poses.push_back(read_pose(pose));
+    file.bodies.back().pose = file.poses.front();
+    if (const auto plate = in.find("plate")) {
+      const PlateContent content = read_plate(*plate);
+      file.plate = content.plate;
+      file.plate_radius = content.radius;
+      for (const magnetics::Pose& pose : file.poses) require_in_front(*plate, content.plate, file.bodies_at(pose));
+    }
     return file;
   });
 }
 
 }  // namespace
+
+std::vector<Body> PairFile::bodies_at(const magnetics::Pose& pose) const {
+  std::vector<Body> out = bodies;
+  out.back().pose = pose;
+  return out;
+}
 
 PairFile read_pair(const std::filesystem::path& path) {
   return read_pair_file(read_json(path));

@@ -23,9 +23,9 @@ Json pose_json(const magnetics::Pose& pose) {
 
 }  // namespace
 
-Json to_json(const CoilAndMagnet& pair, std::span<const magnetics::Pose> poses) {
-  const magnetics::ThickCoil& coil = pair.coil;
-  const magnetics::CylinderMagnet& magnet = pair.magnet;
+Json to_json(const magnetics::DrivenCoil& driven, const magnetics::CylinderMagnet& magnet,
+             std::span<const magnetics::Pose> poses) {
+  const magnetics::ThickCoil& coil = driven.coil;
   Json out = Json::object({{"coil", coil_json({.inner_radius = coil.inner_radius(),
                                                .outer_radius = coil.outer_radius(),
                                                .length = coil.length(),
@@ -36,7 +36,7 @@ Json to_json(const CoilAndMagnet& pair, std::span<const magnetics::Pose> poses) 
                                                    .length = magnet.length(),
                                                    .remanence = magnet.remanence(),
                                                    .recoil_permeability = magnet.recoil_permeability()})},
-                           {"current_A", pair.current},
+                           {"current_A", driven.current},
                            {"winding", winding_word(coil.winding())}});
   Json list = Json::array();
   for (const magnetics::Pose& pose : poses) list.add(pose_json(pose));

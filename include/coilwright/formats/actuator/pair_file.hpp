@@ -1,52 +1,46 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "coilwright/magnetics/cylinder_magnet.hpp"
-#include "coilwright/magnetics/thick_coil.hpp"
-#include "coilwright/magnetics/wrench.hpp"
+#include "coilwright/magnetics/body.hpp"
+#include "coilwright/magnetics/plate.hpp"
 
 namespace coilwright::formats {
 
-/// A coil at the origin and a magnet that is posed.
-struct CoilAndMagnet {
-  magnetics::ThickCoil coil;
-  double current{};  ///< A
-  magnetics::CylinderMagnet magnet;
-};
-
-/// Two coils; the second is posed.
-struct TwoCoils {
-  magnetics::ThickCoil first;
-  double first_current{};  ///< A
-  magnetics::ThickCoil second;
-  double second_current{};  ///< A
-};
-
-/// Two magnets; the second is posed.
-struct TwoMagnets {
-  magnetics::CylinderMagnet first;
-  magnetics::CylinderMagnet second;
-};
-
-/// What the command `force` asks: a pair of bodies and the poses of the second one.
+/// What the commands `force` and `field` ask about: bodies, and poses of the last one.
 struct PairFile {
-  std::variant<CoilAndMagnet, TwoCoils, TwoMagnets> bodies;
-  std::vector<magnetics::Pose> poses{};  ///< at least one
+  std::vector<magnetics::Body> bodies;      ///< at least one; the last one's pose is poses[0]
+  std::vector<std::string> names;           ///< of each, for people: "coil 1" where the file gives none
+  std::vector<magnetics::Pose> poses{};     ///< of the last body; at least one
+  std::optional<magnetics::Plate> plate{};  ///< beside them
+  std::optional<double> plate_radius{};     ///< m; how far the plate extends about its position, where that is told
+  /// Whether the file lists its bodies, and asks for what acts on each; otherwise it is a pair, and asks for what acts
+  /// on the second one.
+  bool listed{};
+
+  /// The bodies with the last one in a pose of `poses`.
+  [[nodiscard]] std::vector<magnetics::Body> bodies_at(const magnetics::Pose& pose) const;
 };
 
-/// Reads
+/// Reads a pair
 ///
 ///     {"magnet": {"radius_mm", "length_mm", "remanence_T"},
 ///      "coil": {"inner_radius_mm", "outer_radius_mm", "length_mm", "turns_radial", "turns_axial"},
 ///      "current_A", "winding", "poses": [{"position_mm": [x, y, z], "axis": [x, y, z]}]}
 ///
 /// or "magnets": [.., ..] or "coils": [.., ..] instead of one of each; two coils have "current_A" for both or
-/// "currents_A": [.., ..]. "winding" is paper_shells, layer_centres or uniform (the default). Throws InputError.
+/// "currents_A": [.., ..]. "winding" is paper_shells, layer_centres or uniform (the default). Or any number of bodies
+///
+///     {"bodies": [{"name", "coil" or "magnet", "current_A", "winding", "position_mm", "axis", "x_axis"}], "poses"}
+///
+/// of which the last one has "poses" of its own or a pose like the others. A magnet is a cylinder, a ring with
+/// "inner_radius_mm" and "outer_radius_mm" or a block with "size_mm", "magnetised_along" [x, y, z] of its axes (z if
+/// absent). Beside either "plate": {"position_mm", "normal", "thickness_mm", "relative_permeability", "radius_mm"}.
+/// docs/formats.md has every key. Throws InputError.
 [[nodiscard]] PairFile read_pair(const std::filesystem::path& path);
 
 /// The same for a text in memory; `file` is the name its errors carry.

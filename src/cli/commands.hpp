@@ -18,6 +18,7 @@ void add_diagnose_command(CLI::App& app, Outcome& outcome);
 void add_drive_command(CLI::App& app, Outcome& outcome);
 void add_evaluate_command(CLI::App& app, Outcome& outcome);
 void add_export_command(CLI::App& app, Outcome& outcome);
+void add_field_command(CLI::App& app, Outcome& outcome);
 void add_force_command(CLI::App& app, Outcome& outcome);
 void add_init_command(CLI::App& app, Outcome& outcome);
 void add_linearise_command(CLI::App& app, Outcome& outcome);

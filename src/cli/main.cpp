@@ -10,7 +10,7 @@ constexpr std::array commands = {
     &coilwright::cli::add_evaluate_command,  // the model
     &coilwright::cli::add_simulate_command, &coilwright::cli::add_linearise_command,
     &coilwright::cli::add_reach_command,    &coilwright::cli::add_force_command,
-    &coilwright::cli::add_drive_command,
+    &coilwright::cli::add_field_command,    &coilwright::cli::add_drive_command,
     &coilwright::cli::add_grip_command,  // the systems
     &coilwright::cli::add_crawl_command,
     &coilwright::cli::add_size_command,  // the search

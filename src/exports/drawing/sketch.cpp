@@ -158,6 +158,8 @@ Bounds Sketch::bounds() const {
     out.low = {std::min(out.low.x, p.x), std::min(out.low.y, p.y)};
     out.high = {std::max(out.high.x, p.x), std::max(out.high.y, p.y)};
   };
+  for (const SketchFill& each : fills_)
+    for (const Bounds& area : each.areas) take(area.low), take(area.high);
   for (const SketchRectangle& each : rectangles_) take(each.low), take(each.high);
   for (const SketchLine& each : lines_) take(each.from), take(each.to);
   for (const SketchCircle& each : circles_) {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coilwright::exports {
@@ -13,7 +14,7 @@ struct Point {
 };
 
 /// What a line belongs to: layer of a DXF file, style of an SVG.
-enum class Layer { body, winding, magnet, slit, axis, dimension, note };
+enum class Layer { body, winding, magnet, slit, axis, dimension, note, field, outline };
 
 struct SketchLine {
   Layer layer{};
@@ -51,6 +52,12 @@ struct Bounds {
   Point high;
 };
 
+/// Areas of one colour behind the lines; in an SVG alone.
+struct SketchFill {
+  std::string colour;  ///< "#1c2733"
+  std::vector<Bounds> areas;
+};
+
 /// From one place to another one, m.
 struct Span {
   double from{};
@@ -69,6 +76,8 @@ class Sketch {
   void rectangle(Layer layer, Point low, Point high) { rectangles_.push_back({layer, low, high}); }
   void text(Layer layer, Point at, std::string text, Anchor anchor = Anchor::start, double times_height = 1.0);
 
+  void fill(std::string colour, std::vector<Bounds> areas) { fills_.push_back({std::move(colour), std::move(areas)}); }
+
   /// What is between two places as a number in mm, on a line at height `row`, with lines out to it from `edge`.
   void horizontal_dimension(double x1, double x2, double edge, double row);
   /// The same for each of `spans`, all on one line. Numbers that are too wide for their place stand further out, on as
@@ -81,6 +90,7 @@ class Sketch {
   void diameter(Point centre, double radius, double row);
 
   [[nodiscard]] double text_height() const noexcept { return text_height_; }
+  [[nodiscard]] const std::vector<SketchFill>& fills() const noexcept { return fills_; }
   [[nodiscard]] const std::vector<SketchRectangle>& rectangles() const noexcept { return rectangles_; }
   [[nodiscard]] const std::vector<SketchCircle>& circles() const noexcept { return circles_; }
   [[nodiscard]] const std::vector<SketchLine>& lines() const noexcept { return lines_; }
@@ -92,6 +102,7 @@ class Sketch {
   void tick(Point at);
 
   double text_height_;
+  std::vector<SketchFill> fills_;
   std::vector<SketchRectangle> rectangles_;
   std::vector<SketchCircle> circles_;
   std::vector<SketchLine> lines_;

@@ -29,6 +29,10 @@ std::string_view class_of(Layer layer) {
       return "dimension";
     case Layer::note:
       return "note";
+    case Layer::field:
+      return "field";
+    case Layer::outline:
+      return "outline";
   }
   return "";
 }
@@ -52,6 +56,14 @@ std::string style_of(double letter) {
       wide, middle, thin, 4.0 * letter, 0.8 * letter);
 }
 
+// Of a map: arrows, and where bodies are.
+std::string map_style_of(double letter) {
+  return fmt::format(
+      ".field {{ stroke: #ffffff; stroke-width: {:.4g}; }}\n"
+      ".outline {{ stroke: #000000; stroke-linecap: square; }}\n",
+      0.072 * letter);
+}
+
 // Places of the part as places of the picture, whose y goes down.
 struct Frame {
   Bounds bounds;
@@ -59,6 +71,14 @@ struct Frame {
   [[nodiscard]] double x(double part) const { return 1e3 * (part - bounds.low.x); }
   [[nodiscard]] double y(double part) const { return 1e3 * (bounds.high.y - part); }
 
+  [[nodiscard]] std::string operator()(const SketchFill& each) const {
+    std::string path;
+    for (const Bounds& area : each.areas)
+      path += fmt::format("M{:.4f} {:.4f}h{:.4f}v{:.4f}h{:.4f}z", x(area.low.x), y(area.high.y),
+                          1e3 * (area.high.x - area.low.x), 1e3 * (area.high.y - area.low.y),
+                          1e3 * (area.low.x - area.high.x));
+    return fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", each.colour, path);
+  }
   [[nodiscard]] std::string operator()(const SketchRectangle& each) const {
     return fmt::format("<rect class=\"{}\" x=\"{:.4f}\" y=\"{:.4f}\" width=\"{:.4f}\" height=\"{:.4f}\"/>\n",
                        class_of(each.layer), x(each.low.x), y(each.high.y), 1e3 * (each.high.x - each.low.x),
@@ -98,10 +118,11 @@ std::string svg_of(const Sketch& sketch, double scale, const SvgText& text) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4f} {:.4f}\" width=\"{:.4f}mm\" height=\"{:.4f}mm\" "
       "role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n",
       width, height, scale * width, scale * height, text::escaped(text.title), text::escaped(text.description),
-      style_of(1e3 * sketch.text_height()));
+      style_of(1e3 * sketch.text_height()) + (sketch.fills().empty() ? "" : map_style_of(1e3 * sketch.text_height())));
   out +=
       fmt::format("<rect x=\"0\" y=\"0\" width=\"{:.4f}\" height=\"{:.4f}\" style=\"fill: #ffffff; stroke: none\"/>\n",
                   width, height);
+  for (const SketchFill& each : sketch.fills()) out += frame(each);
   for (const SketchRectangle& each : sketch.rectangles()) out += frame(each);
   for (const SketchCircle& each : sketch.circles()) out += frame(each);
   for (const SketchLine& each : sketch.lines()) out += frame(each);

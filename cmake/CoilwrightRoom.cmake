@@ -16,7 +16,21 @@ function(coilwright_room name)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE})
   coilwright_warnings(${target})
   coilwright_precompile(${target})
+  coilwright_unity(${target})
   coilwright_component(${name})
+endfunction()
+
+# Compiles a dozen files of a room as one, in the builds that users and continuous integration make: what they include is
+# parsed once, which is most of what a file takes. Names in unnamed namespaces are therefore different throughout a room. The
+# other presets compile each file alone, which shows what a file forgets to include.
+option(COILWRIGHT_UNITY "Compile the files of a library together" OFF)
+function(coilwright_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${COILWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  if(COILWRIGHT_UNITY)
+    # GCC takes the file that includes the others for a source and these for headers, whose unnamed namespaces it warns of;
+    # a name of one file shadows one of another. The builds that compile each file alone keep both warnings.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage> -Wno-shadow)
+  endif()
 endfunction()
 
 # coilwright_component(<name>): the library coilwright_<name> is a component of the installed package. It links only

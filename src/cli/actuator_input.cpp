@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -14,6 +16,11 @@
 #include "names_once.hpp"
 
 namespace coilwright::cli {
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 void add_actuator_options(CLI::App& command, ActuatorOptions& options) {
   command
@@ -29,7 +36,7 @@ void add_actuator_options(CLI::App& command, ActuatorOptions& options) {
 formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
   // What size, diagnose and pick write is named by its folder as readily as by its file.
   std::error_code none;
-  const std::filesystem::path inside = std::filesystem::path(options.file) / "actuator.json";
+  const std::filesystem::path inside = std::filesystem::path(options.file) / actuator_name;
   if (std::filesystem::is_directory(options.file, none) && std::filesystem::is_regular_file(inside, none))
     throw text::InputError(
         {.file = options.file, .rule = fmt::format("must be a file, and is a folder; is {} meant?", inside.string())});

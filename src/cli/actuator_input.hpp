@@ -16,6 +16,12 @@ struct ActuatorOptions {
   std::vector<std::string> assignments;  ///< "gap_mm=1.2"
 };
 
+/// What commands that write a data set or a diagnosis call the actuator in their folder.
+inline constexpr const char* actuator_name = "actuator.json";
+
+/// The bytes of the file at `path`, to be written as they are.
+[[nodiscard]] std::string bytes_of(const std::string& path);
+
 /// What an answer rests on that knows no temperature, as a last line of text.
 inline constexpr std::string_view cold_note =
     "A design's coils and magnets are taken at 20 degC; warm, its magnets push less (evaluate says by how much).\n";

@@ -28,7 +28,7 @@ namespace {
 using text::Json;
 
 // As on the command line, each in the unit of its name.
-struct Options {
+struct CrawlOptions {
   ActuatorOptions actuator;
   double friction_forwards{};
   double friction_backwards{};
@@ -46,7 +46,7 @@ struct Options {
   bool json{false};
 };
 
-systems::CrawlerParts parts_of(const Options& options) {
+systems::CrawlerParts parts_of(const CrawlOptions& options) {
   return {.payload = {.mass = options.payload_mass * 1e-3, .length = options.payload_length * 1e-3},
           .cell = {.voltage = options.cell_voltage,
                    .capacity = options.cell_capacity * 3.6,
@@ -92,7 +92,7 @@ CrawlHeat heat_of(const actuator::Design& design, const actuator::Assembly& asse
   return out;
 }
 
-Answer answer_of(const Options& options) {
+Answer answer_of(const CrawlOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   const actuator::Design design = design_in(file, options.actuator, "a crawler needs a design (actuator/1)");
   const actuator::Assembly assembly = assemble(design, options.actuator);
@@ -177,14 +177,14 @@ std::string remarks(const Answer& answer) {
   return {};
 }
 
-void run_crawl(const Options& options) {
+void run_crawl(const CrawlOptions& options) {
   const Answer answer = answer_of(options);
   const Rows rows = rows_of(answer);
   std::cout << (options.json ? as_json(rows) : as_table(rows));
   std::cerr << remarks(answer);
 }
 
-void add_numbers(CLI::App& command, Options& options) {
+void add_numbers(CLI::App& command, CrawlOptions& options) {
   const auto up_to = [&](double most, const char* name, double& value, const char* text) {
     return command.add_option(name, value, text)
         ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(most))));
@@ -217,7 +217,7 @@ void add_numbers(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_crawl_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CrawlOptions>();
   CLI::App* command = app.add_subcommand("crawl", "Let an actuator crawl on the ground by pulses from a battery cell");
   add_actuator_options(*command, options->actuator);
   add_numbers(*command, *options);

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "actuator_input.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
@@ -45,7 +46,6 @@ using actuator::Effect;
 using measurement::Diagnosis;
 
 constexpr const char* diagnosis_name = "diagnosis.json";
-constexpr const char* actuator_name = "actuator.json";
 constexpr const char* corrected_name = "corrected_actuator.json";
 constexpr const char* residuals_name = "residuals.csv";
 constexpr const char* summary_name = "summary.txt";
@@ -59,7 +59,7 @@ Provenance provenance_of(const formats::DatasetFile& set, const std::filesystem:
   return provenance;
 }
 
-struct Options {
+struct DiagnoseOptions {
   std::string dataset;
   std::optional<std::string> actuator;
   std::string out;
@@ -72,7 +72,7 @@ struct Options {
   bool report{false};
 };
 
-std::filesystem::path declared_path(const Options& options, const formats::DatasetFile& set) {
+std::filesystem::path declared_path(const DiagnoseOptions& options, const formats::DatasetFile& set) {
   if (options.actuator) return *options.actuator;
   if (set.actuator && std::filesystem::exists(*set.actuator)) return *set.actuator;
   if (set.actuator)
@@ -84,7 +84,8 @@ std::filesystem::path declared_path(const Options& options, const formats::Datas
 }
 
 // Results among the data would be taken for data, or lie over them or the actuator that they declare.
-void check_output(const Options& options, const formats::DatasetFile& set, const std::filesystem::path& declared) {
+void check_output(const DiagnoseOptions& options, const formats::DatasetFile& set,
+                  const std::filesystem::path& declared) {
   std::error_code none;
   const std::filesystem::path folder = std::filesystem::path(set.file).parent_path();
   if (std::filesystem::equivalent(folder.empty() ? "." : folder, options.out, none))
@@ -103,8 +104,8 @@ void check_output(const Options& options, const formats::DatasetFile& set, const
 }
 
 // A set that does not fit its model, or a model that cannot be simulated, is bad data and not a failure of the program.
-Diagnosis diagnose(const Options& options, const formats::DatasetFile& set, const formats::DeclaredActuator& declared,
-                   const std::filesystem::path& declared_file) {
+Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& set,
+                   const formats::DeclaredActuator& declared, const std::filesystem::path& declared_file) {
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed, .as_written = options.as_written};
@@ -191,7 +192,7 @@ std::string next_experiment_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-Found find(const Options& options) {
+Found find(const DiagnoseOptions& options) {
   const EndOnSignal nothing_to_save;
   const formats::DatasetFile set = formats::read_dataset(options.dataset);
   const std::filesystem::path declared_file = declared_path(options, set);
@@ -211,7 +212,7 @@ Found find(const Options& options) {
           .provenance = std::move(provenance)};
 }
 
-void write(const Options& options, const Found& found) {
+void write(const DiagnoseOptions& options, const Found& found) {
   const formats::DiagnosisReport answer{.diagnosis = found.diagnosis,
                                         .dataset = found.dataset,
                                         .updated_actuator = actuator_name,
@@ -250,7 +251,7 @@ void write(const Options& options, const Found& found) {
 }  // namespace
 
 void add_diagnose_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiagnoseOptions>();
   CLI::App* command =
       app.add_subcommand("diagnose", "Identify which physical effect a model lacks, from measured data");
   command->add_option("DATASET_DIR", options->dataset, "Folder of a data set (measured-data/1)")->required();

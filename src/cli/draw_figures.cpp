@@ -52,10 +52,6 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string_view packed(std::span<const PackedFile> files, std::string_view name) {
-  return std::ranges::find(files, name, &PackedFile::name)->text;
-}
-
 // Its exit status; -1 where it could not be started.
 int run_node(const fs::path& script, const fs::path& folder) {
   std::string first = "node";
@@ -78,9 +74,9 @@ DrawnFigures draw_figures(std::vector<page::FigureFile> files) {
   const fs::path charts = work.path() / "charts";
   fs::create_directories(charts);
   for (const char* name : {"figures.cjs", "theme.js", "page.css"})
-    write(work.path() / name, packed(page_files(), name));
-  write(work.path() / "node_modules/vega/index.js", packed(report_libraries(), "vega.js"));
-  write(work.path() / "node_modules/vega-lite/index.js", packed(report_libraries(), "vega-lite.js"));
+    write(work.path() / name, packed_text(page_files(), name));
+  write(work.path() / "node_modules/vega/index.js", packed_text(report_libraries(), "vega.js"));
+  write(work.path() / "node_modules/vega-lite/index.js", packed_text(report_libraries(), "vega-lite.js"));
   for (const page::FigureFile& file : files)
     if (file.name.ends_with(chart)) write(charts / file.name, file.text);
   const int status = run_node(work.path() / "figures.cjs", charts);

@@ -31,7 +31,7 @@ namespace {
 using text::Rule;
 
 // As on the command line, each in the unit of its name.
-struct Options {
+struct DriveOptions {
   ActuatorOptions actuator;
   std::optional<double> duty, mean, supply_voltage, cell_voltage, cell_capacity, cell_limit, limit, switch_resistance;
   double supply_resistance{};
@@ -51,7 +51,7 @@ struct Options {
   bool json{false};
 };
 
-drive::HBridge bridge_of(const Options& options) {
+drive::HBridge bridge_of(const DriveOptions& options) {
   drive::HBridge bridge{.supply_voltage = options.supply_voltage.value_or(24.0),
                         .supply_resistance = options.supply_resistance,
                         .high_resistance = options.high_resistance * 1e-3,
@@ -66,7 +66,7 @@ drive::HBridge bridge_of(const Options& options) {
   return bridge;
 }
 
-systems::CellDrive cell_of(const Options& options) {
+systems::CellDrive cell_of(const DriveOptions& options) {
   systems::CellDrive cell{.circuit = {.emf = *options.cell_voltage,
                                       .resistance = options.supply_resistance,
                                       .switch_resistance = options.switch_resistance.value_or(50.0) * 1e-3},
@@ -76,7 +76,7 @@ systems::CellDrive cell_of(const Options& options) {
   return cell;
 }
 
-systems::DriveQuestion question_of(const Options& options) {
+systems::DriveQuestion question_of(const DriveOptions& options) {
   systems::DriveQuestion question{
       .wiring = options.wiring == "series" ? drive::BankWiring::series : drive::BankWiring::parallel,
       .actuators = options.actuators,
@@ -92,7 +92,7 @@ systems::DriveQuestion question_of(const Options& options) {
 }
 
 // Between rows, s; `usual` in ms.
-double interval_of(const Options& options, double duration, double usual) {
+double interval_of(const DriveOptions& options, double duration, double usual) {
   return std::min(options.interval.value_or(usual) * 1e-3, duration);
 }
 
@@ -104,7 +104,7 @@ void require_charge(const char* option, double duration, const systems::DrivenAc
 }
 
 // Follows how it warms into its file, if that is asked for.
-std::optional<systems::WarmUp> follow_warm_up(const Options& options, const actuator::Design& design,
+std::optional<systems::WarmUp> follow_warm_up(const DriveOptions& options, const actuator::Design& design,
                                               const actuator::Assembly& assembly,
                                               const systems::DriveQuestion& question,
                                               const systems::DrivenActuator& driven) {
@@ -121,7 +121,7 @@ std::optional<systems::WarmUp> follow_warm_up(const Options& options, const actu
 }
 
 // Follows the motion into its file, if one is asked for.
-std::optional<systems::MotionSummary> follow(const Options& options, const actuator::Design& design,
+std::optional<systems::MotionSummary> follow(const DriveOptions& options, const actuator::Design& design,
                                              const actuator::Assembly& assembly, const systems::DriveQuestion& question,
                                              const systems::DrivenActuator& driven) {
   if (!options.motion) return std::nullopt;
@@ -136,7 +136,7 @@ std::optional<systems::MotionSummary> follow(const Options& options, const actua
   return summary_of(motion);
 }
 
-void run_drive(const Options& options) {
+void run_drive(const DriveOptions& options) {
   if (!options.duty && !options.mean)
     throw CLI::ValidationError("--duty", "or --mean-A is needed: what is set, or what is wanted");
   if (options.duty && options.mean) {
@@ -174,7 +174,7 @@ void run_drive(const Options& options) {
   }
 }
 
-void add_asked(CLI::App& command, Options& options) {
+void add_asked(CLI::App& command, DriveOptions& options) {
   command.add_option("--duty", options.duty, "Fraction of a period that is switched on, 0 to 1")
       ->check(number_rule(Rule::between(0.0, 1.0)));
   command
@@ -197,7 +197,7 @@ void add_asked(CLI::App& command, Options& options) {
       ->excludes(stated);
 }
 
-void add_driver(CLI::App& command, Options& options) {
+void add_driver(CLI::App& command, DriveOptions& options) {
   const Rule voltage = Rule::above(0.0).and_also(Rule::at_most(1000.0));
   auto* supply =
       command.add_option("--supply-voltage-V", options.supply_voltage, "Of the H-bridge's supply, V (default 24)")
@@ -258,7 +258,7 @@ void add_driver(CLI::App& command, Options& options) {
 }
 
 // What is followed over time.
-void add_course(CLI::App& command, Options& options) {
+void add_course(CLI::App& command, DriveOptions& options) {
   auto* motion = command.add_option("--motion-s", options.motion, "Follows the motion from rest for this long, s")
                      ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e4))));
   auto* warm_up =
@@ -281,7 +281,7 @@ void add_course(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_drive_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DriveOptions>();
   CLI::App* command = app.add_subcommand(
       "drive", "Compute the currents, heat and run time of coils under pulses from a supply or a cell");
   add_actuator_options(*command, options->actuator);

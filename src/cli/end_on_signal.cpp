@@ -13,7 +13,7 @@ constexpr std::string_view message = "coilwright: interrupted: nothing is writte
 
 // Of all that could be done here, write and _exit alone are safe in a signal handler while other threads work.
 extern "C" void end_now(int) {
-  [[maybe_unused]] const ssize_t said = write(STDERR_FILENO, message.data(), message.size());
+  [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, message.data(), message.size());
   _exit(static_cast<int>(ExitCode::interrupted));
 }
 

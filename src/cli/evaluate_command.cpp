@@ -35,7 +35,7 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct EvaluateOptions {
   ActuatorOptions actuator;
   std::optional<double> current{};
   std::optional<double> duty{};
@@ -52,12 +52,12 @@ std::runtime_error no_performance(const std::string& file, const simulation::NoP
   return std::runtime_error(fmt::format("{}: {}", file, why.reason));
 }
 
-text::InputError no_current(const Options& options) {
+text::InputError no_current(const EvaluateOptions& options) {
   return text::InputError(
       {.file = options.actuator.file, .rule = "has no operating_point: give a current with --current-A"});
 }
 
-actuator::GraspPoint grasp_point(const actuator::GraspPoint& usual, const Options& options) {
+actuator::GraspPoint grasp_point(const actuator::GraspPoint& usual, const EvaluateOptions& options) {
   actuator::GraspPoint grasp = usual;
   if (options.grasp_opening) grasp.opening = units::to_memory(*options.grasp_opening, "grasp_opening_deg");
   if (options.grasp_height) grasp.height = units::to_memory(*options.grasp_height, "grasp_height_mm");
@@ -65,7 +65,7 @@ actuator::GraspPoint grasp_point(const actuator::GraspPoint& usual, const Option
 }
 
 // The file's own operating point, where it has one, under what the command line says.
-simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, const Options& options) {
+simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, const EvaluateOptions& options) {
   simulation::OperatingPoint point = file.operating_point.value_or(simulation::OperatingPoint{});
   if (!options.current && !file.operating_point) throw no_current(options);
   point.current = options.current.value_or(point.current);
@@ -78,7 +78,7 @@ simulation::OperatingPoint operating_point(const formats::ActuatorFile& file, co
   return point;
 }
 
-void evaluate(const actuator::Design& design, const formats::ActuatorFile& file, const Options& options) {
+void evaluate(const actuator::Design& design, const formats::ActuatorFile& file, const EvaluateOptions& options) {
   const simulation::OperatingPoint point = operating_point(file, options);
   const actuator::Assembly assembly = assemble(design, options.actuator);
   if (point.supply.wiring == actuator::Wiring::series && !has_one_current(design))
@@ -120,7 +120,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
   }
 }
 
-void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const Options& options) {
+void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const EvaluateOptions& options) {
   if (options.page)
     throw text::InputError({.file = options.actuator.file,
                             .rule = "is a lumped model: --report draws a design with its dimensions (actuator/1)"});
@@ -142,7 +142,7 @@ void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const 
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = app.add_subcommand("evaluate", "Compute what an actuator does at one current");
   add_actuator_options(*command, options->actuator);
   command

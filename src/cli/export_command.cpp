@@ -40,7 +40,7 @@ using text::InputError;
 constexpr std::size_t longest_name = 80;
 constexpr std::size_t longest_origin = 1000;
 
-struct Options {
+struct ExportOptions {
   ActuatorOptions actuator;
   std::string kind;
   std::string out;
@@ -76,7 +76,7 @@ std::string list_of_kinds() {
   return text;
 }
 
-exports::ExportSettings settings_of(const Options& options, const ExportKind& kind) {
+exports::ExportSettings settings_of(const ExportOptions& options, const ExportKind& kind) {
   exports::ExportSettings out;
   for (std::size_t i = 0; i < options.settings.size(); ++i) {
     if (!options.settings[i]) continue;
@@ -88,7 +88,7 @@ exports::ExportSettings settings_of(const Options& options, const ExportKind& ki
   return out;
 }
 
-exports::Subject subject_of(const Options& options) {
+exports::Subject subject_of(const ExportOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   std::string made_by = fmt::format("coilwright {}: {}", COILWRIGHT_VERSION, options.actuator.file);
   for (const std::string& assignment : options.actuator.assignments) made_by += " --set " + assignment;
@@ -104,7 +104,7 @@ exports::Subject subject_of(const Options& options) {
                                 .operating_point = file.operating_point};
 }
 
-std::vector<ExportedFile> files_of(const Options& options, const ExportKind& kind) {
+std::vector<ExportedFile> files_of(const ExportOptions& options, const ExportKind& kind) {
   const exports::ExportSettings settings = settings_of(options, kind);
   const exports::Subject subject = subject_of(options);
   try {
@@ -114,7 +114,7 @@ std::vector<ExportedFile> files_of(const Options& options, const ExportKind& kin
   }
 }
 
-void run_export(const Options& options) {
+void run_export(const ExportOptions& options) {
   const ExportKind& kind = *exports::find_export_kind(options.kind);
   const std::vector<ExportedFile> files = files_of(options, kind);
   for (const ExportedFile& file : files)
@@ -146,7 +146,7 @@ void run_export(const Options& options) {
 }  // namespace
 
 void add_export_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command =
       app.add_subcommand("export", "Write an actuator as files to build it from or to simulate it with");
   add_actuator_options(*command, options->actuator);

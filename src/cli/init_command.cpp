@@ -45,13 +45,13 @@ std::string_view text_of(std::string_view name) {
   return std::ranges::find(files, name, &PackedFile::name)->text;
 }
 
-struct Options {
+struct InitOptions {
   std::string what;
   std::string out = ".";
   bool json = false;
 };
 
-void run_init(const Options& options) {
+void run_init(const InitOptions& options) {
   const std::vector<Start> kinds = kinds_of_start();
   const Start& start = *std::ranges::find(kinds, options.what, &Start::word);
   const fs::path out = options.out;
@@ -83,7 +83,7 @@ void run_init(const Options& options) {
 }  // namespace
 
 void add_init_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InitOptions>();
   std::vector<std::string> words;
   for (const Start& start : kinds_of_start()) words.emplace_back(start.word);
   CLI::App* command =

@@ -26,7 +26,7 @@ namespace {
 
 using simulation::LinearModel;
 
-struct Options {
+struct LineariseOptions {
   ActuatorOptions actuator;
   std::vector<double> currents;
   std::string out;
@@ -35,7 +35,7 @@ struct Options {
 };
 
 // An actuator that has no such pose is an input that asks for what there is not.
-LinearModel linear_model(const Options& options) {
+LinearModel linear_model(const LineariseOptions& options) {
   const actuator::Model model = read_model(options.actuator);
   try {
     if (options.currents.size() == 1) return simulation::linearise(model, options.currents.front());
@@ -82,7 +82,7 @@ std::string remarks(const LinearModel& model) {
   return text;
 }
 
-void run_linearise(const Options& options) {
+void run_linearise(const LineariseOptions& options) {
   keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
               std::array<std::filesystem::path, 1>{options.out});
   const LinearModel model = linear_model(options);
@@ -100,7 +100,7 @@ void run_linearise(const Options& options) {
 }  // namespace
 
 void add_linearise_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LineariseOptions>();
   CLI::App* command = app.add_subcommand("linearise", "Give the linear model of small motions about a steady pose");
   add_actuator_options(*command, options->actuator);
   command

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
@@ -10,6 +11,11 @@ struct PackedFile {
   std::string_view name;  ///< "study.schema.json", "dataset/step.csv"
   std::string_view text;
 };
+
+/// The text of `name` among `files`, which have it.
+[[nodiscard]] inline std::string_view packed_text(std::span<const PackedFile> files, std::string_view name) {
+  return std::ranges::find(files, name, &PackedFile::name)->text;
+}
 
 /// The JSON Schemas of configs/schemas, by name.
 [[nodiscard]] std::span<const PackedFile> schemas();

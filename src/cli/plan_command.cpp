@@ -18,7 +18,7 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct PlanOptions {
   ExperimentOptions experiment;
   std::string actuator;
   std::vector<std::string> calibrate{"joint_stiffness", "joint_damping"};  // as a data set that names none
@@ -27,7 +27,7 @@ struct Options {
   bool json{false};
 };
 
-measurement::experiment::ExperimentPlan plan(const Options& options) {
+measurement::experiment::ExperimentPlan plan(const PlanOptions& options) {
   const EndOnSignal nothing_to_save;
   // A model that cannot be simulated is an answer here.
   FLAGS_minloglevel = google::GLOG_FATAL;
@@ -42,7 +42,7 @@ measurement::experiment::ExperimentPlan plan(const Options& options) {
   });
 }
 
-void print(const Options& options) {
+void print(const PlanOptions& options) {
   const measurement::experiment::ExperimentPlan planned = plan(options);
   const formats::PlanReport report{
       .plan = planned, .experiment = options.experiment.file, .actuator = options.actuator};
@@ -52,7 +52,7 @@ void print(const Options& options) {
 }  // namespace
 
 void add_plan_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanOptions>();
   CLI::App* command = app.add_subcommand("plan", "Tell what an experiment could show, before anything is recorded");
   command
       ->add_option("EXPERIMENT.json", options->experiment.file,

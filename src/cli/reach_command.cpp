@@ -36,7 +36,7 @@ namespace {
 using text::InputError;
 using text::Rule;
 
-struct Options {
+struct ReachOptions {
   ActuatorOptions actuator;
   double angle{};  // deg
   double from{};   // A
@@ -71,7 +71,7 @@ struct Asked {
   std::optional<Bearable> bearable;
 };
 
-Asked read(const Options& options) {
+Asked read(const ReachOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   if (const auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = *model, .bearable = {}};
   actuator::Design design = design_in(file, options.actuator, "it has no design");
@@ -82,7 +82,7 @@ Asked read(const Options& options) {
           .bearable = Bearable{.ampacity = ampacity, .design = std::move(design), .assembly = std::move(assembly)}};
 }
 
-control::ReachTask task_of(const Options& options, const Asked& asked) {
+control::ReachTask task_of(const ReachOptions& options, const Asked& asked) {
   if (!options.highest && !asked.bearable)
     throw InputError(
         {.file = "--highest-current-A", .rule = "is needed: a lumped model does not say what current its coils bear"});
@@ -95,7 +95,7 @@ control::ReachTask task_of(const Options& options, const Asked& asked) {
           .pieces = options.pieces};
 }
 
-control::Reach answer(const Options& options, const Asked& asked, const control::ReachTask& task) {
+control::Reach answer(const ReachOptions& options, const Asked& asked, const control::ReachTask& task) {
   try {
     if (!options.header.empty()) formats::require_header_can_say(asked.model);
     return control::reach(asked.model, task);
@@ -116,7 +116,7 @@ void write_profile(std::ostream& stream, const control::CurrentProfile& profile,
 }
 
 // Both files, or none.
-void write(const Options& options, const Asked& asked, const control::Reach& reach,
+void write(const ReachOptions& options, const Asked& asked, const control::Reach& reach,
            const control::ProfileQuality& best) {
   std::optional<text::OutputFile> header;
   std::optional<text::OutputFile> profile;
@@ -144,7 +144,7 @@ std::string remarks(const control::Reach& reach, const control::ReachTask& task,
   return out;
 }
 
-void run_reach(const Options& options) {
+void run_reach(const ReachOptions& options) {
   keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
               std::array<std::filesystem::path, 2>{options.out, options.header});
   if (!options.out.empty() &&
@@ -163,7 +163,7 @@ void run_reach(const Options& options) {
 }  // namespace
 
 void add_reach_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReachOptions>();
   CLI::App* command =
       app.add_subcommand("reach", "Find a current profile that brings the actuator to an angle without ringing");
   add_actuator_options(*command, options->actuator);

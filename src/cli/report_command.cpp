@@ -19,7 +19,7 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct ReportCommandOptions {
   std::string folder;
   std::optional<std::string> out;
   std::optional<std::size_t> pictures;
@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> results_in(const std::filesystem::path& folde
   return out;
 }
 
-void run_report(const Options& options) {
+void run_report(const ReportCommandOptions& options) {
   const std::filesystem::path folder(options.folder);
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
   ReportOptions how{.pictures = options.pictures};
@@ -52,7 +52,7 @@ void run_report(const Options& options) {
 }  // namespace
 
 void add_report_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportCommandOptions>();
   CLI::App* command = app.add_subcommand("report", "Make one page of a folder of results, to look at and to pass on");
   command->add_option("DIR", options->folder, "Folder that size, sweep, pareto or diagnose has written")->required();
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")

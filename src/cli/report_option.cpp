@@ -32,19 +32,15 @@ constexpr const char* built_without =
     "this program was built without Vega, which pages are drawn with: install npm and build it again "
     "(cmake -DCOILWRIGHT_REPORT_ASSETS=ON says what is missing)";
 
-std::string_view packed(std::span<const PackedFile> files, std::string_view name) {
-  return std::ranges::find(files, name, &PackedFile::name)->text;
-}
-
 std::vector<page::Script> scripts() {
   const std::span<const PackedFile> libraries = report_libraries();
   std::vector<page::Script> out;
   for (const char* name : {"vega.js", "vega-lite.js", "vega-embed.js"})
-    out.push_back({.name = name, .text = packed(libraries, name), .licence = {}});
+    out.push_back({.name = name, .text = packed_text(libraries, name), .licence = {}});
   out.front().name = "Vega, Vega-Lite, vega-embed and what they contain";
-  out.front().licence = packed(libraries, "licences.txt");
+  out.front().licence = packed_text(libraries, "licences.txt");
   for (const char* name : {"theme.js", "page.js", "front.js"})
-    out.push_back({.name = name, .text = packed(page_files(), name), .licence = {}});
+    out.push_back({.name = name, .text = packed_text(page_files(), name), .licence = {}});
   return out;
 }
 
@@ -122,7 +118,7 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
 
 void write_page(const page::Page& content, const std::filesystem::path& file,
                 const std::optional<std::filesystem::path>& figures_folder) {
-  const std::string_view style = packed(page_files(), "page.css");
+  const std::string_view style = packed_text(page_files(), "page.css");
   const std::vector<page::Script> all = scripts();
   text::OutputFile out(file);
   std::optional<text::OutputFolder> figures;

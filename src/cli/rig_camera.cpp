@@ -15,7 +15,7 @@ namespace {
 
 using namespace systems::rig;
 
-struct Options {
+struct RigCameraOptions {
   RigOptions rig;
   std::vector<double> steps{};        // A
   std::vector<double> frequencies{};  // Hz
@@ -27,7 +27,7 @@ struct Options {
   double sigma = 0.3;                 // degrees
 };
 
-Camera camera_of(const Options& options) {
+Camera camera_of(const RigCameraOptions& options) {
   Camera camera;
   if (!options.steps.empty()) camera.steps = options.steps;
   if (!options.frequencies.empty()) camera.frequencies = options.frequencies;
@@ -43,7 +43,7 @@ Camera camera_of(const Options& options) {
 }  // namespace
 
 void add_camera(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RigCameraOptions>();
   const text::Rule up_to_a_million = text::positive.and_also(text::Rule::at_most(1e6));
   const text::Rule current = text::Rule::between(-1e6, 1e6);
   CLI::App* rig =

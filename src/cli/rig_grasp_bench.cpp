@@ -15,14 +15,14 @@ namespace {
 
 using namespace systems::rig;
 
-struct Options {
+struct RigGraspBenchOptions {
   RigOptions rig;
   std::vector<double> currents{};        // A
   double grasp_opening{};                // degrees
   std::optional<double> grasp_height{};  // mm
 };
 
-GraspBench bench_of(const Options& options) {
+GraspBench bench_of(const RigGraspBenchOptions& options) {
   GraspBench bench;
   if (!options.currents.empty()) bench.currents = options.currents;
   bench.grasp.opening = units::to_memory(options.grasp_opening, "grasp_opening_deg");
@@ -33,7 +33,7 @@ GraspBench bench_of(const Options& options) {
 }  // namespace
 
 void add_grasp_bench(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RigGraspBenchOptions>();
   CLI::App* rig = command.add_subcommand("grasp-bench", "Force of the finger on a wall over the current (Fig. 9b)");
   add_rig_options(*rig, options->rig);
   add_list(*rig, "--currents-A,--currents", options->currents,

@@ -4,9 +4,7 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -24,23 +22,16 @@
 namespace coilwright::cli {
 namespace {
 
-constexpr const char* actuator_name = "actuator.json";
-
 std::filesystem::path folder_of(const RigOptions& options) {
   const std::filesystem::path out(options.out);
   return out.has_filename() ? out : out.parent_path();
-}
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 // The file itself where the set declares it unchanged.
 std::string declared_text(const RigOptions& options, const RigActuator& actuator, const RigResult& result) {
   if (result.declared)
     return formats::to_json(*result.declared, fmt::format("{}, one joint on the {}", actuator.name, result.rig)).text();
-  if (options.actuator.assignments.empty()) return content_of(options.actuator.file);
+  if (options.actuator.assignments.empty()) return bytes_of(options.actuator.file);
   return formats::to_json(actuator.design, actuator.name).text();
 }
 

@@ -15,14 +15,14 @@ namespace {
 
 using namespace systems::rig;
 
-struct Options {
+struct RigStiffnessGaugeOptions {
   RigOptions rig;
   std::vector<double> angles{};          // degrees
   std::optional<int> joint{};            // from 1
   std::optional<double> gauge_height{};  // mm
 };
 
-StiffnessGauge gauge_of(const Options& options) {
+StiffnessGauge gauge_of(const RigStiffnessGaugeOptions& options) {
   StiffnessGauge gauge = paper_stiffness_gauge();
   if (!options.angles.empty()) gauge.angles = to_memory(options.angles, "angles_deg");
   if (options.joint) gauge.joint = *options.joint - 1;
@@ -33,7 +33,7 @@ StiffnessGauge gauge_of(const Options& options) {
 }  // namespace
 
 void add_stiffness_gauge(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RigStiffnessGaugeOptions>();
   CLI::App* rig = command.add_subcommand(
       "stiffness-gauge", "Force that holds a joint open without current, and its stiffness (Figs 10b, 11)");
   add_rig_options(*rig, options->rig);

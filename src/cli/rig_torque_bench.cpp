@@ -15,7 +15,7 @@ namespace {
 
 using namespace systems::rig;
 
-struct Options {
+struct RigTorqueBenchOptions {
   RigOptions rig;
   std::optional<double> axis_offset{};  // mm
   double gauge_distance = 30.0;         // mm
@@ -23,7 +23,7 @@ struct Options {
   std::vector<double> angles{};  // degrees
 };
 
-TorqueBench bench_of(const Options& options, const actuator::Design& design) {
+TorqueBench bench_of(const RigTorqueBenchOptions& options, const actuator::Design& design) {
   TorqueBench bench = paper_torque_bench(design);
   if (options.axis_offset) bench.axis_offset = units::to_memory(*options.axis_offset, "axis_offset_mm");
   bench.gauge_distance = units::to_memory(options.gauge_distance, "gauge_distance_mm");
@@ -35,7 +35,7 @@ TorqueBench bench_of(const Options& options, const actuator::Design& design) {
 }  // namespace
 
 void add_torque_bench(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RigTorqueBenchOptions>();
   CLI::App* rig =
       command.add_subcommand("torque-bench", "Torque of one joint's rigid counterpart over its angle (Fig. 17)");
   add_rig_options(*rig, options->rig);

@@ -27,13 +27,13 @@ std::vector<std::string> schema_names() {
   return names;
 }
 
-struct Options {
+struct SchemaOptions {
   std::string name;
   std::string out;
   bool json{false};
 };
 
-void run_schema(const Options& options) {
+void run_schema(const SchemaOptions& options) {
   if (options.out.empty()) {
     for (const PackedFile& file : schemas())
       if (file.name == options.name + std::string(ending)) std::cout << file.text;
@@ -55,7 +55,7 @@ void run_schema(const Options& options) {
 }  // namespace
 
 void add_schema_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SchemaOptions>();
   const std::vector<std::string> names = schema_names();
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of a kind of input file");
   command->add_option("NAME", options->name, fmt::format("One of {}", fmt::join(names, ", ")))

@@ -40,7 +40,7 @@ using simulation::Drive;
 using simulation::ModelInput;
 using simulation::State;
 
-struct Options {
+struct SimulateOptions {
   ActuatorOptions actuator;
   std::string out;
   std::optional<double> step;
@@ -55,7 +55,7 @@ struct Options {
 constexpr double usual_duration = 1.0;    // s
 constexpr double usual_interval = 0.002;  // s
 
-CommandedInput read_command(const Options& options, const actuator::Model& model) {
+CommandedInput read_command(const SimulateOptions& options, const actuator::Model& model) {
   if (!options.input.empty()) {
     if (options.duration)
       throw CLI::ValidationError("--duration-s", "is of --step-A and --sine: an input lasts as long as its file says");
@@ -75,7 +75,7 @@ CommandedInput read_command(const Options& options, const actuator::Model& model
 }
 
 // Durations, intervals and frequencies that make more samples than there may be, or too few.
-CommandedInput command_of(const Options& options, const actuator::Model& model) {
+CommandedInput command_of(const SimulateOptions& options, const actuator::Model& model) {
   try {
     return read_command(options, model);
   } catch (const std::invalid_argument& rule) {
@@ -87,7 +87,7 @@ CommandedInput command_of(const Options& options, const actuator::Model& model) 
 }
 
 // What a table of few samples does not show is not seen in its extremes either.
-std::string remark_on_samples(const Options& options, const CommandedInput& command) {
+std::string remark_on_samples(const SimulateOptions& options, const CommandedInput& command) {
   constexpr double far_apart = 0.05;  // s: a third of the period of a finger of 7 Hz
   if (options.input.empty() || options.interval) return {};
   double widest = 0.0;
@@ -100,7 +100,7 @@ std::string remark_on_samples(const Options& options, const CommandedInput& comm
       options.input == "-" ? "standard input" : options.input, widest, usual_interval);
 }
 
-ModelInput model_input(const Options& options, const actuator::Model& model, const CommandedInput& command) {
+ModelInput model_input(const SimulateOptions& options, const actuator::Model& model, const CommandedInput& command) {
   try {
     return simulation::model_input(model, command);
   } catch (const std::invalid_argument& rule) {
@@ -119,7 +119,7 @@ std::vector<std::string> column_names(const CommandedInput& command) {
 }
 
 // A step starts at rest without current; every other input where a recorded run starts that begins at rest.
-State start_of(const Options& options, const actuator::Model& model, const ModelInput& input) {
+State start_of(const SimulateOptions& options, const actuator::Model& model, const ModelInput& input) {
   const std::optional<State> start =
       options.step
           ? simulation::state_at_rest(model, model.all_coils(0.0), mechanics::JointVector::Zero(model.joints()))
@@ -175,12 +175,12 @@ void write(std::ostream& stream, const std::vector<std::string>& columns, const 
 }
 
 // Writing the result over its own input would lose the input.
-void check_output(const Options& options) {
+void check_output(const SimulateOptions& options) {
   keep_inputs(std::array<std::filesystem::path, 2>{options.actuator.file, options.input},
               std::array<std::filesystem::path, 1>{options.out});
 }
 
-void run_simulate(const Options& options) {
+void run_simulate(const SimulateOptions& options) {
   require_file_for_json(options.json, options.out);
   check_output(options);
   const actuator::Model model = read_model(options.actuator);
@@ -211,7 +211,7 @@ void run_simulate(const Options& options) {
 }  // namespace
 
 void add_simulate_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "Simulate the motion of an actuator under an input over time");
   add_actuator_options(*command, options->actuator);
   CLI::Option_group* input = command->add_option_group("input", "Input of the simulation; one of");

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "actuator_input.hpp"
 #include "coilwright/formats/actuator/effect_argument.hpp"
 #include "coilwright/formats/data/dataset_writer.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
@@ -33,9 +32,7 @@ using actuator::Effect;
 using measurement::data::Run;
 using measurement::experiment::Experiment;
 
-constexpr const char* actuator_name = "actuator.json";
-
-struct Options {
+struct TwinOptions {
   std::string actuator;
   ExperimentOptions experiment;
   std::vector<std::string> effects;  // "dry_friction:torque_Nmm=0.6"
@@ -45,12 +42,12 @@ struct Options {
 };
 
 // The folder's name without a slash at its end, which would put its neighbour inside.
-std::filesystem::path folder_of(const Options& options) {
+std::filesystem::path folder_of(const TwinOptions& options) {
   const std::filesystem::path out(options.out);
   return out.has_filename() ? out : out.parent_path();
 }
 
-std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpec& nominal) {
+std::vector<Effect> read_hidden(const TwinOptions& options, const actuator::ModelSpec& nominal) {
   std::vector<Effect> hidden;
   for (const std::string& argument : options.effects) {
     const Effect effect = formats::parse_effect(argument);
@@ -65,27 +62,22 @@ std::vector<Effect> read_hidden(const Options& options, const actuator::ModelSpe
   return hidden;
 }
 
-std::vector<Run> act_out(const Options& options, const Experiment& experiment,
+std::vector<Run> act_out(const TwinOptions& options, const Experiment& experiment,
                          const measurement::replay::DeclaredModel& rig, const std::vector<Effect>& hidden) {
   return blaming_the_experiment(options.experiment, [&] {
     return measurement::experiment::simulate_experiment(experiment, rig, hidden, options.experiment.seed);
   });
 }
 
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Writing over the actuator or the experiment would lose it.
-void check_output(const Options& options) {
+void check_output(const TwinOptions& options) {
   const std::filesystem::path folder = folder_of(options);
   keep_inputs(std::array<std::filesystem::path, 2>{options.actuator, options.experiment.file},
               std::array{folder / actuator_name, folder / "dataset.json"});
 }
 
 // What the clocks of the runs really were; none where they are one.
-std::vector<formats::ClockOfRun> clocks_of(const Options& options, const Experiment& experiment) {
+std::vector<formats::ClockOfRun> clocks_of(const TwinOptions& options, const Experiment& experiment) {
   std::vector<formats::ClockOfRun> out;
   const auto clocks = measurement::experiment::true_clocks(experiment, options.experiment.seed);
   for (std::size_t i = 0; i < clocks.size(); ++i)
@@ -94,7 +86,7 @@ std::vector<formats::ClockOfRun> clocks_of(const Options& options, const Experim
   return out;
 }
 
-void write(const Options& options, const Experiment& experiment, const std::vector<Effect>& hidden,
+void write(const TwinOptions& options, const Experiment& experiment, const std::vector<Effect>& hidden,
            const std::vector<Run>& runs) {
   const std::filesystem::path out = folder_of(options);
   text::OutputFolder folder(out);
@@ -117,7 +109,7 @@ void write(const Options& options, const Experiment& experiment, const std::vect
     if (const auto input = formats::input_file_name(runs[i])) formats::write_input(folder.open(*input), runs[i]);
   }
   folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
-  folder.write(actuator_name, content_of(options.actuator));
+  folder.write(actuator_name, bytes_of(options.actuator));
   keep_others(folder, options.force);
   // Neither effects nor seed, by which they could be found.
   const Provenance provenance{.command = "twin",
@@ -140,7 +132,7 @@ void write(const Options& options, const Experiment& experiment, const std::vect
   }
 }
 
-void run_twin(const Options& options) {
+void run_twin(const TwinOptions& options) {
   check_output(options);
   const formats::DeclaredActuator rig =
       formats::read_declared_actuator(options.actuator, {.names = {}, .file = options.actuator});
@@ -152,7 +144,7 @@ void run_twin(const Options& options) {
 }  // namespace
 
 void add_twin_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TwinOptions>();
   CLI::App* command = app.add_subcommand("twin", "Simulate a data set of an actuator that has undeclared effects");
   command
       ->add_option("ACTUATOR.json", options->actuator,

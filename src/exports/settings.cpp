@@ -5,7 +5,7 @@
 namespace coilwright::exports {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array setting_table = {
     ExportSetting{.name = "lead_mm",
                   .text = "Length of each of the two leads of a coil, mm (default 150)",
                   .lowest = 0.0,
@@ -32,7 +32,7 @@ constexpr std::array table = {
 }  // namespace
 
 std::span<const ExportSetting> export_settings() noexcept {
-  return table;
+  return setting_table;
 }
 
 }  // namespace coilwright::exports

@@ -17,8 +17,6 @@ constexpr std::size_t most_table_rows = 400;
 // Room for the words beside bars, by the width that there is.
 constexpr const char* wide_labels = "containerSize()[0] > 700 ? 420 : 170";
 
-constexpr const char* schema = "https://vega.github.io/schema/vega-lite/v6.json";
-
 std::string_view kind_of(Mark mark) {
   switch (mark) {
     case Mark::line:
@@ -164,8 +162,9 @@ Table table_of(const Chart& chart) {
 }
 
 Json frame(const std::string& title, const std::string& description) {
-  return Json::object(
-      {{"$schema", schema}, {"description", fmt::format("{}. {}", title, description)}, {"width", "container"}});
+  return Json::object({{"$schema", vega_lite_schema},
+                       {"description", fmt::format("{}. {}", title, description)},
+                       {"width", "container"}});
 }
 
 // How full the bars of so many groups are, the first ones most.

@@ -18,15 +18,14 @@ using text::Json;
 
 constexpr std::size_t most_others = 3000;
 constexpr std::size_t most_lines = 400;
-constexpr const char* schema = "https://vega.github.io/schema/vega-lite/v6.json";
-constexpr const char* axes[] = {"x", "y", "z"};
+constexpr const char* scene_axes[] = {"x", "y", "z"};
 
 std::string sense_of(const FrontTable& front, std::size_t objective) {
   return fmt::format("{} ({} is better)", front.objectives[objective], front.largest[objective] ? "more" : "less");
 }
 
 Json position(const FrontTable& front, std::size_t objective) {
-  return Json::object({{"field", axes[objective]},
+  return Json::object({{"field", scene_axes[objective]},
                        {"type", "quantitative"},
                        {"title", sense_of(front, objective)},
                        {"scale", Json::object({{"zero", false}})}});
@@ -38,7 +37,7 @@ Json rows_of(const FrontTable& front) {
   for (std::size_t row = 0; row < front.rows(); ++row) {
     Json each = Json::object({{"row", row}});
     for (std::size_t i = 0; i < front.objectives.size(); ++i)
-      each.set(axes[i], front.texts.number(front.objectives[i], row).value());
+      each.set(scene_axes[i], front.texts.number(front.objectives[i], row).value());
     each.set("kind",
              shapes ? "configuration " + front.texts.column("configuration")[row] : std::string("on the front"));
     rows.add(std::move(each));
@@ -51,7 +50,7 @@ Json rows_of(const OtherDesigns& others) {
   for (const OtherDesigns::Group& group : others.groups)
     for (const std::vector<double>& values : group.values) {
       Json each = Json::object({{"kind", group.name}});
-      for (std::size_t i = 0; i < values.size(); ++i) each.set(axes[i], values[i]);
+      for (std::size_t i = 0; i < values.size(); ++i) each.set(scene_axes[i], values[i]);
       rows.add(std::move(each));
     }
   return rows;
@@ -122,7 +121,7 @@ Figure scatter(const FrontTable& front, const OtherDesigns& others) {
   return {.id = "front",
           .title = "Designs of the front",
           .description = description,
-          .content = Json::object({{"$schema", schema},
+          .content = Json::object({{"$schema", vega_lite_schema},
                                    {"description", description},
                                    {"width", "container"},
                                    {"height", 420},
@@ -186,7 +185,7 @@ Json parallel_layer(const char* data, Json mark) {
              {"detail", Json::object({{"field", "row"}, {"type", "nominal"}})}})}});
 }
 
-// Where axes stand close, as on a phone, numbers lean so that they do not run into each other.
+// Where scene_axes stand close, as on a phone, numbers lean so that they do not run into each other.
 Json where_close(const char* close, const char* otherwise) {
   return Json::object({{"expr", fmt::format("width < 46 * domain('x').length ? {} : {}", close, otherwise)}});
 }
@@ -235,7 +234,7 @@ std::optional<Figure> parallel(const FrontTable& front) {
       .title = "Objectives and variables side by side",
       .description = description,
       .content = Json::object(
-          {{"$schema", schema},
+          {{"$schema", vega_lite_schema},
            {"description", description},
            {"width", "container"},
            {"height", 380},

@@ -97,13 +97,13 @@ constexpr const char* selection_html =
     "<details><summary>All quantities of this design</summary><div class=\"wide\" "
     "id=\"selection-quantities\"></div></details>\n";
 
-constexpr std::size_t most_table_rows = 500;
+constexpr std::size_t most_design_rows = 500;
 
 TableBlock front_rows(const FrontTable& front) {
   Table table{.header = {"design"}, .rows = {}};
   const std::vector<std::string> shown = shown_columns(front);
   table.header.insert(table.header.end(), shown.begin(), shown.end());
-  const std::vector<std::size_t> rows = even_choice(front.rows(), most_table_rows);
+  const std::vector<std::size_t> rows = even_choice(front.rows(), most_design_rows);
   for (const std::size_t row : rows) {
     std::vector<std::string> cells{std::to_string(row + 1)};
     for (std::string& field : shown_fields(front, row, shown)) cells.push_back(std::move(field));

@@ -14,7 +14,7 @@ namespace {
 using mechanics::JointMatrix;
 using mechanics::JointVector;
 
-constexpr int step_limit = 400;
+constexpr int most_newton_steps = 400;
 constexpr double largest_step = 0.2;  // rad: below the angle over which a torque curve bends
 constexpr double residual_tolerance = 1e-11;
 
@@ -50,7 +50,7 @@ std::optional<JointVector> creep_to_equilibrium(const StaticProblem& problem, co
   JointVector angles = start;
   JointVector residual = problem.residual(angles);
   double shift = 0.0;
-  for (int i = 0; i < step_limit; ++i) {
+  for (int i = 0; i < most_newton_steps; ++i) {
     const JointMatrix stiffness = problem.stiffness(angles);
     if (!stiffness.allFinite() || !residual.allFinite()) return std::nullopt;
     const std::optional<JointVector> newton = shifted_step(stiffness, 0.0, residual);

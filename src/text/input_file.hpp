@@ -10,7 +10,7 @@
 
 namespace coilwright::text {
 
-/// The name that stands for standard input.
+/// The name that stands for standard input or output.
 inline constexpr std::string_view standard_stream = "-";
 
 /// An input file opened for reading once, from the front: "-" is standard input, which errors call by that name.

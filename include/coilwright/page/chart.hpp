@@ -7,6 +7,9 @@
 
 namespace coilwright::page {
 
+/// What a specification of Vega-Lite names as its schema.
+inline constexpr const char* vega_lite_schema = "https://vega.github.io/schema/vega-lite/v6.json";
+
 /// How a series of a chart is drawn.
 enum class Mark {
   line,    ///< straight lines between its points, in their order

@@ -8,7 +8,7 @@
 namespace coilwright::actuator::effects {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::array sides = {-1.0, 1.0};
 
 // The matter is as large as half its distance: keeps the pull finite and smooth where the angle reaches it.
@@ -50,8 +50,8 @@ class StaticAttraction final : public DescribedEffect {
              .check = "look for iron or another magnet near the finger, take it away and film one release again",
              .parameters = {{.key = "torque_Nmm",
                              .text = "torque at angle zero, opening positive",
-                             .lower = -infinity,
-                             .upper = infinity,
+                             .lower = -unbounded,
+                             .upper = unbounded,
                              .absent = 0.0},
                             {.key = "range_deg",
                              .text = "angle from zero to where the matter is",

@@ -7,7 +7,7 @@ namespace coilwright::actuator::effects {
 namespace {
 
 // As of a coil's lag: a shorter filter changes no sample and would only cost steps.
-constexpr double quasi_static = 20e-6;
+constexpr double shortest_lag = 20e-6;
 
 // One state a joint: its angle as shown. Linear, so the shown sum of angles is the sum of the shown angles.
 class TrackingLagTerm final : public EffectTerm {
@@ -52,7 +52,7 @@ class TrackingLag final : public DescribedEffect {
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    if (values[0] < quasi_static) return nullptr;
+    if (values[0] < shortest_lag) return nullptr;
     return std::make_unique<TrackingLagTerm>(spec.chain.joints(), values[0]);
   }
 };

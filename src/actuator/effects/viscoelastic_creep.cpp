@@ -9,7 +9,7 @@ namespace coilwright::actuator::effects {
 namespace {
 
 constexpr double shortest = 1e-3;  // s; a faster dashpot is a damper to any camera
-constexpr double longest = 1e5;
+constexpr double longest_time_constant = 1e5;
 constexpr double slow_time = 1.0;
 
 // One state a joint: the angle xi to which its dashpot has crept.
@@ -57,13 +57,13 @@ class ViscoelasticCreep final : public DescribedEffect {
                             {.key = "time_constant_s",
                              .text = "relaxation time at a held angle",
                              .lower = shortest,
-                             .upper = longest}}}) {}
+                             .upper = longest_time_constant}}}) {}
 
   std::optional<std::string> inapplicable(const ModelSpec& spec) const override { return without_springs(spec); }
 
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double low = std::clamp(4.0 * scale.interval, shortest, longest);
-    return each_with_each({0.2}, log_spread(low, std::clamp(scale.duration, low, longest), 4));
+    const double low = std::clamp(4.0 * scale.interval, shortest, longest_time_constant);
+    return each_with_each({0.2}, log_spread(low, std::clamp(scale.duration, low, longest_time_constant), 4));
   }
 
   std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {

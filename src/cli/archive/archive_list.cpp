@@ -9,7 +9,7 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct ArchiveListOptions {
   std::string folder;
   bool json{false};
 };
@@ -17,7 +17,7 @@ struct Options {
 }  // namespace
 
 void add_archive_list(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ArchiveListOptions>();
   CLI::App* list = command.add_subcommand("list", "What an archive is of, and the runs that wrote to it");
   add_archive_folder(*list, options->folder);
   list->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();

@@ -13,7 +13,7 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct ArchivePickOptions {
   std::string folder;
   std::int64_t row{};
   std::string out;
@@ -24,7 +24,7 @@ struct Options {
 }  // namespace
 
 void add_archive_pick(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ArchivePickOptions>();
   CLI::App* pick = command.add_subcommand("pick", "The design of a row as an actuator file, as size writes its answer");
   add_archive_folder(*pick, options->folder);
   add_row_option(*pick, options->row);

@@ -15,13 +15,13 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct ArchiveReplayOptions {
   std::string folder;
   std::int64_t row{};
   bool json{false};
 };
 
-ExitCode run_replay(const Options& options) {
+ExitCode run_replay(const ArchiveReplayOptions& options) {
   const archive::Reader archive = opened_archive(options.folder);
   const archive::Row row = row_of(archive, options.row);
   const sizing::DesignProblem problem = problem_of(archive.contents());
@@ -38,7 +38,7 @@ ExitCode run_replay(const Options& options) {
 }  // namespace
 
 void add_archive_replay(CLI::App& command, Outcome& outcome) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ArchiveReplayOptions>();
   CLI::App* replay =
       command.add_subcommand("replay", "Evaluate the design of a row again, and say whether its numbers are the same");
   add_archive_folder(*replay, options->folder);

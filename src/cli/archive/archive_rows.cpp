@@ -25,7 +25,7 @@
 namespace coilwright::cli {
 namespace {
 
-struct Options {
+struct ArchiveRowsOptions {
   std::string folder;
   std::string where;
   std::string most, least;  // columns
@@ -34,12 +34,12 @@ struct Options {
   bool json{false};
 };
 
-void add_common_options(CLI::App& command, Options& options) {
+void add_common_options(CLI::App& command, ArchiveRowsOptions& options) {
   add_archive_folder(command, options.folder);
   command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
 }
 
-void add_where(CLI::App& command, Options& options, bool required) {
+void add_where(CLI::App& command, ArchiveRowsOptions& options, bool required) {
   command
       .add_option("--where", options.where,
                   "Condition in SQL over the columns of the archive: \"mass_g < 70 and status = 'ok'\"")
@@ -75,7 +75,7 @@ std::vector<archive::Row> rows_of(const archive::Reader& archive, const archive:
   return rows;
 }
 
-void print(const archive::Reader& archive, const std::vector<archive::Row>& rows, const Options& options,
+void print(const archive::Reader& archive, const std::vector<archive::Row>& rows, const ArchiveRowsOptions& options,
            const std::string& further_column) {
   if (options.json)
     std::cout << formats::to_json(archive.contents(), rows).text();
@@ -83,7 +83,7 @@ void print(const archive::Reader& archive, const std::vector<archive::Row>& rows
     std::cout << report::to_text(archive.contents(), rows, further_column);
 }
 
-void run_top(const Options& options) {
+void run_top(const ArchiveRowsOptions& options) {
   if (options.most.empty() == options.least.empty())
     throw text::InputError(
         {.file = "top", .place = {}, .rule = "needs --most or --least, one of the two", .value = {}});
@@ -101,7 +101,7 @@ void run_top(const Options& options) {
 }  // namespace
 
 void add_archive_filter(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ArchiveRowsOptions>();
   CLI::App* filter = command.add_subcommand("filter", "The designs that hold a condition");
   add_common_options(*filter, *options);
   add_where(*filter, *options, true);
@@ -117,7 +117,7 @@ void add_archive_filter(CLI::App& command) {
 }
 
 void add_archive_top(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ArchiveRowsOptions>();
   CLI::App* top = command.add_subcommand("top", "The designs with the most or the least of a quantity");
   add_common_options(*top, *options);
   top->add_option("--most", options->most, "Column whose largest values come first");
@@ -132,7 +132,7 @@ void add_archive_top(CLI::App& command) {
 }
 
 void add_archive_csv(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ArchiveRowsOptions>();
   CLI::App* csv = command.add_subcommand("csv", "Every design with every quantity as CSV");
   add_archive_folder(*csv, options->folder);
   csv->add_option("--out", options->out, "File for the table; - is standard output (default -)")->default_str("-");

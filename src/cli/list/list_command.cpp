@@ -40,12 +40,12 @@ std::vector<std::string> words() {
   return all;
 }
 
-struct Options {
+struct ListOptions {
   std::string what;
   bool json = false;
 };
 
-void run_list(const Options& options) {
+void run_list(const ListOptions& options) {
   for (const Choice& choice : choices) {
     if (choice.word != options.what) continue;
     const Listing listing = choice.listing();
@@ -60,7 +60,7 @@ void run_list(const Options& options) {
 }  // namespace
 
 void add_list_command(CLI::App& app, Outcome&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "List quantities, parameters, effects, gauges, magnets or silicones");
   command->add_option("WHAT", options->what, "One of quantities, parameters, effects, gauges, magnets, silicones")
       ->required()

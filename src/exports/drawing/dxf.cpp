@@ -8,7 +8,7 @@
 namespace coilwright::exports {
 namespace {
 
-struct LayerRow {
+struct DxfLayer {
   Layer layer{};
   std::string_view name;
   int colour{};  // AutoCAD colour index
@@ -17,14 +17,14 @@ struct LayerRow {
 
 // Colours: 7 black or white, 1 red, 30 orange, 8 grey, 5 blue.
 constexpr std::array layer_table = {
-    LayerRow{Layer::body, "BODY", 7, "CONTINUOUS"},     LayerRow{Layer::winding, "WINDING", 30, "CONTINUOUS"},
-    LayerRow{Layer::magnet, "MAGNET", 8, "CONTINUOUS"}, LayerRow{Layer::slit, "SLIT", 1, "CONTINUOUS"},
-    LayerRow{Layer::axis, "AXIS", 8, "CENTER"},         LayerRow{Layer::dimension, "DIMENSION", 5, "CONTINUOUS"},
-    LayerRow{Layer::note, "NOTE", 7, "CONTINUOUS"},
+    DxfLayer{Layer::body, "BODY", 7, "CONTINUOUS"},     DxfLayer{Layer::winding, "WINDING", 30, "CONTINUOUS"},
+    DxfLayer{Layer::magnet, "MAGNET", 8, "CONTINUOUS"}, DxfLayer{Layer::slit, "SLIT", 1, "CONTINUOUS"},
+    DxfLayer{Layer::axis, "AXIS", 8, "CENTER"},         DxfLayer{Layer::dimension, "DIMENSION", 5, "CONTINUOUS"},
+    DxfLayer{Layer::note, "NOTE", 7, "CONTINUOUS"},
 };
 
 std::string_view name_of(Layer layer) {
-  for (const LayerRow& row : layer_table)
+  for (const DxfLayer& row : layer_table)
     if (row.layer == layer) return row.name;
   return "0";
 }
@@ -105,7 +105,7 @@ void put_line_types(std::string& out, double letter) {
 
 void put_layers(std::string& out) {
   begin_table(out, "LAYER", static_cast<int>(layer_table.size()));
-  for (const LayerRow& row : layer_table) {
+  for (const DxfLayer& row : layer_table) {
     put(out, 0, "LAYER");
     put(out, 2, row.name);
     put(out, 70, 0);

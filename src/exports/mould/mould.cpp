@@ -11,12 +11,12 @@
 namespace coilwright::exports {
 namespace {
 
-std::string mm(double length) {
+std::string scad_mm(double length) {
   return fmt::format("{:.7g}", 1e3 * length);
 }
 
 std::string assignment(std::string_view name, double length, std::string_view comment) {
-  return fmt::format("{} = {};  // {}\n", name, mm(length), comment);
+  return fmt::format("{} = {};  // {}\n", name, scad_mm(length), comment);
 }
 
 // A row a part: what it is, where its pocket begins and how long that is, and the part's own radius, bore and length.
@@ -25,14 +25,14 @@ std::string parts_text(const Cast& cast) {
   for (const PlacedPart& part : cast.plan.parts)
     text += fmt::format("  [\"{}\", {}, {}, {}, {}, {}],\n",
                         part.component.kind == actuator::ComponentKind::magnet ? "magnet" : "coil",
-                        mm(part.centre - part.half_pitch), mm(2.0 * part.half_pitch), mm(part.radius),
-                        mm(part.inner_radius), mm(part.length));
+                        scad_mm(part.centre - part.half_pitch), scad_mm(2.0 * part.half_pitch), scad_mm(part.radius),
+                        scad_mm(part.inner_radius), scad_mm(part.length));
   return text + "];\n";
 }
 
 std::string joints_text(const BodyPlan& plan) {
   std::string text = "// places of the slits\njoints = [";
-  for (const double joint : plan.joints) text += (text.back() == '[' ? "" : ", ") + mm(joint);
+  for (const double joint : plan.joints) text += (text.back() == '[' ? "" : ", ") + scad_mm(joint);
   return text + "];\n";
 }
 

@@ -16,7 +16,7 @@ namespace {
 using namespace text;
 using namespace measurement;
 
-Json rig_json(const data::RigChange& rig) {
+Json rig_change_json(const data::RigChange& rig) {
   Json out = Json::object();
   if (rig.base_turn != 0.0) out.set("base_turn_deg", units::from_memory(rig.base_turn, "base_turn_deg"));
   if (rig.tip_mass != 0.0) out.set("tip_mass_g", units::from_memory(rig.tip_mass, "tip_mass_g"));
@@ -31,7 +31,7 @@ void add_recording(Json& out, const data::Run& run) {
   if (run.clock.offset_sigma > 0.0 || run.has_input_clock()) out.set("clock_offset_s", run.clock.offset_sigma);
   if (run.clock.rate_sigma > 0.0) out.set("clock_rate", run.clock.rate_sigma);
   if (run.clock.exposure > 0.0) out.set("exposure_s", run.clock.exposure);
-  if (run.rig != data::RigChange{}) out.set("rig", rig_json(run.rig));
+  if (run.rig != data::RigChange{}) out.set("rig", rig_change_json(run.rig));
 }
 
 Json run_json(const RunWithRole& each) {

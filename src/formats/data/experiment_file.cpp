@@ -26,7 +26,7 @@ using namespace measurement::experiment;
 constexpr Rule angle_rule = Rule::between(-180.0, 180.0);  // deg
 constexpr double most_samples = 1e6;
 constexpr std::size_t most_points = 100'000;
-constexpr std::size_t most_runs = 1000;
+constexpr std::size_t most_planned_runs = 1000;
 
 // What holds for every run that does not say otherwise.
 struct Defaults {
@@ -251,7 +251,7 @@ Experiment read_experiment_file(const Document& document) {
     if (const auto measure = in.find("measure")) defaults.measure = read_measure(*measure);
     experiment.instruments = read_instruments(in);
     read_recording(in, defaults.clock, defaults.hold, defaults.input_rate);
-    const std::vector<Node> runs = in.elements("runs", Length::from_to(1, most_runs));
+    const std::vector<Node> runs = in.elements("runs", Length::from_to(1, most_planned_runs));
     // A default whose key is misspelt would be missing in every run.
     in.finish();
     std::set<std::string> names;

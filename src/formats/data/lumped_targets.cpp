@@ -87,9 +87,9 @@ std::optional<KnownNumber> number_of(const std::array<PartKey<Part>, Count>& key
 }
 
 // All that a name may mean, one kind after the other.
-class NumberResolver {
+class LumpedNumberResolver {
  public:
-  NumberResolver(const Document& document, LumpedModel model, CalibrateNames& names)
+  LumpedNumberResolver(const Document& document, LumpedModel model, CalibrateNames& names)
       : document_(document), model_(std::move(model)), names_(names), sizes_(sizes_of(model_)) {}
 
   void resolve(std::size_t i) {
@@ -213,7 +213,7 @@ class NumberResolver {
 }  // namespace
 
 LumpedNumbers lumped_numbers(const Document& document, const LumpedModel& model, CalibrateNames& names) {
-  NumberResolver resolver(document, model, names);
+  LumpedNumberResolver resolver(document, model, names);
   for (std::size_t i = 0; i < names.size(); ++i) resolver.resolve(i);
   return std::move(resolver).found();
 }

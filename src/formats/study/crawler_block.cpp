@@ -7,11 +7,11 @@ namespace {
 
 using namespace text;
 using systems::CrawlTask;
-using Number = BlockNumber<CrawlTask>;
+using CrawlerNumber = BlockNumber<CrawlTask>;
 
 // As `crawl` has options.
-std::vector<Number> numbers() {
-  constexpr auto required = Number::Presence::required;
+std::vector<CrawlerNumber> numbers() {
+  constexpr auto required = CrawlerNumber::Presence::required;
   return {{.key = "friction_forwards",
            .rule = up_to(10.0),
            .get = [](const CrawlTask& task) { return task.parts.friction.forwards; },
@@ -58,17 +58,17 @@ std::vector<Number> numbers() {
            .rule = Rule::between(1e-3, 1.0),
            .get = [](const CrawlTask& task) { return task.timing.step; },
            .set = [](CrawlTask& task, double value) { task.timing.step = value; },
-           .kind = Number::Kind::of_computation},
+           .kind = CrawlerNumber::Kind::of_computation},
           {.key = "settling_periods",
            .rule = Rule::between(0, 10000),
            .get = [](const CrawlTask& task) { return static_cast<double>(task.timing.settling_periods); },
            .set = [](CrawlTask& task, double value) { task.timing.settling_periods = static_cast<int>(value); },
-           .kind = Number::Kind::whole_step},
+           .kind = CrawlerNumber::Kind::whole_step},
           {.key = "periods",
            .rule = Rule::between(1, 10000),
            .get = [](const CrawlTask& task) { return static_cast<double>(task.timing.periods); },
            .set = [](CrawlTask& task, double value) { task.timing.periods = static_cast<int>(value); },
-           .kind = Number::Kind::whole_step}};
+           .kind = CrawlerNumber::Kind::whole_step}};
 }
 
 void require_no_terms(const actuator::Design& design) {
@@ -81,7 +81,7 @@ void require_no_terms(const actuator::Design& design) {
 SystemBlock read_crawler_block(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     CrawlTask task;
-    const std::vector<Number> all = numbers();
+    const std::vector<CrawlerNumber> all = numbers();
     read_numbers<CrawlTask>(in, all, task);
     const auto task_of = task_by("crawler", all, task);
     return SystemBlock{

@@ -9,55 +9,56 @@ using namespace text;
 using systems::gripper::GripperTask;
 using systems::gripper::ObjectShape;
 using systems::gripper::Polarity;
-using Number = BlockNumber<GripperTask>;
+using GripperNumber = BlockNumber<GripperTask>;
 
 // As `grip` has options. A height belongs to what has flat sides alone, a place beside the axis to two fingers.
-std::vector<Number> numbers_of(const GripperTask& base) {
-  constexpr auto required = Number::Presence::required;
-  std::vector<Number> out{{.key = "mounting_angle_deg",
-                           .rule = Rule::between(-89.0, 89.0),
-                           .get = [](const GripperTask& task) { return task.mounting.angle; },
-                           .set = [](GripperTask& task, double value) { task.mounting.angle = value; }},
-                          {.key = "spacing_mm",
-                           .rule = up_to(1e3),
-                           .get = [](const GripperTask& task) { return task.mounting.spacing; },
-                           .set = [](GripperTask& task, double value) { task.mounting.spacing = value; }},
-                          {.key = "width_mm",
-                           .rule = up_to(1e3),
-                           .get = [](const GripperTask& task) { return task.object.width; },
-                           .set = [](GripperTask& task, double value) { task.object.width = value; },
-                           .presence = required},
-                          {.key = "mass_g",
-                           .rule = up_to(1e5),
-                           .get = [](const GripperTask& task) { return task.object.mass; },
-                           .set = [](GripperTask& task, double value) { task.object.mass = value; },
-                           .presence = required},
-                          {.key = "friction",
-                           .rule = up_to(10.0),
-                           .get = [](const GripperTask& task) { return task.object.friction; },
-                           .set = [](GripperTask& task, double value) { task.object.friction = value; },
-                           .presence = required},
-                          {.key = "centre_x_mm",
-                           .rule = base.mounting.fingers > 2 ? Rule::between(0.0, 0.0) : Rule::between(-1e3, 1e3),
-                           .get = [](const GripperTask& task) { return task.object.centre.x(); },
-                           .set = [](GripperTask& task, double value) { task.object.centre.x() = value; }},
-                          {.key = "centre_below_palm_mm",
-                           .rule = Rule::between(-1e3, 1e3),
-                           .get = [](const GripperTask& task) { return -task.object.centre.y(); },
-                           .set = [](GripperTask& task, double value) { task.object.centre.y() = -value; }},
-                          {.key = "open_current_A",
-                           .rule = Rule::between(-100.0, 100.0),
-                           .get = [](const GripperTask& task) { return task.open_current; },
-                           .set = [](GripperTask& task, double value) { task.open_current = value; }},
-                          {.key = "acceleration_m_s2",
-                           .rule = Rule::between(0.0, 1e3),
-                           .get = [](const GripperTask& task) { return task.acceleration; },
-                           .set = [](GripperTask& task, double value) { task.acceleration = value; }},
-                          {.key = "least_current_up_to_A",
-                           .rule = up_to(100.0),
-                           .get = [](const GripperTask& task) { return task.most_current; },
-                           .set = [](GripperTask& task, double value) { task.most_current = value; },
-                           .kind = Number::Kind::of_computation}};
+std::vector<GripperNumber> numbers_of(const GripperTask& base) {
+  constexpr auto required = GripperNumber::Presence::required;
+  std::vector<GripperNumber> out{
+      {.key = "mounting_angle_deg",
+       .rule = Rule::between(-89.0, 89.0),
+       .get = [](const GripperTask& task) { return task.mounting.angle; },
+       .set = [](GripperTask& task, double value) { task.mounting.angle = value; }},
+      {.key = "spacing_mm",
+       .rule = up_to(1e3),
+       .get = [](const GripperTask& task) { return task.mounting.spacing; },
+       .set = [](GripperTask& task, double value) { task.mounting.spacing = value; }},
+      {.key = "width_mm",
+       .rule = up_to(1e3),
+       .get = [](const GripperTask& task) { return task.object.width; },
+       .set = [](GripperTask& task, double value) { task.object.width = value; },
+       .presence = required},
+      {.key = "mass_g",
+       .rule = up_to(1e5),
+       .get = [](const GripperTask& task) { return task.object.mass; },
+       .set = [](GripperTask& task, double value) { task.object.mass = value; },
+       .presence = required},
+      {.key = "friction",
+       .rule = up_to(10.0),
+       .get = [](const GripperTask& task) { return task.object.friction; },
+       .set = [](GripperTask& task, double value) { task.object.friction = value; },
+       .presence = required},
+      {.key = "centre_x_mm",
+       .rule = base.mounting.fingers > 2 ? Rule::between(0.0, 0.0) : Rule::between(-1e3, 1e3),
+       .get = [](const GripperTask& task) { return task.object.centre.x(); },
+       .set = [](GripperTask& task, double value) { task.object.centre.x() = value; }},
+      {.key = "centre_below_palm_mm",
+       .rule = Rule::between(-1e3, 1e3),
+       .get = [](const GripperTask& task) { return -task.object.centre.y(); },
+       .set = [](GripperTask& task, double value) { task.object.centre.y() = -value; }},
+      {.key = "open_current_A",
+       .rule = Rule::between(-100.0, 100.0),
+       .get = [](const GripperTask& task) { return task.open_current; },
+       .set = [](GripperTask& task, double value) { task.open_current = value; }},
+      {.key = "acceleration_m_s2",
+       .rule = Rule::between(0.0, 1e3),
+       .get = [](const GripperTask& task) { return task.acceleration; },
+       .set = [](GripperTask& task, double value) { task.acceleration = value; }},
+      {.key = "least_current_up_to_A",
+       .rule = up_to(100.0),
+       .get = [](const GripperTask& task) { return task.most_current; },
+       .set = [](GripperTask& task, double value) { task.most_current = value; },
+       .kind = GripperNumber::Kind::of_computation}};
   if (base.object.has_flat_sides())
     out.push_back({.key = "height_mm",
                    .rule = up_to(1e3),
@@ -96,7 +97,7 @@ SystemBlock read_gripper_block(const Node& node) {
     task.mounting.polarity = in.choice_or<Polarity>("polarity", Polarity::same,
                                                     {{"same", Polarity::same}, {"opposite", Polarity::opposite}});
     require_possible(in, task);
-    const std::vector<Number> numbers = numbers_of(task);
+    const std::vector<GripperNumber> numbers = numbers_of(task);
     read_numbers<GripperTask>(in, numbers, task);
     return SystemBlock{.quantities = systems::gripper::gripper_quantities(task_by("gripper", numbers, task)),
                        .variables = variables_of<GripperTask>("gripper", numbers, task),

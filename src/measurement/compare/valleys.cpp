@@ -18,13 +18,13 @@
 namespace coilwright::measurement::compare {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // Where a fit began, and where it ended.
 struct Trial {
   double start{};
   double end{};
-  double objective = infinity;  // infinite where the model cannot be simulated
+  double objective = unbounded;  // infinite where the model cannot be simulated
   Eigen::VectorXd values{};
   long simulated_runs{};
 };
@@ -135,7 +135,7 @@ Valleys::Ends ends_of(const Row& row, const std::vector<Trial>& trials, double l
     lowest = std::min(lowest, trial.end);
     highest = std::max(highest, trial.end);
   }
-  Valleys::Ends out{.lower = -infinity, .upper = infinity};
+  Valleys::Ends out{.lower = -unbounded, .upper = unbounded};
   for (const Trial& trial : trials) {
     if (trial.start < lowest) out.lower = std::max(out.lower, trial.start);
     if (trial.start > highest) out.upper = std::min(out.upper, trial.start);

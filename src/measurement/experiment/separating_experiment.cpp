@@ -27,7 +27,7 @@ using mechanics::JointVector;
 constexpr double least_separation = 0.5;
 // The accuracy of a torque bench, as a fraction of its largest reading.
 constexpr double bench_accuracy = 0.01;
-constexpr double pi = std::numbers::pi;
+constexpr double half_turn = std::numbers::pi;
 
 using Prediction = std::optional<Eigen::VectorXd>;
 
@@ -74,7 +74,7 @@ Eigen::VectorXd bench_torques(double current, const compare::FittedHypothesis& f
   std::vector<double> values;
   for (int i = 0; i <= 16; ++i) {
     JointVector angles = JointVector::Zero(model.joints());
-    angles[0] = i * 5.0 * pi / 180.0;
+    angles[0] = i * 5.0 * half_turn / 180.0;
     if (current > 0.0) values.push_back(model.magnetic_torques(angles, model.all_coils(current))[0]);
     values.push_back(model.hinge_torques(angles)[0]);
   }
@@ -135,7 +135,7 @@ std::vector<PlannedRun> bench_runs(double current) {
   data::Run stiffness{.name = "next_stiffness.csv", .kind = data::RunKind::joint_stiffness};
   data::Run torque{.name = "next_torque.csv", .kind = data::RunKind::static_torque};
   for (int i = 0; i <= 16; ++i) {
-    const double angle = i * 5.0 * pi / 180.0;
+    const double angle = i * 5.0 * half_turn / 180.0;
     stiffness.angles.push_back(angle);
     torque.angles.push_back(angle);
     torque.inputs.push_back({current});

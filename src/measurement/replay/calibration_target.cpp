@@ -6,7 +6,7 @@ namespace {
 using actuator::LumpedModel;
 using actuator::PairDimensions;
 
-struct Place {
+struct PlaceOfNumber {
   LumpedModel& model;
 
   double& operator()(const EffectNumber& number) const { return model.effects[number.effect].values[number.parameter]; }
@@ -50,7 +50,7 @@ void set_number(actuator::AsBuilt& differences, const AsBuiltNumber& number, dou
 }
 
 double& number_in(LumpedModel& model, const LumpedNumber& number) {
-  return std::visit(Place{model}, number);
+  return std::visit(PlaceOfNumber{model}, number);
 }
 
 }  // namespace coilwright::measurement::replay

@@ -15,7 +15,7 @@ using Row = InputRow;
 // A step between two samples counts as an edge where it exceeds this share of what the input does in the run ...
 constexpr double edge_share = 0.2;
 // ... and this many times the median step that is not zero.
-constexpr double edge_over_median = 4.0;
+constexpr double edge_over_median_step = 4.0;
 
 Row between(const Row& from, const Row& to, double share) {
   Row out(from.size());
@@ -43,7 +43,7 @@ double edge_of(const std::vector<Row>& rows) {
   if (10 * steps.size() < rows.size() || steps.size() < few) return edge_share * range;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(edge_share * range, edge_over_median * *middle);
+  return std::max(edge_share * range, edge_over_median_step * *middle);
 }
 
 // Rows as they are put together.

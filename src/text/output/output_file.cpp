@@ -13,13 +13,12 @@
 #include <utility>
 
 #include "coilwright/text/one_line.hpp"
+#include "text/input_file.hpp"
 
 namespace coilwright::text {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view standard_stream = "-";
 
 std::string reason_of(int error) {
   return std::generic_category().message(error == 0 ? EIO : error);

@@ -16,7 +16,7 @@ void inductance_of_the_prototype(benchmark::State& state) {
 BENCHMARK(inductance_of_the_prototype);
 
 void winding_of_the_prototype(benchmark::State& state) {
-  Winding::Spec spec{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .awg = 28};
+  Winding::Spec spec{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .wire = gauge(28)};
   for (auto _ : state) {
     benchmark::DoNotOptimize(spec);
     const Winding winding{spec};

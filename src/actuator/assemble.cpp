@@ -37,7 +37,7 @@ int index_of(const Layout& layout, int i) {
 }
 
 std::vector<Hinge> hinges_of(const Design& design, const Dimensions& size, const mechanics::PlanarChain& chain) {
-  const double modulus = mechanics::young_modulus_from_shore_a(design.body.shore_hardness);
+  const double modulus = design.body.modulus();
   const double stiffness = hinge_stiffness(design, size);
   const double damping = hinge_damping(design, size, first_mode_frequency(chain, stiffness));
   const int n = chain.joints();

@@ -10,7 +10,8 @@ namespace {
 // What the paper's coil (Table I: 15 layers of 30 turns of AWG 28 on a bore of 3 mm) and magnet are made of, by which
 // its prices scale.
 double prototype_copper_mass() {
-  return winding::Winding({.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .awg = 28}).copper_mass();
+  return winding::Winding({.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .wire = winding::gauge(28)})
+      .copper_mass();
 }
 constexpr double prototype_magnet_volume = std::numbers::pi * 10e-3 * 10e-3 * 6e-3;  // m^3
 

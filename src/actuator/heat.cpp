@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "actuator/heat_chain.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/thermal/paths.hpp"
 #include "coilwright/winding/copper.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -44,8 +45,7 @@ thermal::HeatSegment coil_part(const Design& design, const Assembly& assembly) {
   const double bore = design.coil.inner_radius;
   const double whole = cylinder(size.coil_outer_radius, size.coil_length);
   const double ring = whole - cylinder(bore, size.coil_length);
-  const double wires =
-      design.coil.turns_radial * design.coil.turns_axial * winding::gauge(design.coil.wire_gauge).copper_section();
+  const double wires = design.coil.turns_radial * design.coil.turns_axial * wire_of(design.coil).copper_section();
   const double copper_share = std::min(most_copper, wires / ((size.coil_outer_radius - bore) * size.coil_length));
   const double filler = design.body.density * design.body.heat_capacity * (whole - copper_share * ring);
   return {.kind = thermal::NodeKind::coil,
@@ -66,6 +66,17 @@ void check_angles(const Assembly& assembly, const mechanics::JointVector& angles
   for (int j = 0; j < joints; ++j)
     if (!std::isfinite(angles[j]))
       throw std::invalid_argument(fmt::format("joint_angles[{}]: must be finite; got {}", j, angles[j]));
+}
+
+thermal::HeatChain in_still_air(thermal::HeatChain chain, const Design& design, const Assembly& assembly) {
+  chain.heat_transfer = still_air_film(design, assembly);
+  return chain;
+}
+
+thermal::HeatChain chain_in_its_film(const Design& design, const Assembly& assembly,
+                                     const mechanics::JointVector& joint_angles) {
+  thermal::HeatChain chain = heat_chain(design, assembly, joint_angles);
+  return design.choices.film == FilmChoice::still_air ? in_still_air(std::move(chain), design, assembly) : chain;
 }
 
 }  // namespace
@@ -89,6 +100,9 @@ thermal::HeatChain heat_chain(const Design& design, const Assembly& assembly,
   // Where the parts lie: a calibrated axis is that of the hinge torque.
   chain.axis_offset = size.body_radius + design.body.bottom_wall + 0.5 * design.body.bottom_layer;
   chain.silicone_heat_capacity = design.body.density * design.body.heat_capacity;
+  if (const std::optional<SiliconeDesign>& bottom = design.bottom_silicone)
+    chain.bottom = thermal::BottomLayer{.conductivity = bottom->conductivity,
+                                        .heat_capacity = bottom->density * bottom->heat_capacity};
   const std::size_t count = design.layout.size();
   const std::vector<double> shares = current_shares(design);
   std::size_t coil = 0;
@@ -110,8 +124,12 @@ thermal::Network heat_network(const Design& design, const Assembly& assembly, do
 
 thermal::Network heat_network(const Design& design, const Assembly& assembly,
                               const mechanics::JointVector& joint_angles) {
-  if (design.choices.film == FilmChoice::still_air) return still_air_network(design, assembly, joint_angles);
-  return thermal::build_network(heat_chain(design, assembly, joint_angles));
+  return thermal::build_network(chain_in_its_film(design, assembly, joint_angles));
+}
+
+double skin_temperature(const Design& design, const Assembly& assembly, const mechanics::JointVector& joint_angles,
+                        const thermal::NodeVector& temperatures) {
+  return thermal::skin_temperature(chain_in_its_film(design, assembly, joint_angles), temperatures);
 }
 
 double calibrated_film(const Design& design) {
@@ -128,9 +146,7 @@ double still_air_film(const Design& design, const Assembly& assembly) {
 
 thermal::Network still_air_network(const Design& design, const Assembly& assembly,
                                    const mechanics::JointVector& joint_angles) {
-  thermal::HeatChain chain = heat_chain(design, assembly, joint_angles);
-  chain.heat_transfer = still_air_film(design, assembly);
-  return thermal::build_network(chain);
+  return thermal::build_network(in_still_air(heat_chain(design, assembly, joint_angles), design, assembly));
 }
 
 }  // namespace coilwright::actuator

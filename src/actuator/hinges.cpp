@@ -30,8 +30,10 @@ struct CrossSection {
 // By the design's law and material, before calibration.
 double derived_stiffness(const Design& design, const CrossSection& section) {
   const BodyDesign& body = design.body;
-  const mechanics::Rubber rubber{.young_modulus = mechanics::young_modulus_from_shore_a(body.shore_hardness),
-                                 .poisson_ratio = body.poisson_ratio};
+  const double modulus = hinge_silicone(design).modulus();
+  const mechanics::Rubber rubber{.young_modulus = modulus,
+                                 .poisson_ratio = body.poisson_ratio,
+                                 .modulus_above = design.bottom_silicone ? body.modulus() / modulus : 1.0};
   if (design.choices.hinge == HingeLaw::beam)
     return mechanics::hinge_stiffness(
         {.width = section.width, .height = section.bottom_layer, .length = body.hinge_length}, rubber.young_modulus);

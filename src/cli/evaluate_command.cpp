@@ -24,6 +24,7 @@
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
@@ -130,7 +131,11 @@ void evaluate(const actuator::Model& model, const formats::ActuatorFile&, const 
     throw no_performance(options.actuator.file, *why);
   const simulation::MotionSummary& motion = std::get<simulation::MotionSummary>(result);
   const std::vector<simulation::CorrectionReach> reach = simulation::correction_reach(model, motion, *options.current);
+  const std::vector<int> at_rest = simulation::pressed_joints(model, motion.rest_angles);
+  const std::vector<int> under_current = simulation::pressed_joints(model, motion.steady_angles);
   if (!options.json) {
+    if (const std::string text = simulation::pressed_joints_text(at_rest, under_current); !text.empty())
+      std::cout << fmt::format("MIND: {}.\n", text);
     std::cout << report::to_text(motion, *options.current) << report::to_text(reach);
     return;
   }

@@ -22,6 +22,7 @@
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/model_input.hpp"
+#include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/input_error.hpp"
@@ -174,6 +175,26 @@ void write(std::ostream& stream, const std::vector<std::string>& columns, const 
   }
 }
 
+// Joints that magnets, weight or a current hold shut for the whole record or a part of it.
+std::string remark_on_joints(const actuator::Model& model, const Recording& recording) {
+  std::vector<std::size_t> samples(static_cast<std::size_t>(model.joints()));
+  for (const State& state : recording.states)
+    for (const int joint : simulation::pressed_joints(model, state.angles)) ++samples[static_cast<std::size_t>(joint)];
+  std::vector<int> always;
+  std::vector<int> sometimes;
+  for (int joint = 0; joint < model.joints(); ++joint) {
+    const std::size_t count = samples[static_cast<std::size_t>(joint)];
+    if (count > 0) (count == recording.states.size() ? always : sometimes).push_back(joint);
+  }
+  std::string text;
+  if (!always.empty())
+    text += fmt::format("The faces of {} are pressed together throughout.\n", simulation::joints_text(always));
+  if (!sometimes.empty())
+    text += fmt::format("The faces of {} are pressed together for a part of the time.\n",
+                        simulation::joints_text(sometimes));
+  return text;
+}
+
 // Writing the result over its own input would lose the input.
 void check_output(const SimulateOptions& options) {
   keep_inputs(std::array<std::filesystem::path, 2>{options.actuator.file, options.input},
@@ -204,7 +225,7 @@ void run_simulate(const SimulateOptions& options) {
                      .set("greatest_bending_speed_deg_s", fastest * units::degrees_per_radian)
                      .text();
   }
-  std::cerr << remark_on_samples(options, command);
+  std::cerr << remark_on_samples(options, command) << remark_on_joints(model, recording);
   std::cerr << report::to_text(simulation::correction_reach(model, recording.states, input.currents));
 }
 

@@ -45,6 +45,11 @@ double largest_dip(const BodyPlan& plan) {
 
 }  // namespace
 
+double volume_of(const actuator::Segment& segment, const actuator::Design& design) {
+  const double bottom = design.bottom_silicone ? segment.bottom_mass / design.bottom_silicone->density : 0.0;
+  return (segment.silicone_mass - segment.bottom_mass) / design.body.density + bottom;
+}
+
 double section_of(const Pocket& pocket, const BodyPlan& plan) {
   return 0.5 * pi * pocket.radius * pocket.radius + 2.0 * pocket.radius * (plan.height - plan.axis_height);
 }
@@ -60,10 +65,14 @@ Cast cast_of(const DesignSubject& subject) {
                             .radius = part.radius + cast.clearance});
     in_pockets += section_of(cast.pockets.back(), cast.plan) * cast.pockets.back().length;
   }
-  for (const actuator::Segment& segment : subject.assembly.segments)
-    cast.silicone_volume += segment.silicone_mass / subject.design.body.density;
+  for (const actuator::Segment& segment : subject.assembly.segments) {
+    cast.silicone_volume += volume_of(segment, subject.design);
+    if (subject.design.bottom_silicone)
+      cast.bottom_volume += segment.bottom_mass / subject.design.bottom_silicone->density;
+  }
   cast.main_volume = cast.plan.length * cast.plan.width * cast.plan.height - in_pockets;
   cast.filling_volume = cast.silicone_volume - cast.main_volume;
+  cast.main_volume -= cast.bottom_volume;
   cast.dip_volume = largest_dip(cast.plan);
   return cast;
 }

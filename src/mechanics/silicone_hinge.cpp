@@ -21,6 +21,18 @@ double young_modulus_from_shore_a(double shore_a) {
   return 1e6 * 0.0981 * (56.0 + 7.62336 * shore_a) / (0.137505 * (254.0 - 2.54 * shore_a));
 }
 
+double young_modulus_from_shore_00(double shore_00) {
+  if (!(shore_00 >= 10.0 && shore_00 <= 70.0))
+    throw std::invalid_argument(fmt::format("shore_00 must lie in 10 to 70; got {}", shore_00));
+  constexpr double radius = 1.19e-3;     // of the sphere, m
+  constexpr double least_force = 0.203;  // of the spring at 0, N
+  constexpr double spring = 9.08e-3;     // N a point
+  constexpr double travel = 25.4e-6;     // m a point
+  const double force = least_force + spring * shore_00;
+  const double depth = travel * (100.0 - shore_00);
+  return 9.0 * force / (16.0 * std::sqrt(radius) * depth * std::sqrt(depth));
+}
+
 double ligament_stiffness(const Ligament& ligament, const Rubber& rubber) {
   check_positive(ligament.width, "width");
   check_positive(ligament.height, "height");
@@ -30,7 +42,9 @@ double ligament_stiffness(const Ligament& ligament, const Rubber& rubber) {
   if (!(rubber.poisson_ratio >= 0.0 && rubber.poisson_ratio <= 0.5))
     throw std::invalid_argument(fmt::format("poisson_ratio must lie in 0 to 0.5; got {}", rubber.poisson_ratio));
   // Compliance of the slit, of the beam that a slot adds, and what the two have in common.
-  constexpr double slit = 15.8;
+  check_positive(rubber.modulus_above, "modulus_above");
+  // A homogeneous body has 15.8; the exponent is that of the elements.
+  const double slit = 15.8 + 7.03 * (std::pow(rubber.modulus_above, -0.542) - 1.0);
   constexpr double shared = 0.503;
   constexpr double reach = 0.22;
   const double slot = ligament.slot_width / ligament.height;

@@ -41,16 +41,16 @@ std::string table_of(const Study& study, const ParetoResult& result) {
 // A reader who let four configurations vary looks for all of them.
 std::string absent_configurations(const Study& study, const ParetoResult& result) {
   for (std::size_t i = 0; i < study.variables.size(); ++i) {
-    const auto* variable = std::get_if<ConfigurationVariable>(&study.variables[i]);
+    const auto* variable = std::get_if<LayoutVariable>(&study.variables[i]);
     if (variable == nullptr) continue;
     std::vector<std::string_view> absent;
     for (std::size_t k = 0; k < variable->values.size(); ++k) {
       const auto is_that = [&](const Record& record) { return record.point[i] == static_cast<double>(k); };
-      if (std::ranges::none_of(result.front, is_that)) absent.push_back(actuator::name_of(variable->values[k]));
+      if (std::ranges::none_of(result.front, is_that)) absent.push_back(variable->values[k].name);
     }
     if (!absent.empty() && !result.front.empty())
-      return fmt::format("No design of configuration {} is on it: each that was found is beaten or breaks a limit.\n",
-                         fmt::join(absent, ", "));
+      return fmt::format("No design of {} {} is on it: each that was found is beaten or breaks a limit.\n",
+                         variable->name, fmt::join(absent, ", "));
   }
   return {};
 }

@@ -86,6 +86,7 @@ Heat heat_of(const actuator::Design& design, const actuator::Assembly& assembly,
   heat.coil_temperature = hottest(network, state.temperatures, thermal::NodeKind::coil);
   heat.coil_hot_spot = hottest(network, state.hot_spots, thermal::NodeKind::coil);
   heat.magnet_temperature = hottest(network, state.temperatures, thermal::NodeKind::magnet);
+  heat.skin_temperature = actuator::skin_temperature(design, assembly, joint_angles, state.temperatures);
   heat.temperatures = state.temperatures.head(static_cast<Eigen::Index>(design.layout.size()));
   heat.electrics = electrics_at(assembly, point, of_coils(network, state.temperatures));
   heat.ripple = ripple_of(point, network, heat.electrics);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coilwright/simulation/equilibrium.hpp"
+#include "coilwright/simulation/pressed_joints.hpp"
 #include "coilwright/units/angle.hpp"
 #include "linear_system.hpp"
 
@@ -64,13 +65,6 @@ void require_known_torque(const Model& model, const JointVector& angles, const C
   }
 }
 
-std::vector<int> pressed(const Model& model, const JointVector& angles) {
-  std::vector<int> out;
-  for (int j = 0; j < model.joints(); ++j)
-    if (model.hinges()[j].contact.torque(angles[j], 0.0) > 0.0) out.push_back(j);
-  return out;
-}
-
 }  // namespace
 
 bool LinearModel::stable() const {
@@ -96,7 +90,7 @@ LinearModel linearise(const Model& model, const CoilCurrents& currents) {
                   .eigenvalues = {},
                   .dc_gain = {},
                   .sticks = system.sticks,
-                  .pressed_joints = pressed(model, angles)};
+                  .pressed_joints = pressed_joints(model, angles)};
   out.c.topLeftCorner(1, n).setOnes();
   out.c.bottomLeftCorner(n, n).setIdentity();
   const Eigen::VectorXcd values = system.eigenvalues();

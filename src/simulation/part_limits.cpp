@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "coilwright/actuator/heat.hpp"
+#include "coilwright/simulation/pressed_joints.hpp"
+#include "coilwright/units/angle.hpp"
 
 namespace coilwright::simulation {
 
@@ -26,6 +28,8 @@ constexpr std::string_view still_air = "thermal_load_still_air";
 constexpr std::string_view load_free = "thermal_load_free";
 constexpr std::string_view load_gripping = "thermal_load_gripping";
 constexpr std::string_view mean_field = "demagnetisation_margin";
+constexpr std::string_view smallest_joint = "smallest_joint_angle_deg";
+constexpr std::string_view smallest_rest_joint = "smallest_rest_joint_angle_deg";
 constexpr std::string_view worst_field = "demagnetisation_margin_worst_point";
 
 // A conditional limit says nothing new where its part is beyond an unconditional one.
@@ -54,6 +58,35 @@ std::optional<PartLimit> limit_in_other_pose(const DesignView& design) {
                                        : "held free at this current, coils or magnets overheat; temperatures here are "
                                          "of the finger that grips",
                    .conditional = true};
+}
+
+// The joint of those whose faces are pressed that lies furthest beyond them; `angles` in rad.
+PartLimit limit_of_joints(const DesignView& design, std::string_view quantity, const std::vector<int>& pressed,
+                          const mechanics::JointVector& angles, std::string consequence) {
+  const auto& hinges = design.assembly.model.hinges();
+  const auto opening = [&](int joint) { return angles[joint] - hinges[joint].contact.closing_angle; };
+  const int joint = *std::ranges::min_element(pressed, {}, opening);
+  return {.quantity = quantity,
+          .value = angles[joint] * units::degrees_per_radian,
+          .limit = hinges[joint].contact.closing_angle * units::degrees_per_radian,
+          .at_most = false,
+          .consequence = std::move(consequence),
+          .conditional = true};
+}
+
+// Nothing where every joint is open; under current where joints are pressed there, else at rest.
+std::optional<PartLimit> limit_of_joints(const DesignView& design) {
+  const Performance& performance = design.performance;
+  if (!performance.free.motion) return std::nullopt;
+  const actuator::Model& model = design.assembly.model;
+  const mechanics::JointVector& rest = performance.cold.rest_angles;
+  const mechanics::JointVector& steady = performance.free.motion->steady_angles;
+  const std::vector<int> at_rest = pressed_joints(model, rest);
+  const std::vector<int> under_current = pressed_joints(model, steady);
+  std::string text = pressed_joints_text(at_rest, under_current);
+  if (text.empty()) return std::nullopt;
+  return under_current.empty() ? limit_of_joints(design, smallest_rest_joint, at_rest, rest, std::move(text))
+                               : limit_of_joints(design, smallest_joint, under_current, steady, std::move(text));
 }
 
 }  // namespace
@@ -95,6 +128,7 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
                                                  "({:.0f} W/m2K are taken); in still air coils or magnets overheat",
                                                  actuator::calibrated_film(design.design)),
                       .conditional = true});
+  if (auto joints = limit_of_joints(design)) limits.push_back(std::move(*joints));
   if (auto other = limit_in_other_pose(design)) limits.push_back(std::move(*other));
   return limits;
 }

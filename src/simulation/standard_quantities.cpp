@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -193,6 +195,13 @@ std::vector<ResultQuantity> rows() {
                 [](const FreeMotion& motion) -> Value { return motion.peak_angle * units::degrees_per_radian; }),
       of_motion("peak_joint_angle_deg", "largest angle of any one joint in a step from rest", 50.0,
                 [](const FreeMotion& motion) -> Value { return motion.peak_joint_angle * units::degrees_per_radian; }),
+      of_motion("smallest_joint_angle_deg", "smallest angle of any one joint at the end of a step from rest", 30.0,
+                [](const FreeMotion& motion) -> Value {
+                  return motion.steady_angles.minCoeff() * units::degrees_per_radian;
+                }),
+      of_cold("smallest_rest_joint_angle_deg", "smallest angle of any one joint of the finger hanging without current",
+              10.0,
+              [](const MotionSummary& motion) { return motion.rest_angles.minCoeff() * units::degrees_per_radian; }),
       of_motion("overshoot_pct", "excess over the steady angle, relative to the change", 50.0,
                 [](const FreeMotion& motion) -> Value { return motion.overshoot * 100.0; }),
       of_motion(
@@ -304,6 +313,10 @@ std::vector<ResultQuantity> rows() {
           "magnet_temperature_degC",
           "steady temperature of the hottest magnet in the poses held, at this current and duty", 100.0,
           [](const DesignView& d) { return hotter(d, &Heat::magnet_temperature); }, runaway),
+      of_design(
+          "skin_temperature_degC",
+          "steady temperature of the hottest place of the outer surface in the poses held, at this current and duty",
+          60.0, [](const DesignView& d) { return hotter(d, &Heat::skin_temperature); }, runaway),
       of_electrics("coil_resistance_hot_Ohm", "resistance of the hottest coil at its steady temperature", 6.0,
                    &Electrics::resistance),
       of_electrics("voltage_V", "voltage across the hottest coil at its steady temperature", 5.0, &Electrics::voltage),
@@ -343,7 +356,37 @@ std::vector<ResultQuantity> rows() {
   };
 }
 
+Value angle_of(const mechanics::JointVector& angles, Eigen::Index joint) {
+  return joint < angles.size() ? Value(angles[joint] * units::degrees_per_radian) : Value();
+}
+
+std::vector<ResultQuantity> rows_of_joints() {
+  std::vector<ResultQuantity> out;
+  for (int joint = 0; joint < mechanics::max_joints; ++joint) {
+    const std::string absence = fmt::format("the actuator has no joint {}, or {}", joint + 1, runaway);
+    ResultQuantity steady = of_pose(
+        HeldCases::free, fmt::format("joint{}_angle_deg", joint + 1),
+        fmt::format("angle of joint {} from the base at the end of a step from rest", joint + 1), 30.0,
+        [joint](const DesignView& d) -> Value {
+          const std::optional<FreeMotion>& motion = d.performance.free.motion;
+          return motion ? angle_of(motion->steady_angles, joint) : Value();
+        },
+        absence);
+    out.push_back(std::move(steady));
+    out.push_back(of_design(
+        fmt::format("rest_joint{}_angle_deg", joint + 1),
+        fmt::format("angle of joint {} from the base without current", joint + 1), 10.0,
+        [joint](const DesignView& d) { return angle_of(d.performance.cold.rest_angles, joint); }, absence));
+  }
+  return out;
+}
+
 }  // namespace
+
+std::span<const ResultQuantity> joint_quantities() {
+  static const std::vector<ResultQuantity> all = rows_of_joints();
+  return all;
+}
 
 const QuantityTable& standard_quantities() {
   static const QuantityTable table{rows()};

@@ -59,6 +59,10 @@ void check(const HeatChain& chain) {
   require_positive({"silicone_conductivity"}, chain.silicone_conductivity);
   require_positive({"silicone_heat_capacity"}, chain.silicone_heat_capacity);
   require_positive({"air_conductivity"}, chain.air_conductivity);
+  if (chain.bottom) {
+    require_positive({"bottom.conductivity"}, chain.bottom->conductivity);
+    require_positive({"bottom.heat_capacity"}, chain.bottom->heat_capacity);
+  }
   const std::size_t segments = chain.segments.size();
   require_count({"segments"}, segments, 1, most_nodes / 2 - 1);
   require_count({"joint_angles"}, chain.joint_angles.size(), segments - 1, segments - 1);
@@ -109,6 +113,52 @@ struct Through {
   double second_to_ambient{};
 };
 
+// The body's section, of one silicone or of a bottom layer and what is above it.
+struct Section {
+  double area{};           // m2
+  double conductivity{};   // along the body: side by side, W/(m K)
+  double heat_capacity{};  // per volume, J/(m3 K)
+};
+
+Section section_of(const HeatChain& chain) {
+  Section out{.area = chain.width * chain.height,
+              .conductivity = chain.silicone_conductivity,
+              .heat_capacity = chain.silicone_heat_capacity};
+  if (chain.bottom) {
+    const double share = chain.hinge_layer / chain.height;
+    out.conductivity += share * (chain.bottom->conductivity - out.conductivity);
+    out.heat_capacity += share * (chain.bottom->heat_capacity - out.heat_capacity);
+  }
+  return out;
+}
+
+// One of the four sides of the section, seen from the axis of the cores.
+struct Side {
+  double distance{};  // of the axis, m
+  double layer{};     // of that the bottom layer's, m
+};
+
+std::array<Side, 4> sides_of(const HeatChain& chain) {
+  const double bottom = chain.axis_offset + 0.5 * chain.hinge_layer;
+  const Side half_width{.distance = 0.5 * chain.width};
+  return {Side{.distance = bottom, .layer = chain.bottom ? chain.hinge_layer : 0.0},
+          Side{.distance = chain.height - bottom}, half_width, half_width};
+}
+
+// Thermal resistance times length and angle of a sector from a core's surface to that of a side, at `away` times the
+// side's distance, m K/W. Heat that turns aside is left out.
+double sector_resistance(const HeatChain& chain, const Side& side, double away, double core_radius) {
+  if (side.layer == 0.0) return std::log(side.distance * away / core_radius) / chain.silicone_conductivity;
+  const double above = std::max(core_radius, (side.distance - side.layer) * away);
+  return std::log(above / core_radius) / chain.silicone_conductivity +
+         std::log(side.distance * away / above) / chain.bottom->conductivity;
+}
+
+// From where on heat leaves a sector, likewise.
+double film_resistance(const HeatChain& chain, const Side& side, double away) {
+  return 1.0 / (chain.heat_transfer * side.distance * away * away);
+}
+
 // Two faces of one joint, each with its conductance to the node behind it, with one to ambient and one to each other.
 Through through_faces(double first, double second, double across, double lost) {
   const double a = first + lost;
@@ -121,7 +171,7 @@ Through through_faces(double first, double second, double across, double lost) {
 
 class Builder {
  public:
-  explicit Builder(const HeatChain& chain) : chain_{chain} {
+  explicit Builder(const HeatChain& chain) : chain_{chain}, section_{section_of(chain)} {
     spec_.ambient = chain.ambient;
     spec_.temperature_coefficient = chain.temperature_coefficient;
     for (const HeatSegment& segment : chain.segments) boxes_.push_back(box_of(chain, segment));
@@ -140,6 +190,23 @@ class Builder {
 
   [[nodiscard]] Network network() && { return Network(std::move(spec_)); }
 
+  // Of the hottest place of the outer surface, degC.
+  [[nodiscard]] double skin(const NodeVector& temperatures) const {
+    double hottest = chain_.ambient;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const double core = temperatures[static_cast<Eigen::Index>(core_node(i))];
+      const double around = temperatures[static_cast<Eigen::Index>(jacket(i))];
+      const double surface = core - within_core_[i] * (core - around);
+      for (const Side& side : sides_of(chain_)) {
+        const double film = film_resistance(chain_, side, 1.0);
+        const double wall = sector_resistance(chain_, side, 1.0, chain_.segments[i].core_radius);
+        hottest = std::max(hottest, chain_.ambient + (surface - chain_.ambient) * film / (wall + film));
+      }
+    }
+    return hottest;
+  }
+  [[nodiscard]] std::size_t nodes() const { return spec_.nodes.size(); }
+
  private:
   [[nodiscard]] std::size_t jacket(std::size_t i) const { return jacket_node(boxes_.size(), i); }
 
@@ -151,7 +218,10 @@ class Builder {
   }
 
   [[nodiscard]] double jacket_to_face(std::size_t i, double area) const {
-    return chain_.silicone_conductivity * area / (0.5 * boxes_[i].length);
+    return jacket_to_face(i, area, chain_.silicone_conductivity);
+  }
+  [[nodiscard]] double jacket_to_face(std::size_t i, double area, double conductivity) const {
+    return conductivity * area / (0.5 * boxes_[i].length);
   }
 
   void link(std::size_t first, std::size_t second, double conductance) {
@@ -161,23 +231,21 @@ class Builder {
   // From a core's surface to ambient through the sides, W/K: sector by sector about the axis, each with its own wall
   // and film. Heat that turns aside in the silicone is left out, which makes this a lower bound.
   [[nodiscard]] double through_sides(std::size_t i) const {
-    const double bottom = chain_.axis_offset + 0.5 * chain_.hinge_layer;
-    const double top = chain_.height - bottom;
-    const double half_width = 0.5 * chain_.width;
+    const auto [bottom, top, left, right] = sides_of(chain_);
     double half = 0.0;  // left and right are alike
-    const auto add_wall = [&](double distance, double extent) {
-      const double widest = std::atan2(extent, distance);
+    const auto add_wall = [&](const Side& side, double extent) {
+      const double widest = std::atan2(extent, side.distance);
       for (std::size_t n = 0; n < gauss_points.size(); ++n) {
         const double away = 1.0 / std::cos(0.5 * widest * (1.0 + gauss_points[n]));
-        const double inside = std::log(distance * away / chain_.segments[i].core_radius) / chain_.silicone_conductivity;
-        const double outside = 1.0 / (chain_.heat_transfer * distance * away * away);
-        half += 0.5 * widest * gauss_weights[n] / (inside + outside);
+        half += 0.5 * widest * gauss_weights[n] /
+                (sector_resistance(chain_, side, away, chain_.segments[i].core_radius) +
+                 film_resistance(chain_, side, away));
       }
     };
-    add_wall(bottom, half_width);
-    add_wall(top, half_width);
-    add_wall(half_width, bottom);
-    add_wall(half_width, top);
+    add_wall(bottom, left.distance);
+    add_wall(top, left.distance);
+    add_wall(left, bottom.distance);
+    add_wall(right, top.distance);
     return boxes_[i].length * 2.0 * half;
   }
 
@@ -195,8 +263,11 @@ class Builder {
         {.kind = NodeKind::silicone,
          .ambient_conductance = 1.0 / ((1.0 - fall) / inside + 1.0 / outside),
          .heat_capacity = chain_.silicone_heat_capacity * (chain_.width * chain_.height * box.length -
-                                                           disc(segment.core_radius) * segment.core_length)});
-    link(core_node(i), jacket(i), 1.0 / (1.0 / box.core.to_side + fall / inside));
+                                                           disc(segment.core_radius) * segment.core_length) +
+                          (section_.heat_capacity - chain_.silicone_heat_capacity) * section_.area * box.length});
+    const double across = 1.0 / box.core.to_side + fall / inside;
+    link(core_node(i), jacket(i), 1.0 / across);
+    within_core_.push_back(1.0 / (box.core.to_side * across));
   }
 
   void add_joint(std::size_t j) {
@@ -213,7 +284,8 @@ class Builder {
       link(jacket(j), jacket(k), rim_pair[0] * rim_pair[1] / (rim_pair[0] + rim_pair[1]));
       return;
     }
-    const double ends[2] = {jacket_to_face(j, strip), jacket_to_face(k, strip)};
+    const double layer = chain_.bottom ? chain_.bottom->conductivity : chain_.silicone_conductivity;
+    const double ends[2] = {jacket_to_face(j, strip, layer), jacket_to_face(k, strip, layer)};
     link(jacket(j), jacket(k), ends[0] * ends[1] / (ends[0] + ends[1]));
     const double share = open_face_share(angle, (chain_.height - chain_.hinge_layer) / chain_.width);
     const double between = face_radiation * (1.0 - share);
@@ -238,19 +310,19 @@ class Builder {
   // Core and jacket meet the bar at its root, a place without capacity: a star, written as a triangle.
   void add_solid_end(std::size_t i) {
     const double length = chain_.segments[i].solid_end;
-    const double section = chain_.width * chain_.height;
-    const double rim = jacket_to_face(i, boxes_[i].rim);
+    const double section = section_.area;
+    const double rim = jacket_to_face(i, boxes_[i].rim, section_.conductivity);
     double core = core_to_face(i, boxes_[i].core_face);
     if (length == 0.0) return add_bare_end(i, core, rim);
     // From the bar's mean to its surface: 7.1 k over the hydraulic diameter, of a square section with even heat.
     const double hydraulic = 2.0 * section / (chain_.width + chain_.height);
-    const double within = square_section * chain_.silicone_conductivity / hydraulic;
+    const double within = square_section * section_.conductivity / hydraulic;
     const double film = chain_.heat_transfer * within / (chain_.heat_transfer + within);
     const SolidEndNode end = solid_end_node({.length = length,
                                              .section = section,
                                              .perimeter = 2.0 * (chain_.width + chain_.height),
-                                             .conductivity = chain_.silicone_conductivity,
-                                             .heat_capacity = chain_.silicone_heat_capacity,
+                                             .conductivity = section_.conductivity,
+                                             .heat_capacity = section_.heat_capacity,
                                              .heat_transfer = film});
     core = 1.0 / (1.0 / core + spreading(chain_.segments[i].core_radius, section) / chain_.silicone_conductivity);
     const std::size_t node = spec_.nodes.size();
@@ -286,8 +358,11 @@ class Builder {
   }
 
   const HeatChain& chain_;
+  Section section_;
   Network::Spec spec_;
   std::vector<Box> boxes_;
+  // Of each segment: what of the fall from its core's mean to its jacket's lies within the core.
+  std::vector<double> within_core_;
 };
 
 }  // namespace
@@ -295,6 +370,13 @@ class Builder {
 Network build_network(const HeatChain& chain) {
   check(chain);
   return Builder(chain).network();
+}
+
+double skin_temperature(const HeatChain& chain, const NodeVector& temperatures) {
+  check(chain);
+  const Builder builder(chain);
+  require_count({"temperatures"}, static_cast<std::size_t>(temperatures.size()), builder.nodes(), builder.nodes());
+  return builder.skin(temperatures);
 }
 
 }  // namespace coilwright::thermal

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/winding/wire.hpp"
 
 namespace coilwright::winding {
 namespace {

@@ -35,18 +35,19 @@ double mean_layer_radius(const Winding& winding) {
 
 }  // namespace
 
-Winding::Winding(const Spec& spec) : spec_{spec}, wire_{gauge(spec.awg)} {
+Winding::Winding(const Spec& spec) : spec_{spec} {
   require_turns("turns_radial", spec.turns_radial);
   require_turns("turns_axial", spec.turns_axial);
   if (spec.turns_radial > std::numeric_limits<int>::max() / spec.turns_axial) {
     throw std::invalid_argument(fmt::format("turns_radial * turns_axial: must be at most {}; got {} * {}",
                                             std::numeric_limits<int>::max(), spec.turns_radial, spec.turns_axial));
   }
-  const double smallest = smallest_mandrel_radius * wire_.insulated_diameter;
+  require_room("wire.bare_diameter", spec.wire.bare_diameter);
+  const double smallest = smallest_mandrel_radius * spec_.wire.insulated_diameter;
   if (!(std::isfinite(spec.inner_radius) && spec.inner_radius >= smallest)) {
     throw std::invalid_argument(
-        fmt::format("inner_radius: must be finite and >= {:.6g} m ({} insulated diameters of AWG {}); got {}", smallest,
-                    smallest_mandrel_radius, spec.awg, spec.inner_radius));
+        fmt::format("inner_radius: must be finite and >= {:.6g} m ({} insulated diameters of {}); got {}", smallest,
+                    smallest_mandrel_radius, spec.wire.name(), spec.inner_radius));
   }
 }
 
@@ -54,10 +55,10 @@ int Winding::turns() const noexcept {
   return spec_.turns_radial * spec_.turns_axial;
 }
 double Winding::axial_pitch() const noexcept {
-  return spec_.packing.axial() * wire_.insulated_diameter;
+  return spec_.packing.axial() * spec_.wire.insulated_diameter;
 }
 double Winding::radial_pitch() const noexcept {
-  return spec_.packing.radial() * wire_.insulated_diameter;
+  return spec_.packing.radial() * spec_.wire.insulated_diameter;
 }
 double Winding::inner_radius() const noexcept {
   return spec_.inner_radius;
@@ -82,15 +83,15 @@ double Winding::wire_length() const noexcept {
 }
 
 double Winding::copper_mass() const noexcept {
-  return copper_density * wire_.copper_section() * wire_length();
+  return copper_density * spec_.wire.copper_section() * wire_length();
 }
 
 double Winding::copper_fraction() const noexcept {
-  return turns() * wire_.copper_section() / ((outer_radius() - inner_radius()) * length());
+  return turns() * spec_.wire.copper_section() / ((outer_radius() - inner_radius()) * length());
 }
 
 double Winding::resistance(double temperature) const {
-  return wire_.resistance_per_length * wire_length() * copper_resistance_ratio(temperature);
+  return spec_.wire.resistance_per_length * wire_length() * copper_resistance_ratio(temperature);
 }
 
 double Winding::inductance() const {

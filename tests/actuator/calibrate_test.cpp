@@ -141,8 +141,8 @@ TEST(Calibrate, SaysWhatItCannotUse) {
 
 TEST(Calibrate, RefusesADesignThatCannotBeBuilt) {
   Design design = paper_geometry();
-  design.coil.wire_gauge = 12;
-  EXPECT_EQ(error_text([&] { (void)calibrate(design, {}); }), "wire gauge must be AWG 20 to 40; got 12");
+  design.coil.wire_gauge = 8;
+  EXPECT_EQ(error_text([&] { (void)calibrate(design, {}); }), "wire gauge must be AWG 10 to 50; got 8");
 }
 
 // An axis measured inside the magnet is no axis of this body.

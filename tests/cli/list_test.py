@@ -56,7 +56,7 @@ class List(ProgramTest):
 
     def test_gauges_magnets_and_silicones(self):
         gauges = {row["wire_gauge_AWG"]: row for row in rows("gauges")}
-        self.assertEqual(sorted(gauges), list(range(20, 41)))
+        self.assertEqual(sorted(gauges), list(range(10, 51)))
         self.assertEqual(gauges[28]["chassis_current_A"], 1.4)
         # ASTM B258, and a copper wire of 1.68e-8 to 1.73e-8 Ohm m.
         self.assertAlmostEqual(gauges[28]["bare_diameter_mm"], 0.127 * 92 ** ((36 - 28) / 39), places=9)
@@ -66,11 +66,18 @@ class List(ProgramTest):
         self.assertTrue(1.42 <= magnets["N52"]["remanence_T"] <= 1.48)
         self.assertEqual(magnets["N52"]["price_over_N52"], 1)
         self.assertEqual(magnets["N42SH"]["temperature_limit_degC"], 150)
-        silicones = {row["shore_hardness_A"]: row["youngs_modulus_MPa"] for row in rows("silicones")}
+        silicones = rows("silicones")
+        self.assertEqual([row["youngs_modulus_MPa"] for row in silicones if row["silicone"] == "Ecoflex 00-30"],
+                         [silicones[2]["youngs_modulus_MPa"]])
+        # 10 psi at 100 %.
+        self.assertAlmostEqual(silicones[2]["youngs_modulus_MPa"], 10 * 6894.757e-6 * 12 / 7, places=6)
         # Gent: E = 0.0981 (56 + 7.62336 S) / (0.137505 (254 - 2.54 S)) MPa.
-        for shore, modulus in silicones.items():
+        by_shore_a = [row for row in silicones if row["silicone"] is None and row["shore_hardness_A"] is not None]
+        self.assertEqual(len(by_shore_a), 13)
+        for row in by_shore_a:
+            shore = row["shore_hardness_A"]
             gent = 0.0981 * (56 + 7.62336 * shore) / (0.137505 * (254 - 2.54 * shore))
-            self.assertAlmostEqual(modulus, gent, delta=1e-3 * gent)
+            self.assertAlmostEqual(row["youngs_modulus_MPa"], gent, delta=1e-3 * gent)
 
     def test_a_table_for_people_has_every_row(self):
         for what in ("quantities", "parameters", "effects", "gauges", "magnets", "silicones"):

@@ -112,10 +112,14 @@ def outside(rule):
         yield max(rule["enum"]) + 0.5
 
 
+# Other names of the wire and of a silicone's stiffness: there is none by itself.
+OTHER_NAMES = ("wire_diameter_mm", "wire_overall_mm", "shore_hardness_00", "youngs_modulus_MPa")
+
+
 def defaults(section):
     """What a section of an actuator has where a file says nothing; a reference of its calibration is not made up."""
     return {key: rule["default"] for key, rule in section["properties"].items()
-            if key not in ("hinge_reference", "comment")}
+            if key not in ("hinge_reference", "comment", *OTHER_NAMES)}
 
 
 def with_comments(document):
@@ -219,7 +223,7 @@ class SchemasAndProgram(ProgramTest):
             ("actuator", "/layout", None), ("actuator", "/layout/0", "iron"), ("actuator", "/layout", ["coil"]),
             ("actuator", "/layout", ["coil", "coil"]), ("actuator", "/polarity/1", 2), ("actuator", "/configuration", "B"),
             ("actuator", "/polarity/1", "1"), ("actuator", "/coil", 3), ("actuator", "/coil/turns_radial", 14.5),
-            ("actuator", "/coil/radius_mm", 3), ("actuator", "/coil/wire_gauge_AWG", 41),
+            ("actuator", "/coil/radius_mm", 3), ("actuator", "/coil/wire_gauge_AWG", 51), ("actuator", "/coil/wire_diameter_mm", 0.25), ("actuator", "/coil/enamel", "grade_3"), ("actuator", "/body/silicone", "Ecoflex"), ("actuator", "/body/youngs_modulus_MPa", 0.1), ("actuator", "/bottom_layer_silicone", {"gap_mm": 1}), ("actuator", "/bottom_layer_silicone", {"shore_hardness_A": 30, "youngs_modulus_MPa": 1}),
             ("actuator", "/magnet/length_m", 0.006), ("actuator", "/magnet/grade", "N99"), ("actuator", "/magnet/grade", 52), ("actuator", "/body/gap_mm", "0.9"), ("actuator", "/body/gap_mm", 0),
             ("actuator", "/body/shore_hardness_A", 19), ("actuator", "/surroundings/ambient_degC", -300),
             ("actuator", "/model/winding", "shells"), ("actuator", "/measured/mass_g", 3),
@@ -242,7 +246,7 @@ class SchemasAndProgram(ProgramTest):
             ("actuator", "/effects", [{"parameters": {"torque_Nmm": 1}}]),
             ("lumped_model", "/links", []), ("lumped_model", "/links/0/mass_kg", 0), ("lumped_model", "/links/0/mass_kg", None),
             ("lumped_model", "/links/0/mass_g", 3), ("lumped_model", "/joints", None),
-            ("lumped_model", "/joints/0/stiffness_Nm_rad", -1), ("lumped_model", "/joints/0/contact/stiffness_Nm_rad", 0),
+            ("lumped_model", "/joints/0/stiffness_Nm_rad", -1), ("lumped_model", "/joints/0/rotor_inertia_kgm2", -1),  ("lumped_model", "/joints/0/contact/stiffness_Nm_rad", 0),
             ("lumped_model", "/joints/0/contact/closing_angle_deg", None), ("lumped_model", "/gravity_m_s2", -9.81), ("lumped_model", "/gravity_m_s2", 9810),
             ("actuator", "/surroundings", {"gravity_m_s2": 9810}), ("actuator", "/magnet/remanence_T", 14.4),
             ("lumped_model", "/magnetics/1/torque_Nmm_A", None), ("lumped_model", "/magnetics/1/angle_deg", [0, 1, 2]),
@@ -263,7 +267,7 @@ class SchemasAndProgram(ProgramTest):
             ("study", "/variables/gap_mm/values", [1]), ("study", "/variables/gap_mm/lower", -1),
             ("study", "/variables/gap_mm/upper", None), ("study", "/variables/gap_mm/step", 0),
             ("study", "/variables/turns_radial/lower", 5.5), ("study", "/variables/wire_gauge_AWG/values", []),
-            ("study", "/variables/wire_gauge_AWG/values", [26, 26]), ("study", "/variables/wire_gauge_AWG/values/0", 19),
+            ("study", "/variables/wire_gauge_AWG/values", [26, 26]), ("study", "/variables/wire_gauge_AWG/values/0", 9), ("study", "/variables/layout", {"values": [["coil"]]}), ("study", "/variables/polarity", {"values": [[1, 2]]}), ("study", "/variables/silicone", {"values": ["rubber"]}), ("study", "/objectives/0/maximise", "joint17_angle_deg"),
             ("study", "/variables/configuration/values", ["E"]), ("study", "/variables/magnet_grade", {"values": ["N99"]}),
             ("study", "/variables/magnet_grade", {"lower": 1, "upper": 3}), ("study", "/variables/magnet_grade", {"values": [3]}), ("study", "/variables/configuration/values", ["A", "A"]),
             ("study", "/variables/current_A", {"lower": 0, "upper": 1}), ("study", "/operating_point", None),
@@ -362,6 +366,12 @@ class SchemasAndProgram(ProgramTest):
         self.assert_same_bounds("actuator", {
             "format": "actuator/1", "configuration": "D",
             **{section: defaults(properties[section]) for section in sections}})
+        for names in ({"coil": {"wire_diameter_mm": 0.25, "wire_overall_mm": 0.3}}, {"body": {"shore_hardness_00": 30}},
+                      {"body": {"youngs_modulus_MPa": 0.2}},
+                      {"bottom_layer_silicone": {"shore_hardness_A": 30, "density_kg_m3": 1080, "conductivity_W_mK": 0.2}},
+                      {"bottom_layer_silicone": {"shore_hardness_00": 30, "heat_capacity_J_kgK": 1300}},
+                      {"bottom_layer_silicone": {"youngs_modulus_MPa": 0.2}}):
+            self.assert_same_bounds("actuator", {"format": "actuator/1", "configuration": "B", **names})
 
     def test_bound_the_numbers_of_effects_alike(self):
         # Of a model that can have every effect, for it knows of none.
@@ -399,7 +409,9 @@ class SchemasAndProgram(ProgramTest):
         # But for a coil's share of the current, which is written where it is not the whole.
         whole = {key: 1 for key in properties["coil"]["properties"] if key.startswith("current_share_")}
         self.assertEqual(len(whole), 4)
-        written["coil"] = {**whole, **written["coil"]}
+        # And but for an enamel and a silicone that are as usual.
+        written["coil"] = {**whole, "enamel": "grade_1", **written["coil"]}
+        written["body"] = {"silicone": "none", **written["body"]}
         for section in ("coil", "magnet", "body", "surroundings", "model", "calibration"):
             self.assertEqual(defaults(properties[section]), written[section])
 

@@ -74,6 +74,53 @@ TEST(WindingSheet, IsThatOfThePrototype) {
   EXPECT_NEAR(winding.at("copper_mass_g"), 12.7, 0.15);
 }
 
+// 0.25 mm of grade 1 has 0.281 mm over the enamel and a copper of 0.246 to 0.254 mm (IEC 60317-0-1).
+TEST(WindingSheet, OfAWireByItsDiameterNamesNoGauge) {
+  Design design;
+  design.coil.wire_diameter = 0.25e-3;
+  const auto files = workshop(subject_of(design), {});
+  const auto winding = quantities_of(text_of(files, "winding.csv"));
+  EXPECT_FALSE(winding.contains("wire_gauge_AWG"));
+  EXPECT_EQ(winding.at("bare_diameter_mm"), 0.25);
+  EXPECT_EQ(winding.at("least_bare_diameter_mm"), 0.246);
+  EXPECT_EQ(winding.at("largest_bare_diameter_mm"), 0.254);
+  EXPECT_EQ(winding.at("insulated_diameter_mm"), 0.281);
+  const double section = 0.25 * std::numbers::pi * 0.25e-3 * 0.25e-3;
+  const double resistance = winding::copper_resistivity * winding.at("wire_of_turns_m") / section;
+  EXPECT_NEAR(winding.at("coil_resistance_Ohm"), resistance, six_digits * resistance);
+  EXPECT_NEAR(winding.at("copper_mass_g"), 1e3 * winding::copper_density * section * winding.at("wire_of_turns_m"),
+              six_digits * winding.at("copper_mass_g"));
+  const std::string page = text_of(files, "workshop.html");
+  EXPECT_NE(page.find("0.25 mm, grade 1"), std::string::npos);
+  EXPECT_NE(page.find("(IEC 60317-0-1)"), std::string::npos);
+  EXPECT_EQ(page.find("AWG"), std::string::npos);
+  EXPECT_NE(text_of(files, "materials.csv").find("enamelled copper, 0.25 mm bare, grade 1"), std::string::npos);
+}
+
+TEST(Casting, PoursABottomLayerOfItsOwnSiliconeFirst) {
+  Design design;
+  const auto plain = rows_of(text_of(workshop(subject_of(design), {}), "casting.csv"));
+  design.body.make_of(&mechanics::silicone_grades()[2]);  // Ecoflex 00-30
+  design.bottom_silicone = design.body;
+  design.bottom_silicone->make_of(&mechanics::silicone_grades()[7]);  // Dragon Skin 30
+  const DesignSubject subject = subject_of(design);
+  const auto files = workshop(subject, {});
+  const auto rows = rows_of(text_of(files, "casting.csv"));
+  ASSERT_GT(rows.size(), plain.size());
+  EXPECT_EQ(rows[1][0], "bottom layer");
+  const auto& size = subject.assembly.dimensions;
+  const double bottom = 1e6 * size.width * design.body.bottom_layer * size.total_length;
+  EXPECT_NEAR(std::stod(rows[1][1]), bottom, six_digits * bottom);
+  // Together as much as of one silicone.
+  EXPECT_NEAR(std::stod(rows[1][1]) + std::stod(rows[2][1]), std::stod(plain[1][1]), 1e-4 * std::stod(plain[1][1]));
+  EXPECT_NEAR(std::stod(rows[1][5]), 1.08 * std::stod(rows[1][4]), 1e-4 * std::stod(rows[1][5]));
+  EXPECT_NEAR(std::stod(rows[2][5]), 1.07 * std::stod(rows[2][4]), 1e-4 * std::stod(rows[2][5]));
+  const std::string bill = text_of(files, "materials.csv");
+  EXPECT_NE(bill.find("two-part, Ecoflex 00-30, 1070 kg/m3"), std::string::npos);
+  EXPECT_NE(bill.find("two-part, Dragon Skin 30, 1080 kg/m3"), std::string::npos);
+  EXPECT_NE(text_of(files, "workshop.html").find("Part A to part B of the body as 1 to 1 by mass"), std::string::npos);
+}
+
 // The circles of all layers, one by one, against the mean radius by which the winding computes.
 TEST(WindingSheet, AddsUpLayerByLayer) {
   const DesignSubject subject = subject_of(general_design());

@@ -144,8 +144,9 @@ class Assembler {
   void add_element(int i, int k, std::vector<Eigen::Triplet<double>>& entries) {
     const auto column = static_cast<std::size_t>(i);
     const auto row = static_cast<std::size_t>(k);
+    const double modulus = y_[row] >= block_.ligament - 1e-12 ? block_.modulus_above : 1.0;
     const ElementMatrix own =
-        element_stiffness(x_[column + 1] - x_[column], y_[row + 1] - y_[row], block_.poisson_ratio);
+        modulus * element_stiffness(x_[column + 1] - x_[column], y_[row + 1] - y_[row], block_.poisson_ratio);
     std::array<Sum, 16> sums;
     for (std::size_t node = 0; node < 8; ++node)
       for (int direction = 0; direction < 2; ++direction)

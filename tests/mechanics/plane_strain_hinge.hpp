@@ -12,6 +12,8 @@ struct HingeBlock {
   double height{};         ///< of the body
   double half_length{};    ///< from the plane of the cut to the far end
   double poisson_ratio{};  ///< below 0.5
+  /// Young's modulus of what lies above the ligament's height, over that of the layer below.
+  double modulus_above = 1.0;
   /// A rigid body inside, each side of the cut, from half the slot's width plus `wall` to the far end.
   struct Core {
     double wall{};    ///< between it and the face of the cut

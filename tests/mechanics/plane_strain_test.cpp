@@ -111,6 +111,28 @@ TEST(LigamentStiffness, IsTheElementsForSlotsUpToFourTimesItsHeight) {
     EXPECT_NEAR(deep_compliance(slot) / law_compliance(slot), 1.0, 1.5e-3) << "slot over ligament " << slot;
 }
 
+// A bottom layer of its own silicone under a softer or a stiffer body.
+TEST(LigamentStiffness, IsTheElementsForABodyOfAnotherRubber) {
+  const auto compliances = [](double above, double slot) {
+    const double elements = 1.0 / hinge_stiffness_by_elements({.ligament = 1.0,
+                                                               .slot_width = slot,
+                                                               .height = 60.0,
+                                                               .half_length = 80.0,
+                                                               .poisson_ratio = poisson,
+                                                               .modulus_above = above},
+                                                              fine);
+    const double law =
+        1.0 / ligament_stiffness(
+                  {.width = 1.0, .height = 1.0, .slot_width = slot},
+                  {.young_modulus = 1.0 - poisson * poisson, .poisson_ratio = poisson, .modulus_above = above});
+    return law / elements;
+  };
+  for (const double above : {0.1, 0.2, 0.5, 2.0, 5.0, 10.0, 20.0, 100.0}) {
+    EXPECT_NEAR(compliances(above, 0.0), 1.0, above == 100.0 ? 0.025 : 0.015) << above;
+    EXPECT_NEAR(compliances(above, 0.36), 1.0, above == 100.0 ? 0.08 : 0.035) << above;
+  }
+}
+
 // What the law leaves out in the prototype's body: its finite height and the planes of its neighbours.
 TEST(LigamentStiffness, IsASoftBoundInTheBodyOfTheFinger) {
   const double scale = plane_strain_modulus_times_width();

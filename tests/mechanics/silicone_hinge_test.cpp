@@ -1,4 +1,5 @@
 #include "coilwright/mechanics/silicone_hinge.hpp"
+#include "coilwright/mechanics/silicone_grade.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,46 @@ TEST(SiliconeHinge, OfAWideSlotIsABeam) {
   EXPECT_NEAR(slot / beam, 1.0, 15.8 / 12e3);
 }
 
+// The neo-Hookean law as the slope of its energy, E/6 (lambda^2 + 2/lambda - 3), by differences at twice the length.
+TEST(Silicones, HaveTheSmallStrainModulusBehindTheStressAtTwiceTheLength) {
+  const double modulus = 0.3e6;
+  const auto energy = [&](double stretch) { return modulus / 6.0 * (stretch * stretch + 2.0 / stretch - 3.0); };
+  const double step = 1e-4;
+  const double stress = (energy(2.0 + step) - energy(2.0 - step)) / (2.0 * step);
+  EXPECT_NEAR(young_modulus_from_100_percent(stress), modulus, 1e-6 * modulus);
+  const double slope = (energy(1.0 + step) - 2.0 * energy(1.0) + energy(1.0 - step)) / (step * step);
+  EXPECT_NEAR(slope, modulus, 1e-3 * modulus);  // E is the slope at rest
+}
+
+// Hardness and stress at 100 % are two measurements of one material: Gent's relation and Hertz's against the makers'
+// moduli.
+TEST(Silicones, AreAsStiffAsTheirHardnessSaysWithinItsScatter) {
+  int compared = 0;
+  for (const SiliconeGrade& grade : silicone_grades()) {
+    EXPECT_GT(grade.density, 1000.0) << grade.name;
+    EXPECT_LT(grade.density, 1300.0) << grade.name;
+    if (grade.shore_a >= 20.0) {
+      const double ratio = grade.young_modulus / young_modulus_from_shore_a(grade.shore_a);
+      EXPECT_GT(ratio, 0.79) << grade.name;
+      EXPECT_LT(ratio, 1.41) << grade.name;
+      ++compared;
+    } else if (grade.shore_00 > 0.0) {
+      const double ratio = grade.young_modulus / young_modulus_from_shore_00(grade.shore_00);
+      EXPECT_GT(ratio, 0.59) << grade.name;
+      EXPECT_LT(ratio, 2.2) << grade.name;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 11);
+}
+
+TEST(Silicones, OfShore00AreThoseOfShoreAWhereTheScalesMeet) {
+  // 00-70 is about 20A on makers' charts.
+  EXPECT_NEAR(young_modulus_from_shore_00(70.0) / young_modulus_from_shore_a(20.0), 1.0, 0.15);
+  for (double shore = 10.0; shore < 70.0; shore += 1.0)
+    EXPECT_LT(young_modulus_from_shore_00(shore), young_modulus_from_shore_00(shore + 1.0));
+}
+
 TEST(SiliconeHinge, NamesTheFieldTheRuleAndTheValue) {
   const auto message = [](auto&& action) -> std::string {
     try {
@@ -66,6 +107,11 @@ TEST(SiliconeHinge, NamesTheFieldTheRuleAndTheValue) {
             }),
             "slot_width must be finite and >= 0; got -0.1");
   EXPECT_EQ(message([] { (void)young_modulus_from_shore_a(5.0); }), "shore_a must lie in 20 to 80; got 5");
+  EXPECT_EQ(message([] { (void)young_modulus_from_shore_00(5.0); }), "shore_00 must lie in 10 to 70; got 5");
+  EXPECT_EQ(message([&] {
+              (void)ligament_stiffness(slit, {.young_modulus = 1e6, .poisson_ratio = 0.49, .modulus_above = 0.0});
+            }),
+            "modulus_above must be finite and > 0; got 0");
 }
 
 }  // namespace

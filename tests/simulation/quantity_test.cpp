@@ -2,14 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "coilwright/simulation/evaluate.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/simulation/part_limits.hpp"
+#include "coilwright/simulation/pressed_joints.hpp"
 
 namespace coilwright::simulation {
 namespace {
@@ -17,10 +21,9 @@ namespace {
 // The default finger at 0.9 of the ampacity of its wire.
 EvaluatedDesign prototype() {
   const actuator::Design design;
-  return evaluate(design, {.current = 0.9 * winding::gauge(design.coil.wire_gauge).chassis_ampacity,
-                           .duty = 0.4,
-                           .period = 2.0,
-                           .supply = {.voltage = 7.4}});
+  return evaluate(
+      design,
+      {.current = 0.9 * wire_of(design.coil).chassis_ampacity, .duty = 0.4, .period = 2.0, .supply = {.voltage = 7.4}});
 }
 
 ResultQuantity specific_grasp_force() {
@@ -49,6 +52,68 @@ TEST(Quantities, HaveNamesOfTheirOwnAndEverythingAReportNeeds) {
   }
   EXPECT_EQ(standard_quantities().find("weight_g"), nullptr);
   EXPECT_THROW((void)standard_quantities().at("weight_g"), std::invalid_argument);
+}
+
+TEST(Quantities, HaveTheAngleOfEachJointAndTheSmallest) {
+  const EvaluatedDesign finger = prototype();
+  const auto joint = [&](std::string_view name) {
+    const auto row = std::ranges::find(joint_quantities(), name, &ResultQuantity::name);
+    return row->value(finger.view());
+  };
+  const double first = joint("joint1_angle_deg").value();
+  const double second = joint("joint2_angle_deg").value();
+  EXPECT_NEAR(first + second, standard_quantities().at("steady_angle_deg").value(finger.view()).value(), 1e-12);
+  EXPECT_EQ(standard_quantities().at("smallest_joint_angle_deg").value(finger.view()).value(), std::min(first, second));
+  EXPECT_EQ(standard_quantities().at("smallest_rest_joint_angle_deg").value(finger.view()).value(),
+            std::min(joint("rest_joint1_angle_deg").value(), joint("rest_joint2_angle_deg").value()));
+  EXPECT_EQ(joint("joint3_angle_deg"), std::nullopt);
+  for (const ResultQuantity& row : joint_quantities()) {
+    EXPECT_EQ(standard_quantities().find(row.name), nullptr);
+    EXPECT_FALSE(row.absence.empty());
+  }
+}
+
+std::vector<PartLimit> limits_of_joints(const actuator::Design& design, double current) {
+  const EvaluatedDesign evaluated = evaluate(design, {.current = current});
+  std::vector<PartLimit> out = broken_part_limits(evaluated.view());
+  std::erase_if(out, [](const PartLimit& limit) { return !limit.quantity.ends_with("joint_angle_deg"); });
+  return out;
+}
+
+// In C two magnets of like polarity pull at each other through the coil between them, or push.
+TEST(PartLimits, SayWhichJointsArePressedShut) {
+  EXPECT_TRUE(limits_of_joints({}, 0.5).empty());
+  const auto backwards = limits_of_joints({}, -1.0);
+  ASSERT_EQ(backwards.size(), 1U);
+  EXPECT_EQ(backwards[0].quantity, "smallest_joint_angle_deg");
+  EXPECT_EQ(backwards[0].consequence, "joints 1 and 2 are pressed shut at this current: they do not open");
+  EXPECT_TRUE(backwards[0].conditional);
+  EXPECT_EQ(backwards[0].limit, 0.0);
+
+  actuator::Design design;
+  design.layout = actuator::layout_of(actuator::Configuration::C);
+  const EvaluatedDesign at_rest = evaluate(design, {.current = 0.0});
+  const std::vector<int> pressed = pressed_joints(at_rest.assembly.model, at_rest.performance.cold.rest_angles);
+  ASSERT_FALSE(pressed.empty());
+  const auto held = limits_of_joints(design, 0.0);
+  ASSERT_EQ(held.size(), 1U);
+  EXPECT_NE(held[0].consequence.find("pressed shut at this current, as without it"), std::string::npos);
+  EXPECT_LT(held[0].value.value(), 0.0);
+  EXPECT_GT(held[0].value.value(), -0.5);
+  // Its faces are the coil's and the magnet's where no silicone stands before them.
+  design.choices.faces = actuator::ContactChoice::hard_parts;
+  for (const PartLimit& limit : limits_of_joints(design, 0.0)) EXPECT_LT(limit.limit, -1.0);
+}
+
+TEST(PressedJoints, AreCalledByTheirNumbers) {
+  using Joints = std::vector<int>;
+  EXPECT_EQ(pressed_joints_text({}, {}), "");
+  EXPECT_EQ(pressed_joints_text(Joints{1}, {}), "magnets or weight hold joint 2 shut without current");
+  EXPECT_EQ(pressed_joints_text({}, Joints{0}), "joint 1 is pressed shut at this current: it does not open");
+  EXPECT_EQ(pressed_joints_text(Joints{1, 2}, Joints{1, 2}),
+            "joints 2 and 3 are pressed shut at this current, as without it: they do not bend");
+  EXPECT_EQ(pressed_joints_text(Joints{1}, Joints{0, 2, 3}),
+            "joints 1, 3 and 4 are pressed shut at this current, joint 2 without current");
 }
 
 TEST(Quantities, ThatMayHaveNoValueSayWhy) {

@@ -18,7 +18,7 @@ inline Study small_study() {
   study.name = "small";
   study.current = ShareOfLimit{.share = 0.9};
   study.operating.duty = 0.4;
-  study.variables = {ConfigurationVariable{.values = {actuator::Configuration::B, actuator::Configuration::A}},
+  study.variables = {configuration_variable({actuator::Configuration::B, actuator::Configuration::A}),
                      ParameterVariable{.parameter = actuator::find_parameter("gap_mm"),
                                        .range = Interval{.lower = 0.7, .upper = 1.2, .step = 0.2}},
                      ParameterVariable{.parameter = actuator::find_parameter("turns_radial"),

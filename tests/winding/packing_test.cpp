@@ -34,7 +34,8 @@ TEST(Packing, WiresNeitherOverlapNorStandOutOfTheWinding) {
   const Packing packings[] = {Packing::prototype(), Packing::orthocyclic(), Packing::square(),
                               Packing{{.axial = 1.13, .radial = 0.93}}, Packing{{.axial = 1.87, .radial = 0.5}}};
   for (const Packing& packing : packings) {
-    const Winding winding{{.inner_radius = 2.3e-3, .turns_radial = 5, .turns_axial = 7, .awg = 31, .packing = packing}};
+    const Winding winding{
+        {.inner_radius = 2.3e-3, .turns_radial = 5, .turns_axial = 7, .wire = gauge(31), .packing = packing}};
     const double diameter = winding.wire().insulated_diameter;
     const auto points = centres(winding);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -51,8 +52,11 @@ TEST(Packing, WiresNeitherOverlapNorStandOutOfTheWinding) {
 }
 
 TEST(Packing, OrthocyclicWindingsApproachTheDensestPackingOfCircles) {
-  const Winding winding{
-      {.inner_radius = 9e-3, .turns_radial = 500, .turns_axial = 700, .awg = 37, .packing = Packing::orthocyclic()}};
+  const Winding winding{{.inner_radius = 9e-3,
+                         .turns_radial = 500,
+                         .turns_axial = 700,
+                         .wire = gauge(37),
+                         .packing = Packing::orthocyclic()}};
   const double bare_to_insulated = winding.wire().bare_diameter / winding.wire().insulated_diameter;
   const double circles = winding.copper_fraction() / (bare_to_insulated * bare_to_insulated);
   // Edges cost half a pitch in 700 and 0.13 of a layer in 433: 1.0e-3.
@@ -60,7 +64,7 @@ TEST(Packing, OrthocyclicWindingsApproachTheDensestPackingOfCircles) {
 }
 
 TEST(Packing, DefaultsToThePrototypesPitches) {
-  const Winding winding{{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .awg = 28}};
+  const Winding winding{{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .wire = gauge(28)}};
   EXPECT_NEAR(winding.axial_pitch(), 0.4e-3, 1e-15);          // 12 mm over 30 turns; tolerance: rounding
   EXPECT_NEAR(winding.radial_pitch(), 6.5e-3 / 15.0, 1e-15);  // 6.5 mm over 15 layers
   EXPECT_DOUBLE_EQ(Packing{}.axial(), Packing::prototype().axial());

@@ -14,7 +14,7 @@ namespace coilwright::winding {
 namespace {
 
 Winding prototype() {
-  return Winding{{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .awg = 28}};
+  return Winding{{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .wire = gauge(28)}};
 }
 
 // Table II of the paper gives r_c, R_c, l_c, N_r and N_z; wire length, mass and resistance were worked out from them by
@@ -35,7 +35,8 @@ TEST(Winding, OfThePrototypeHasItsDimensionsAndResistance) {
 
 TEST(Winding, WireLengthIsTheSumOfItsTurns) {
   for (const Packing& packing : {Packing::prototype(), Packing::orthocyclic()}) {
-    const Winding coil{{.inner_radius = 4.1e-3, .turns_radial = 6, .turns_axial = 11, .awg = 33, .packing = packing}};
+    const Winding coil{
+        {.inner_radius = 4.1e-3, .turns_radial = 6, .turns_axial = 11, .wire = gauge(33), .packing = packing}};
     double sum = 0.0;
     for (int layer = 0; layer < 6; ++layer) sum += 11 * 2.0 * std::numbers::pi * layer_radius(coil, layer);
     EXPECT_NEAR(coil.wire_length() / sum, 1.0, 1e-14);  // rounding
@@ -47,7 +48,7 @@ TEST(Winding, WireLengthIsTheSumOfItsTurns) {
 TEST(Winding, ResistanceTimesMassDependsOnWireLengthOnly) {
   // R m = rho density l^2 whatever the gauge: an independent relation between three results.
   for (const int awg : {22, 29, 38}) {
-    const Winding coil{{.inner_radius = 3.7e-3, .turns_radial = 9, .turns_axial = 14, .awg = awg}};
+    const Winding coil{{.inner_radius = 3.7e-3, .turns_radial = 9, .turns_axial = 14, .wire = gauge(awg)}};
     const double length = coil.wire_length();
     EXPECT_NEAR(coil.resistance(20.0) * coil.copper_mass() / (1.7241e-8 * 8960.0 * length * length), 1.0, 1e-13);
   }
@@ -93,7 +94,7 @@ TEST(Winding, InductanceIsThatOfItsSection) {
 
 TEST(Winding, RejectsInputsOutsideTheirRules) {
   const auto text = [](auto change) {
-    Winding::Spec spec{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .awg = 28};
+    Winding::Spec spec{.inner_radius = 3e-3, .turns_radial = 15, .turns_axial = 30, .wire = gauge(28)};
     change(spec);
     return error_text([&] { Winding{spec}; });
   };
@@ -101,7 +102,7 @@ TEST(Winding, RejectsInputsOutsideTheirRules) {
   EXPECT_EQ(text([](auto& s) { s.turns_axial = -3; }), "turns_axial: must be >= 1; got -3");
   EXPECT_EQ(text([](auto& s) { s.turns_axial = 1 << 30; }),
             "turns_radial * turns_axial: must be at most 2147483647; got 15 * 1073741824");
-  EXPECT_EQ(text([](auto& s) { s.awg = 44; }), "awg: must be a whole number from 20 to 40; got 44");
+  EXPECT_EQ(text([](auto& s) { s.wire = {}; }), "wire.bare_diameter: must be > 0; got 0");
   EXPECT_EQ(text([](auto& s) { s.inner_radius = 0.5e-3; }),
             "inner_radius: must be finite and >= 0.0005334 m (1.5 insulated diameters of AWG 28); got 0.0005");
   EXPECT_EQ(text([](auto& s) { s.inner_radius = std::nan(""); }),

@@ -30,6 +30,12 @@ inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 18
 [[nodiscard]] thermal::Network still_air_network(const Design& design, const Assembly& assembly,
                                                  const mechanics::JointVector& joint_angles);
 
+/// Temperature of the hottest place of the body's outer surface, degC, where a hand or an object touches it:
+/// thermal::skin_temperature() at `temperatures` of the nodes of heat_network() of the same arguments. Throws as those.
+[[nodiscard]] double skin_temperature(const Design& design, const Assembly& assembly,
+                                      const mechanics::JointVector& joint_angles,
+                                      const thermal::NodeVector& temperatures);
+
 /// The film that a continuous current asked for, W/(m^2 K): that of the surroundings, calibrated.
 [[nodiscard]] double calibrated_film(const Design& design);
 

@@ -24,7 +24,8 @@ struct PartLimit {
   [[nodiscard]] double margin() const noexcept;
 };
 
-/// The limits of coils, magnets and wire at the operating point of `design`. One whose quantity does not exist for a
+/// The limits of coils, magnets and wire at the operating point of `design`, and the angle at which the faces of its
+/// joints touch where some are pressed together. One whose quantity does not exist for a
 /// reason other than a runaway (a magnet without a grade has no coercivity) is left out.
 [[nodiscard]] std::vector<PartLimit> part_limits(const DesignView& design);
 

@@ -57,6 +57,7 @@ struct Heat {
   std::optional<double> coil_temperature{};    ///< mean of the hottest coil, degC; nothing in a thermal runaway
   std::optional<double> coil_hot_spot{};       ///< its hottest turn, degC; likewise
   std::optional<double> magnet_temperature{};  ///< hottest magnet, degC; likewise
+  std::optional<double> skin_temperature{};    ///< hottest place of the outer surface, degC; likewise
   thermal::NodeVector temperatures{};          ///< of every component, base to tip, degC; empty in a thermal runaway
   double continuous_current{};                 ///< largest steady current for the coils' limit, A
   double magnet_continuous_current{};          ///< likewise for the magnets' limit, A

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -104,6 +105,11 @@ class QuantityTable {
  private:
   std::shared_ptr<const std::vector<ResultQuantity>> rows_;  // shared: studies, problems and tables copy it
 };
+
+/// The angles of single joints, which evaluate prints as lists: "joint1_angle_deg" at the end of a step from rest and
+/// "rest_joint1_angle_deg" without current, of every joint that a chain may have, base to tip. No part of
+/// standard_quantities(): studies add those that are asked for. A shorter actuator has no value of the others.
+[[nodiscard]] std::span<const ResultQuantity> joint_quantities();
 
 /// The quantities that `evaluate` prints. A program adds its own by `standard_quantities().with(...)`.
 [[nodiscard]] const QuantityTable& standard_quantities();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coilwright/winding/packing.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/winding/wire.hpp"
 
 namespace coilwright::winding {
 
@@ -18,14 +18,14 @@ class Winding {
     double inner_radius{};  ///< radius of the bore, m; finite, >= smallest_mandrel_radius insulated diameters
     int turns_radial{};     ///< number of layers; >= 1
     int turns_axial{};      ///< turns in a layer; >= 1
-    int awg{};              ///< wire gauge; AWG 20 to 40
+    Wire wire{};            ///< of gauge() or round_wire()
     Packing packing{};      ///< pitches; as the prototype's unless given
   };
   /// Throws std::invalid_argument naming the field, the rule and the value received.
   explicit Winding(const Spec& spec);
 
   [[nodiscard]] const Spec& spec() const noexcept { return spec_; }
-  [[nodiscard]] const WireGauge& wire() const noexcept { return wire_; }
+  [[nodiscard]] const Wire& wire() const noexcept { return spec_.wire; }
   [[nodiscard]] int turns() const noexcept;               ///< all turns
   [[nodiscard]] double axial_pitch() const noexcept;      ///< between turns of a layer, m
   [[nodiscard]] double radial_pitch() const noexcept;     ///< between layers, m
@@ -44,7 +44,6 @@ class Winding {
 
  private:
   Spec spec_;
-  WireGauge wire_;
 };
 
 /// Room that a winding may take. Both are lengths in m, > 0; infinity means that there is no limit.

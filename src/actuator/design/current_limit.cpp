@@ -1,12 +1,12 @@
 #include "coilwright/actuator/design/current_limit.hpp"
 
 #include "coilwright/actuator/design/current_shares.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/winding/wire.hpp"
 
 namespace coilwright::actuator {
 
 double current_limit(const Design& design) {
-  const winding::WireGauge wire = winding::gauge(design.coil.wire_gauge);
+  const winding::Wire wire = wire_of(design.coil);
   return design.choices.ampacity == AmpacityChoice::table ? wire.chassis_ampacity : wire.smooth_ampacity;
 }
 

@@ -11,7 +11,7 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/design/value_limits.hpp"
 #include "coilwright/winding/packing.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/winding/wire.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -23,6 +23,10 @@ constexpr double coil_wall_share = 1.0 / 3.0;
 // Layers or turns in a layer (of the thinnest wire in the table they make a metre): beyond them a slip of the keyboard
 // is likelier than a finger.
 constexpr int most_turns = 10'000;
+
+// Of a silicone, Pa: gels to the hardest rubbers.
+constexpr double softest_silicone = 1e3;
+constexpr double stiffest_silicone = 1e8;
 
 // degC; where copper's linear law and the silicone still hold.
 constexpr double coldest = -50.0;
@@ -96,9 +100,25 @@ void check_sizes(const Design& design, MisfitList& list) {
   list.require_not_negative(body.loss_factor, "loss factor", 1.0, "");
   list.require_not_negative(body.loss_time, "loss time", 1e-3, " ms");
   list.require_not_negative(body.constant_damping, "constant damping", 1e-3, " N mm s/rad");
-  list.require_positive(body.density, "silicone density", 1.0, "kg/m3");
-  list.require_positive(body.heat_capacity, "silicone heat capacity", 1.0, "J/(kg K)");
-  list.require_positive(body.conductivity, "silicone conductivity", 1.0, "W/(m K)");
+}
+
+// Of the body, or `of` the bottom layer.
+void check_silicone(const SiliconeDesign& silicone, const std::string& of, MisfitList& list) {
+  list.require_positive(silicone.density, (of + "silicone density").c_str(), 1.0, "kg/m3");
+  list.require_positive(silicone.heat_capacity, (of + "silicone heat capacity").c_str(), 1.0, "J/(kg K)");
+  list.require_positive(silicone.conductivity, (of + "silicone conductivity").c_str(), 1.0, "W/(m K)");
+  const auto require_within = [&](const std::string& name, double value, double lowest, double highest) {
+    if (!(value >= lowest && value <= highest))
+      list.add(fmt::format("{} must lie in {:.6g} to {:.6g}; got {}", of + name, lowest, highest, value), 1.0);
+  };
+  constexpr double megapascal = 1e6;
+  if (silicone.young_modulus != 0.0)
+    require_within("Young's modulus in MPa", silicone.young_modulus / megapascal, softest_silicone / megapascal,
+                   stiffest_silicone / megapascal);
+  else if (silicone.shore_hardness_00 != 0.0)
+    require_within("shore 00 hardness", silicone.shore_hardness_00, 10.0, 70.0);
+  else
+    require_within("shore hardness", silicone.shore_hardness, 20.0, 80.0);
 }
 
 void check_surroundings(const Design& design, MisfitList& list) {
@@ -128,19 +148,39 @@ void check_calibration(const Calibration& factors, MisfitList& list) {
 }
 
 void check_wire(const Design& design, MisfitList& list) {
-  const int awg = design.coil.wire_gauge;
-  if (awg < winding::thickest_gauge || awg > winding::thinnest_gauge) {
+  const CoilDesign& coil = design.coil;
+  const int awg = coil.wire_gauge;
+  if (coil.wire_diameter == 0.0 && (awg < winding::thickest_gauge || awg > winding::thinnest_gauge)) {
     const int outside = std::max(winding::thickest_gauge - awg, awg - winding::thinnest_gauge);
     list.add(
         fmt::format("wire gauge must be AWG {} to {}; got {}", winding::thickest_gauge, winding::thinnest_gauge, awg),
         1.0 * outside);
     return;
   }
-  const double smallest = winding::smallest_mandrel_radius * winding::gauge(awg).insulated_diameter;
-  if (design.coil.inner_radius < smallest)
-    list.add(fmt::format("coil inner radius must be at least {:.4g} mm for AWG {}; got {:.4g} mm", smallest * 1e3, awg,
-                         design.coil.inner_radius * 1e3),
-             smallest / design.coil.inner_radius - 1.0);
+  const double bare = coil.wire_diameter;
+  if (bare != 0.0 && !(bare >= winding::least_bare_diameter && bare <= winding::largest_bare_diameter)) {
+    const double outside = bare > winding::largest_bare_diameter ? bare / winding::largest_bare_diameter - 1.0
+                                                                 : 1.0 - bare / winding::least_bare_diameter;
+    list.add(fmt::format("wire diameter must be {:.4g} to {:.4g} mm; got {:.4g} mm", winding::least_bare_diameter * 1e3,
+                         winding::largest_bare_diameter * 1e3, bare * 1e3),
+             std::isfinite(outside) ? outside : 1.0);
+    return;
+  }
+  if (const double overall = coil.wire_overall; overall != 0.0) {
+    const double copper = wire_of({.wire_gauge = awg, .wire_diameter = bare}).largest_bare;
+    if (!(std::isfinite(overall) && overall > copper)) {
+      list.add(fmt::format("wire over its enamel must be thicker than its copper, {:.4g} mm at most; got {:.4g} mm",
+                           copper * 1e3, overall * 1e3),
+               std::isfinite(overall) ? copper / std::max(overall, 1e-3 * copper) : 1.0);
+      return;
+    }
+  }
+  const winding::Wire wire = wire_of(coil);
+  const double smallest = winding::smallest_mandrel_radius * wire.insulated_diameter;
+  if (coil.inner_radius < smallest)
+    list.add(fmt::format("coil inner radius must be at least {:.4g} mm for {}; got {:.4g} mm", smallest * 1e3,
+                         wire.name(), coil.inner_radius * 1e3),
+             smallest / coil.inner_radius - 1.0);
 }
 
 // A calibrated axis may not sink so far that the parts stand out of the body at the hinge.
@@ -182,9 +222,8 @@ ConstructionFaults construction_faults(const Design& design) {
   check_surroundings(design, list);
   check_calibration(design.calibration, list);
   check_shares(design, list);
-  const double hardness = design.body.shore_hardness;
-  if (!(hardness >= 20.0 && hardness <= 80.0))
-    list.add(fmt::format("shore hardness must lie in 20 to 80; got {}", hardness), 1.0);
+  check_silicone(design.body, "", list);
+  if (design.bottom_silicone) check_silicone(*design.bottom_silicone, "bottom layer's ", list);
   if (list.empty()) check_wire(design, list);
   if (list.empty()) check_axis(design, list);
   return list.take();
@@ -196,7 +235,7 @@ winding::Winding winding_of(const Design& design) {
       {.inner_radius = design.coil.inner_radius,
        .turns_radial = design.coil.turns_radial,
        .turns_axial = design.coil.turns_axial,
-       .awg = design.coil.wire_gauge,
+       .wire = wire_of(design.coil),
        .packing = winding::Packing({.axial = prototype.axial() * design.calibration.axial_pitch,
                                     .radial = prototype.radial() * design.calibration.radial_pitch})});
 }

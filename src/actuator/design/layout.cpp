@@ -39,6 +39,14 @@ Layout layout_of(Configuration configuration) {
   throw std::invalid_argument("configuration must be A, B, C or D");
 }
 
+std::string text_of(const Layout& layout) {
+  std::string text;
+  for (const Component& component : layout)
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ", component.polarity < 0 ? "-" : "",
+                        component.kind == ComponentKind::coil ? "coil" : "magnet");
+  return text;
+}
+
 void check_layout(const Layout& layout) {
   constexpr int longest = mechanics::max_joints + 1;
   if (layout.size() < 2 || layout.size() > longest)

@@ -1,6 +1,7 @@
 #include "coilwright/actuator/design/segments.hpp"
 
 #include <numbers>
+#include <optional>
 
 namespace coilwright::actuator {
 namespace {
@@ -59,6 +60,16 @@ struct Materials {
             .inertia = mass * (size.height * size.height + length * length) / 12.0};
   }
 
+  // What the bottom layer has more than the body's silicone in its place; its middle is the hinge line.
+  [[nodiscard]] Body bottom_excess(double length) const {
+    const double thickness = design.body.bottom_layer;
+    const double mass = (design.bottom_silicone->density - design.body.density) * size.width * thickness * length;
+    return {.mass = mass,
+            .along = 0.5 * length,
+            .offset = 0.0,
+            .inertia = mass * (thickness * thickness + length * length) / 12.0};
+  }
+
   [[nodiscard]] Ring core(ComponentKind kind) const {
     if (kind == ComponentKind::magnet)
       return {.inner_radius = 0.0, .outer_radius = design.magnet.radius, .length = design.magnet.length};
@@ -89,7 +100,15 @@ Segment segment(const Materials& materials, const Extent& extent) {
   const double centre = extent.rear + extent.half_pitch;
   const double length = extent.rear + 2.0 * extent.half_pitch + extent.front;
   const Body hole = materials.core_body(extent.kind, -materials.design.body.density * core.volume(), centre);
-  const Body silicone = materials.box(0.0, length) + hole;
+  Body silicone = materials.box(0.0, length) + hole;
+  double silicone_heat = silicone.mass * materials.design.body.heat_capacity;
+  double bottom_mass = 0.0;
+  if (const std::optional<SiliconeDesign>& bottom = materials.design.bottom_silicone) {
+    bottom_mass = bottom->density * materials.size.width * materials.design.body.bottom_layer * length;
+    silicone = silicone + materials.bottom_excess(length);
+    silicone_heat =
+        (silicone.mass - bottom_mass) * materials.design.body.heat_capacity + bottom_mass * bottom->heat_capacity;
+  }
   const Body whole = silicone + materials.core_body(extent.kind, core_mass, centre);
 
   const Calibration& calibration = materials.design.calibration;
@@ -103,8 +122,8 @@ Segment segment(const Materials& materials, const Extent& extent) {
   out.com_offset = points ? materials.size.axis_offset : whole.offset;
   out.inertia = points ? 0.0 : factor * whole.inertia;
   out.silicone_mass = silicone.mass;
-  out.heat_capacity = silicone.mass * materials.design.body.heat_capacity +
-                      core_mass * (magnet ? magnet_specific_heat : copper_specific_heat);
+  out.bottom_mass = bottom_mass;
+  out.heat_capacity = silicone_heat + core_mass * (magnet ? magnet_specific_heat : copper_specific_heat);
   return out;
 }
 

@@ -1,9 +1,10 @@
 #include <string>
 
 #include "coilwright/magnetics/magnet_grade.hpp"
+#include "coilwright/mechanics/silicone_grade.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
 #include "coilwright/units/unit.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/winding/wire.hpp"
 #include "listings.hpp"
 
 namespace coilwright::cli {
@@ -13,6 +14,10 @@ double in_unit(double value, std::string_view column) {
   return units::from_memory(value, column);
 }
 
+Listing::Cell stated(double hardness) {
+  return hardness > 0.0 ? Listing::Cell(hardness) : Listing::Cell();
+}
+
 }  // namespace
 
 Listing gauge_listing() {
@@ -20,7 +25,7 @@ Listing gauge_listing() {
                               "chassis_current_A", "current_by_law_A"},
                   .rows = {}};
   for (int awg = winding::thickest_gauge; awg <= winding::thinnest_gauge; ++awg) {
-    const winding::WireGauge wire = winding::gauge(awg);
+    const winding::Wire wire = winding::gauge(awg);
     listing.rows.push_back({static_cast<double>(awg), in_unit(wire.bare_diameter, "diameter_mm"),
                             in_unit(wire.insulated_diameter, "diameter_mm"), wire.resistance_per_length,
                             wire.chassis_ampacity, wire.smooth_ampacity});
@@ -42,11 +47,19 @@ Listing magnet_listing() {
 }
 
 Listing silicone_listing() {
-  Listing listing{.columns = {"shore_hardness_A", "youngs_modulus_MPa"}, .rows = {}};
-  constexpr int softest = 20, hardest = 80, step = 5;
+  Listing listing{.columns = {"silicone", "shore_hardness_A", "shore_hardness_00", "youngs_modulus_MPa",
+                              "density_kg_m3", "base_per_hardener"},
+                  .rows = {}};
   constexpr double megapascal = 1e6;
-  for (int shore = softest; shore <= hardest; shore += step)
-    listing.rows.push_back({static_cast<double>(shore), mechanics::young_modulus_from_shore_a(shore) / megapascal});
+  for (const mechanics::SiliconeGrade& grade : mechanics::silicone_grades())
+    listing.rows.push_back({std::string(grade.name), stated(grade.shore_a), stated(grade.shore_00),
+                            grade.young_modulus / megapascal, grade.density, grade.base_per_hardener});
+  for (int shore = 10; shore <= 70; shore += 10)
+    listing.rows.push_back(
+        {{}, {}, static_cast<double>(shore), mechanics::young_modulus_from_shore_00(shore) / megapascal, {}, {}});
+  for (int shore = 20; shore <= 80; shore += 5)
+    listing.rows.push_back(
+        {{}, static_cast<double>(shore), {}, mechanics::young_modulus_from_shore_a(shore) / megapascal, {}, {}});
   return listing;
 }
 

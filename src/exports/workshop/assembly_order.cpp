@@ -84,12 +84,12 @@ std::string_view remark_on_magnets(int magnets) {
 // A coil between two magnets has no face where its start is out of the way.
 std::string remark_on_starts(const AssemblyOrder& order, const Recipe& recipe, const WindingSheet& winding) {
   const bool between = std::ranges::count(order.parts, "neither", &PartRow::start_face) > 0;
-  if (!between || winding.insulated_diameter <= recipe.coil_dip) return "";
+  if (!between || winding.wire.insulated_diameter <= recipe.coil_dip) return "";
   return fmt::format(
       " Where it says neither, the start crosses a wall of {:.3g} mm with a wire of {:.3g} mm, and that gap grows by "
       "the "
       "difference.",
-      in_mm(recipe.coil_dip), in_mm(winding.insulated_diameter));
+      in_mm(recipe.coil_dip), in_mm(winding.wire.insulated_diameter));
 }
 
 std::vector<std::string> steps_of(const DesignSubject& subject, const AssemblyOrder& order, const Cast& cast,
@@ -105,18 +105,24 @@ std::vector<std::string> steps_of(const DesignSubject& subject, const AssemblyOr
       std::string(
           "Find the north face of each magnet with a compass (the end of the needle that points north turns away "
           "from it) and mark it."),
-      "Mix and de-air the first batch. Pour the main body into the mould.",
+      subject.design.bottom_silicone
+          ? fmt::format(
+                "Mix and de-air the batch of the bottom layer and pour it into the mould, {:.4g} mm high. While "
+                "it is still tacky, mix and de-air the next batch and pour the main body onto it.",
+                in_mm(plan.bottom_layer))
+          : std::string("Mix and de-air the first batch. Pour the main body into the mould."),
       fmt::format(
           "Dip all coils and magnets whole into what is left of it, once. One dip must leave a wall of {:.3g} mm "
           "on a face (the source paper's: 0.3 mm); wipe the round side so that no more than {:.3g} mm stay there. "
           "Let all of it cure for 12 hours at room temperature; the magnets bear {:.4g} degC at most.",
           in_mm(recipe.coil_dip), in_mm(cast.clearance), subject.design.magnet.temperature_limit),
-      fmt::format("Mix the second batch and dip the magnets again, to a wall of {:.3g} mm on each face. The coils keep "
+      fmt::format("Mix the batch of the second dip and dip the magnets again, to a wall of {:.3g} mm on each face. The "
+                  "coils keep "
                   "their {:.3g} mm: the pockets leave no room for more. Let it cure for 12 hours.",
                   in_mm(recipe.magnet_dip), in_mm(recipe.coil_dip)),
       "Do the checks before bonding, below.",
       fmt::format(
-          "Mix the third batch. Lay the parts into the pockets of the main body in the order and sense of the table, "
+          "Mix the last batch. Lay the parts into the pockets of the main body in the order and sense of the table, "
           "marked faces of the coils towards the tip, wall against wall. Lead the wires out at the top. Fill the bores "
           "and the pockets up to the upside of the body, and let it cure for 12 hours.{}",
           remark_on_magnets(subject.assembly.magnets)),

@@ -21,12 +21,20 @@ double wall_on(const BodyPlan& plan, actuator::ComponentKind kind) {
 }  // namespace
 
 Recipe recipe(const DesignSubject& subject, const ExportSettings& settings, const Cast& cast) {
-  const auto batch = [&](std::string_view use, double in_actuator, double dip) {
-    return Batch{.use = use, .in_actuator = in_actuator, .waste = settings.waste * in_actuator, .dip = dip};
+  const actuator::BodyDesign& body = subject.design.body;
+  const auto ratio_of = [](const actuator::SiliconeDesign& silicone) {
+    return silicone.grade == nullptr ? 0.0 : silicone.grade->base_per_hardener;
   };
-  Recipe out{.density = subject.design.body.density,
-             .base_per_hardener = settings.base_per_hardener,
-             .segments = {},
+  const double ratio = settings.base_per_hardener > 0.0 ? settings.base_per_hardener : ratio_of(body);
+  const auto batch = [&](std::string_view use, double in_actuator, double dip) {
+    return Batch{.use = use,
+                 .density = body.density,
+                 .base_per_hardener = ratio,
+                 .in_actuator = in_actuator,
+                 .waste = settings.waste * in_actuator,
+                 .dip = dip};
+  };
+  Recipe out{.segments = {},
              .batches = {batch("main body and first dip", cast.main_volume, cast.dip_volume),
                          batch("second dip", 0.0, cast.dip_volume),
                          batch("walls and bores and bond", cast.filling_volume, 0.0)},
@@ -35,7 +43,14 @@ Recipe recipe(const DesignSubject& subject, const ExportSettings& settings, cons
   for (std::size_t i = 0; i < subject.assembly.segments.size(); ++i)
     out.segments.push_back({.segment = static_cast<int>(i) + 1,
                             .kind = subject.design.layout[i].kind,
-                            .volume = subject.assembly.segments[i].silicone_mass / out.density});
+                            .volume = volume_of(subject.assembly.segments[i], subject.design),
+                            .mass = subject.assembly.segments[i].silicone_mass});
+  if (const auto& bottom = subject.design.bottom_silicone)
+    out.batches.insert(out.batches.begin(), {.use = "bottom layer",
+                                             .density = bottom->density,
+                                             .base_per_hardener = ratio_of(*bottom),
+                                             .in_actuator = cast.bottom_volume,
+                                             .waste = settings.waste * cast.bottom_volume});
   return out;
 }
 
@@ -45,7 +60,7 @@ std::string casting_csv(const Recipe& recipe) {
   const auto cm3 = [](double volume) { return rounded(1e6 * volume); };
   for (const Batch& batch : recipe.batches)
     csv.row({batch.use, cm3(batch.in_actuator), cm3(batch.waste), cm3(batch.dip), cm3(batch.mixed()),
-             rounded(1e3 * recipe.density * batch.mixed())});
+             rounded(1e3 * batch.density * batch.mixed())});
   for (const SegmentSilicone& segment : recipe.segments) {
     const std::string what = fmt::format("segment {} ({})", segment.segment,
                                          segment.kind == actuator::ComponentKind::coil ? "coil" : "magnet");

@@ -15,29 +15,30 @@ struct SegmentSilicone {
   int segment{};  ///< 1 is the base's
   actuator::ComponentKind kind{};
   double volume{};  ///< m^3
+  double mass{};    ///< kg
 };
 
 /// Silicone that is mixed at once.
 struct Batch {
   std::string_view use;
-  double in_actuator{};  ///< m^3
-  double waste{};        ///< that stays in cups and on tools, m^3
-  double dip{};          ///< that the dipping cup must hold beside, m^3; not used up
+  double density{};            ///< kg/m^3
+  double base_per_hardener{};  ///< mass of part A over that of part B; 0: not known
+  double in_actuator{};        ///< m^3
+  double waste{};              ///< that stays in cups and on tools, m^3
+  double dip{};                ///< that the dipping cup must hold beside, m^3; not used up
 
   [[nodiscard]] double mixed() const { return in_actuator + waste + dip; }
 };
 
 /// How much silicone to mix, and when.
 struct Recipe {
-  double density{};            ///< kg/m^3
-  double base_per_hardener{};  ///< mass of part A over that of part B; 0: not known
   std::vector<SegmentSilicone> segments;
   std::vector<Batch> batches;
   double coil_dip{};    ///< wall on a coil's face, m: one dip
   double magnet_dip{};  ///< wall on a magnet's face, m: two dips
 };
 
-/// In the three mixes of the source paper's section IV.
+/// In the three mixes of the source paper's section IV, after that of a bottom layer of its own silicone.
 [[nodiscard]] Recipe recipe(const DesignSubject& subject, const ExportSettings& settings, const Cast& cast);
 
 /// casting.csv: the batches, then the segments.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 
 #include "exports/html.hpp"
@@ -30,10 +31,10 @@ std::string_view kind_name(actuator::ComponentKind kind) {
 std::string wire_and_bobbin(const WindingSheet& sheet) {
   const Rows rows = {
       {"coils to wind", fmt::format("{}", sheet.coils)},
-      {"wire", fmt::format("AWG {}, single build", sheet.wire_gauge)},
-      {"bare diameter", mm(sheet.bare_diameter)},
-      {"bare diameter as sold", fmt::format("{:.4g} to {}", 1e3 * sheet.bare_sold.least, mm(sheet.bare_sold.largest))},
-      {"diameter over the enamel, at most", mm(sheet.insulated_diameter)},
+      {"wire", fmt::format("{}, {}", sheet.wire.name(), sheet.wire.enamel_name())},
+      {"bare diameter", mm(sheet.wire.bare_diameter)},
+      {"bare diameter as sold", fmt::format("{:.4g} to {}", 1e3 * sheet.wire.least_bare, mm(sheet.wire.largest_bare))},
+      {"diameter over the enamel, at most", mm(sheet.wire.insulated_diameter)},
       {"bobbin: diameter of the core", mm(sheet.core_diameter)},
       {"bobbin: distance of the flanges", mm(sheet.flange_distance)},
       {"bobbin: diameter of the flanges, at least", mm(sheet.flange_diameter)},
@@ -88,10 +89,10 @@ std::string winding_section(const WindingSheet& sheet) {
   text += fmt::format(
       "<p>Between the ends of the leads, both of them included ({}). The limits are those of the wire's diameter as it "
       "is "
-      "sold (NEMA MW 1000). A diameter 0.1 mm larger than the sheet's adds {}. A layer missing at the outside shows as "
+      "sold ({}). A diameter 0.1 mm larger than the sheet's adds {}. A layer missing at the outside shows as "
       "{} less, one turn of it as {}.</p>\n",
-      ohm(sheet.lead_resistance), ohm(reading_of_wider_coil(sheet, 0.1e-3)), ohm(last_layer),
-      ohm(last_layer / sheet.turns_in_layer));
+      ohm(sheet.lead_resistance), sheet.wire.awg ? "NEMA MW 1000" : "IEC 60317-0-1",
+      ohm(reading_of_wider_coil(sheet, 0.1e-3)), ohm(last_layer), ohm(last_layer / sheet.turns_in_layer));
   if (sheet.resistance_factor != 1.0)
     text += fmt::format(
         "<p>The design has a measured resistance of {} a coil, {:.3g} times what its copper gives; the sheet follows "
@@ -118,31 +119,37 @@ std::string bill_section(const std::vector<BillRow>& rows) {
 
 std::string recipe_section(const Recipe& recipe) {
   Rows batches;
+  const bool ratios =
+      std::ranges::any_of(recipe.batches, [](const Batch& each) { return each.base_per_hardener > 0.0; });
   for (const Batch& batch : recipe.batches) {
-    const double grams = 1e3 * recipe.density * batch.mixed();
+    const double grams = 1e3 * batch.density * batch.mixed();
     std::vector<std::string> row = {std::string(batch.use), cm3(batch.in_actuator), cm3(batch.waste),
                                     cm3(batch.dip),         cm3(batch.mixed()),     fmt::format("{:.1f}", grams)};
-    if (recipe.base_per_hardener > 0.0) {
-      const double hardener = grams / (1.0 + recipe.base_per_hardener);
-      row.push_back(fmt::format("{:.2f}", grams - hardener));
-      row.push_back(fmt::format("{:.2f}", hardener));
+    if (ratios) {
+      const bool known = batch.base_per_hardener > 0.0;
+      const double hardener = grams / (1.0 + batch.base_per_hardener);
+      row.push_back(known ? fmt::format("{:.2f}", grams - hardener) : "-");
+      row.push_back(known ? fmt::format("{:.2f}", hardener) : "-");
     }
     batches.push_back(std::move(row));
   }
   std::vector<std::string> header = {
       "batch", "in the actuator, cm³", "waste, cm³", "in the dipping cup, cm³", "to mix, cm³", "to mix, g"};
-  if (recipe.base_per_hardener > 0.0) header.insert(header.end(), {"part A, g", "part B, g"});
+  if (ratios) header.insert(header.end(), {"part A, g", "part B, g"});
   Rows segments;
   double sum = 0.0;
+  double mass = 0.0;
   for (const SegmentSilicone& segment : recipe.segments) {
     sum += segment.volume;
+    mass += segment.mass;
     segments.push_back({fmt::format("segment {} ({})", segment.segment, kind_name(segment.kind)), cm3(segment.volume),
-                        fmt::format("{:.1f}", 1e3 * recipe.density * segment.volume)});
+                        fmt::format("{:.1f}", 1e3 * segment.mass)});
   }
-  segments.push_back({"actuator", cm3(sum), fmt::format("{:.1f}", 1e3 * recipe.density * sum)});
+  segments.push_back({"actuator", cm3(sum), fmt::format("{:.1f}", 1e3 * mass)});
   std::string text = "<section>\n<h2>Casting</h2>\n" + html_table(header, batches);
-  text += recipe.base_per_hardener > 0.0
-              ? fmt::format("<p>Part A to part B as {:.4g} to 1 by mass.</p>\n", recipe.base_per_hardener)
+  text += recipe.batches.back().base_per_hardener > 0.0
+              ? fmt::format("<p>Part A to part B of the body as {:.4g} to 1 by mass.</p>\n",
+                            recipe.batches.back().base_per_hardener)
               : "<p>The masses of part A and part B follow from the mixing ratio on the silicone's data sheet "
                 "(--base-per-hardener gives them here).</p>\n";
   text +=

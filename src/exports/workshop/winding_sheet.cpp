@@ -37,10 +37,7 @@ WindingSheet winding_sheet(const DesignSubject& subject, const ExportSettings& s
   const double factor = subject.design.calibration.coil_resistance;
   const double leads = 2.0 * settings.lead_length;
   return {.coils = subject.assembly.coils,
-          .wire_gauge = coil.wire().awg,
-          .bare_diameter = coil.wire().bare_diameter,
-          .bare_sold = winding::bare_diameters(coil.wire().awg),
-          .insulated_diameter = coil.wire().insulated_diameter,
+          .wire = coil.wire(),
           .turns_in_layer = coil.spec().turns_axial,
           .layers = coil.spec().turns_radial,
           .turn_pitch = coil.axial_pitch(),
@@ -65,7 +62,7 @@ WindingSheet winding_sheet(const DesignSubject& subject, const ExportSettings& s
 MeterReading meter_reading(const WindingSheet& sheet, double temperature) {
   const double expected =
       (sheet.coil_resistance + sheet.lead_resistance) * winding::copper_resistance_ratio(temperature);
-  const winding::ResistanceRange range = winding::resistance_range(sheet.wire_gauge);
+  const winding::ResistanceRange range = winding::resistance_range(sheet.wire);
   return {.expected = expected, .least = expected * range.least, .largest = expected * range.largest};
 }
 
@@ -81,11 +78,11 @@ std::string winding_csv(const WindingSheet& sheet) {
   const auto row = [&](std::string_view name, double si) { csv.row({name, rounded(units::from_memory(si, name))}); };
   const MeterReading reading = meter_reading(sheet, 20.0);
   row("coils", sheet.coils);
-  row("wire_gauge_AWG", sheet.wire_gauge);
-  row("bare_diameter_mm", sheet.bare_diameter);
-  row("least_bare_diameter_mm", sheet.bare_sold.least);
-  row("largest_bare_diameter_mm", sheet.bare_sold.largest);
-  row("insulated_diameter_mm", sheet.insulated_diameter);
+  if (sheet.wire.awg) row("wire_gauge_AWG", *sheet.wire.awg);
+  row("bare_diameter_mm", sheet.wire.bare_diameter);
+  row("least_bare_diameter_mm", sheet.wire.least_bare);
+  row("largest_bare_diameter_mm", sheet.wire.largest_bare);
+  row("insulated_diameter_mm", sheet.wire.insulated_diameter);
   row("turns_in_layer", sheet.turns_in_layer);
   row("layers", sheet.layers);
   row("turn_pitch_mm", sheet.turn_pitch);

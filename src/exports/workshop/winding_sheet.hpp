@@ -5,7 +5,7 @@
 
 #include "coilwright/exports/settings.hpp"
 #include "coilwright/exports/subject.hpp"
-#include "coilwright/winding/wire_tolerance.hpp"
+#include "coilwright/winding/wire.hpp"
 
 namespace coilwright::exports {
 
@@ -27,10 +27,7 @@ struct MeterReading {
 /// One coil of the actuator and the tool it is wound on; SI.
 struct WindingSheet {
   int coils{};
-  int wire_gauge{};
-  double bare_diameter{};
-  winding::BareDiameters bare_sold{};
-  double insulated_diameter{};  ///< the largest that a single build of enamel has
+  winding::Wire wire{};
   int turns_in_layer{};
   int layers{};
   double turn_pitch{};

@@ -33,9 +33,8 @@ Json section_json(const Design& design, std::string_view section) {
   Json out = Json::object();
   for (const Parameter& parameter : parameters()) {
     if (parameter.section != section) continue;
+    if (parameter.needed != nullptr && !parameter.needed(design)) continue;
     const double value = units::from_memory(parameter.get(design), parameter.key);
-    // Hardly an actuator has coils with drivers of their own.
-    if (parameter.rule == ParameterRule::share && value == 1.0) continue;
     if (!parameter.names().empty()) {
       out.set(std::string(parameter.key), parameter.names()[static_cast<std::size_t>(value)]);
       continue;
@@ -164,6 +163,7 @@ Json to_json(const Design& design, const std::string& name, const std::optional<
                            {"surroundings", section_json(design, "surroundings")},
                            {"model", choices_json(design.choices)},
                            {"calibration", calibration_json(design)}});
+  if (design.bottom_silicone) out.set("bottom_layer_silicone", section_json(design, "bottom_layer_silicone"));
   if (!design.effects.empty()) out.set("effects", to_json(design.effects));
   set_as_built(out, design.as_built);
   if (operating_point) out.set("operating_point", to_json(*operating_point));

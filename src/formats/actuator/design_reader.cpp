@@ -13,7 +13,7 @@
 #include "coilwright/actuator/design/dimensions.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
-#include "coilwright/winding/wire_gauge.hpp"
+#include "coilwright/winding/wire.hpp"
 #include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
@@ -29,9 +29,11 @@ constexpr double largest_number = 1e6;
 constexpr double most_turns = 10'000.0;
 constexpr Rule measurement = positive.and_also(Rule::at_most(largest_number));
 constexpr double absolute_zero = -273.15;  // degC
-// Shore A for which Gent's relation between hardness and modulus holds.
-constexpr double softest_shore = 20.0;
-constexpr double hardest_shore = 80.0;
+
+// For which the relation between a hardness and a modulus holds: Shore A by Gent, Shore 00 by Hertz.
+constexpr Rule shore_a = Rule::between(20.0, 80.0);
+constexpr Rule shore_00 = Rule::between(10.0, 70.0);
+constexpr Rule modulus_MPa = Rule::between(1e-3, 100.0);
 
 using actuator::ComponentKind;
 using actuator::Design;
@@ -69,10 +71,14 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
   const auto node = in.find(section);
   if (!node) return;
   ObjectReader keys(*node);
+  std::vector<const actuator::Parameter*> given;
   for (const actuator::Parameter& parameter : actuator::parameters()) {
     if (parameter.section != section) continue;
     const auto value = keys.find(parameter.key);
     if (!value) continue;
+    for (const actuator::Parameter* other : given)
+      if (const auto conflict = conflict_between(parameter, *other)) throw value->error_without_value(*conflict);
+    given.push_back(&parameter);
     if (!parameter.names().empty())
       parameter.set(design, read_name(*value, parameter));
     else if (parameter.whole)
@@ -84,30 +90,6 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
     if (const auto reference = keys.find("hinge_reference"))
       design.calibration.hinge = read_hinge_reference(*reference);
   keys.finish();
-}
-
-// "layout": ["coil", "magnet", ...] with an optional "polarity": [1, -1, ...].
-actuator::Layout read_layout(ObjectReader& in) {
-  if (in.one_of({"configuration", "layout"}) == "configuration")
-    return actuator::layout_of(read_configuration(in.at("configuration")));
-  actuator::Layout layout;
-  const Node list = in.at("layout");
-  for (const Node& part : list.elements(Length::at_least(1)))
-    layout.push_back(
-        {.kind = part.choice<ComponentKind>({{"coil", ComponentKind::coil}, {"magnet", ComponentKind::magnet}})});
-  if (const auto senses = in.find("polarity")) {
-    const std::vector<Node> elements = senses->elements(Length::exactly(layout.size()));
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      layout[i].polarity = elements[i].integer<int>();
-      if (layout[i].polarity != 1 && layout[i].polarity != -1) throw elements[i].error("must be 1 or -1");
-    }
-  }
-  try {
-    actuator::check_layout(layout);
-  } catch (const std::invalid_argument& mistake) {
-    throw list.error_without_value(mistake.what());
-  }
-  return layout;
 }
 
 actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoices& usual) {
@@ -163,7 +145,12 @@ Rule rule_of(const actuator::Parameter& parameter) {
   // What has a table, a relation or a lowest value of its own.
   if (parameter.name == "wire_gauge_AWG") return Rule::between(winding::thickest_gauge, winding::thinnest_gauge);
   if (parameter.name == "poisson_ratio") return Rule::between(0.0, 0.5);
-  if (parameter.name == "shore_hardness_A") return Rule::between(softest_shore, hardest_shore);
+  if (parameter.key == "shore_hardness_A") return shore_a;
+  if (parameter.key == "shore_hardness_00") return shore_00;
+  if (parameter.key == "youngs_modulus_MPa") return modulus_MPa;
+  if (parameter.name == "wire_diameter_mm")
+    return Rule::between(units::from_memory(winding::least_bare_diameter, parameter.key),
+                         units::from_memory(winding::largest_bare_diameter, parameter.key));
   if (parameter.name == "remanence_T") return design_remanence;
   if (parameter.name == "gravity_m_s2") return Rule::between(0.0, actuator::most_gravity);
   if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));
@@ -190,12 +177,41 @@ actuator::Configuration read_configuration(const Node& node) {
       {{"A", Configuration::A}, {"B", Configuration::B}, {"C", Configuration::C}, {"D", Configuration::D}});
 }
 
+actuator::Layout read_row(const Node& list, const std::optional<Node>& polarity) {
+  actuator::Layout layout;
+  for (const Node& part : list.elements(Length::at_least(1)))
+    layout.push_back(
+        {.kind = part.choice<ComponentKind>({{"coil", ComponentKind::coil}, {"magnet", ComponentKind::magnet}})});
+  if (polarity) read_polarity(*polarity, layout);
+  try {
+    actuator::check_layout(layout);
+  } catch (const std::invalid_argument& mistake) {
+    throw list.error_without_value(mistake.what());
+  }
+  return layout;
+}
+
+void read_polarity(const Node& node, actuator::Layout& layout) {
+  const std::vector<Node> elements = node.elements(Length::exactly(layout.size()));
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    layout[i].polarity = elements[i].integer<int>();
+    if (layout[i].polarity != 1 && layout[i].polarity != -1) throw elements[i].error("must be 1 or -1");
+  }
+}
+
+actuator::Layout read_layout(ObjectReader& in) {
+  if (in.one_of({"configuration", "layout"}) == "configuration")
+    return actuator::layout_of(read_configuration(in.at("configuration")));
+  return read_row(in.at("layout"), in.find("polarity"));
+}
+
 DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& known) {
   DesignContent content;
   Design& design = content.design;
   if (calibrated_by_first_version(in.node())) set_defaults_of_first_version(design);
   design.layout = read_layout(in);
-  for (const std::string_view section : {"coil", "magnet", "body", "surroundings"}) read_section(in, section, design);
+  for (const std::string_view section : {"coil", "magnet", "body", "bottom_layer_silicone", "surroundings"})
+    read_section(in, section, design);
   if (const int number = share_without_coil(design); number > 0)
     throw in.at("coil")
         .find(fmt::format("current_share_{}", number))

@@ -46,6 +46,15 @@ struct DesignContent {
 /// One of "A" to "D".
 [[nodiscard]] actuator::Configuration read_configuration(const text::Node& node);
 
+/// A row of coils and magnets: "configuration", or "layout" with an optional "polarity".
+[[nodiscard]] actuator::Layout read_layout(text::ObjectReader& in);
+
+/// ["coil", "magnet", ...], every polarity 1 where no other is given.
+[[nodiscard]] actuator::Layout read_row(const text::Node& list, const std::optional<text::Node>& polarity);
+
+/// [1, -1, ...], one for each component, into a row.
+void read_polarity(const text::Node& node, actuator::Layout& layout);
+
 /// The value of a parameter that has names, from one of them.
 [[nodiscard]] double read_name(const text::Node& node, const actuator::Parameter& parameter);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -54,6 +55,7 @@ std::vector<BlockVariable> variables_of(const Blocks& blocks) {
 }
 
 QuantityTable with_quantities_of(const Blocks& blocks, QuantityTable table) {
+  for (const simulation::ResultQuantity& each : simulation::joint_quantities()) table = table.with(each);
   for (const auto* block : {&blocks.gripper, &blocks.crawler}) {
     if (!*block) continue;
     for (const simulation::ResultQuantity& each : (*block)->quantities) table = table.with(each);
@@ -97,17 +99,47 @@ std::variant<Interval, Choice> read_range(ObjectReader& in, const Rule& rule, Va
   return read_choice(in.at("values"), rule, kind);
 }
 
-ConfigurationVariable read_configurations(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
-    ConfigurationVariable variable;
-    for (const Node& word : in.elements("values", Length::at_least(1))) {
-      const actuator::Configuration value = read_configuration(word);
-      if (std::ranges::count(variable.values, value) > 0) throw word.error("must not be there twice");
-      variable.values.push_back(value);
+// A row of coils and magnets under what files call it: the letter of a configuration, or its parts in words.
+NamedLayout read_configuration_value(const Node& node) {
+  const actuator::Configuration letter = read_configuration(node);
+  return {.name = std::string(actuator::name_of(letter)), .layout = actuator::layout_of(letter)};
+}
+
+// "C", ["coil", "magnet", "coil"], or {"layout": [...], "polarity": [...]}.
+NamedLayout read_layout_value(const Node& node) {
+  if (node.kind() == Node::Kind::text) return read_configuration_value(node);
+  actuator::Layout layout =
+      node.kind() == Node::Kind::array
+          ? read_row(node, std::nullopt)
+          : read_object(node, [](ObjectReader& in) { return read_row(in.at("layout"), in.find("polarity")); });
+  return {.name = text_of(layout), .layout = std::move(layout)};
+}
+
+// {"values": [...]} of rows of coils and magnets.
+template <class ReadValue>
+LayoutVariable read_layouts(const Node& node, const std::string& name, const ReadValue& read_value) {
+  return read_object(node, [&](ObjectReader& in) {
+    LayoutVariable variable{.name = name, .values = {}};
+    for (const Node& element : in.elements("values", Length::at_least(1))) {
+      NamedLayout value = read_value(element);
+      if (std::ranges::count(variable.values, value.layout, &NamedLayout::layout) > 0)
+        throw element.error_without_value("must not be there twice");
+      variable.values.push_back(std::move(value));
     }
     return variable;
   });
 }
+
+// The row of the study's own actuator, built in otherwise: [[1, 1, 1], [1, -1, 1]].
+LayoutVariable read_polarities(const Node& node, const actuator::Layout& base) {
+  return read_layouts(node, "polarity", [&base](const Node& element) {
+    actuator::Layout layout = base;
+    read_polarity(element, layout);
+    return NamedLayout{.name = text_of(layout), .layout = std::move(layout)};
+  });
+}
+
+constexpr std::array layout_names{"configuration", "layout", "polarity"};
 
 // {"values": ["N42", "N52"]}.
 ParameterVariable read_named(const Node& node, const actuator::Parameter& parameter) {
@@ -123,7 +155,9 @@ ParameterVariable read_named(const Node& node, const actuator::Parameter& parame
 }
 
 StudyVariable read_variable(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
-  if (name == "configuration") return read_configurations(node);
+  if (name == "configuration") return read_layouts(node, name, read_configuration_value);
+  if (name == "layout") return read_layouts(node, name, read_layout_value);
+  if (name == "polarity") return LayoutVariable{.name = name, .values = {}};  // of a row that is read later
   if (name == "current_A")
     return read_object(node, [](ObjectReader& in) {
       return CurrentVariable{read_range(in, current_rule(), VariableKind::continuous)};
@@ -135,7 +169,8 @@ StudyVariable read_variable(const Node& node, const std::string& name, const std
     });
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   if (parameter == nullptr) {
-    std::vector<std::string> names{"configuration", "current_A"};
+    std::vector<std::string> names(layout_names.begin(), layout_names.end());
+    names.emplace_back("current_A");
     for (const BlockVariable& known : of_blocks) names.push_back(known.name);
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
     throw node.error_without_value("is not a variable of a design" + did_you_mean(name, names));
@@ -147,10 +182,28 @@ StudyVariable read_variable(const Node& node, const std::string& name, const std
   });
 }
 
+// Two variables that set the same: which of them would count?
+void require_compatible(const Node& node, const StudyVariable& one, const StudyVariable& other) {
+  if (std::holds_alternative<LayoutVariable>(one) && std::holds_alternative<LayoutVariable>(other))
+    throw node.error_without_value(
+        fmt::format("must not vary beside \"{}\": give whole rows, as values of \"layout\" ({{\"layout\": [...], "
+                    "\"polarity\": [...]}})",
+                    name_of(one)));
+  const auto* first = std::get_if<ParameterVariable>(&one);
+  const auto* second = std::get_if<ParameterVariable>(&other);
+  if (first == nullptr || second == nullptr) return;
+  if (const auto conflict = conflict_between(*second->parameter, *first->parameter))
+    throw node.error_without_value(*conflict);
+}
+
 std::vector<StudyVariable> read_variables(const Node& node, const std::vector<BlockVariable>& of_blocks) {
   node.expect_object();
   std::vector<StudyVariable> variables;
-  for (const std::string& name : node.keys()) variables.push_back(read_variable(*node.find(name), name, of_blocks));
+  for (const std::string& name : node.keys()) {
+    variables.push_back(read_variable(*node.find(name), name, of_blocks));
+    for (std::size_t i = 0; i + 1 < variables.size(); ++i)
+      require_compatible(*node.find(name), variables[i], variables.back());
+  }
   if (variables.empty()) throw node.error_without_value("needs at least one variable");
   return variables;
 }
@@ -237,7 +290,7 @@ void require_shares_suit(const Study& study, const Node& root) {
   bool varies_layout = false;
   bool shares = !has_one_current(study.base);
   for (const StudyVariable& variable : study.variables) {
-    varies_layout = varies_layout || std::holds_alternative<ConfigurationVariable>(variable);
+    varies_layout = varies_layout || std::holds_alternative<LayoutVariable>(variable);
     const auto* number = std::get_if<ParameterVariable>(&variable);
     shares = shares || (number != nullptr && number->parameter->rule == actuator::ParameterRule::share);
   }
@@ -248,6 +301,19 @@ void require_shares_suit(const Study& study, const Node& root) {
     throw root.find("operating_point")
         ->find("wiring")
         ->error_without_value("must be parallel where coils have shares of the current: in series there is one");
+}
+
+// A letter instead of a row that has none would make another actuator of the study's own.
+void require_lettered(const Study& study, const Node& variables) {
+  const auto configuration = variables.find("configuration");
+  if (!configuration) return;
+  using enum actuator::Configuration;
+  for (const actuator::Configuration each : {A, B, C, D})
+    if (actuator::layout_of(each) == study.base.layout) return;
+  throw configuration->error_without_value(
+      fmt::format("would give up the actuator's own row ({}), which is none of the configurations: let \"layout\" vary "
+                  "({{\"values\": [[\"coil\", \"magnet\", \"coil\"], ...]}}), or \"polarity\"",
+                  text_of(study.base.layout)));
 }
 
 void require_suitable(const Blocks& blocks, const actuator::Design& base, const Node& root) {
@@ -282,6 +348,10 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
     study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
+    for (StudyVariable& variable : study.variables)
+      if (name_of(variable) == "polarity")
+        variable = read_polarities(*in.at("variables").find("polarity"), study.base.layout);
+    require_lettered(study, in.at("variables"));
     require_corrected_geometry(study, in.at("actuator"));
     require_suitable(blocks, study.base, in.node());
     require_shares_suit(study, in.node());

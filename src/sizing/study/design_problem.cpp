@@ -129,12 +129,6 @@ double coordinate_of(double value, const std::variant<Interval, Choice>& range) 
   return static_cast<double>(std::ranges::min_element(choice->values, {}, distance) - choice->values.begin());
 }
 
-bool same_row(const actuator::Layout& a, const actuator::Layout& b) {
-  return std::ranges::equal(a, b, [](const actuator::Component& left, const actuator::Component& right) {
-    return left.kind == right.kind && left.polarity == right.polarity;
-  });
-}
-
 // The coordinate of the study's own actuator in one variable. Where the current varies, the search begins with the
 // chassis ampacity of the actuator's wire.
 struct CoordinateOfBase {
@@ -145,13 +139,11 @@ struct CoordinateOfBase {
     return coordinate_of(units::from_memory(value, variable.parameter->key), variable.range);
   }
   double operator()(const CurrentVariable& variable) const {
-    return coordinate_of(winding::gauge(base.coil.wire_gauge).chassis_ampacity, variable.range);
+    return coordinate_of(wire_of(base.coil).chassis_ampacity, variable.range);
   }
   // The first of the list where the actuator's row of components is none of it.
-  double operator()(const ConfigurationVariable& variable) const {
-    const auto same = std::ranges::find_if(variable.values, [this](actuator::Configuration each) {
-      return same_row(actuator::layout_of(each), base.layout);
-    });
+  double operator()(const LayoutVariable& variable) const {
+    const auto same = std::ranges::find(variable.values, base.layout, &NamedLayout::layout);
     return same == variable.values.end() ? 0.0 : static_cast<double>(same - variable.values.begin());
   }
   double operator()(const SettingVariable& variable) const { return coordinate_of(variable.base, variable.range); }
@@ -180,8 +172,8 @@ actuator::Design DesignProblem::design_at(std::span<const double> point) const {
     if (const auto* number = std::get_if<ParameterVariable>(&study().variables[i])) {
       const double value = number_at(*number, point[i]);
       number->parameter->set(design, units::to_memory(value, number->parameter->key));
-    } else if (const auto* layout = std::get_if<ConfigurationVariable>(&study().variables[i])) {
-      design.layout = actuator::layout_of(layout->values[static_cast<std::size_t>(std::lround(point[i]))]);
+    } else if (const auto* layout = std::get_if<LayoutVariable>(&study().variables[i])) {
+      design.layout = layout->values[static_cast<std::size_t>(std::lround(point[i]))].layout;
     }
   }
   return design;

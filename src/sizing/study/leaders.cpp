@@ -18,7 +18,7 @@ Leaders::Leaders(const DesignProblem& problem) : problem_(problem) {}
 std::size_t Leaders::configuration_of(const SweptDesign& design) const {
   const std::vector<StudyVariable>& variables = problem_.study().variables;
   for (std::size_t i = 0; i < variables.size(); ++i)
-    if (std::holds_alternative<ConfigurationVariable>(variables[i]))
+    if (std::holds_alternative<LayoutVariable>(variables[i]))
       return static_cast<std::size_t>(std::lround(design.point[i]));
   return 0;
 }
@@ -42,8 +42,8 @@ void Leaders::consider(const SweptDesign& design) {
 
 std::vector<Leader> Leaders::all() const {
   const std::vector<StudyVariable>& variables = problem_.study().variables;
-  const auto varied = std::ranges::find_if(
-      variables, [](const StudyVariable& v) { return std::holds_alternative<ConfigurationVariable>(v); });
+  const auto varied =
+      std::ranges::find_if(variables, [](const StudyVariable& v) { return std::holds_alternative<LayoutVariable>(v); });
   std::vector<Leader> out;
   for (const auto& [key, design] : leaders_) {
     const auto& [configuration, objective] = key;

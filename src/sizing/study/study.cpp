@@ -18,7 +18,7 @@ namespace {
 struct NameOf {
   std::string operator()(const ParameterVariable& variable) const { return std::string(variable.parameter->name); }
   std::string operator()(const CurrentVariable&) const { return "current_A"; }
-  std::string operator()(const ConfigurationVariable&) const { return "configuration"; }
+  std::string operator()(const LayoutVariable& variable) const { return variable.name; }
   std::string operator()(const SettingVariable& variable) const { return variable.name; }
 };
 
@@ -35,7 +35,7 @@ Variable numeric_variable(std::string name, const std::variant<Interval, Choice>
 
 struct AsSearchVariable {
   Variable operator()(const ParameterVariable& variable) const {
-    if (!variable.parameter->names().empty())  // materials have no order, as configurations have none
+    if (!variable.parameter->names().empty())  // materials have no order, as layouts have none
       return {.name = std::string(variable.parameter->name),
               .kind = VariableKind::categorical,
               .lower = 0.0,
@@ -46,8 +46,8 @@ struct AsSearchVariable {
   Variable operator()(const CurrentVariable& variable) const {
     return numeric_variable("current_A", variable.range, VariableKind::continuous);
   }
-  Variable operator()(const ConfigurationVariable& variable) const {
-    return {.name = "configuration",
+  Variable operator()(const LayoutVariable& variable) const {
+    return {.name = variable.name,
             .kind = VariableKind::categorical,
             .lower = 0.0,
             .upper = static_cast<double>(variable.values.size()) - 1.0};
@@ -87,8 +87,8 @@ struct ValueAt {
     return names[index_of(number)];
   }
   VariableValue operator()(const CurrentVariable& variable) const { return number_at(variable.range, coordinate); }
-  VariableValue operator()(const ConfigurationVariable& variable) const {
-    return actuator::name_of(variable.values[index_of(coordinate)]);
+  VariableValue operator()(const LayoutVariable& variable) const {
+    return std::string_view(variable.values[index_of(coordinate)].name);
   }
   VariableValue operator()(const SettingVariable& variable) const { return number_at(variable.range, coordinate); }
 };
@@ -108,6 +108,13 @@ ParameterVariable parameter_variable(std::string_view name, std::variant<Interva
       throw std::invalid_argument(fmt::format("{} has names: give a list of their indices, 0 to {}", name, names - 1));
   }
   return {.parameter = parameter, .range = std::move(range)};
+}
+
+LayoutVariable configuration_variable(std::vector<actuator::Configuration> values) {
+  LayoutVariable out{.name = "configuration", .values = {}};
+  for (const actuator::Configuration each : values)
+    out.values.push_back({.name = std::string(actuator::name_of(each)), .layout = actuator::layout_of(each)});
+  return out;
 }
 
 std::string name_of(const StudyVariable& variable) {

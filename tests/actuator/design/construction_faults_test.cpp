@@ -77,8 +77,19 @@ TEST(ConstructionFaults, NameTurnsThatNobodyWinds) {
 }
 
 TEST(ConstructionFaults, NameWireThatIsNoneOrDoesNotGoRoundItsBore) {
-  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_gauge = 19; }), "wire gauge must be AWG 20 to 40; got 19");
-  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_gauge = 41; }), "wire gauge must be AWG 20 to 40; got 41");
+  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_gauge = 9; }), "wire gauge must be AWG 10 to 50; got 9");
+  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_gauge = 51; }), "wire gauge must be AWG 10 to 50; got 51");
+  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_diameter = 6e-3; }),
+            "wire diameter must be 0.018 to 5 mm; got 6 mm");
+  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_diameter = not_a_number; }),
+            "wire diameter must be 0.018 to 5 mm; got nan mm");
+  EXPECT_EQ(rules_after([](Design& d) { d.coil.wire_overall = 0.3e-3; }),
+            "wire over its enamel must be thicker than its copper, 0.3226 mm at most; got 0.3 mm");
+  EXPECT_EQ(rules_after([](Design& d) {
+              d.coil.wire_diameter = 1e-3;
+              d.coil.inner_radius = 1.5e-3;
+            }),
+            "coil inner radius must be at least 1.593 mm for 1 mm; got 1.5 mm");
   // 1.5 insulated diameters of 0.3556 mm.
   EXPECT_EQ(rules_after([](Design& d) { d.coil.inner_radius = 0.5e-3; }),
             "coil inner radius must be at least 0.5334 mm for AWG 28; got 0.5 mm");
@@ -89,6 +100,15 @@ TEST(ConstructionFaults, NameMaterialsAndSurroundingsOutsideTheirRange) {
             "shore hardness must lie in 20 to 80; got 81.5");
   EXPECT_EQ(rules_after([](Design& d) { d.body.shore_hardness = not_a_number; }),
             "shore hardness must lie in 20 to 80; got nan");
+  EXPECT_EQ(rules_after([](Design& d) { d.body.shore_hardness_00 = 80.0; }),
+            "shore 00 hardness must lie in 10 to 70; got 80");
+  EXPECT_EQ(rules_after([](Design& d) { d.body.young_modulus = 1.0; }),
+            "Young's modulus in MPa must lie in 0.001 to 100; got 1e-06");
+  EXPECT_EQ(rules_after([](Design& d) {
+              d.bottom_silicone = d.body;
+              d.bottom_silicone->density = -1.0;
+            }),
+            "bottom layer's silicone density must be finite and > 0; got -1 kg/m3");
   EXPECT_EQ(rules_after([](Design& d) { d.surroundings.gravity = -9.81; }),
             "gravity must lie in 0 to 100 m/s2; got -9.81");
   EXPECT_EQ(rules_after([](Design& d) { d.surroundings.gravity = 9810.0; }),
@@ -143,7 +163,7 @@ TEST(ConstructionFaults, GrowWithTheDistanceFromWhatCanBeBuilt) {
   EXPECT_GT(near, 0.0);
   EXPECT_GT(far, near);
   EXPECT_GT(excess([](Design& d) { d.body.gap = -2e-3; }), excess([](Design& d) { d.body.gap = -1e-3; }));
-  EXPECT_GT(excess([](Design& d) { d.coil.wire_gauge = 45; }), excess([](Design& d) { d.coil.wire_gauge = 41; }));
+  EXPECT_GT(excess([](Design& d) { d.coil.wire_gauge = 55; }), excess([](Design& d) { d.coil.wire_gauge = 51; }));
 }
 
 TEST(Assemble, ReturnsTheMisfitsAndItsTwinThrowsTheFirst) {

@@ -57,7 +57,9 @@ Moments summed(const Design& design, const Dimensions& size, int index, int cell
       double column = 0.0;
       for (int k = 0; k < cells; ++k) {
         const double r = std::hypot(y - size.axis_offset, -0.5 * size.width + (k + 0.5) * dz);
-        column += beside_core && r > inner && r < outer ? core_density : design.body.density;
+        const bool in_bottom = design.bottom_silicone && y < 0.5 * design.body.bottom_layer;
+        const double silicone = in_bottom ? design.bottom_silicone->density : design.body.density;
+        column += beside_core && r > inner && r < outer ? core_density : silicone;
       }
       const double mass = column * dx * dy * dz;
       sum.mass += mass;
@@ -89,6 +91,31 @@ TEST(Segments, AreTheDensitySummedOverAGrid) {
     // whose density differs by up to 7 from the silicone's. Eight times finer must be clearly better.
     EXPECT_LT(fine, 8e-3) << index;
     EXPECT_LT(fine, 0.5 * coarse) << index;
+  }
+}
+
+// A bottom layer as heavy as a metal shows what a silicone's few per cent would hide in the grid.
+TEST(Segments, AreTheDensitySummedOverAGridWithABottomLayerOfItsOwn) {
+  Design design = uneven_design();
+  design.bottom_silicone = design.body;
+  design.bottom_silicone->density = 5000.0;
+  const Dimensions size = dimensions(design);
+  const std::vector<Segment> parts = segments(design, size);
+  for (int index = 0; index < 3; ++index) {
+    const Segment& part = parts[static_cast<std::size_t>(index)];
+    EXPECT_LT(worst_error(part, summed(design, size, index, 240)), 8e-3) << index;
+    const double length = part.length + (index == 2 ? design.body.front_length : 0.0);
+    EXPECT_NEAR(part.bottom_mass, 5000.0 * size.width * design.body.bottom_layer * length, 1e-12);
+  }
+  // Of the same silicone it is no layer.
+  design.bottom_silicone->density = design.body.density;
+  const std::vector<Segment> same = segments(design, size);
+  design.bottom_silicone.reset();
+  const std::vector<Segment> one = segments(design, size);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(same[i].mass, one[i].mass, 1e-15 * one[i].mass);
+    EXPECT_NEAR(same[i].inertia, one[i].inertia, 1e-12 * one[i].inertia);
+    EXPECT_NEAR(same[i].heat_capacity, one[i].heat_capacity, 1e-12 * one[i].heat_capacity);
   }
 }
 

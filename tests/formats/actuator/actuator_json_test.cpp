@@ -60,11 +60,19 @@ TEST(ActuatorJson, ReadsBackAsTheSameBitsWhateverTheNumbers) {
       const double value = units::from_memory(parameter.get(design), parameter.key) * factor(random);
       parameter.set(design, units::to_memory(value, parameter.key));
     }
-    design.coil.wire_gauge = 20 + i % 21;
-    design.coil.inner_radius = 4.0 * factor(random) / 1e3;  // no bore too tight for the wire
-    design.body.shore_hardness = 40.0 * factor(random);     // within Gent's relation
-    design.magnet.remanence = 1.4 * factor(random);         // up to 2 T
-    design.body.poisson_ratio = 0.35 * factor(random);      // up to 0.5
+    // By a gauge, a diameter, or a diameter with an enamel of its own; by every name of a stiffness.
+    const auto set = [&design](std::string_view name, double si) { actuator::find_parameter(name)->set(design, si); };
+    if (i % 3 == 0) set("wire_gauge_AWG", 20 + i % 21);
+    if (i % 3 == 1) set("wire_diameter_mm", 0.3e-3 * factor(random));
+    if (i % 3 == 2) set("wire_overall_mm", 1.2 * design.coil.wire_diameter);
+    set("enamel", i % 2);
+    design.coil.inner_radius = 4.0 * factor(random) / 1e3;           // no bore too tight for the wire
+    if (i % 4 == 0) set("shore_hardness_A", 40.0 * factor(random));  // within Gent's relation
+    if (i % 4 == 1) set("shore_hardness_00", 30.0 * factor(random));
+    if (i % 4 == 2) set("bottom_shore_hardness_A", 40.0 * factor(random));
+    if (i % 4 == 3) design.bottom_silicone.reset();
+    design.magnet.remanence = 1.4 * factor(random);                                        // up to 2 T
+    design.body.poisson_ratio = 0.35 * factor(random);                                     // up to 0.5
     design.coil.current_shares = {0.7 * factor(random), -0.7 * factor(random), 1.0, 1.0};  // of two coils, up to 1
     const actuator::Parameter& tilt = *actuator::find_parameter("base_tilt_deg");
     tilt.set(design, units::to_memory(17.0 * factor(random), tilt.key));
@@ -89,6 +97,64 @@ TEST(ActuatorJson, CallsTheGradeOfAMagnetByItsName) {
   design.magnet.remanence = 1.33;  // measured
   EXPECT_NE(to_json(design, "plain").text().find("\"grade\": \"N45SH\""), std::string::npos);
   expect_same_bits(read_back(design), design);
+}
+
+std::string refusal_of(const std::string& keys) {
+  return text::testing::error_of(
+      [&] { (void)parse_actuator(R"({"format": "actuator/1", "configuration": "B", )" + keys + "}", "finger.json"); });
+}
+
+TEST(ActuatorJson, NamesAWireByItsDiameter) {
+  const auto coil = [](const std::string& keys) {
+    return std::get<Design>(
+               parse_actuator(R"({"format": "actuator/1", "configuration": "B", "coil": {)" + keys + "}}", "x").content)
+        .coil;
+  };
+  EXPECT_EQ(wire_of(coil(R"("wire_diameter_mm": 0.25)")).insulated_diameter, 0.281e-3);  // IEC 60317-0-1
+  EXPECT_NEAR(wire_of(coil(R"("wire_diameter_mm": 0.25, "enamel": "grade_2")")).insulated_diameter, 0.297e-3, 1e-12);
+  EXPECT_EQ(wire_of(coil(R"("wire_overall_mm": 0.3, "wire_diameter_mm": 0.25)")).insulated_diameter, 0.3 / 1e3);
+  EXPECT_EQ(wire_of(coil(R"("wire_gauge_AWG": 16)")).name(), "AWG 16");
+  Design design;
+  design.coil.wire_diameter = 0.25e-3;
+  const std::string text = to_json(design, "metric").text();
+  EXPECT_NE(text.find("\"wire_diameter_mm\": 0.25"), std::string::npos);
+  EXPECT_EQ(text.find("AWG"), std::string::npos);
+  EXPECT_EQ(to_json(Design{}, "plain").text().find("wire_diameter_mm"), std::string::npos);
+}
+
+TEST(ActuatorJson, TakesOneNameOfAWireAndOneOfAStiffness) {
+  EXPECT_EQ(refusal_of(R"("coil": {"wire_gauge_AWG": 30, "wire_diameter_mm": 0.25})"),
+            "finger.json: /coil/wire_diameter_mm: must not be there beside \"wire_gauge_AWG\": both give the wire");
+  EXPECT_EQ(
+      refusal_of(R"("body": {"youngs_modulus_MPa": 0.1, "shore_hardness_00": 30})"),
+      "finger.json: /body/youngs_modulus_MPa: must not be there beside \"shore_hardness_00\": both give the stiffness "
+      "of the silicone");
+  EXPECT_EQ(refusal_of(R"("coil": {"wire_diameter_mm": 0.25, "wire_overall_mm": 0.2})"),
+            "finger.json: wire over its enamel must be thicker than its copper, 0.254 mm at most; got 0.2 mm");
+  EXPECT_EQ(refusal_of(R"("coil": {"wire_diameter_mm": 25})"),
+            "finger.json: /coil/wire_diameter_mm: must be from 0.018 to 5; got 25");
+}
+
+TEST(ActuatorJson, KnowsSiliconesByTheirNameAndASecondOneInTheBottomLayer) {
+  const auto read = [](const std::string& keys) {
+    return std::get<Design>(
+        parse_actuator(R"({"format": "actuator/1", "configuration": "B", )" + keys + "}", "x").content);
+  };
+  const Design soft = read(R"("body": {"silicone": "Ecoflex 00-30"})");
+  EXPECT_NEAR(soft.body.modulus(), 10.0 * 6894.757 * 12.0 / 7.0, 1e-6);  // 10 psi at 100 %
+  EXPECT_EQ(soft.body.density, 1070.0);
+  EXPECT_EQ(soft.body.name(), "Ecoflex 00-30");
+  EXPECT_FALSE(soft.bottom_silicone.has_value());
+  EXPECT_EQ(read(R"("body": {"silicone": "Ecoflex 00-30", "youngs_modulus_MPa": 0.07})").body.modulus(), 0.07e6);
+  const Design both = read(
+      R"("body": {"silicone": "Ecoflex 00-30", "conductivity_W_mK": 0.25}, "bottom_layer_silicone": {"silicone": "Dragon Skin 30"})");
+  ASSERT_TRUE(both.bottom_silicone.has_value());
+  EXPECT_EQ(both.bottom_silicone->density, 1080.0);
+  EXPECT_EQ(both.bottom_silicone->conductivity, 0.25);  // as the body, where nothing else is said
+  expect_same_bits(read_back(both), both);
+  EXPECT_NE(
+      refusal_of(R"("body": {"silicone": "Ecoflex 30"})").find("/body/silicone: must be one of \"none\", \"Ecoflex"),
+      std::string::npos);
 }
 
 TEST(ActuatorJson, ReadsTheNumbersOfAGradeUnlessTheFileHasItsOwn) {

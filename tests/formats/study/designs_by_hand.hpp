@@ -20,7 +20,7 @@ inline sizing::Study study() {
   Study out;
   out.name = "by hand";
   out.variables = {
-      ConfigurationVariable{.values = {actuator::Configuration::D, actuator::Configuration::A}},
+      configuration_variable({actuator::Configuration::D, actuator::Configuration::A}),
       CurrentVariable{.range = Interval{.lower = 0.1, .upper = 1.5}},
       ParameterVariable{.parameter = actuator::find_parameter("wire_gauge_AWG"), .range = Choice{.values = {26, 30}}}};
   out.objectives = {{.quantity = quantity("current_A"), .sense = Sense::minimise},

@@ -75,8 +75,11 @@ TEST_F(StudyFile, TakesAmericanSpellingOfTheSense) {
 TEST_F(StudyFile, KeepsItsVariablesInTheOrderWritten) {
   const Study study = parse(text);
   ASSERT_EQ(study.variables.size(), 5u);
-  EXPECT_EQ(std::get<ConfigurationVariable>(study.variables[0]).values,
-            (std::vector{actuator::Configuration::D, actuator::Configuration::A}));
+  const auto& rows = std::get<LayoutVariable>(study.variables[0]);
+  EXPECT_EQ(rows.name, "configuration");
+  ASSERT_EQ(rows.values.size(), 2u);
+  EXPECT_EQ(rows.values[0].name, "D");
+  EXPECT_EQ(rows.values[1].layout, actuator::layout_of(actuator::Configuration::A));
   const auto& turns = std::get<Interval>(std::get<ParameterVariable>(study.variables[1]).range);
   EXPECT_EQ(turns.upper, 17.0);
   EXPECT_EQ(turns.step, 3.0);
@@ -133,6 +136,84 @@ TEST_F(StudyFile, MayVaryAMaterialByItsName) {
   EXPECT_NE(message(R"(["N42 SH"])").find(R"(did you mean "N42SH"?)"), std::string::npos);
   EXPECT_NE(message(R"(["N42", "N42"])").find("/variables/magnet_grade/values/1: must not be there twice"),
             std::string::npos);
+}
+
+TEST_F(StudyFile, MayVaryTheRowOfPartsAndItsPolarity) {
+  const auto study = [this](const std::string& variables) {
+    return parse(R"({"format": "study/1", "name": "rows", "actuator": "sub/finger.json", "variables": {)" + variables +
+                 R"(}, "operating_point": {"current_A": 1}, "objectives": [{"maximise": "stroke_deg"}]})");
+  };
+  const Study rows = study(
+      R"("layout": {"values": ["C", ["coil", "magnet"], {"layout": ["coil", "magnet", "coil"], "polarity": [1, -1, 1]}]})");
+  EXPECT_EQ(search_variable(rows.variables[0]).kind, VariableKind::categorical);
+  EXPECT_EQ(std::get<std::string_view>(value_at(rows.variables[0], 0.0)), "C");
+  EXPECT_EQ(std::get<std::string_view>(value_at(rows.variables[0], 1.0)), "coil magnet");
+  EXPECT_EQ(std::get<std::string_view>(value_at(rows.variables[0], 2.0)), "coil -magnet coil");
+  EXPECT_EQ(DesignProblem(rows).design_at(std::vector{2.0}).layout[1].polarity, -1);
+  const Study senses = study(R"("polarity": {"values": [[1, 1, 1], [1, -1, 1]]})");
+  EXPECT_EQ(name_of(senses.variables[0]), "polarity");
+  EXPECT_EQ(DesignProblem(senses).problem().start, std::vector{0.0});  // the actuator's own
+  EXPECT_EQ(DesignProblem(senses).design_at(std::vector{1.0}).layout[1].polarity, -1);
+
+  const auto message = [&](const std::string& variables) {
+    return text::testing::error_of([&] { (void)study(variables); });
+  };
+  EXPECT_NE(message(R"("polarity": {"values": [[1, 1]]})").find("/variables/polarity/values/0: "), std::string::npos);
+  EXPECT_NE(message(R"("polarity": {"values": [[1, 1, 1], [1, 1, 1]]})")
+                .find("/variables/polarity/values/1: must not be there twice"),
+            std::string::npos);
+  EXPECT_NE(message(R"("polarity": {"values": [[1, 1, 1]]}, "configuration": {"values": ["A"]})")
+                .find("/variables/configuration: must not vary beside \"polarity\": give whole rows, as values of "
+                      "\"layout\""),
+            std::string::npos);
+  EXPECT_NE(message(R"("layout": {"values": [["magnet", "magnet"]]})").find("/variables/layout/values/0: layout"),
+            std::string::npos);
+}
+
+TEST_F(StudyFile, DoesNotGiveUpARowForALetter) {
+  const std::string study = R"({"format": "study/1", "name": "rows", "actuator": "row.json",
+      "variables": {"configuration": {"values": ["A", "B"]}}, "operating_point": {"current_A": 1},
+      "objectives": [{"maximise": "stroke_deg"}]})";
+  const auto with_row = [&](const std::string& row) {
+    return text::testing::error_of([&] {
+      (void)parse_study(study, "s.json", {.file = "row.json", .text = R"({"format": "actuator/1", )" + row + "}"});
+    });
+  };
+  EXPECT_EQ(with_row(R"("layout": ["coil", "magnet", "coil"], "polarity": [1, -1, 1])"),
+            "s.json: /variables/configuration: would give up the actuator's own row (coil -magnet coil), which is none "
+            "of the configurations: let \"layout\" vary ({\"values\": [[\"coil\", \"magnet\", \"coil\"], ...]}), or "
+            "\"polarity\"");
+  // A row that a letter has is no other one.
+  EXPECT_EQ(with_row(R"("layout": ["coil", "magnet", "coil"])"), text::testing::error_of([] {}));
+}
+
+TEST_F(StudyFile, MayVaryAWireByItsDiameterAndASiliconeByItsName) {
+  const auto study = [this](const std::string& variables) {
+    return parse(R"({"format": "study/1", "name": "wires", "actuator": "sub/finger.json", "variables": {)" + variables +
+                 R"(}, "operating_point": {"current_A": 1}, "objectives": [{"maximise": "stroke_deg"}]})");
+  };
+  const DesignProblem metric(study(
+      R"("wire_diameter_mm": {"values": [0.2, 0.25]}, "silicone": {"values": ["Dragon Skin 20", "Dragon Skin 30"]})"));
+  const actuator::Design design = metric.design_at(std::vector{1.0, 0.0});
+  EXPECT_EQ(wire_of(design.coil).name(), "0.25 mm");
+  EXPECT_EQ(design.body.name(), "Dragon Skin 20");
+  // The actuator's gauge, as a diameter, where the search begins.
+  const DesignProblem range(study(R"("wire_diameter_mm": {"lower": 0.1, "upper": 0.5})"));
+  EXPECT_NEAR(range.problem().start[0], 1e3 * wire_of(range.study().base.coil).bare_diameter, 1e-12);
+  EXPECT_NE(text::testing::error_of([&] {
+              (void)study(R"("wire_diameter_mm": {"values": [0.2]}, "wire_gauge_AWG": {"values": [26, 28]})");
+            }).find("/variables/wire_gauge_AWG: must not be there beside \"wire_diameter_mm\": both give the wire"),
+            std::string::npos);
+}
+
+TEST_F(StudyFile, LimitsTheAngleOfASingleJoint) {
+  const Study study = parse(R"({"format": "study/1", "name": "joints", "actuator": "sub/finger.json",
+      "variables": {"gap_mm": {"values": [1, 1.2]}}, "operating_point": {"current_A": 1},
+      "objectives": [{"maximise": "joint2_angle_deg"}],
+      "constraints": [{"quantity": "rest_joint1_angle_deg", "at_least": 0}]})");
+  EXPECT_NE(study.quantities.find("joint2_angle_deg"), nullptr);
+  EXPECT_EQ(study.quantities.find("joint1_angle_deg"), nullptr);  // not asked for
+  EXPECT_EQ(study.operating.cases, actuator::HeldCases::free);
 }
 
 TEST_F(StudyFile, MayVaryTheCurrentAndSayNothingElseOfIt) {

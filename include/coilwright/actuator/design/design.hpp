@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "coilwright/actuator/design/layout.hpp"
@@ -11,6 +12,8 @@
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/magnet_grade.hpp"
 #include "coilwright/magnetics/thick_coil.hpp"
+#include "coilwright/mechanics/silicone_grade.hpp"
+#include "coilwright/winding/wire.hpp"
 
 namespace coilwright::actuator {
 
@@ -26,7 +29,10 @@ struct CoilDesign {
   double inner_radius = 3e-3;  ///< of the bore, m
   int turns_radial = 15;       ///< layers
   int turns_axial = 30;        ///< turns in a layer
-  int wire_gauge = 28;         ///< AWG, 20 to 40
+  int wire_gauge = 28;         ///< AWG, 10 to 50: names the wire where `wire_diameter` is 0
+  double wire_diameter = 0.0;  ///< bare, m; 0: that of the gauge
+  winding::Enamel enamel = winding::Enamel::grade_1;
+  double wire_overall = 0.0;  ///< largest diameter over the enamel, m; 0: by its grade
   /// What each coil carries of the operating current, -1 to 1; other than 1 it needs a driver of its own.
   std::array<double, most_current_shares> current_shares{1.0, 1.0, 1.0, 1.0};
 };
@@ -51,8 +57,28 @@ struct MagnetDesign {
   [[nodiscard]] magnetics::CylinderMagnet cylinder() const;
 };
 
+/// A silicone. Its stiffness is named by one of three numbers: the first that is not 0 counts.
+struct SiliconeDesign {
+  double young_modulus = 0.0;      ///< Pa; 0: by a hardness
+  double shore_hardness_00 = 0.0;  ///< Shore 00, 10 to 70; 0: by Shore A
+  double shore_hardness = 28.0;    ///< Shore A, 20 to 80 (Elastosil M 4601: 28)
+  double density = 1130.0;         ///< kg/m^3
+  double heat_capacity = 1300.0;   ///< J/(kg K), silicone rubber: 1050 to 1300 (makers' tables)
+  double conductivity = 0.2;       ///< W/(m K), unfilled silicone rubber
+  /// What it is sold as, a row of mechanics::silicone_grades(); nullptr: not known.
+  const mechanics::SiliconeGrade* grade = nullptr;
+
+  /// Makes it of a grade (or of nullptr, which changes no number): modulus and density become the grade's. Set
+  /// afterwards what was measured.
+  void make_of(const mechanics::SiliconeGrade* material);
+  /// Young's modulus at small strains, Pa. Throws std::invalid_argument for a hardness outside its range.
+  [[nodiscard]] double modulus() const;
+  /// As a person orders it: "Ecoflex 00-30", "Shore 28A", "0.25 MPa".
+  [[nodiscard]] std::string name() const;
+};
+
 /// The silicone body around the parts. Cross-section and hinge line follow from it: see Dimensions.
-struct BodyDesign {
+struct BodyDesign : SiliconeDesign {
   double gap = 0.9e-3;           ///< coil face to magnet face at angle 0, m: two silicone walls (the paper's d_0)
   double bottom_layer = 2.5e-3;  ///< h_b, m: the hinge strip
   double side_wall = 1.0e-3;     ///< left and right of the widest part, m
@@ -63,15 +89,11 @@ struct BodyDesign {
   double slot_width = 0.9e-3;    ///< of the cut between two segments, along the finger, m; HingeLaw::slot alone
   double hinge_length = 2.4e-3;  ///< length of the bottom layer that bends, m; HingeLaw::beam alone
   double poisson_ratio = 0.5;    ///< 0 to 0.5; silicone's bulk modulus is a thousand times its E: 0.4998 and more
-  double shore_hardness = 28.0;  ///< Shore A, 20 to 80 (Elastosil M 4601: 28)
   double loss_factor = 0.15;     ///< of the silicone at the finger's first mode; DampingLaw::loss_factor alone
   double loss_time = 4.8e-3;     ///< damping over stiffness of the silicone, s; DampingLaw::proportional alone
   /// Damping of a joint that does not follow its hinge (wires, faces that rub at the cut), N m s/rad; what the
   /// prototype's 0.129 N mm s/rad leave beside 0.15.
   double constant_damping = 0.0692e-3;
-  double density = 1130.0;        ///< kg/m^3
-  double heat_capacity = 1300.0;  ///< J/(kg K), silicone rubber: 1050 to 1300 (makers' tables)
-  double conductivity = 0.2;      ///< W/(m K), unfilled silicone rubber
 };
 
 /// Where segments are allowed to meet when a joint closes.
@@ -172,11 +194,19 @@ struct Design {
   CoilDesign coil{};
   MagnetDesign magnet{};
   BodyDesign body{};
+  /// Of the bottom layer, the hinge, where that is cast of another silicone than the body above it.
+  std::optional<SiliconeDesign> bottom_silicone{};
   Surroundings surroundings{};
   ModelChoices choices{};
   Calibration calibration{};
   std::vector<Effect> effects{};  ///< that the model has beside its stages; each kind at most once
   AsBuilt as_built{};             ///< how the one that was built differs from its numbers
 };
+
+/// The wire of the coils. Throws std::invalid_argument for a gauge or a diameter that there is not.
+[[nodiscard]] winding::Wire wire_of(const CoilDesign& coil);
+
+/// The silicone that bends: that of the bottom layer.
+[[nodiscard]] const SiliconeDesign& hinge_silicone(const Design& design);
 
 }  // namespace coilwright::actuator

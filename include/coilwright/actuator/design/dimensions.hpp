@@ -17,8 +17,8 @@ struct ConstructionFault {
 /// What is wrong with a design; empty for one that can be built.
 using ConstructionFaults = std::vector<ConstructionFault>;
 
-/// All rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, gauges outside
-/// the table, a bore too tight for its wire, hardness outside Gent's relation, a layout that is none, calibration
+/// All rules that `design` breaks: sizes that are not finite and positive, turns outside 1 to 10,000, wires that
+/// there are not, a bore too tight for its wire, hardnesses outside their relations, a layout that is none, calibration
 /// factors or surroundings that are no such thing. Empty for a design that can be built. Never throws.
 [[nodiscard]] ConstructionFaults construction_faults(const Design& design);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct Component {
   ComponentKind kind{};
   /// +1 or -1. A coil of +1 at positive current repels a magnet of +1; reversing either reverses the sign.
   int polarity = 1;
+
+  friend bool operator==(const Component&, const Component&) = default;
 };
 
 /// Base to tip. The first component sits in the fixed rear part, each further one in a segment of its own.
@@ -30,6 +33,9 @@ enum class Configuration {
 
 /// Layout of a configuration, every polarity +1.
 [[nodiscard]] Layout layout_of(Configuration configuration);
+
+/// A layout in words, base to tip, a minus before what is built in the other way: "coil -magnet coil".
+[[nodiscard]] std::string text_of(const Layout& layout);
 
 /// Throws std::invalid_argument naming the rule and what was received: 2 to max_joints + 1 components, polarities +1 or
 /// -1, at least one coil and one magnet, and no two magnets next to each other (nothing keeps them apart).

@@ -15,6 +15,7 @@ struct Segment {
   double com_offset{};     ///< from the hinge line, m
   double inertia{};        ///< about the centre of mass, in the plane of bending, kg m^2
   double silicone_mass{};  ///< of that, kg
+  double bottom_mass{};    ///< of that the bottom layer's, where it is of another silicone than the body; else 0
   double heat_capacity{};  ///< J/K
 };
 
@@ -22,7 +23,8 @@ struct Segment {
 /// counted from its rear end. The last one carries the front part.
 ///
 /// Each is a silicone box of the body's cross-section with its coil or magnet cast in on the axis (the bore of a coil
-/// filled); wires are not counted. Under SegmentMass::on_axis_points the offset is the axis's and the inertia zero.
+/// filled), on a bottom layer of its own silicone where there is one; wires are not counted. Under
+/// SegmentMass::on_axis_points the offset is the axis's and the inertia zero.
 [[nodiscard]] std::vector<Segment> segments(const Design& design, const Dimensions& dimensions);
 
 }  // namespace coilwright::actuator

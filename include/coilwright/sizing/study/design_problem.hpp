@@ -24,7 +24,7 @@ struct NotEvaluated {
 using DesignResult = std::variant<EvaluatedDesign, NotEvaluated>;
 
 /// A study as an optimisation problem. Immutable; copies are cheap and share the study. A point has one coordinate for
-/// each variable of the study, in the unit of the variable's name; for lists and configurations it is the index of the
+/// each variable of the study, in the unit of the variable's name; for lists and layouts it is the index of the
 /// value.
 class DesignProblem {
  public:

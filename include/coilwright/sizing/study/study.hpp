@@ -40,10 +40,20 @@ struct CurrentVariable {
   std::variant<Interval, Choice> range;  ///< A
 };
 
-/// The configuration (the order of coils and magnets), if it varies.
-struct ConfigurationVariable {
-  std::vector<actuator::Configuration> values;
+/// A row of coils and magnets and what files call it: "C", "coil -magnet coil".
+struct NamedLayout {
+  std::string name;
+  actuator::Layout layout;
 };
+
+/// The row of coils and magnets, if it varies.
+struct LayoutVariable {
+  std::string name = "layout";  ///< "configuration", "layout" or "polarity": of what its values are
+  std::vector<NamedLayout> values;
+};
+
+/// A variable "configuration" of these.
+[[nodiscard]] LayoutVariable configuration_variable(std::vector<actuator::Configuration> values);
 
 /// A number that is no part of the design, if it varies: of what the study's quantities build from the actuator.
 struct SettingVariable {
@@ -51,7 +61,7 @@ struct SettingVariable {
   double base{};     ///< where the search begins, in the unit of the name
   std::variant<Interval, Choice> range;
 };
-using StudyVariable = std::variant<ParameterVariable, CurrentVariable, ConfigurationVariable, SettingVariable>;
+using StudyVariable = std::variant<ParameterVariable, CurrentVariable, LayoutVariable, SettingVariable>;
 
 /// A variable that moves one of actuator::parameters(). Throws std::invalid_argument where none has that name, and for
 /// a range of one that has names and takes a choice of their indices.
@@ -60,13 +70,13 @@ using StudyVariable = std::variant<ParameterVariable, CurrentVariable, Configura
 /// The name of a variable as files write it: "gap_mm", "current_A", "configuration".
 [[nodiscard]] std::string name_of(const StudyVariable& variable);
 
-/// The variable of the search: in the unit of its name or, for lists and configurations, the index of the value.
+/// The variable of the search: in the unit of its name or, for lists and layouts, the index of the value.
 [[nodiscard]] Variable search_variable(const StudyVariable& variable);
 
 /// Number of values of a variable; empty for a continuous one.
 [[nodiscard]] std::optional<std::size_t> value_count(const StudyVariable& variable);
 
-/// A value of a variable as files write it: a number, the letter of a configuration, or one of a parameter's names.
+/// A value of a variable as files write it: a number, the name of a layout, or one of a parameter's names.
 using VariableValue = std::variant<double, std::string_view>;
 
 /// The value at a coordinate of the search.

@@ -21,6 +21,7 @@ void check_link(const Link& link, int index) {
   check(link.com_offset, true, index, "com_offset", "finite");
   check(link.mass, link.mass > 0.0, index, "mass", "finite and > 0");
   check(link.inertia, link.inertia >= 0.0, index, "inertia", "finite and >= 0");
+  check(link.rotor_inertia, link.rotor_inertia >= 0.0, index, "rotor_inertia", "finite and >= 0");
 }
 
 }  // namespace coilwright::mechanics

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "coilwright/mechanics/ldlt.hpp"
+#include "mechanics/add_rotors.hpp"
 #include "mechanics/check_link.hpp"
 
 namespace coilwright::mechanics {
@@ -93,6 +94,7 @@ JointMatrix PlanarChain::absolute_mass_matrix(const Directions& d) const {
           links_[j].length * (along_moment_[k] * d.cosine_between(j, k) + offset_moment_[k] * d.sine_between(j, k));
     }
   }
+  add_rotors(links(), mass);
   return mass;
 }
 

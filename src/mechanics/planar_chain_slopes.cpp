@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "coilwright/mechanics/planar_chain.hpp"
+#include "mechanics/add_rotors.hpp"
 
 namespace coilwright::mechanics {
 namespace {
@@ -60,6 +61,7 @@ ChainSlopes PlanarChain::slopes(const JointVector& angles, const JointVector& ra
       out.by_angle(k, j) -= far;
     }
   }
+  add_rotors(links(), mass);
   absolute_to_joint(out.by_acceleration, n);
   absolute_to_joint(out.by_rate, n);
   absolute_to_joint(out.by_angle, n);

@@ -243,6 +243,51 @@ TEST(PlanarChain, GivesWayAtAJointByItsMobility) {
   }
 }
 
+// Lagrange's equations by differences of the energies, with a rotor's J theta_j'^2 / 2 written down beside them: the
+// torque that an acceleration takes is what is left of d/dt(dT/dtheta') - dT/dtheta + dV/dtheta.
+TEST(PlanarChain, TurnsARotorWithItsJoint) {
+  std::vector<Link> links = uneven_links();
+  const PlanarChain bare(links, 9.81, 0.2);
+  const JointVector rotors = joint_vector({1.3e-6, 0.0, 2.7e-6});
+  for (int j = 0; j < 3; ++j) links[static_cast<std::size_t>(j)].rotor_inertia = rotors[j];
+  const PlanarChain chain(links, 9.81, 0.2);
+  const JointVector angles = joint_vector({0.31, -0.52, 0.77});
+  const JointVector rates = joint_vector({3.1, -4.7, 6.3});
+  const JointVector torques = joint_vector({0.011, -0.007, 0.003});
+  const JointVector accelerations = chain.accelerations(angles, rates, torques);
+  const auto kinetic = [&](const JointVector& at, const JointVector& speed) {
+    return bare.kinetic_energy(at, speed) + 0.5 * rotors.dot(speed.cwiseProduct(speed));
+  };
+  EXPECT_NEAR(chain.kinetic_energy(angles, rates), kinetic(angles, rates), 1e-14 * kinetic(angles, rates));
+  const double step = 1e-5;
+  const auto momentum = [&](const JointVector& at, const JointVector& speed, int j) {
+    JointVector d = JointVector::Zero(3);
+    d[j] = step;
+    return (kinetic(at, speed + d) - kinetic(at, speed - d)) / (2.0 * step);
+  };
+  for (int j = 0; j < 3; ++j) {
+    JointVector d = JointVector::Zero(3);
+    d[j] = step;
+    const double time = 1e-5;
+    const double rise = (momentum(angles + time * rates, rates + time * accelerations, j) -
+                         momentum(angles - time * rates, rates - time * accelerations, j)) /
+                        (2.0 * time);
+    const double fall = (kinetic(angles + d, rates) - kinetic(angles - d, rates)) / (2.0 * step);
+    const double weight = (bare.potential_energy(angles + d) - bare.potential_energy(angles - d)) / (2.0 * step);
+    EXPECT_NEAR(rise - fall + weight, torques[j], 1e-6 * torques.norm()) << j;
+  }
+  EXPECT_LT((chain.slopes(angles, rates, accelerations).by_acceleration - chain.mass_matrix(angles)).norm(),
+            1e-14 * chain.mass_matrix(angles).norm());
+  // A rotor at the first joint is inertia of the first link, and at no other joint.
+  std::vector<Link> heavier = uneven_links();
+  heavier[0].inertia += rotors[0];
+  links = uneven_links();
+  links[0].rotor_inertia = rotors[0];
+  EXPECT_LT((PlanarChain(links).mass_matrix(angles) - PlanarChain(heavier).mass_matrix(angles)).norm(), 1e-19);
+  links[0].rotor_inertia = -1.0;
+  expect_message([&] { PlanarChain refused(links); }, "link 0: rotor_inertia must be finite and >= 0; got -1");
+}
+
 TEST(PlanarChain, RefusesWhatIsNotAChain) {
   expect_message([] { PlanarChain chain{std::vector<Link>{}}; }, "links: 1 to 16 are supported; got 0");
   auto links = uneven_links();

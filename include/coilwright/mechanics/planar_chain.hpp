@@ -16,6 +16,10 @@ struct Link {
   double com_offset{};  ///< centre of mass across the link, m; finite (the paper's h)
   double mass{};        ///< kg; finite, > 0
   double inertia{};     ///< about the centre of mass, kg m^2; finite, >= 0
+  /// Of a rotor that a gear turns with the own joint, as the joint feels it (gear ratio squared times the rotor's),
+  /// kg m^2; finite, >= 0. Its energy is half of this times the joint's rate squared; what the carrying link turns it
+  /// by, smaller by the ratio, belongs to the link's inertia. A FloatingChain has none.
+  double rotor_inertia{};
 };
 
 /// A point fixed to a link, in the link's own along and offset coordinates, m.

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "actuator/effects/bristles.hpp"
 #include "actuator/effects/starts.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
 
@@ -12,16 +13,6 @@ namespace {
 using mechanics::JointVector;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// A joint that sticks swings on its bristles at this angular frequency, rad/s, with this damping ratio: it springs back
-// by 0.04 mrad in a finger with 0.6 N mm, and no rig asks for steps shorter than 2 ms by sticking. At 300 rad/s joints
-// came to rest up to half a degree beside where Coulomb's law holds them.
-constexpr double presliding_frequency = 1500.0;
-constexpr double presliding_damping = 0.7;
-
-// Fastest turning over of a bristle, 1/s. Without a floor, weak friction on a fast joint turns over within microseconds
-// and the integrator has to follow; half a millisecond is below a sample.
-constexpr double turnover_rate = 2e3;
 
 // How much more than sliding friction a joint at rest holds, and how fast that falls: a bristle breaks at
 // gamma = 1 + (rho - 1) exp(-(w / w_s)^2) times the deflection of a sliding one.

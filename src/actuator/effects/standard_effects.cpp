@@ -23,9 +23,11 @@
   EFFECT(viscoelastic_creep)       \
   EFFECT(hysteresis)               \
   EFFECT(dry_friction)             \
+  EFFECT(load_friction)            \
   EFFECT(quadratic_drag)           \
   EFFECT(end_stop)                 \
   EFFECT(added_mass)               \
+  EFFECT(rotor_inertia)            \
   EFFECT(base_tilt)                \
   EFFECT(mount_compliance)         \
   EFFECT(measurement_delay)        \

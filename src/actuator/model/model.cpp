@@ -210,7 +210,7 @@ void Model::derivative(const JointVector& angles, const JointVector& rates, std:
     accelerations = spec_.chain.accelerations(angles, rates, torque + applied);
     return;
   }
-  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = rates};
+  const EffectTerm::Kinematics motion{.chain = spec_.chain, .angles = angles, .rates = rates, .applied = &applied};
   const CoilCurrents seen = strength(command, internal.data(), internal_slopes.data());
   stage_torques(angles, rates, seen, torque);
   add_term_torques(motion, seen, internal.data(), internal_slopes.data(), torque);

@@ -62,6 +62,7 @@ void add_joint(xml_node body, int joint, const actuator::Model& model, const std
   set(node, "axis", "0 -1 0");
   set(node, "stiffness", hinge.stiffness);
   set(node, "damping", hinge.damping);
+  if (const double rotor = model.chain().link(joint).rotor_inertia; rotor > 0.0) set(node, "armature", rotor);
   if (hinge.torque_offset != 0.0 && hinge.stiffness > 0.0)
     set(node, "springref", hinge.torque_offset / hinge.stiffness);
   if (hinge.contact.stiffness <= 0.0) {

@@ -129,6 +129,9 @@ std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings
     if (hinge.torque_offset != 0.0 && hinge.stiffness == 0.0)
       throw std::invalid_argument("urdf: a joint with a torque offset needs a stiffness, for its rest angle");
   plain.left_out.push_back(planar_inertia_remark());
+  for (int j = 0; j < model.joints(); ++j)
+    if (const double rotor = model.chain().link(j).rotor_inertia; rotor > 0.0)
+      plain.left_out.push_back(fmt::format("the rotor of {}, {:.4g} kg m2: URDF has none", joint_name(j), rotor));
   const std::vector<TorqueTable> tables = torque_tables(model);
   const std::vector<RigidLink> links = rigid_links(model.chain());
 

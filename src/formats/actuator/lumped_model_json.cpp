@@ -25,8 +25,9 @@ Json in_unit(const std::vector<double>& values, std::string_view key) {
   return out;
 }
 
-Json joint_json(const actuator::Hinge& hinge) {
+Json joint_json(const actuator::Hinge& hinge, const mechanics::Link& link) {
   Json out = numbers_json(hinge, joint_numbers);
+  if (link.rotor_inertia > 0.0) out.set("rotor_inertia_kgm2", link.rotor_inertia);
   if (hinge.contact.stiffness > 0.0) out.set("contact", numbers_json(hinge.contact, contact_numbers));
   return out;
 }
@@ -72,7 +73,7 @@ Json to_json(const actuator::LumpedModel& model, const std::string& name, const 
   Json links = Json::array();
   for (const mechanics::Link& link : model.links) links.add(numbers_json(link, link_numbers));
   Json joints = Json::array();
-  for (const actuator::Hinge& hinge : model.hinges) joints.add(joint_json(hinge));
+  for (std::size_t j = 0; j < model.hinges.size(); ++j) joints.add(joint_json(model.hinges[j], model.links.at(j)));
   out.set("links", std::move(links)).set("joints", std::move(joints));
   if (!model.pairs.empty()) out.set("magnetics", magnetics_json(model));
   if (!model.effects.empty()) out.set("effects", to_json(model.effects));

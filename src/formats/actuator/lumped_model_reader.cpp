@@ -24,9 +24,11 @@ Link read_link(const Node& node) {
   return read_object(node, [](ObjectReader& in) { return read_numbers(in, link_numbers); });
 }
 
-Hinge read_joint(const Node& node) {
-  return read_object(node, [](ObjectReader& in) {
+// Writes the joint's part of `link` too.
+Hinge read_joint(const Node& node, Link& link) {
+  return read_object(node, [&link](ObjectReader& in) {
     Hinge hinge = read_numbers(in, joint_numbers);
+    link = read_numbers(in, rotor_numbers, link);
     if (const auto contact = in.find_not_null("contact"))
       hinge.contact = read_object(*contact, [](ObjectReader& faces) { return read_numbers(faces, contact_numbers); });
     return hinge;
@@ -98,7 +100,7 @@ LumpedModelContent read_lumped_model(ObjectReader& in, const actuator::EffectCat
   for (const Node& node : in.elements("links", Length::from_to(1, mechanics::max_joints)))
     model.links.push_back(read_link(node));
   for (const Node& node : in.elements("joints", Length::exactly(model.links.size())))
-    model.hinges.push_back(read_joint(node));
+    model.hinges.push_back(read_joint(node, model.links[model.hinges.size()]));
   if (const auto magnetics = in.find_not_null("magnetics")) read_magnetics(*magnetics, content);
   content.magnetics.coil_row = actuator::coil_row_of(model);
   model.effects = read_effects(in, known);

@@ -29,6 +29,10 @@ inline constexpr std::array link_numbers = {
     PartKey<mechanics::Link>{"mass_kg", text::positive, &mechanics::Link::mass},
     PartKey<mechanics::Link>{"inertia_kgm2", text::non_negative, &mechanics::Link::inertia},
 };
+/// Of the chain, and written with the joint: a rotor turns with that.
+inline constexpr std::array rotor_numbers = {
+    PartKey<mechanics::Link>{"rotor_inertia_kgm2", text::non_negative, &mechanics::Link::rotor_inertia, 0.0},
+};
 inline constexpr std::array joint_numbers = {
     PartKey<actuator::Hinge>{"stiffness_Nm_rad", text::non_negative, &actuator::Hinge::stiffness},
     PartKey<actuator::Hinge>{"damping_Nms_rad", text::non_negative, &actuator::Hinge::damping},

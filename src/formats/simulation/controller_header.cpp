@@ -220,6 +220,9 @@ std::string tables(const Model& model) {
 }  // namespace
 
 void require_header_can_say(const Model& model) {
+  for (const mechanics::Link& link : model.chain().links())
+    if (link.rotor_inertia > 0.0)
+      throw std::invalid_argument("a C header has no rotors; take \"rotor_inertia_kgm2\" out of the actuator");
   if (!model.nominal_spec().effects.empty())
     throw std::invalid_argument("a C header has no effects; take them out of the actuator, or do without the header");
   if (model.nominal_spec().torque_correction)

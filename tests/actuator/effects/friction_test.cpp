@@ -4,6 +4,7 @@
 #include <random>
 
 #include "actuator/effects/rig.hpp"
+#include "coilwright/actuator/model/model.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -221,6 +222,112 @@ TEST(StribeckFriction, IsPassiveAtEveryInstantUpToItsBound) {
     (void)torque_of(rig, 0.1, rate, &edge, &edge_slope);
     EXPECT_LE(edge_slope * edge, 1e-9 * std::abs(rate) / delta);  // rounding of w - |w|
   }
+}
+
+constexpr double share = 0.2;
+
+// Of one joint under the torque `drive` of its motor, N m.
+double load_torque(const WithEffect& rig, double drive, double rate, const double* state, double* slope) {
+  const JointVector angles = JointVector::Zero(1);
+  const JointVector rates = JointVector::Constant(1, rate);
+  const JointVector applied = JointVector::Constant(1, drive);
+  JointVector torques = JointVector::Zero(1);
+  rig.term->add_torques({.chain = rig.spec.chain, .angles = angles, .rates = rates, .applied = &applied},
+                        CoilCurrents(), {.states = state, .slopes = slope}, torques);
+  return torques[0];
+}
+
+TEST(LoadFriction, OpposesSlidingInProportionToTheDrive) {
+  const WithEffect rig = with_effect("load_friction", {share}, rotor(inertia));
+  for (const double drive : {0.3e-3, -2e-3})
+    for (const double rate : {0.02, -3.0, 17.0}) {
+      Numbers y(1, 0.0);
+      follow(y, 1.0,
+             [&](const Numbers& at, Numbers& dy, double) { (void)load_torque(rig, drive, rate, &at[0], &dy[0]); });
+      const double sliding = share * std::abs(drive);
+      EXPECT_NEAR(load_torque(rig, drive, rate, &y[0], nullptr), std::copysign(sliding, -rate), 1e-7 * sliding);
+      // Without a drive it rubs at once no more.
+      EXPECT_EQ(load_torque(rig, 0.0, rate, &y[0], nullptr), 0.0);
+    }
+}
+
+// A motor holds what lies between 1 - mu and 1 + mu of its torque, and moves what does not with the rest.
+TEST(LoadFriction, HoldsALoadNearTheDrivesTorqueAndMovesAnyOther) {
+  const WithEffect rig = with_effect("load_friction", {share}, rotor(inertia));
+  constexpr double drive = 1e-3;
+  const auto rate_after = [&](double load, double time) {
+    Numbers y(3, 0.0);
+    follow(y, time, [&](const Numbers& at, Numbers& dy, double) {
+      dy[0] = at[1];
+      dy[1] = (drive - load + load_torque(rig, drive, at[1], &at[2], &dy[2])) / inertia;
+    });
+    return y[1];
+  };
+  for (const double held : {0.81, 0.9, 1.1, 1.19}) EXPECT_NEAR(rate_after(held * drive, 1.0), 0.0, 1e-6) << held;
+  for (const double moved : {0.7, 1.3}) {
+    const double left = (1.0 - moved + (moved < 1.0 ? -share : share)) * drive;
+    // It slides once its bristles have bent, some 1/1500 s late.
+    EXPECT_NEAR(rate_after(moved * drive, 0.5), left / inertia * 0.5, 5e-3 * std::abs(left) / inertia * 0.5) << moved;
+  }
+}
+
+TEST(LoadFriction, IsPassiveUnderASteadyDrive) {
+  std::mt19937_64 random(20240317);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::uniform_real_distribution<double> decades(-7.0, 3.0);
+  for (int i = 0; i < 20000; ++i) {
+    const double drive = friction / share * std::pow(10.0, decades(random));
+    const WithEffect rig = with_effect("load_friction", {share}, rotor(inertia));
+    const double delta = presliding * share * drive / friction;
+    const double y = any(random);
+    const double rate = std::copysign(std::pow(10.0, decades(random)), any(random));
+    double slope{};
+    const double power = -load_torque(rig, drive, rate, &y, &slope) * rate;
+    EXPECT_GE(power - share * drive * delta * y * slope, -1e-12 * share * drive * std::abs(rate)) << drive << ' ' << y;
+  }
+}
+
+// The whole model hands the commanded torque on, and a motor's torque over current.
+TEST(LoadFriction, FeelsCommandedTorquesAndCurrentsOfMotors) {
+  ModelSpec spec = with_motors(finger());
+  spec.effects = {{.kind = standard_effects().find("load_friction"), .values = {share}}};
+  const Model with(spec);
+  spec.effects.clear();
+  const Model without(spec);
+  const JointVector angles = JointVector::Constant(2, 0.3);
+  const JointVector rates = JointVector::Constant(2, 5.0);
+  const CoilCurrents currents = CoilCurrents::Constant(2, 0.7);
+  JointVector applied(2);
+  applied << 2e-3, -1e-3;
+  const Numbers bent(2, 1.0);
+  Numbers slopes(2);
+  JointVector one(2);
+  JointVector other(2);
+  with.derivative(angles, rates, bent, currents, applied, one, slopes);
+  without.derivative(angles, rates, {}, currents, applied, other, {});
+  const JointVector drive = without.magnetic_torques(angles, currents) + applied;
+  const JointVector lost = with.chain().mass_matrix(angles) * (other - one);
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(lost[j], share * std::abs(drive[j]), 1e-12) << j;
+}
+
+TEST(LoadFriction, IsOfMotorsAlone) {
+  const EffectKind& kind = *standard_effects().find("load_friction");
+  EXPECT_EQ(kind.inapplicable(finger()).value_or(""), "coil and magnet act across the joint, without a motor's shaft");
+  EXPECT_FALSE(kind.inapplicable(with_motors(finger())).has_value());
+  EXPECT_FALSE(kind.inapplicable(rotor(inertia)).has_value());
+}
+
+TEST(RotorInertia, TurnsWithEveryJointButTheFirst) {
+  const WithEffect rig = with_effect("rotor_inertia", {3.1e-6}, with_motors(finger(Configuration::D)));
+  EXPECT_EQ(rig.term, nullptr);
+  const mechanics::PlanarChain bare = finger(Configuration::D).chain;
+  const JointVector angles = JointVector::Constant(bare.joints(), 0.2);
+  mechanics::JointMatrix added = rig.spec.chain.mass_matrix(angles) - bare.mass_matrix(angles);
+  for (int j = 1; j < bare.joints(); ++j) added(j, j) -= 3.1e-6;
+  EXPECT_LT(added.norm(), 1e-17);
+  const EffectKind& kind = *standard_effects().find("rotor_inertia");
+  EXPECT_EQ(kind.inapplicable(rotor(inertia)).value_or(""), "a rotor at the first joint is the inertia of its link");
+  EXPECT_EQ(kind.inapplicable(finger()).value_or(""), "coil and magnet act across the joint, without a motor's shaft");
 }
 
 // Closed form of a steady loop between -A and A: 4 a (A - tanh(gamma A) / gamma).

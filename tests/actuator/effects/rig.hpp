@@ -36,6 +36,19 @@ inline const ModelSpec& finger(Configuration configuration = Configuration::B) {
   return known.emplace(configuration, assemble_or_throw(design).model.nominal_spec()).first->second;
 }
 
+/// The same with torques that are only known as curves, as of motors with shafts: for effects that need those.
+inline ModelSpec with_motors(ModelSpec spec) {
+  std::vector<HingePair> pairs = spec.magnetics.hinge_pairs();
+  for (HingePair& pair : pairs) pair.parts = nullptr;
+  spec.magnetics = MagneticStage(std::move(pairs), spec.magnetics.distant_pairs());
+  return spec;
+}
+
+/// The finger, with motors where the effect cannot be without.
+inline ModelSpec finger_for(const EffectKind& kind) {
+  return kind.inapplicable(finger()) ? with_motors(finger()) : finger();
+}
+
 /// A spec with an effect built into it, and what acts while it runs.
 struct WithEffect {
   ModelSpec spec;

@@ -23,7 +23,7 @@ const std::set<std::string> ids_of_the_format = {
     "force_gain",       "coil_lag",          "back_emf",           "coil_heating",      "magnet_heating",
     "current_offset",   "angle_scale",       "driver_saturation",  "static_attraction", "measurement_delay",
     "driver_deadband",  "angle_offset",      "off_axis_force",     "coil_coil_force",   "backlash",
-    "mount_compliance", "mullins_softening", "tracking_lag"};
+    "mount_compliance", "mullins_softening", "tracking_lag",       "load_friction",     "rotor_inertia"};
 
 // A 70 g finger, and a 95 kg axis written as a link of unit length.
 RigScale finger_scale() {
@@ -116,6 +116,7 @@ void expect_same_spec(const ModelSpec& a, const ModelSpec& b) {
     EXPECT_EQ(a.chain.link(j).mass, b.chain.link(j).mass);
     EXPECT_EQ(a.chain.link(j).com_along, b.chain.link(j).com_along);
     EXPECT_EQ(a.chain.link(j).inertia, b.chain.link(j).inertia);
+    EXPECT_EQ(a.chain.link(j).rotor_inertia, b.chain.link(j).rotor_inertia);
     EXPECT_EQ(a.hinges[j].stiffness, b.hinges[j].stiffness);
     EXPECT_EQ(a.hinges[j].damping, b.hinges[j].damping);
     EXPECT_EQ(a.hinges[j].torque_offset, b.hinges[j].torque_offset);

@@ -19,7 +19,12 @@ LumpedModel model_by_hand() {
   return {
       .gravity = 9.7,
       .links = {{.length = 7.2e-3, .com_along = 3.1e-3, .com_offset = 11.5e-3, .mass = 16.5e-3, .inertia = 4.1e-7},
-                {.length = 8.3e-3, .com_along = 2.9e-3, .com_offset = 10.7e-3, .mass = 14.2e-3, .inertia = 3.3e-7},
+                {.length = 8.3e-3,
+                 .com_along = 2.9e-3,
+                 .com_offset = 10.7e-3,
+                 .mass = 14.2e-3,
+                 .inertia = 3.3e-7,
+                 .rotor_inertia = 2.7e-7},
                 {.length = 21.2e-3, .com_along = 9.1e-3, .com_offset = -1.3e-3, .mass = 22.5e-3, .inertia = 0.0}},
       .hinges = {{.stiffness = 12.5e-3, .damping = 0.129e-3, .torque_offset = 0.2e-3, .contact = {}},
                  {.stiffness = 11.1e-3,
@@ -65,6 +70,7 @@ TEST(LumpedModelJson, ReadsBackAsTheSameLinksAndJoints) {
     EXPECT_DOUBLE_EQ(link.com_offset, expected.com_offset);
     EXPECT_DOUBLE_EQ(link.mass, expected.mass);
     EXPECT_DOUBLE_EQ(link.inertia, expected.inertia);
+    EXPECT_DOUBLE_EQ(link.rotor_inertia, expected.rotor_inertia);
     const actuator::Hinge& hinge = read.hinges()[static_cast<std::size_t>(j)];
     const actuator::Hinge& made = direct.hinges()[static_cast<std::size_t>(j)];
     EXPECT_DOUBLE_EQ(hinge.stiffness, made.stiffness);

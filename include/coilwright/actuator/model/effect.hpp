@@ -69,6 +69,8 @@ class EffectTerm {
     const mechanics::PlanarChain& chain;
     const mechanics::JointVector& angles;  ///< rad
     const mechanics::JointVector& rates;   ///< rad/s
+    /// Joint torques that are commanded beside the currents, N m; null: none.
+    const mechanics::JointVector* applied = nullptr;
   };
   /// The effect's own share of the model's internal states, and where it writes their slopes: null where no slopes are
   /// wanted.

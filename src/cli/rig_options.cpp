@@ -79,7 +79,7 @@ void add_list(CLI::App& rig, const std::string& name, std::vector<double>& value
   rig.add_option(name, values, text)->delimiter(',')->allow_extra_args(false)->check(number_rule(rule));
 }
 
-std::vector<double> to_memory(const std::vector<double>& values, const char* name) {
+std::vector<double> all_to_memory(const std::vector<double>& values, const char* name) {
   std::vector<double> out;
   for (const double value : values) out.push_back(units::to_memory(value, name));
   return out;

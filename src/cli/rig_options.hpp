@@ -31,7 +31,7 @@ void add_list(CLI::App& rig, const std::string& name, std::vector<double>& value
               const text::Rule& rule);
 
 /// The numbers as memory keeps them, under a name that ends in their unit.
-[[nodiscard]] std::vector<double> to_memory(const std::vector<double>& values, const char* name);
+[[nodiscard]] std::vector<double> all_to_memory(const std::vector<double>& values, const char* name);
 
 /// The design of a rig's actuator.
 struct RigActuator {

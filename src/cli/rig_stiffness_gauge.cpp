@@ -24,7 +24,7 @@ struct RigStiffnessGaugeOptions {
 
 StiffnessGauge gauge_of(const RigStiffnessGaugeOptions& options) {
   StiffnessGauge gauge = paper_stiffness_gauge();
-  if (!options.angles.empty()) gauge.angles = to_memory(options.angles, "angles_deg");
+  if (!options.angles.empty()) gauge.angles = all_to_memory(options.angles, "angles_deg");
   if (options.joint) gauge.joint = *options.joint - 1;
   if (options.gauge_height) gauge.height = units::to_memory(*options.gauge_height, "gauge_height_mm");
   return gauge;

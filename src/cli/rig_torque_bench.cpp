@@ -28,7 +28,7 @@ TorqueBench bench_of(const RigTorqueBenchOptions& options, const actuator::Desig
   if (options.axis_offset) bench.axis_offset = units::to_memory(*options.axis_offset, "axis_offset_mm");
   bench.gauge_distance = units::to_memory(options.gauge_distance, "gauge_distance_mm");
   bench.current = options.current;
-  if (!options.angles.empty()) bench.angles = to_memory(options.angles, "angles_deg");
+  if (!options.angles.empty()) bench.angles = all_to_memory(options.angles, "angles_deg");
   return bench;
 }
 

@@ -34,7 +34,7 @@ void add_recording(Json& out, const data::Run& run) {
   if (run.rig != data::RigChange{}) out.set("rig", rig_change_json(run.rig));
 }
 
-Json run_json(const RunWithRole& each) {
+Json dataset_run_json(const RunWithRole& each) {
   const data::Run& run = each.run;
   Json out =
       Json::object({{"file", run.name}, {"kind", name_of(run.kind)}, {"role", each.validate ? "validate" : "fit"}});
@@ -72,7 +72,7 @@ std::vector<std::string> input_columns(const data::Run& run) {
 
 Json dataset_json(const std::string& name, const std::string& actuator, std::span<const RunWithRole> runs) {
   Json list = Json::array();
-  for (const RunWithRole& each : runs) list.add(run_json(each));
+  for (const RunWithRole& each : runs) list.add(dataset_run_json(each));
   return Json::object(
       {{"format", "measured-data/1"}, {"name", name}, {"actuator", actuator}, {"runs", std::move(list)}});
 }

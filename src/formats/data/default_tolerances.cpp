@@ -7,8 +7,6 @@
 namespace coilwright::formats {
 namespace {
 
-using actuator::Measured;
-
 // A kitchen scale over 20 g; drawings and callipers on silicone; makers' tables of remanence; two mouldings of one
 // batch.
 constexpr double mass = 0.03;
@@ -42,17 +40,18 @@ std::vector<DefaultTolerance> default_tolerances(const DesignContent& content) {
        .deviation = damping,
        .instead_of = {"/measured/joint_damping_Nmms_rad", "/calibration/joint_damping_factor"}}};
   // Where it was measured, the number that a person knows; otherwise its factor.
-  const auto add = [&](std::optional<double> Measured::*member, std::string measured, std::string factor,
+  const auto add = [&](std::optional<double> actuator::Measured::*member, std::string measured, std::string factor,
                        double deviation) {
     const bool known = (content.measured.*member).has_value();
     out.push_back(
         {.name = known ? measured : factor, .deviation = deviation, .instead_of = {known ? factor : measured}});
   };
-  add(&Measured::tip_segment_mass, "/measured/tip_segment_mass_g", "/calibration/coil_segment_mass_factor", mass);
-  add(&Measured::magnet_segment_mass, "/measured/magnet_segment_mass_g", "/calibration/magnet_segment_mass_factor",
+  add(&actuator::Measured::tip_segment_mass, "/measured/tip_segment_mass_g", "/calibration/coil_segment_mass_factor",
       mass);
-  add(&Measured::tip_com, "/measured/tip_com_mm", "/calibration/tip_com_factor", length);
-  add(&Measured::axis_offset, "/measured/axis_offset_mm", "/calibration/axis_offset_factor", length);
+  add(&actuator::Measured::magnet_segment_mass, "/measured/magnet_segment_mass_g",
+      "/calibration/magnet_segment_mass_factor", mass);
+  add(&actuator::Measured::tip_com, "/measured/tip_com_mm", "/calibration/tip_com_factor", length);
+  add(&actuator::Measured::axis_offset, "/measured/axis_offset_mm", "/calibration/axis_offset_factor", length);
   out.push_back({.name = "/magnet/remanence_T", .deviation = remanence, .instead_of = {std::string(force_gain_name)}});
   add_differences(out, {}, {});
   return out;

@@ -27,7 +27,7 @@ Axis axis_of(const Replay& replay) {
   return Axis::time;
 }
 
-CsvCell cell(double value, std::string_view column) {
+CsvCell residual_cell(double value, std::string_view column) {
   if (!std::isfinite(value)) return {};
   return units::from_si(value, units::difference_unit(column)) + 0.0;  // no -0
 }
@@ -60,7 +60,7 @@ void write_residuals(std::ostream& out, std::span<const Replay> replays) {
   for (const Replay& replay : replays) {
     const Axis axis = axis_of(replay);
     const auto at = [&](Axis column, std::string_view name, double value) {
-      return column == axis ? cell(value, name) : CsvCell();
+      return column == axis ? residual_cell(value, name) : CsvCell();
     };
     for (std::size_t i = 0; i < replay.measured.size(); ++i) {
       std::vector<CsvCell> row{replay.run,
@@ -70,11 +70,12 @@ void write_residuals(std::ostream& out, std::span<const Replay> replays) {
                                at(Axis::angle, "angle_deg", replay.at[i]),
                                at(Axis::current, "current_A", replay.at[i]),
                                replay.left_out.empty() || replay.left_out[i] == 0 ? 0.0 : 1.0,
-                               cell(replay.measured[i], replay.channel),
-                               cell(replay.declared[i], replay.channel),
-                               cell(replay.before[i], replay.channel),
-                               cell(replay.after[i], replay.channel)};
-      if (corrected) row.push_back(has_correction(replay) ? cell(replay.corrected[i], replay.channel) : CsvCell());
+                               residual_cell(replay.measured[i], replay.channel),
+                               residual_cell(replay.declared[i], replay.channel),
+                               residual_cell(replay.before[i], replay.channel),
+                               residual_cell(replay.after[i], replay.channel)};
+      if (corrected)
+        row.push_back(has_correction(replay) ? residual_cell(replay.corrected[i], replay.channel) : CsvCell());
       csv.row(row);
     }
   }

@@ -12,7 +12,7 @@ using namespace systems::rig;
 using text::Json;
 
 // An SI value under a key that ends in its unit.
-Json::Member in_unit(const char* key, double value) {
+Json::Member reading_member(const char* key, double value) {
   return {key, units::from_memory(value, key)};
 }
 
@@ -24,19 +24,20 @@ void set_both(Json& out, const Callable& json) {
 }
 
 Json to_json(const StiffnessReading& reading) {
-  return Json::object({in_unit("gauge_force_N", reading.force), in_unit("stiffness_Nmm_rad", reading.stiffness)});
+  return Json::object(
+      {reading_member("gauge_force_N", reading.force), in_unit("stiffness_Nmm_rad", reading.stiffness)});
 }
 
 Json to_json(const StiffnessSpread& spread) {
-  return Json::object(
-      {in_unit("mean_stiffness_Nmm_rad", spread.mean), in_unit("stiffness_deviation_Nmm_rad", spread.deviation)});
+  return Json::object({reading_member("mean_stiffness_Nmm_rad", spread.mean),
+                       in_unit("stiffness_deviation_Nmm_rad", spread.deviation)});
 }
 
 Json to_json(const ResponseFigures& shown) {
-  return Json::object({in_unit("first_angle_deg", shown.first), in_unit("last_angle_deg", shown.last),
-                       in_unit("largest_angle_deg", shown.largest), in_unit("fastest_rise_deg_s", shown.fastest),
-                       in_unit("late_mean_angle_deg", shown.late_mean),
-                       in_unit("late_peak_to_peak_deg", shown.peak_to_peak)});
+  return Json::object({reading_member("first_angle_deg", shown.first), in_unit("last_angle_deg", shown.last),
+                       reading_member("largest_angle_deg", shown.largest), in_unit("fastest_rise_deg_s", shown.fastest),
+                       reading_member("late_mean_angle_deg", shown.late_mean),
+                       reading_member("late_peak_to_peak_deg", shown.peak_to_peak)});
 }
 
 }  // namespace
@@ -44,26 +45,28 @@ Json to_json(const ResponseFigures& shown) {
 Json to_json(const std::vector<TorqueBenchPoint>& points, const TorqueBench& bench) {
   Json list = Json::array();
   for (const TorqueBenchPoint& point : points) {
-    Json entry = Json::object({in_unit("angle_deg", point.angle)});
+    Json entry = Json::object({reading_member("angle_deg", point.angle)});
     set_both(entry, [&](magnetics::Fidelity fidelity) {
       const TorqueReading& reading = point.reading.of(fidelity);
-      return Json::object({in_unit("torque_Nmm", reading.torque), in_unit("gauge_force_N", reading.gauge_force)});
+      return Json::object(
+          {reading_member("torque_Nmm", reading.torque), in_unit("gauge_force_N", reading.gauge_force)});
     });
     entry.set("error_of_line_of_centres_pct", 100.0 * point.error_of_line_of_centres());
     list.add(std::move(entry));
   }
   return Json::object({{"rig", "torque-bench"},
-                       in_unit("axis_offset_mm", bench.axis_offset),
-                       in_unit("gauge_distance_mm", bench.gauge_distance),
-                       in_unit("current_A", bench.current),
+                       reading_member("axis_offset_mm", bench.axis_offset),
+                       reading_member("gauge_distance_mm", bench.gauge_distance),
+                       reading_member("current_A", bench.current),
                        {"readings", std::move(list)},
-                       in_unit("mean_difference_Nmm", mean_difference(points))});
+                       reading_member("mean_difference_Nmm", mean_difference(points))});
 }
 
 Json to_json(const StiffnessReadings& readings) {
   Json list = Json::array();
   for (const StiffnessPoint& point : readings.points) {
-    Json entry = Json::object({in_unit("angle_deg", point.angle), in_unit("hinge_torque_Nmm", point.hinge_torque)});
+    Json entry =
+        Json::object({reading_member("angle_deg", point.angle), in_unit("hinge_torque_Nmm", point.hinge_torque)});
     set_both(entry, [&](magnetics::Fidelity fidelity) {
       return Json::object(
           {{"level", to_json(point.level.of(fidelity))}, {"hanging", to_json(point.hanging.of(fidelity))}});
@@ -72,7 +75,7 @@ Json to_json(const StiffnessReadings& readings) {
   }
   Json out = Json::object({{"rig", "stiffness-gauge"},
                            {"joint", readings.joint + 1},
-                           in_unit("gauge_arm_mm", readings.arm),
+                           reading_member("gauge_arm_mm", readings.arm),
                            {"readings", std::move(list)}});
   set_both(out, [&](magnetics::Fidelity fidelity) {
     return Json::object({{"level", to_json(spread(readings, &StiffnessPoint::level, fidelity))},
@@ -84,14 +87,14 @@ Json to_json(const StiffnessReadings& readings) {
 Json to_json(const std::vector<GraspBenchPoint>& points, const GraspBench& bench) {
   Json list = Json::array();
   for (const GraspBenchPoint& point : points) {
-    Json entry = Json::object({in_unit("current_A", point.current)});
+    Json entry = Json::object({reading_member("current_A", point.current)});
     set_both(entry, [&](magnetics::Fidelity fidelity) {
-      return Json::object(
-          {in_unit("force_N", point.force.of(fidelity)), in_unit("bending_angle_deg", point.bending.of(fidelity))});
+      return Json::object({reading_member("force_N", point.force.of(fidelity)),
+                           in_unit("bending_angle_deg", point.bending.of(fidelity))});
     });
     list.add(std::move(entry));
   }
-  Json out = Json::object({{"rig", "grasp-bench"}, in_unit("grasp_opening_deg", bench.grasp.opening)});
+  Json out = Json::object({{"rig", "grasp-bench"}, reading_member("grasp_opening_deg", bench.grasp.opening)});
   if (bench.grasp.height) out.set("grasp_height_mm", units::from_memory(*bench.grasp.height, "grasp_height_mm"));
   out.set("readings", std::move(list));
   return out;
@@ -108,9 +111,9 @@ Json to_json(const std::vector<CameraRecord>& records, const Camera& camera) {
     list.add(std::move(entry));
   }
   return Json::object({{"rig", "camera"},
-                       in_unit("frame_rate_Hz", camera.frame_rate),
-                       in_unit("amplitude_A", camera.amplitude),
-                       in_unit("offset_A", camera.offset),
+                       reading_member("frame_rate_Hz", camera.frame_rate),
+                       reading_member("amplitude_A", camera.amplitude),
+                       reading_member("offset_A", camera.offset),
                        {"records", std::move(list)}});
 }
 

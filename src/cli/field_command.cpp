@@ -168,11 +168,19 @@ Question field_question(const FieldOptions& options, const PairFile& file) {
   return question;
 }
 
-FieldAnswer fields_at(const Question& question) {
+std::vector<FieldSample> samples_at(const std::vector<Body>& sources, const Question& question, bool gradient) {
+  if (gradient) return magnetics::field(sources, question.points);
+  std::vector<FieldSample> out;
+  for (const Eigen::Vector3d& each : magnetics::flux_density(sources, question.points))
+    out.push_back({.flux_density = each});
+  return out;
+}
+
+FieldAnswer fields_at(const Question& question, bool gradient) {
   std::vector<Body> sources = question.bodies;
   if (question.plate)
     for (const Body& body : question.bodies) sources.push_back(magnetics::image_of(body, *question.plate));
-  FieldAnswer out{.samples = magnetics::field(sources, question.points), .within = {}, .in_iron = {}};
+  FieldAnswer out{.samples = samples_at(sources, question, gradient), .within = {}, .in_iron = {}};
   for (const Eigen::Vector3d& point : question.points) {
     std::size_t within = 0;
     for (std::size_t i = question.bodies.size(); i > 0; --i)
@@ -268,6 +276,8 @@ void require_one_question(const FieldOptions& options) {
   const int asked = static_cast<int>(!options.at.empty()) + static_cast<int>(!options.points.empty()) +
                     static_cast<int>(!options.plane.empty());
   if (asked != 1) throw CLI::ValidationError("one of --at, --points and --map says where the field is wanted");
+  // CLI11 adds up the numbers of all --at, and takes two for a point.
+  if (options.at.size() % 3 != 0) throw CLI::ValidationError("--at", "must be three numbers each time: X Y Z in mm");
   if (options.plane.empty()) {
     for (const auto& [given, name] :
          {std::pair(!options.svg.empty(), "--svg"), std::pair(options.through.has_value(), "--through"),
@@ -289,7 +299,7 @@ void run_field(const FieldOptions& options) {
   if (!options.out.empty()) table.emplace(options.out);
   if (!options.svg.empty()) picture.emplace(options.svg);
   if (file.plate) warn_of_plate(file, options.pair);
-  const FieldAnswer found = fields_at(question);
+  const FieldAnswer found = fields_at(question, options.gradient);
   if (table) write_csv(table->stream(), question, found, options.gradient);
   if (picture) picture->stream() << map_of(question, found, options.pair);
   constexpr std::string_view picture_mark = ">";

@@ -103,6 +103,7 @@ class Field(ProgramTest):
         for arguments, message in (
             ([], "one of --at, --points and --map says where the field is wanted"),
             (["--at", "0", "0", "1", "--map", "xz"], "one of --at, --points and --map says where the field is wanted"),
+            (["--at", "0", "1"], "--at: must be three numbers each time: X Y Z in mm"),
             (["--map", "xz"], "--map: needs --out FILE.csv, --svg FILE.svg or both to write to"),
             (["--at", "0", "0", "1", "--svg", "a.svg"], "--svg: is of a map: it needs --map"),
             (["--at", "0", "0", "1", "--pose", "3"], "--pose: must be at most 2, which is how many poses pair.json has; got 3"),

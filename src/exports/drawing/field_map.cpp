@@ -115,16 +115,19 @@ void draw_outlines(Sketch& sketch, const MapPlane& plane, std::span<const magnet
   const std::size_t columns = plane.columns * outline_share;
   const std::size_t rows = plane.rows * outline_share;
   for (const magnetics::Body& body : bodies) {
+    std::vector<bool> cut(rows * columns);
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t column = 0; column < columns; ++column)
+        cut[row * columns + column] =
+            magnetics::is_inside(body, plane.at(plane.left + part * (static_cast<double>(column) + 0.5),
+                                                plane.bottom + part * (static_cast<double>(row) + 0.5)));
     const auto inside = [&](std::size_t column, std::size_t row) {
-      return column < columns && row < rows &&
-             magnetics::is_inside(body, plane.at(plane.left + part * (static_cast<double>(column) + 0.5),
-                                                 plane.bottom + part * (static_cast<double>(row) + 0.5)));
+      return column < columns && row < rows && cut[row * columns + column];
     };
     for (std::size_t row = 0; row <= rows; ++row)
       for (std::size_t column = 0; column <= columns; ++column) {
         const bool here = inside(column, row);
         const Point at{plane.left + part * static_cast<double>(column), plane.bottom + part * static_cast<double>(row)};
-        // Of the row or column before the first nothing is inside: its number would be the largest there is.
         if (here != (column > 0 && inside(column - 1, row))) sketch.line(Layer::outline, at, {at.x, at.y + part});
         if (here != (row > 0 && inside(column, row - 1))) sketch.line(Layer::outline, at, {at.x + part, at.y});
       }

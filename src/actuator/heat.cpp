@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "actuator/heat_chain.hpp"
+#include "actuator/specific_heats.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/thermal/paths.hpp"
 #include "coilwright/winding/copper.hpp"
@@ -17,8 +18,6 @@
 namespace coilwright::actuator {
 namespace {
 
-constexpr double copper_specific_heat = 385.0;  // J/(kg K), CRC Handbook
-constexpr double magnet_specific_heat = 460.0;  // J/(kg K), sintered NdFeB, makers' tables
 // Magnets, W/(m K): sintered NdFeB, makers' tables. Hardly a resistance beside silicone.
 constexpr double magnet_conductivity = 9.0;
 // Wires that touch conduct no better in the bound for cylinders apart; beyond this share it leaves its range.

@@ -50,7 +50,7 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string verdict_of(const Node& result, const FrontTable& leaders) {
+std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
   const std::string counts = fmt::format("{} of the {} designs of the grid were evaluated, {} of them keep every limit",
                                          cell_of(member_of(result, "evaluated")), cell_of(member_of(result, "designs")),
                                          cell_of(member_of(result, "ok")));
@@ -228,7 +228,7 @@ std::vector<Section> drawn_sections(const FrontTable& leaders, const PageInputs&
 Page sweep_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
   const FrontTable leaders = read_leaders(folder, result);
   Page page{.title = fmt::format("{}: sweep", member_of(result, "study").text()),
-            .verdict = verdict_of(result, leaders),
+            .verdict = sweep_verdict(result, leaders),
             .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
             .inputs = input_lines(folder),

@@ -3,11 +3,10 @@
 #include <numbers>
 #include <optional>
 
+#include "actuator/specific_heats.hpp"
+
 namespace coilwright::actuator {
 namespace {
-
-constexpr double copper_specific_heat = 385.0;  // J/(kg K), CRC Handbook
-constexpr double magnet_specific_heat = 460.0;  // J/(kg K), sintered NdFeB, makers' tables
 
 // A homogeneous body whose inertia is about its own centre of mass.
 struct Body {

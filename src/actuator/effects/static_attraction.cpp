@@ -9,7 +9,7 @@ namespace coilwright::actuator::effects {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr std::array sides = {-1.0, 1.0};
+constexpr std::array attracting_sides = {-1.0, 1.0};
 
 // The matter is as large as half its distance: keeps the pull finite and smooth where the angle reaches it.
 constexpr double size = 0.5;
@@ -61,13 +61,13 @@ class StaticAttraction final : public DescribedEffect {
                              .text = "where the matter is: 1 opening, -1 closing",
                              .lower = -1.0,
                              .upper = 1.0,
-                             .choices = sides}}}) {}
+                             .choices = attracting_sides}}}) {}
 
   // As strong where the motion comes nearest to the matter as another effect anywhere: a pull that is so strong at zero
   // tears the finger over to it.
   std::vector<std::vector<double>> starts(const RigScale& scale) const override {
     std::vector<std::vector<double>> out;
-    for (const double side : sides) {
+    for (const double side : attracting_sides) {
       const double reached = side > 0.0 ? scale.upper_angle : scale.lower_angle;
       const double beyond = std::max(30.0 / degrees, 0.8 * side * reached);
       for (const double range : log_spread(beyond, std::max(90.0 / degrees, 2.0 * beyond), 3)) {

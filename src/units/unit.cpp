@@ -16,6 +16,7 @@ constexpr std::array table = {
     Unit{"s", "time"},
     Unit{"ms", "time", 1, 1e3},
     Unit{"us", "time", 1, 1e6},
+    Unit{"ns", "time", 1, 1e9},
     Unit{"Hz", "frequency"},
     Unit{"kHz", "frequency", 1e3},
 

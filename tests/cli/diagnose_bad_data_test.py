@@ -75,18 +75,22 @@ class BadData(ProgramTest):
         self.refuse_csv(f"{head}\n0,0,0\n", "line 2: column time_s: must be followed by a second sample; got 0")
         for text in ("inf", "abc"):
             self.refuse_csv(f"{head}\n0,0,0\n0.01,0,{text}\n",
-                            f'line 3: column theta1_deg: must be a finite number; got "{text}"')
+                            f'line 3: column theta1_deg: must be a finite number (delete the line if it is damaged); got "{text}"')
         for text in ("", "nan"):
-            self.refuse_csv(f"{head}\n0,0,0\n0.01,0,{text}\n", "line 3: column theta1_deg: must be a finite number (delete "
-                                                               f'the rows that have none); got "{text}"')
-        self.refuse_csv(f"{head}\n0,0,0\n0.01,0\n", "line 3: must have 3 fields, as the header has; got 2")
+            self.refuse_csv(f"{head}\n0,0,0\n0.01,0,{text}\n",
+                            "line 2: column theta1_deg: must have at least two values in the file; got 0")
+            self.refuse_csv(f"{head}\n0,0,0\n{text},0,1\n", "line 3: column time_s: must be a finite number (delete "
+                                                             f'the rows that have none); got "{text}"')
+        self.refuse_csv(f"{head}\n0,0,0\n0.01,0\n", "line 3: must have 3 fields, as the header has (delete the line if it is damaged); got 2")
         self.refuse_csv(f"{head}\n0,0,0\n0.01,0,1,2\n", "line 3: must have 3 fields, as the header has (are its decimals written with commas?); got 4")
 
     def test_a_clock_that_goes_back_or_stands(self):
         head = ",".join(HEADER)
-        for time in ("0.01", "0.02"):
+        for time, cure in (("0.01", "the clock starts again here, so the file holds 2 records: make a file of each, with the "
+                                    "line of names, and a run of each in dataset.json"),
+                           ("0.02", "delete line 4, which repeats the time of the row above")):
             self.refuse_csv(f"{head}\n0,0,0\n0.02,0,1\n{time},0,1\n",
-                            f"line 4: column time_s: must exceed the value before it (0.02); got {time}")
+                            f"line 4: column time_s: must exceed the value before it (0.02); {cure}; got {time}")
 
     def test_columns_that_are_missing_unknown_or_there_twice(self):
         for header, message in (
@@ -95,18 +99,13 @@ class BadData(ProgramTest):
                 ("time_s,torque1_Nm",
                  "must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s.."),
                 ("time_s,torque1_Nm,theta1_deg,mood", "column mood: unknown column; there may be time_s, bending_angle_deg, theta1_deg.., omega1_rad_s.., "
-                 "current_A, current1_A.., voltage_V, torque1_Nm..; a column that is to be left alone is named in "
-                 "\"ignore\" of its run"),
+                 "current_A, current1_A.., voltage_V, torque1_Nm..; what is to be left alone is named in "
+                 "\"ignore\" in dataset.json, by name or position (\"#1\"); in dataset.json, beside \"runs\" for all runs, "
+                 "write: \"ignore\": [\"mood\"]"),
                 ("time_s,torque1_Nm,theta1_deg,theta1_deg", "column theta1_deg: must not be there twice"),
                 ("time_s,torque1_A,theta1_deg", 'column torque1_A: unknown unit; may be "torque1_Nm" or "torque1_Nmm", with the numbers in that unit')):
             values = ",".join("0" for _ in header.split(","))
             self.refuse_csv(f"{header}\n{values}\n1{values[1:]}\n", f"line 1: {message}")
-
-    def test_a_table_with_other_separators(self):
-        for mark in (";", "\t"):
-            header = (";" if mark == ";" else "\\t").join(HEADER)
-            self.refuse_csv(table(HEADER, rows()).replace(",", mark),
-                            f'line 1: must separate its columns by commas; got "{header}"')
 
     def test_a_file_that_is_not_there(self):
         self.set["runs"][0]["file"] = "nowhere.csv"

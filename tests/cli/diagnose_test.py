@@ -185,7 +185,7 @@ class Diagnose(ProgramTest):
         refused("diagnose: --threads: must be from 0 to 1024; got \"-1\" (see coilwright diagnose --help)",
                 "--threads", "-1")
         self.write("set/slow.csv", "time_s,torque1_Nm,theta1_deg\n0,0,1\n0.01,0,x\n")
-        refused('set/slow.csv: line 3: column theta1_deg: must be a finite number; got "x"')
+        refused('set/slow.csv: line 3: column theta1_deg: must be a finite number (delete the line if it is damaged); got "x"')
 
     def test_a_set_that_does_not_fit_its_model_is_bad_data(self):
         self.twin()

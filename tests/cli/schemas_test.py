@@ -304,6 +304,15 @@ class SchemasAndProgram(ProgramTest):
             ("dataset", "/runs/0/start", "anywhere"), ("dataset", "/runs/0/window_s", 0), ("dataset", "/runs/0/sigma", 0),
             ("dataset", "/runs/0/note", "x"), ("dataset", "/calibrate", ["stiffness"]),
             ("dataset", "/calibrate", ["joint_stiffness", "joint_stiffness"]), ("dataset", "/description", "x"),
+            ("dataset", "/columns", {"Zeit": "time"}), ("dataset", "/columns", {"Zeit": {"as": "time_s", "factor": 0}}),
+            ("dataset", "/columns", {"Zeit": {"factor": 2}}), ("dataset", "/columns", {"Zeit": {"as": "time_s", "by": 2}}),
+            ("dataset", "/columns", {"W": {"as": "theta1_deg", "wraps_deg": 90}}), ("dataset", "/ignore", "frame"),
+            ("dataset", "/ignore", [1]), ("dataset", "/runs/0/ignore", ["a", "a"]), ("dataset", "/sampling_rate_Hz", 0),
+            ("dataset", "/runs/0/skip_lines", -1), ("dataset", "/separator", ":"), ("dataset", "/decimal", ";"),
+            ("dataset", "/markers", {"bending_angle": {"line": [["x", "y"], [1, 2]]}}),
+            ("dataset", "/markers", {"bending_angle_deg": {"line": [["x", "y"]]}}),
+            ("dataset", "/markers", {"bending_angle_deg": {"line": [["x", 2], [1, 2]]}}),
+            ("dataset", "/runs/0/input_file", {"columns": {}}),
             ("dataset", "/format", None),
         ]
         for name, base in bases.items():

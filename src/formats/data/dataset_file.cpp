@@ -14,6 +14,7 @@
 #include "coilwright/measurement/data/hold_out.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "formats/data/layout_format.hpp"
 #include "formats/data/run_entry.hpp"
 
 namespace coilwright::formats {
@@ -61,15 +62,19 @@ Tolerances read_tolerances(const Node& node) {
   return out;
 }
 
-Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
+Dataset read_runs(const Node& node, const LayoutEntry& layout, std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> met;
   std::set<std::filesystem::path> input_files;
   std::map<std::string, InputError> objections;
+  std::map<std::string, std::vector<measurement::data::Warning>> warnings;
+  std::set<std::string> used;
   std::vector<Run> validate;
   Dataset data;
   for (const Node& element : node.elements(Length::from_to(1, most_runs))) {
-    RunInSet entry = read_run_in_set(element, met);
+    RunInSet entry = read_run_in_set(element, met, layout.layout);
     Run& run = entry.file.run;
+    used.merge(entry.file.used);
+    warnings.emplace(run.name, std::move(entry.file.warnings));
     if (entry.file.objection) objections.emplace(run.name, *entry.file.objection);
     if (entry.input_file) input_files.insert(*entry.input_file);
     if (run.kind == RunKind::still)
@@ -77,6 +82,8 @@ Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
     else
       (entry.role == Role::fit ? data.fit : validate).push_back(std::move(run));
   }
+  for (const auto& [source, place] : layout.named)
+    if (!used.contains(source)) throw place.error_without_value("fits no file of the set");
   files.assign(met.begin(), met.end());
   files.insert(files.end(), input_files.begin(), input_files.end());
   if (data.fit.empty()) throw node.error_without_value("needs at least one fit run");
@@ -86,6 +93,7 @@ Dataset read_runs(const Node& node, std::vector<std::filesystem::path>& files) {
   for (const std::vector<Run>* runs : {&data.fit, &data.still})
     for (const Run& run : *runs) {
       if (const auto found = objections.find(run.name); found != objections.end()) throw found->second;
+      std::ranges::move(warnings.at(run.name), std::back_inserter(data.warnings));
       std::ranges::move(measurement::data::data_quality_warnings(run), std::back_inserter(data.warnings));
     }
   return data;
@@ -99,9 +107,10 @@ DatasetFile read_document(const Document& document) {
     if (const auto actuator = in.find_not_null("actuator")) out.actuator = actuator->path();
     out.calibrate = read_calibrate(in);
     if (const auto tolerances = in.find_not_null("tolerances")) out.tolerances = read_tolerances(*tolerances);
+    const LayoutEntry layout = read_layout(in, {});
     const Node runs = in.at("runs");
     in.finish();
-    out.data = read_runs(runs, out.run_files);
+    out.data = read_runs(runs, layout, out.run_files);
     out.data.name = std::move(name);
     return out;
   });

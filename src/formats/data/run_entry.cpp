@@ -5,6 +5,7 @@
 
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/data/experiment_rules.hpp"
+#include "formats/data/layout_format.hpp"
 #include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {
@@ -49,13 +50,28 @@ Role read_role(const Node& node) {
   return node.choice<Role>({{"fit", Role::fit}, {"validate", Role::validate}});
 }
 
-std::vector<std::string> read_ignore(const Node& node) {
-  std::vector<std::string> names;
-  for (const Node& element : node.elements()) {
-    if (std::ranges::count(names, element.text()) > 0) throw element.error("must not be there twice");
-    names.push_back(element.text());
+// What an object says of the layout of its file, over what stands above it.
+FileLayout read_file_layout(ObjectReader& in, const CsvLayout& above) {
+  const LayoutEntry entry = read_layout(in, above);
+  FileLayout out{.layout = entry.layout};
+  for (const auto& [source, node] : entry.named) {
+    const std::string within = node.pointer().substr(in.node().pointer().size() + 1);
+    out.must_fit.emplace(source, within.substr(0, within.find('/')));
   }
-  return names;
+  return out;
+}
+
+// A path, or an object with one and the layout of that file.
+void read_input_file(const Node& node, RunEntry& entry) {
+  if (node.kind() != Node::Kind::object) {
+    entry.input_file = node.path();
+    return;
+  }
+  read_object(node, [&](ObjectReader& in) {
+    entry.input_file = in.path("file");
+    entry.input_layout = read_file_layout(in, entry.layout.layout);
+    return 0;
+  });
 }
 
 // What only a camera's record of a motion has; null counts as absent.
@@ -67,7 +83,7 @@ std::optional<Node> find_of_motion(ObjectReader& in, std::string_view key, RunKi
 
 // The keys of a transient about its clocks, its input and its rig; the node of its exposure.
 std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry) {
-  if (const auto file = find_of_motion(in, "input_file", entry.kind)) entry.input_file = file->path();
+  if (const auto file = find_of_motion(in, "input_file", entry.kind)) read_input_file(*file, entry);
   if (const auto hold = find_of_motion(in, "input_hold", entry.kind)) entry.hold = read_input_hold(*hold);
   if (const auto shift = find_of_motion(in, "clock_offset_s", entry.kind))
     entry.clock_offset = shift->quantity(time_rule);
@@ -80,7 +96,7 @@ std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry) {
 
 }  // namespace
 
-RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met) {
+RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met, const CsvLayout& set) {
   return read_object(node, [&](ObjectReader& in) {
     const Node file = in.at("file");
     RunEntry entry{.name = file.text()};
@@ -97,8 +113,8 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met)
     if (const auto sigma = in.find_not_null("sigma")) entry.sigma = sigma->number(sigma_rule);
     const auto drive = entry.kind == RunKind::transient ? std::optional(in.at("drive")) : in.find("drive");
     if (drive) (void)read_drive(*drive);
+    entry.layout = read_file_layout(in, set);
     const auto exposure = read_recording(in, entry);
-    if (const auto ignore = in.find_not_null("ignore")) entry.ignore = read_ignore(*ignore);
     std::error_code unreadable;
     const auto path = std::filesystem::weakly_canonical(file.path(), unreadable);
     if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");

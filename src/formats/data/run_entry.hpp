@@ -19,8 +19,10 @@ struct RunInSet {
   std::optional<std::filesystem::path> input_file{};  ///< which runs may share
 };
 
-/// Reads one element of "runs", and its files. `met` are the run files so far, to which its own is added. Throws
+/// Reads one element of "runs", and its files. `met` are the run files so far, to which its own is added; `set` is the
+/// layout that the set has for all. Throws
 /// InputError: of the element before its files, then of those.
-[[nodiscard]] RunInSet read_run_in_set(const text::Node& node, std::set<std::filesystem::path>& met);
+[[nodiscard]] RunInSet read_run_in_set(const text::Node& node, std::set<std::filesystem::path>& met,
+                                       const text::CsvLayout& set);
 
 }  // namespace coilwright::formats

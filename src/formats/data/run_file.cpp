@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/units/unit.hpp"
-#include "formats/simulation/input_columns.hpp"
+#include "formats/data/run_columns.hpp"
+#include "formats/data/run_rows.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -26,132 +25,6 @@ using measurement::data::RunKind;
 
 // Far beyond any record, and near enough that no sum of squares overflows.
 constexpr double largest_number = 1e12;
-// Segments meet long before: a finger of four joints at 120 degrees each has bent 480. A free pendulum may turn for
-// ever; nothing drives one by a coil.
-constexpr double largest_finger_angle = 4.0 * std::numbers::pi;
-
-struct Measured {
-  std::string quantity;  // for CsvTable::column()
-  ChannelKind kind{};
-  int joint{};
-};
-
-// What a file has, as its header tells.
-struct Columns {
-  std::optional<InputColumns> input{};
-  std::vector<Measured> measured{};  // those whose unit sigma has first
-  bool times{};
-  bool angles{};
-  bool openings{};
-  bool heights{};
-  std::vector<std::string> names{};  // all that are looked at
-};
-
-constexpr std::string_view advice = R"(; a column that is to be left alone is named in "ignore" of its run)";
-
-std::string_view quantity_of(std::string_view name) {
-  const auto split = units::split_unit(name);
-  return split ? split->quantity : name;
-}
-
-void ask_numbered(CsvHeader& header, Columns& columns, const std::string& quantity, const std::string& unit,
-                  ChannelKind kind) {
-  const std::size_t count = header.numbered(quantity + "#" + unit);
-  for (std::size_t number = 1; number <= count; ++number)
-    columns.measured.push_back(
-        {.quantity = quantity + std::to_string(number), .kind = kind, .joint = static_cast<int>(number) - 1});
-}
-
-void ask_motion(CsvHeader& header, Columns& columns) {
-  columns.times = true;
-  header.require("time_s");
-  if (header.find("bending_angle_deg"))
-    columns.measured.push_back({.quantity = "bending_angle", .kind = ChannelKind::bending_angle});
-  ask_numbered(header, columns, "theta", "_deg", ChannelKind::joint_angle);
-  ask_numbered(header, columns, "omega", "_rad_s", ChannelKind::joint_rate);
-}
-
-Columns ask_transient(CsvHeader& header, const RunEntry& entry) {
-  Columns columns;
-  ask_motion(header, columns);
-  if (entry.input_file) {
-    // A column that is an input by its name is told what it is, before it counts as unknown.
-    CsvHeader inputs = header;
-    if (find_input(inputs))
-      throw header.error("must have no input column, because the run's \"input_file\" has the input");
-    header.finish(advice);
-  } else if (entry.rig.coil == measurement::data::CoilWiring::driven) {
-    columns.input = ask_for_input(header, advice);
-  } else {
-    columns.input = find_input(header);
-    header.finish(advice);
-  }
-  if (columns.measured.empty())
-    throw header.error("must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
-  return columns;
-}
-
-Columns ask_still(CsvHeader& header) {
-  Columns columns;
-  ask_motion(header, columns);
-  for (const char* name : {"current_A", "current#_A", "voltage_V", "torque#_Nm"}) header.ignore(name);
-  header.finish(advice);
-  if (columns.measured.empty())
-    throw header.error("must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
-  return columns;
-}
-
-Columns ask_bench(CsvHeader& header, RunKind kind) {
-  Columns columns;
-  columns.times = kind == RunKind::temperature;
-  columns.angles = kind == RunKind::static_torque || kind == RunKind::joint_stiffness;
-  if (columns.times) header.require("time_s");
-  if (columns.angles) header.require("angle_deg");
-  if (kind != RunKind::joint_stiffness) {
-    header.require("current_A");
-    columns.input =
-        InputColumns{.drive = Drive::current, .addressing = simulation::Addressing::common, .quantities = {"current"}};
-  }
-  if (columns.angles) {
-    header.require("torque_Nmm");
-    columns.measured.push_back({.quantity = "torque", .kind = ChannelKind::torque});
-  } else if (columns.times) {
-    header.require("temperature_degC");
-    columns.measured.push_back({.quantity = "temperature", .kind = ChannelKind::temperature});
-  } else {
-    header.require("force_N");
-    columns.measured.push_back({.quantity = "force", .kind = ChannelKind::force});
-    columns.openings = header.find("opening_deg");
-    columns.heights = header.find("height_mm");
-  }
-  header.finish(advice);
-  return columns;
-}
-
-// Takes the columns that the run leaves alone out of the header, and notes which of them were there.
-std::set<std::string> leave_alone(CsvHeader& header, const RunEntry& entry) {
-  std::set<std::string> found;
-  for (const std::string& name : entry.ignore)
-    if (header.leave_alone(name)) found.insert(name);
-  return found;
-}
-
-void require_found(const CsvHeader& header, const RunEntry& entry, const std::set<std::string>& found) {
-  for (const std::string& name : entry.ignore)
-    if (!found.contains(name)) throw header.error(name, R"(is not there, and the run's "ignore" names it)");
-}
-
-// The file of a run that also holds its input, or of a bench.
-Columns ask(CsvHeader& header, const RunEntry& entry, std::set<std::string>& ignored) {
-  ignored = leave_alone(header, entry);
-  if (!entry.input_file) require_found(header, entry, ignored);
-  Columns columns = entry.kind == RunKind::transient ? ask_transient(header, entry)
-                    : entry.kind == RunKind::still   ? ask_still(header)
-                                                     : ask_bench(header, entry.kind);
-  for (const std::string& name : header.names())
-    if (!ignored.contains(name)) columns.names.push_back(name);
-  return columns;
-}
 
 std::vector<double> values_of(const CsvTable& table, const std::string& quantity) {
   const auto column = table.column(quantity);
@@ -167,24 +40,8 @@ Channel channel_of(const CsvTable& table, const Measured& measured) {
                   .joint = measured.joint,
                   .values = values_of(table, measured.quantity)};
   if (channel.kind == ChannelKind::temperature)  // degrees Celsius everywhere but in the table
-    for (double& value : channel.values) value = units::from_si(value, channel.name);
+    for (double& value : channel.values) value = units::from_si(value, "temperature_degC");
   return channel;
-}
-
-std::optional<InputError> objection(const CsvTable& table, const Columns& columns) {
-  std::vector<std::string> angles;
-  if (columns.angles) angles.emplace_back("angle");
-  if (!columns.input || columns.input->drive != Drive::torque)
-    for (const Measured& measured : columns.measured)
-      if (measured.kind == ChannelKind::bending_angle || measured.kind == ChannelKind::joint_angle)
-        angles.push_back(measured.quantity);
-  for (const std::string& quantity : angles) {
-    const auto values = table.column(quantity);
-    for (std::size_t row = 0; row < values.size(); ++row)
-      if (std::abs(values[row]) > largest_finger_angle)
-        return table.error(quantity, row, "must be within two turns, as no finger bends further (is the unit right?)");
-  }
-  return std::nullopt;
 }
 
 double median_interval(const std::vector<double>& times) {
@@ -195,8 +52,13 @@ double median_interval(const std::vector<double>& times) {
   return *middle;
 }
 
-std::vector<double> read_times(const CsvTable& table) {
-  table.require_increasing("time");
+std::vector<double> read_times(const CsvTable& table, const CsvLayout& layout) {
+  std::string source = table.name("time");
+  for (const CsvColumn& each : layout.columns)
+    if (each.name == source) source = each.source;
+  table.require_increasing(
+      "time", ", and a run of each in dataset.json",
+      fmt::format("; in dataset.json, give that as \"sampling_rate_Hz\", and {} in \"ignore\"", in_quotes(source)));
   if (table.rows() < 2) throw table.error("time", 0, "must be followed by a second sample");
   return values_of(table, "time");
 }
@@ -217,7 +79,7 @@ std::vector<double> not_negative(const CsvTable& table, const std::string& quant
   return values;
 }
 
-Run run_of(const CsvTable& table, const Columns& columns, const RunEntry& entry) {
+Run run_of(const CsvTable& table, const RunColumns& columns, const RunEntry& entry) {
   Run run{.name = entry.name,
           .kind = entry.kind,
           .drive = columns.input ? columns.input->drive : Drive::current,
@@ -228,7 +90,7 @@ Run run_of(const CsvTable& table, const Columns& columns, const RunEntry& entry)
                     .exposure = entry.exposure},
           .hold = entry.hold,
           .rig = entry.rig};
-  if (columns.times) run.times = read_times(table);
+  if (columns.times) run.times = read_times(table, entry.layout.layout);
   if (columns.angles) run.angles = values_of(table, "angle");
   if (columns.openings) run.openings = not_negative(table, "opening");
   if (columns.heights) run.heights = not_negative(table, "height");
@@ -238,21 +100,6 @@ Run run_of(const CsvTable& table, const Columns& columns, const RunEntry& entry)
   for (const Measured& measured : columns.measured) run.channels.push_back(channel_of(table, measured));
   if (entry.sigma) run.sigma = units::to_memory(*entry.sigma, run.channels.front().name);
   return run;
-}
-
-// The header of the file that has the input alone.
-InputColumns ask_input_file(CsvHeader& header, const RunEntry& entry, const Columns& measured,
-                            std::set<std::string> ignored) {
-  ignored.merge(leave_alone(header, entry));
-  require_found(header, entry, ignored);
-  for (const std::string& name : header.names()) {
-    if (ignored.contains(name) || quantity_of(name) == "time") continue;
-    for (const std::string& other : measured.names)
-      if (quantity_of(other) == quantity_of(name))
-        throw header.error(name, "is in " + one_line(entry.name) + " too; a column may be in one of the two only");
-  }
-  header.require("time_s");
-  return ask_for_input(header, advice);
 }
 
 void require_covers(const CsvTable& table, const Run& run) {
@@ -274,12 +121,41 @@ void require_covers(const CsvTable& table, const Run& run) {
                     one_line(run.name), last, longest));
 }
 
-void add_input_file(Run& run, const RunEntry& entry, const Columns& measured, const std::set<std::string>& ignored) {
+// By how much the times of the input file are shifted so that both files count from one zero.
+double shift_of(const CsvTable& input, const ClockOrigin& measured, const Run& run, const RunEntry& entry) {
+  using Kind = ClockOrigin::Kind;
+  const ClockOrigin& origin = input.clock_origin();
+  if (origin.kind != measured.kind) {
+    if (entry.clock_offset) return 0.0;
+    throw input.error(
+        "time", 0,
+        fmt::format("must count from the zero that {} counts from: one of the two has a date or a number "
+                    "of many digits, the other has not. With \"clock_offset_s\" in its run, how well their "
+                    "first rows agree (s, standard deviation), each counts from its first row",
+                    one_line(run.name)));
+  }
+  if (origin.kind == Kind::day && origin.date != measured.date && !origin.date.empty() && !measured.date.empty())
+    throw input.error("time", 0,
+                      fmt::format("must be of the day of {}, {}; its date is {}", one_line(run.name),
+                                  in_quotes(measured.date), in_quotes(origin.date)));
+  return origin.seconds - measured.seconds;
+}
+
+void add_input_file(RunFile& file, const RunEntry& entry, const RunColumns& measured, const ClockOrigin& clock) {
+  Run& run = file.run;
+  const CsvLayout& layout = entry.input_layout ? entry.input_layout->layout : entry.layout.layout;
   InputColumns columns;
   const CsvTable table = read_csv(
-      *entry.input_file, [&](CsvHeader& header) { columns = ask_input_file(header, entry, measured, ignored); });
+      *entry.input_file,
+      [&](CsvHeader& header) {
+        columns = ask_for_run_input(header, entry, measured, file.used);
+        file.used.merge(used_of(layout, header));
+      },
+      layout);
   run.drive = columns.drive;
-  run.input_times = read_times(table);
+  run.input_times = read_times(table, layout);
+  const double shift = shift_of(table, clock, run, entry);
+  for (double& time : run.input_times) time += shift;
   run.inputs = read_inputs(table, columns);
   if (!entry.clock_offset) run.clock.offset_sigma = median_interval(run.times);
   require_covers(table, run);
@@ -287,25 +163,41 @@ void add_input_file(Run& run, const RunEntry& entry, const Columns& measured, co
 
 template <class Read>
 RunFile run_file(const RunEntry& entry, Read&& read) {
-  Columns columns;
-  std::set<std::string> ignored;
-  const CsvTable table = read([&](CsvHeader& header) { columns = ask(header, entry, ignored); });
-  Run run = run_of(table, columns, entry);
-  if (entry.input_file) {
-    add_input_file(run, entry, columns, ignored);
-    columns.input = InputColumns{.drive = run.drive, .addressing = {}, .quantities = {}};
+  RunColumns columns;
+  RunFile file;
+  const CsvTable table = read([&](CsvHeader& header) {
+    columns = ask_for_run(header, entry);
+    file.used = used_of(entry.layout.layout, header);
+    if (header.form().names_line > 0 && !header.form().preamble.empty()) {
+      // Lines that no key names, and that an editor would not show as a part of the table.
+      const auto above = std::ranges::count_if(header.form().preamble, [](const std::string& line) {
+        return !line.starts_with('#') && line.find_first_not_of(" \t\r,;") != std::string::npos;
+      });
+      if (above > 0)
+        file.warnings.push_back({.run = entry.name,
+                                 .text = fmt::format("the columns are named in line {}; what stands above was not read",
+                                                     header.form().names_line)});
+    }
+  });
+  RunOfRows rows = with_values_that_are_there(run_of(table, columns, entry), table, columns);
+  file.run = std::move(rows.run);
+  if (rows.warning) file.warnings.push_back({.run = entry.name, .text = rows.warning->text});
+  if (entry.input_file) add_input_file(file, entry, columns, table.clock_origin());
+  if (auto objection = objection_to(file.run, table, columns, entry.layout.layout)) {
+    file.objection = std::move(objection->error);
+    file.wrapped = std::move(objection->wrapped);
   }
-  return {.run = std::move(run), .objection = objection(table, columns)};
+  return file;
 }
 
 }  // namespace
 
 RunFile read_run(const std::filesystem::path& path, const RunEntry& entry) {
-  return run_file(entry, [&](const auto& ask) { return read_csv(path, ask); });
+  return run_file(entry, [&](const auto& ask) { return read_csv(path, ask, entry.layout.layout); });
 }
 
 RunFile parse_run(std::string_view text, std::string file, const RunEntry& entry) {
-  return run_file(entry, [&](const auto& ask) { return parse_csv(text, std::move(file), ask); });
+  return run_file(entry, [&](const auto& ask) { return parse_csv(text, std::move(file), ask, entry.layout.layout); });
 }
 
 }  // namespace coilwright::formats

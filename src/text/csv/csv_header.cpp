@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <iterator>
 #include <utility>
 
 #include "coilwright/text/csv/csv_table.hpp"
@@ -13,20 +15,12 @@
 namespace coilwright::text {
 namespace {
 
-// The closed list of measured-data/1. A unit that JSON keys may carry is unknown here when it is not in it.
-constexpr std::array<std::string_view, 14> column_units = {"s",   "ms",  "A",     "V",     "N",    "Nm", "Nmm",
-                                                           "deg", "rad", "deg_s", "rad_s", "degC", "m",  "mm"};
-
-bool is_column_unit(const units::Unit& unit) {
-  return std::find(column_units.begin(), column_units.end(), unit.suffix) != column_units.end();
-}
-
 // "theta1_rad" is the column that "theta1_deg" asks for.
 bool answers(std::string_view name, std::string_view asked) {
   if (name == asked) return true;
   const auto present = units::split_unit(name), wanted = units::split_unit(asked);
   return present && wanted && present->quantity == wanted->quantity &&
-         present->unit.dimension == wanted->unit.dimension && is_column_unit(present->unit);
+         present->unit.dimension == wanted->unit.dimension;
 }
 
 std::string with_number(std::string_view pattern, std::size_t number) {
@@ -43,29 +37,103 @@ std::string_view quantity_of(std::string_view name) {
 std::string unknown_unit(std::string_view asked) {
   std::vector<std::string> names;
   if (const auto wanted = units::split_unit(asked))
-    for (const std::string_view suffix : column_units)
-      if (const std::string name = fmt::format("{}_{}", wanted->quantity, suffix); answers(name, asked))
-        names.push_back(in_quotes(name));
+    for (const units::Unit& unit : units::all_units())
+      if (unit.dimension == wanted->unit.dimension)
+        names.push_back(in_quotes(fmt::format("{}_{}", wanted->quantity, unit.suffix)));
   if (names.empty()) names.push_back(in_quotes(asked));
   return fmt::format("unknown unit; may be {}, with the numbers in that unit", fmt::join(names, " or "));
 }
 
 }  // namespace
 
-CsvHeader::CsvHeader(std::string file, std::size_t line, std::vector<std::string> names)
-    : file_(std::move(file)), line_(line), names_(std::move(names)) {
-  if (names_.size() == 1 && names_.front().find_first_of(";\t|") != std::string::npos)
-    throw error("must separate its columns by commas; got " + in_quotes(one_line(names_.front())));
-  std::set<std::string_view> seen;
-  for (const std::string& name : names_) {
-    if (name.empty()) throw error("must name every column");
-    if (!seen.insert(quantity_of(name)).second) throw error(name, "must not be there twice");
+CsvHeader::CsvHeader(std::string file, const CsvForm& form, const CsvLayout& layout)
+    : file_(std::move(file)), form_(&form), others_ignored_(layout.ignore_others) {
+  for (std::size_t i = 0; i < form.names.size(); ++i) {
+    const std::string& name = form.names[i];
+    columns_.push_back({.name = name, .label = name.empty() ? fmt::format("#{}", i + 1) : one_line(name), .index = i});
   }
+  map_columns(layout);
+  add_computed(layout);
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].name.empty() && form.is_empty(i)) left_alone_.insert(i);
+}
+
+// The column with that name or position; notes where it is absent.
+std::optional<std::size_t> CsvHeader::field_of(std::string_view source) {
+  const std::vector<std::string>& names = form_->names;
+  if (const auto position = position_in(source)) {
+    if (*position < names.size()) return position;
+  } else if (const auto found = std::ranges::find(names, source); found != names.end()) {
+    if (std::find(std::next(found), names.end(), source) != names.end())
+      throw error(source, fmt::format("is there twice: name the one that is meant by its position, \"#{}\" or another",
+                                      found - names.begin() + 1));
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  absent_.emplace_back(source);
+  return std::nullopt;
+}
+
+void CsvHeader::map_columns(const CsvLayout& layout) {
+  for (const std::string& source : layout.ignore) {
+    // A name that is there twice is left alone in both places.
+    bool found = false;
+    for (std::size_t i = 0; i < form_->names.size(); ++i)
+      if (position_in(source) ? *position_in(source) == i : form_->names[i] == source) {
+        left_alone_.insert(i);
+        found = true;
+      }
+    if (!found) absent_.push_back(source);
+  }
+  bool by_position = false;
+  for (const CsvColumn& each : layout.columns) {
+    const auto index = field_of(each.source);
+    if (!index || left_alone_.contains(*index)) continue;
+    by_position = by_position || position_in(each.source);
+    Column& column = columns_[*index];
+    if (each.source != each.name) column.label = fmt::format("{} as {}", in_quotes(each.source), each.name);
+    column.name = each.name;
+    column.factor = each.factor;
+    column.offset = each.offset;
+    column.period = each.period;
+  }
+  // Who names columns by position has seen the others.
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].name.empty() && by_position) left_alone_.insert(i);
+}
+
+void CsvHeader::add_computed(const CsvLayout& layout) {
+  for (std::size_t i = 0; i < layout.markers.size(); ++i) {
+    const CsvMarkers& each = layout.markers[i];
+    std::vector<CsvPoint> points(each.line.begin(), each.line.end());
+    if (each.against) points.insert(points.end(), each.against->begin(), each.against->end());
+    const std::size_t absent = absent_.size();
+    for (const CsvPoint& point : points)
+      if (const auto* sources = std::get_if<std::array<std::string, 2>>(&point))
+        for (const std::string& source : *sources)
+          if (const auto index = field_of(source)) left_alone_.insert(*index);
+    if (absent_.size() > absent) continue;
+    columns_.push_back({.name = each.name,
+                        .label = fmt::format("{} from its markers", each.name),
+                        .from = Column::From::markers,
+                        .index = i,
+                        .factor = each.factor,
+                        .offset = each.offset});
+  }
+  if (!layout.sampling_rate) return;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (!left_alone_.contains(i) && quantity_of(columns_[i].name) == "time" && !form_->is_empty(i)) {
+      absent_.emplace_back("sampling_rate_Hz");
+      return;
+    }
+  columns_.push_back({.name = "time_s",
+                      .label = "time_s by the sampling rate",
+                      .from = Column::From::row_number,
+                      .factor = 1.0 / *layout.sampling_rate});
 }
 
 std::size_t CsvHeader::index_of(std::string_view name) const {
   std::size_t i = 0;
-  while (i < names_.size() && (left_alone_.contains(i) || !answers(names_[i], name))) ++i;
+  while (i < columns_.size() && (left_alone_.contains(i) || !answers(columns_[i].name, name))) ++i;
   return i;
 }
 
@@ -77,28 +145,31 @@ bool CsvHeader::find(std::string_view name) {
 bool CsvHeader::ask(std::string_view name) {
   asked_for_.emplace_back(name);
   const std::size_t index = index_of(name);
-  if (index == names_.size()) return false;
+  if (index == columns_.size()) return false;
+  for (std::size_t i = index + 1; i < columns_.size(); ++i)
+    if (!left_alone_.contains(i) && quantity_of(columns_[i].name) == quantity_of(name))
+      throw error(columns_[i].name, "must not be there twice");
   known_.insert(index);
   kept_.insert(index);
   return true;
 }
 
+std::vector<std::string> CsvHeader::names() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (!left_alone_.contains(i) && (known_.contains(i) || !form_->is_empty(i))) names.push_back(columns_[i].name);
+  return names;
+}
+
 void CsvHeader::require(std::string_view name) {
   if (find(name)) return;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (left_alone_.contains(i)) continue;
-    const std::string& each = names_[i];
-    if (quantity_of(each) == quantity_of(name) || each == quantity_of(name)) {
-      throw error(each, unknown_unit(name));
-    }
-  }
-  // A name of a column ends in its unit.
-  if (std::none_of(names_.begin(), names_.end(), [](const std::string& each) { return units::split_unit(each); }))
-    throw error(name, fmt::format("is missing; this line must name the columns, and begins with {} (a # in front of it "
-                                  "makes it a comment)",
-                                  in_quotes(one_line(names_.front()))));
+  if (std::ranges::all_of(columns_, [](const Column& each) { return each.name.empty(); }))
+    throw error("must name the columns, and has numbers only: the header is missing");
+  const std::vector<std::string> there = names();
+  for (const std::string& each : there)
+    if (quantity_of(each) == quantity_of(name) || each == quantity_of(name)) throw error(each, unknown_unit(name));
   // "Time_s" for "time_s": every letter counts.
-  const std::vector<std::string> like = nearest_words(name, names_);
+  const std::vector<std::string> like = nearest_words(name, there);
   throw error(name, like.empty() ? std::string("is missing")
                                  : fmt::format("is missing; is {} meant? Every letter of a name counts",
                                                in_quotes(one_line(like.front()))));
@@ -111,13 +182,6 @@ std::size_t CsvHeader::numbered(std::string_view pattern) {
   return count;
 }
 
-bool CsvHeader::leave_alone(std::string_view name) {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) return false;
-  left_alone_.insert(static_cast<std::size_t>(found - names_.begin()));
-  return true;
-}
-
 void CsvHeader::ignore(std::string_view name) {
   const bool many = name.find('#') != std::string_view::npos;
   legal_.push_back(many ? with_number(name, 1) + ".." : std::string(name));
@@ -125,42 +189,68 @@ void CsvHeader::ignore(std::string_view name) {
     const std::string each = many ? with_number(name, number) : std::string(name);
     asked_for_.push_back(each);
     const std::size_t index = index_of(each);
-    if (index == names_.size()) return;
+    if (index == columns_.size()) return;
     known_.insert(index);
     if (!many) return;
   }
 }
 
+void CsvHeader::refuse_nameless(std::string_view advice) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].name.empty() && !left_alone_.contains(i) && !others_ignored_)
+      throw InputError(
+          {.file = file_,
+           .place = fmt::format("line {}: column {}", line(), i + 1),
+           .rule = fmt::format("has no name{}{}", i == 0 ? " (a pandas index? write the file with index=False)" : "",
+                               advice)});
+}
+
 void CsvHeader::finish(std::string_view advice) const {
-  std::vector<std::string> absent;
+  std::vector<std::string> missing;
   for (const std::string& asked : asked_for_)
-    if (index_of(asked) == names_.size()) absent.push_back(asked);
+    if (index_of(asked) == columns_.size()) missing.push_back(asked);
   std::vector<std::string> unknown;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (known_.contains(i) || left_alone_.contains(i)) continue;
-    for (const std::string& asked : asked_for_) {
-      const bool same_quantity = quantity_of(names_[i]) == quantity_of(asked) || names_[i] == quantity_of(asked);
-      if (same_quantity) throw error(names_[i], unknown_unit(asked));
-    }
-    const std::string meant = did_you_mean(names_[i], absent);
-    if (!meant.empty()) throw error(names_[i], "unknown column" + meant);
-    unknown.push_back(one_line(names_[i]));
+  refuse_nameless(advice);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::string& name = columns_[i].name;
+    if (known_.contains(i) || left_alone_.contains(i) || others_ignored_) continue;
+    for (const std::string& asked : asked_for_)
+      if (quantity_of(name) == quantity_of(asked) || name == quantity_of(asked)) throw error(name, unknown_unit(asked));
+    const std::string meant = did_you_mean(name, missing);
+    if (!meant.empty()) throw error(name, "unknown column" + meant);
+    if (!form_->is_empty(i)) unknown.push_back(columns_[i].label);
   }
   if (unknown.empty()) return;
   const bool one = unknown.size() == 1;
   throw InputError(
       {.file = file_,
-       .place = fmt::format("line {}: column{} {}", line_, one ? "" : "s", fmt::join(unknown, ", ")),
+       .place = fmt::format("line {}: column{} {}", line(), one ? "" : "s", fmt::join(unknown, ", ")),
        .rule = fmt::format("unknown column{}; there may be {}{}", one ? "" : "s", fmt::join(legal_, ", "), advice)});
 }
 
+// The line of the names, or where they are missing.
+std::size_t CsvHeader::line() const {
+  return form_->names_line > 0 ? form_->names_line : form_->rows_line;
+}
+
 InputError CsvHeader::error(std::string rule) const {
-  return InputError({.file = file_, .place = fmt::format("line {}", line_), .rule = std::move(rule)});
+  return InputError({.file = file_, .place = fmt::format("line {}", line()), .rule = std::move(rule)});
 }
 
 InputError CsvHeader::error(std::string_view column, std::string rule) const {
+  const auto found = std::ranges::find(columns_, column, &Column::name);
   return InputError(
-      {.file = file_, .place = fmt::format("line {}: column {}", line_, one_line(column)), .rule = std::move(rule)});
+      {.file = file_,
+       .place = fmt::format("line {}: column {}", line(), found == columns_.end() ? one_line(column) : found->label),
+       .rule = std::move(rule)});
+}
+
+std::optional<std::size_t> position_in(std::string_view source) noexcept {
+  std::size_t number{};
+  if (!source.starts_with('#')) return std::nullopt;
+  const auto [stop, status] = std::from_chars(source.data() + 1, source.data() + source.size(), number);
+  if (status != std::errc() || stop != source.data() + source.size() || number == 0) return std::nullopt;
+  return number - 1;
 }
 
 }  // namespace coilwright::text

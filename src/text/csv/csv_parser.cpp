@@ -9,6 +9,7 @@
 
 #include "coilwright/text/csv/csv_table.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "text/csv/csv_fields.hpp"
 
 namespace coilwright::text {
 namespace {
@@ -34,6 +35,8 @@ struct CsvParser::State {
   std::string file;
   OnRow on_row;
   csv_parser parser{};
+  Cut cut{};
+  std::string pieces{};  // of a line that is not complete, where lines are changed before they are cut
   bool at_start{true};
   bool after_carriage_return{false};
   bool in_row{false};
@@ -60,9 +63,19 @@ struct CsvParser::State {
   static void on_row_end(int, void* self) noexcept { static_cast<State*>(self)->row_complete = true; }
 };
 
-CsvParser::CsvParser(std::string file, OnRow on_row)
-    : state_(std::make_unique<State>(State{.file = std::move(file), .on_row = std::move(on_row)})) {
+CsvParser::CsvParser(std::string file, OnRow on_row) : CsvParser(std::move(file), std::move(on_row), Cut{}) {
+  state_->at_start = true;
+}
+
+CsvParser::CsvParser(std::string file, OnRow on_row, Cut cut)
+    : state_(std::make_unique<State>(State{.file = std::move(file),
+                                           .on_row = std::move(on_row),
+                                           .cut = cut,
+                                           .at_start = false,  // its form has been found
+                                           .line = cut.first_line,
+                                           .row_line = cut.first_line})) {
   if (csv_init(&state_->parser, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
+  csv_set_delim(&state_->parser, static_cast<unsigned char>(cut.separator == ' ' ? blank_cut : cut.separator));
 }
 
 CsvParser::~CsvParser() {
@@ -83,13 +96,24 @@ void CsvParser::feed(std::string_view text) {
     text.remove_prefix(line.size());
     const bool starts = std::exchange(state_->at_line_start, ends_here);
     if (starts && !state_->in_row && line.front() == '#') state_->in_comment = true;
-    if (!state_->in_comment) feed_line(line);
+    if (!state_->in_comment) take_line(line, ends_here);
     if (ends_here) state_->in_comment = false;
     // CR LF is one line end.
     const bool second_of_two = line == "\n" && state_->after_carriage_return;
     if (ends_here && !second_of_two) ++state_->line;
     state_->after_carriage_return = line.ends_with('\r');
   }
+}
+
+void CsvParser::take_line(std::string_view line, bool complete) {
+  if (state_->cut.separator != ' ' && !state_->cut.arrows) return feed_line(line);
+  state_->pieces.append(line);
+  if (complete || state_->pieces.size() > csv_row_limit) feed_pieces();
+}
+
+void CsvParser::feed_pieces() {
+  const std::string line = without_arrow(std::exchange(state_->pieces, {}), state_->cut.separator);
+  feed_line(state_->cut.separator == ' ' ? cut_at_blanks(line) : line);
 }
 
 void CsvParser::feed_line(std::string_view line) {
@@ -107,13 +131,15 @@ void CsvParser::feed_line(std::string_view line) {
   const std::size_t taken =
       csv_parse(&state.parser, line.data(), line.size(), &State::on_field, &State::on_row_end, &state);
   if (taken != line.size()) {
-    throw state.error("must have quotes around whole fields only, and quotes inside them doubled");
+    throw state.error(
+        "must have quotes around whole fields only, and quotes inside them doubled (delete the line if it is damaged)");
   }
   if (state.row_complete) give_out_row();
 }
 
 void CsvParser::finish() {
   State& state = *state_;
+  if (!state.pieces.empty()) feed_pieces();
   if (csv_fini(&state.parser, &State::on_field, &State::on_row_end, &state) != 0) {
     throw state.error("must close the quote that it opens");
   }

@@ -15,7 +15,16 @@ class CsvParser {
   /// Takes the fields of a row and the line it starts on (from 1).
   using OnRow = std::function<void(std::span<const std::string_view> fields, std::size_t line)>;
 
+  /// How the text is cut, and where it begins.
+  struct Cut {
+    char separator{','};        ///< ' ': any number of blanks
+    std::size_t first_line{1};  ///< number of its first line
+    bool arrows{false};         ///< as of CsvForm
+  };
+
   /// `file` is the name in errors.
+  CsvParser(std::string file, OnRow on_row, Cut cut);
+  /// The same of a whole file with commas; feed() also throws InputError for what is no text in UTF-8.
   CsvParser(std::string file, OnRow on_row);
   ~CsvParser();
   CsvParser(const CsvParser&) = delete;
@@ -28,6 +37,8 @@ class CsvParser {
 
  private:
   struct State;
+  void take_line(std::string_view line, bool complete);
+  void feed_pieces();
   void feed_line(std::string_view line);
   void give_out_row();
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <string>
@@ -171,7 +172,10 @@ TEST_F(DatasetFiles, NameTheFileThatIsAtFault) {
   EXPECT_EQ(runs_refusal(R"({"file": "c.csv", "kind": "transient", "role": "fit", "drive": "current"})"),
             "c.csv: cannot be opened: No such file or directory");
   write("a.csv", "time_s,current_A,bending_angle_deg\n0,0,1\n0,1.4,2\n");
-  EXPECT_EQ(runs_refusal(run_a), "a.csv: line 3: column time_s: must exceed the value before it (0); got 0");
+  EXPECT_EQ(
+      runs_refusal(run_a),
+      "a.csv: line 3: column time_s: must exceed the value before it (0); delete line 3, which repeats the time of the "
+      "row above; got 0");
   // A validate run, too, must be a table.
   write("a.csv", step);
   write("b.csv", "time_s,current_A,bending_angle_deg\n0,0,1\n1,1.4\n");
@@ -270,11 +274,18 @@ TEST_F(DatasetFiles, RefuseAnInputThatDoesNotFitTheMeasurement) {
             "longest interval of the input (0.02 s); an input that is held is repeated there; got 0.13");
   EXPECT_EQ(fed("time_s,current_A,bending_angle_deg\n0,0,1\n0.3,1.4,2\n"),
             "fed.csv: line 1: column bending_angle_deg: is in seen.csv too; a column may be in one of the two only");
-  EXPECT_EQ(fed("time_s,bending_deg\n0,0\n0.3,1.4\n"),
-            "fed.csv: line 1: column bending_deg: unknown column; there may be time_s, current_A, current1_A.., "
-            "voltage_V, torque1_Nm..; a column that is to be left alone is named in \"ignore\" of its run");
-  EXPECT_EQ(fed("time_s\n0\n0.3\n"),
-            "fed.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
+  EXPECT_EQ(
+      fed("time_s,bending_deg\n0,0\n0.3,1.4\n"),
+      "fed.csv: line 1: column bending_deg: unknown column; there may be time_s, current_A, current1_A.., "
+      "voltage_V, torque1_Nm..; what is to be left alone is named in \"ignore\" in dataset.json, by name or position "
+      "(\"#1\"); the columns are \"time_s\", \"bending_deg\", and dataset.json must say the input: a column of current "
+      "or voltage in this file, or another file with one, named by \"input_file\"; the rest is \"ignore\": "
+      "[\"bending_deg\"]");
+  EXPECT_EQ(
+      fed("time_s\n0\n0.3\n"),
+      "fed.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..; the columns are "
+      "\"time_s\", and dataset.json must say the input: a column of current or voltage in this file, or another file "
+      "with one, named by \"input_file\"");
   write("seen.csv", step);
   EXPECT_EQ(fed("time_s,current_A\n0,0\n0.3,1.4\n"),
             "seen.csv: line 1: must have no input column, because the run's \"input_file\" has the input");
@@ -364,6 +375,29 @@ TEST_F(DatasetFiles, OfTheDocumentAreLegal) {
   const DeclaredActuator actuator = read_declared_actuator(COILWRIGHT_SOURCE_DIR "/configs/actuators/paper_finger.json",
                                                            {.names = file.calibrate, .file = file.file});
   EXPECT_EQ(actuator.model.calibration.size(), 3u);
+}
+
+TEST_F(DatasetFiles, OfOtherProgramsInTheDocumentAreRead) {
+  for (const auto& [name, text] : documented("text")) write(name, text);
+  const auto sets = documented("json");
+  const auto run_of = [&](const char* kind) { return read(sets.at(kind)).data.fit.at(0); };
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  const auto labview = run_of("labview");
+  EXPECT_THAT(labview.times, ElementsAre(0.0, 0.002, 0.004));
+  EXPECT_THAT(labview.inputs, ElementsAre(ElementsAre(0.0), ElementsAre(1.4), ElementsAre(1.4)));
+  EXPECT_DOUBLE_EQ(labview.channels[0].values[2], -8.2 * degree);
+  const auto scope = run_of("oscilloscope");
+  EXPECT_THAT(scope.times, ElementsAre(-0.002, 0.0, 0.002));
+  EXPECT_NEAR(scope.inputs[1][0], 1.4, 1e-15);
+  EXPECT_NEAR(scope.channels[0].values[0], 7.2 * degree, 1e-15);
+  const auto film = run_of("deeplabcut");
+  EXPECT_NEAR(film.channels[0].values[2], std::atan2(14.0, 98.5), 1e-15);
+  EXPECT_THAT(film.times, ElementsAre(0.0, 1.0 / 240.0, 2.0 / 240.0));
+  EXPECT_THAT(film.input_times, ElementsAre(0.0, ::testing::DoubleEq(0.004), ::testing::DoubleEq(0.010)));
+  const auto arduino = run_of("arduino");
+  EXPECT_NEAR(arduino.inputs[1][0], 12.0, 1e-4);
+  EXPECT_NEAR(arduino.channels[0].values[0], -0.9 * degree, 1e-14);
+  EXPECT_NEAR(arduino.channels[0].values[2], 1.4 * degree, 1e-14);
 }
 
 TEST(EffectsOfTheDocument, AreThoseOfTheCatalogue) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 
@@ -27,8 +28,10 @@ measurement::data::Run run_of(std::string_view text, RunKind kind) {
   return run_of(text, RunEntry{.name = "x.csv", .kind = kind});
 }
 
+// Without what it says to write into dataset.json, for which layout_test.cpp is.
 std::string refusal(std::string_view text, RunKind kind = RunKind::transient) {
-  return text::testing::error_of([&] { (void)run_of(text, kind); });
+  const std::string error = text::testing::error_of([&] { (void)run_of(text, kind); });
+  return error.substr(0, std::min(error.find("; in dataset.json, "), error.find("; the columns are ")));
 }
 
 std::string objection(std::string_view text, RunKind kind = RunKind::transient) {
@@ -135,20 +138,21 @@ TEST(RunFile, NeedsNoInputWhereNoDriverIsConnected) {
 }
 
 TEST(RunFile, LeavesColumnsAloneThatTheSetNames) {
-  const RunEntry entry{.name = "x.csv", .kind = RunKind::transient, .ignore = {"frame", "theta1_deg"}};
+  const RunEntry entry{.name = "x.csv",
+                       .kind = RunKind::transient,
+                       .layout = {.layout = {.ignore = {"frame", "theta1_deg"}}, .must_fit = {{"frame", "ignore"}}}};
   const auto run = run_of("frame,time_s,current_A,bending_angle_deg,theta1_deg\na,0,1,2,\nb,1,1,3,x\n", entry);
   ASSERT_EQ(run.channels.size(), 1u);
   EXPECT_EQ(run.channels[0].name, "bending_angle_deg");
   EXPECT_EQ(text::testing::error_of([&] { (void)run_of("time_s,current_A,theta1_deg\n0,1,2\n1,1,3\n", entry); }),
-            "x.csv: line 1: column frame: is not there, and the run's \"ignore\" names it");
+            "x.csv: line 1: column frame: is not there, and the run's \"ignore\" names it; the columns are \"time_s\", "
+            "\"current_A\", \"theta1_deg\"");
 }
 
 TEST(RunFile, RefusesMissingColumns) {
   EXPECT_EQ(refusal("current_A,theta1_deg\n1,2\n"), "x.csv: line 1: column time_s: is missing");
-  EXPECT_EQ(
-      refusal("Bench of May,run 3\ntime_s,current_A,theta1_deg\n0,1,2\n"),
-      "x.csv: line 1: column time_s: is missing; this line must name the columns, and begins with \"Bench of May\" "
-      "(a # in front of it makes it a comment)");
+  EXPECT_EQ(run_of("Bench of May,run 3\ntime_s,current_A,theta1_deg\n0,1,2\n1,1,2\n", RunKind::transient).samples(),
+            2u);
   EXPECT_EQ(refusal("time_s,current_A\n1,2\n"),
             "x.csv: line 1: must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
   EXPECT_EQ(refusal("time_s,theta1_deg\n1,2\n"),
@@ -167,47 +171,56 @@ TEST(RunFile, RefusesColumnsAndUnitsThatDoNotExist) {
   EXPECT_EQ(refusal("time_s,current_A,bending_angel_deg\n1,2,3\n"),
             "x.csv: line 1: column bending_angel_deg: unknown column; did you mean \"bending_angle_deg\"?");
   EXPECT_EQ(
-      refusal("time_us,current_A,theta1_deg\n1,2,3\n"),
-      "x.csv: line 1: column time_us: unknown unit; may be \"time_s\" or \"time_ms\", with the numbers in that unit");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
-            "x.csv: line 1: column theta1_mm: unknown unit; may be \"theta1_deg\" or \"theta1_rad\", with the numbers "
-            "in that unit");
+      refusal("time_A,current_A,theta1_deg\n1,2,3\n"),
+      "x.csv: line 1: column time_A: unknown unit; may be \"time_s\" or \"time_ms\" or \"time_us\" or \"time_ns\", "
+      "with the numbers in that unit");
+  EXPECT_EQ(
+      refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
+      "x.csv: line 1: column theta1_mm: unknown unit; may be \"theta1_rad\" or \"theta1_mrad\" or \"theta1_deg\", "
+      "with the numbers in that unit");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta3_deg\n1,2,3,4\n"),
             "x.csv: line 1: column theta3_deg: unknown column; did you mean \"theta2_deg\"?");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta1_rad\n1,2,3,4\n"),
             "x.csv: line 1: column theta1_rad: must not be there twice");
   EXPECT_EQ(refusal("time_s,current_A,voltage_V,theta1_deg\n1,2,3,4\n"),
             "x.csv: line 1: must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
-  EXPECT_EQ(
-      refusal("angle_deg,current_A,torque_Nmm,force_N\n1,2,3,4\n", RunKind::static_torque),
-      "x.csv: line 1: column force_N: unknown column; there may be angle_deg, current_A, torque_Nmm; a column that is "
-      "to be left alone is named in \"ignore\" of its run");
+  EXPECT_EQ(refusal("angle_deg,current_A,torque_Nmm,force_N\n1,2,3,4\n", RunKind::static_torque),
+            "x.csv: line 1: column force_N: unknown column; there may be angle_deg, current_A, torque_Nmm; what is to "
+            "be left "
+            "alone is named in \"ignore\" in dataset.json, by name or position (\"#1\")");
 }
 
 TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {
   EXPECT_EQ(refusal(""), "x.csv: is empty: it must have a header");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n"), "x.csv: must have a row below its header");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1\n"),
-            "x.csv: line 3: must have 3 fields, as the header has; got 2");
+            "x.csv: line 3: must have 3 fields, as the header has (delete the line if it is damaged); got 2");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,2,3\n"),
             "x.csv: line 3: must have 3 fields, as the header has (are its decimals written with commas?); got 4");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,abc\n"),
-            "x.csv: line 3: column theta1_deg: must be a finite number; got \"abc\"");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,nan\n"),
-            "x.csv: line 3: column theta1_deg: must be a finite number (delete the rows that have none); got \"nan\"");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
-            "x.csv: line 3: column current_A: must be a finite number; got \"-inf\"");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,\n"),
-            "x.csv: line 2: column theta1_deg: must be a finite number (delete the rows that have none); got \"\"");
+  EXPECT_EQ(
+      refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,abc\n"),
+      "x.csv: line 3: column theta1_deg: must be a finite number (delete the line if it is damaged); got \"abc\"");
+  EXPECT_EQ(
+      refusal("time_s,current_A,temperature_degC\n0,1,2\n1,1,nan\n", RunKind::temperature),
+      "x.csv: line 3: column temperature_degC: must be a finite number (delete the rows that have none); got \"nan\"");
+  EXPECT_EQ(
+      refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
+      "x.csv: line 3: column current_A: must be a finite number (delete the line if it is damaged); got \"-inf\"");
+  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,\n1,1,\n"),
+            "x.csv: line 2: column theta1_deg: must have at least two values in the file; got nan");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1e13,2\n"),
             "x.csv: line 3: column current_A: must be a number that can be measured, at most 1e12; got 10000000000000");
 }
 
 TEST(RunFile, RefusesATimeThatGoesBackOrStandsStill) {
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0.1,1,2\n0.3,1,2\n0.2,1,2\n"),
-            "x.csv: line 4: column time_s: must exceed the value before it (0.3); got 0.2");
-  EXPECT_EQ(refusal("time_s,current_A,temperature_degC\n0.1,1,2\n0.1,1,2\n", RunKind::temperature),
-            "x.csv: line 3: column time_s: must exceed the value before it (0.1); got 0.1");
+  EXPECT_EQ(
+      refusal("time_s,current_A,theta1_deg\n0.1,1,2\n0.3,1,2\n0.2,1,2\n"),
+      "x.csv: line 4: column time_s: must exceed the value before it (0.3); the clock starts again here, so the "
+      "file holds 2 records: make a file of each, with the line of names, and a run of each in dataset.json; got 0.2");
+  EXPECT_EQ(
+      refusal("time_s,current_A,temperature_degC\n0.1,1,2\n0.1,1,2\n", RunKind::temperature),
+      "x.csv: line 3: column time_s: must exceed the value before it (0.1); delete line 3, which repeats the time "
+      "of the row above; got 0.1");
   EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0.1,1,2\n"),
             "x.csv: line 2: column time_s: must be followed by a second sample; got 0.1");
 }

@@ -49,8 +49,10 @@ TEST(CommandedInput, RefusesAMissingOrMisspeltInput) {
             "x.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
   EXPECT_EQ(refusal("time_s,curent_A\n1,2\n"),
             "x.csv: line 1: column curent_A: unknown column; did you mean \"current_A\"?");
-  EXPECT_EQ(refusal("time_s,current_mA\n1,2\n"),
-            "x.csv: line 1: column current_mA: unknown unit; may be \"current_A\", with the numbers in that unit");
+  EXPECT_EQ(
+      refusal("time_s,current_mV\n1,2\n"),
+      "x.csv: line 1: column current_mV: unknown unit; may be \"current_A\" or \"current_mA\", with the numbers in "
+      "that unit");
   EXPECT_EQ(refusal("current_A\n2\n"), "x.csv: line 1: column time_s: is missing");
   EXPECT_EQ(refusal("time_s,torque_Nm\n1,2\n"),
             "x.csv: line 1: column torque_Nm: unknown column; did you mean \"torque1_Nm\"?");
@@ -63,9 +65,12 @@ TEST(CommandedInput, RefusesTwoKindsOfInput) {
 
 TEST(CommandedInput, RefusesATimeThatGoesBackOrStandsStill) {
   EXPECT_EQ(refusal("time_s,current_A\n0.1,2\n0.3,2\n0.2,2\n"),
-            "x.csv: line 4: column time_s: must exceed the value before it (0.3); got 0.2");
-  EXPECT_EQ(refusal("time_s,current_A\n0.1,2\n0.1,2\n"),
-            "x.csv: line 3: column time_s: must exceed the value before it (0.1); got 0.1");
+            "x.csv: line 4: column time_s: must exceed the value before it (0.3); the clock starts again here, so the "
+            "file holds 2 records: make a file of each, with the line of names; got 0.2");
+  EXPECT_EQ(
+      refusal("time_s,current_A\n0.1,2\n0.1,2\n"),
+      "x.csv: line 3: column time_s: must exceed the value before it (0.1); delete line 3, which repeats the time "
+      "of the row above; got 0.1");
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+#include "text/csv/csv_fields.hpp"
+
+#include <csv.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <new>
+
+#include "text/csv/csv_clock.hpp"
+
+namespace coilwright::text {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+void take_field(void* field, std::size_t size, void* fields) {
+  static_cast<std::vector<std::string>*>(fields)->emplace_back(static_cast<const char*>(field), size);
+}
+
+}  // namespace
+
+std::string cut_at_blanks(std::string_view line) {
+  std::string cut;
+  bool quoted = false;
+  bool pending = false;
+  for (const char letter : line) {
+    if (letter == '"') quoted = !quoted;
+    const bool blank = !quoted && blanks.find(letter) != std::string_view::npos;
+    const bool end = letter == '\n' || letter == '\r';
+    if (!blank && !end && pending && !cut.empty()) cut += blank_cut;
+    pending = blank;
+    if (!blank) cut += letter;
+  }
+  return cut;
+}
+
+std::string without_arrow(std::string_view line, char separator) {
+  constexpr std::string_view arrow = " -> ";
+  std::string out(line);
+  const std::size_t at = line.find(arrow);
+  if (at != std::string_view::npos && stamp_in(line.substr(0, at))) out.replace(at, arrow.size(), 1, separator);
+  return out;
+}
+
+std::vector<std::string> fields_of(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  csv_parser parser{};
+  if (csv_init(&parser, 0) != 0) throw std::bad_alloc();
+  const bool blank = separator == ' ';
+  const std::string plain = without_arrow(line, separator);
+  const std::string cut = blank ? cut_at_blanks(plain) : plain;
+  csv_set_delim(&parser, static_cast<unsigned char>(blank ? blank_cut : separator));
+  csv_parse(&parser, cut.data(), cut.size(), take_field, nullptr, &fields);
+  csv_fini(&parser, take_field, nullptr, &fields);
+  csv_free(&parser);
+  return fields;
+}
+
+bool is_absent(std::string_view field) noexcept {
+  constexpr std::array<std::string_view, 9> words = {"", "nan", "NaN", "NAN", "NA", "N/A", "#N/A", "null", "-"};
+  return std::ranges::find(words, field) != words.end();
+}
+
+std::optional<double> number_of(std::string_view field, char decimal) noexcept {
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
+  std::array<char, 64> pointed{};
+  if (const std::size_t comma = field.find(decimal); decimal != '.' && comma != std::string_view::npos) {
+    if (field.size() > pointed.size() || field.find('.') != std::string_view::npos) return std::nullopt;
+    std::ranges::copy(field, pointed.begin());
+    pointed[comma] = '.';
+    field = {pointed.data(), field.size()};
+  }
+  double value{};
+  const char* end = field.data() + field.size();
+  const auto [stop, status] = std::from_chars(field.data(), end, value);
+  if (status != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace coilwright::text

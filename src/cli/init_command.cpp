@@ -6,14 +6,17 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "coilwright/formats/data/dataset_draft.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
+#include "file_rule.hpp"
 #include "outcome.hpp"
 #include "packed_files.hpp"
 #include "word_rule.hpp"
@@ -48,12 +51,35 @@ std::string_view text_of(std::string_view name) {
 struct InitOptions {
   std::string what;
   std::string out = ".";
+  std::vector<std::string> from;
   bool json = false;
 };
 
+// A data set about files that are there: its records are not written.
+formats::DatasetDraft draft_of(const InitOptions& options, Start& start) {
+  if (options.what != "dataset") throw CLI::ValidationError("--from", "is for init dataset only");
+  start.files = {"dataset.json", actuator_file};
+  const std::vector<fs::path> files(options.from.begin(), options.from.end());
+  return formats::draft_dataset(files, options.out, std::string(actuator_file));
+}
+
+Json sentences_json(const std::vector<std::string>& sentences) {
+  Json list = Json::array();
+  for (const std::string& each : sentences) list.add(each);
+  return list;
+}
+
+void print_sentences(std::string_view title, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return;
+  std::cout << title << ":\n";
+  for (const std::string& each : sentences) std::cout << "  " << each << '\n';
+}
+
 void run_init(const InitOptions& options) {
   const std::vector<Start> kinds = kinds_of_start();
-  const Start& start = *std::ranges::find(kinds, options.what, &Start::word);
+  Start start = *std::ranges::find(kinds, options.what, &Start::word);
+  std::optional<formats::DatasetDraft> draft;
+  if (!options.from.empty()) draft = draft_of(options, start);
   const fs::path out = options.out;
   // An actuator that is there is the one that a study or a data set is to be about.
   const bool keeps_actuator = options.what != "actuator" && fs::exists(out / actuator_file);
@@ -64,18 +90,25 @@ void run_init(const InitOptions& options) {
                               text::OutputError::Stage::preparing);
   text::OutputFolder folder(out);
   for (const std::string_view name : start.files)
-    if (is_written(name)) folder.write(name, text_of(name));
+    if (is_written(name)) folder.write(name, draft && name != actuator_file ? draft->document.text() : text_of(name));
   folder.commit();
   if (options.json) {
     Json written = Json::array();
     for (const std::string_view name : start.files)
       if (is_written(name)) written.add((out / name).lexically_normal().string());
-    std::cout << Json::object({{"written", std::move(written)}, {"next", start.next}}).text();
+    Json told = Json::object({{"written", std::move(written)}, {"next", start.next}});
+    if (draft) told.set("guessed", sentences_json(draft->guessed)).set("to_be_said", sentences_json(draft->asked));
+    std::cout << told.text();
     return;
   }
   for (const std::string_view name : start.files)
     std::cout << (out / name).lexically_normal().string()
               << (is_written(name) ? "\n" : " was there already, and stays as it is\n");
+  if (draft) {
+    if (!keeps_actuator) draft->asked.emplace_back("the actuator: actuator.json is an example, change it to yours");
+    print_sentences("Guessed, to be checked in dataset.json", draft->guessed);
+    print_sentences("To be said by you", draft->asked);
+  }
   const std::string there = out.lexically_normal() == "." ? "" : " in " + out.lexically_normal().string();
   std::cout << fmt::format("Next{}: {}\n", there, start.next);
 }
@@ -90,13 +123,19 @@ void add_init_command(CLI::App& app, Outcome&) {
       app.add_subcommand("init", "Write a study, an actuator or a data set to start from, with comments");
   command->add_option("WHAT", options->what, "One of study, actuator, dataset")->required()->check(word_rule(words));
   command->add_option("--out", options->out, "Folder for the files; it is created if it does not exist (default .)");
+  command
+      ->add_option("--from", options->from,
+                   "Records of yours (CSV) that a data set is to be about: its dataset.json says "
+                   "what their columns seem to be")
+      ->check(file_rule());
   command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
   command->footer(
       "The files run as they are: change them. No file that is there is replaced; an actuator.json that is there is\n"
       "the one that the study or the data set is about. The records of the data set are synthetic: they are the\n"
       "actuator's, with friction in its hinges.\n\n"
-      "Example:\n"
-      "  coilwright init study --out my_study");
+      "Examples:\n"
+      "  coilwright init study --out my_study\n"
+      "  coilwright init dataset --from step.csv sine.csv");
   command->callback([options] { run_init(*options); });
 }
 

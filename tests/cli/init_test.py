@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import CONFIGS, ProgramTest, run
+from program import CONFIGS, DATA, ProgramTest, run
 
 
 class Init(ProgramTest):
@@ -43,6 +43,23 @@ class Init(ProgramTest):
         # As configs/starts/README.md says that it was made.
         low, high = answer["effects"][0]["parameters"]["torque_Nmm"]["ci95"]
         self.assertTrue(low < 0.6 < high, (low, high))
+
+    def test_a_data_set_about_records_that_are_there_is_read(self):
+        records = DATA / "formats" / "records"
+        text = self.init("dataset", "--from", str(records / "labview.lvm"), str(records / "excel_german.csv"))
+        self.assertIn("labview.lvm: the rows are 500 a second", text)
+        self.assertIn("  the actuator: actuator.json is an example, change it to yours\n", text)
+        document = json.loads((self.folder / "dataset.json").read_text())
+        self.assertEqual(document["runs"][0]["columns"],
+                         {"Strom (mA)": "current_mA", "Winkel (deg)": "bending_angle_deg"})
+        self.assertEqual(document["runs"][1]["columns"],
+                         {"Zeit (s)": "time_s", "Strom (A)": "current_A", "Winkel (°)": "bending_angle_deg"})
+        # As far as the declared model, which is not there.
+        self.assert_refused(["diagnose", ".", "--out", "out", "--actuator", "none.json"],
+                            "none.json: cannot be opened: No such file or directory")
+        self.assert_refused(["init", "dataset", "--from", "none.csv"], "none.csv: cannot be opened: No such file or directory")
+        self.assert_refused(["init", "study", "--from", str(records / "plain.csv")],
+                            "init: --from: is for init dataset only (see coilwright init --help)")
 
     def test_every_object_says_what_it_is_for(self):
         self.init("study")

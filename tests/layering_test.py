@@ -61,7 +61,7 @@ HIDDEN = {
     "glog/": "cli",
     "openssl/": "cli",
     "hwy/": "magnetics",
-    "boost/": "magnetics winding thermal actuator simulation control sizing measurement",
+    "boost/": "magnetics winding thermal actuator simulation control sizing archive measurement",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

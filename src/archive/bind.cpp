@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "archive/schema.hpp"
+
 namespace coilwright::archive {
 namespace {
 
@@ -17,12 +19,12 @@ Value value_of(const SQLite::Column& cell) {
 
 }  // namespace
 
-void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t run) {
+void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std::int64_t run) {
   const sizing::Evaluation& evaluation = row.evaluation;
   const bool failed = !evaluation.failure.empty();
   Binder binder(insertion);
   insertion.clearBindings();  // what is not bound is NULL
-  binder.integer(run).integer(row.number).text(status_of(evaluation));
+  binder.integer(id).integer(run).integer(row.number).text(status_of(evaluation));
   failed ? binder.lasting(evaluation.failure) : binder.none();
   binder.number(evaluation.infeasibility).integer(evaluation.quantities.empty() ? 0 : 1);
   binder.number(row.seconds).number(row.ended);
@@ -35,7 +37,7 @@ void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t run) {
   }
   // The archive's columns are as many as the study has, also where a design has no numbers.
   const int places = insertion.getBindParameterCount();
-  const auto fixed = static_cast<int>(9 + row.variables.size());
+  const auto fixed = static_cast<int>(fixed_columns.size() + row.variables.size());
   int place = fixed;
   if (!failed) {
     for (const double value : evaluation.objectives) insertion.bind(++place, value);

@@ -54,7 +54,7 @@ class Binder {
 };
 
 /// Binds a design, which must outlive the execution, to `insertion_of` the columns of its archive.
-void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t run);
+void bind_row(SQLite::Statement& insertion, const Row& row, std::int64_t id, std::int64_t run);
 
 /// How many columns of each role an archive has.
 struct ColumnCounts {

@@ -28,7 +28,11 @@ class ColumnNames {
   }
 
  private:
-  std::set<std::string> taken_{fixed_columns.begin(), fixed_columns.end()};
+  std::set<std::string> taken_ = [] {
+    std::set<std::string> taken(fixed_columns.begin(), fixed_columns.end());
+    taken.insert("checksum");
+    return taken;
+  }();
 };
 
 std::string quoted_or_none(const std::string& text) {

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
+#include "archive/checksum.hpp"
+#include "archive/read_contents.hpp"
 #include "archive/schema.hpp"
 
 namespace coilwright::archive {
@@ -25,13 +30,20 @@ text::InputError error_about(const fs::path& path, const std::string& rule) {
   return text::InputError({.file = path.string(), .place = {}, .rule = rule, .value = {}});
 }
 
+text::InputError damaged(const fs::path& path, const Damage& damage) {
+  return error_about(
+      path,
+      fmt::format("is damaged ({}): {}the command that made it makes it anew with --force", damage.text,
+                  damage.only_in_designs ? "coilwright archive check DIR --repair takes such designs out, or " : ""));
+}
+
 // Before anything is asked of a file that may be anything.
 void require_archive(const fs::path& path, SQLite::Database& database) {
   std::int32_t application = 0;
   int version = 0;
   try {
     application = database.execAndGet("PRAGMA application_id").getInt();
-    version = database.execAndGet("PRAGMA user_version").getInt();
+    version = version_of(database);
   } catch (const SQLite::Exception& error) {
     // No file of another kind has a journal that SQLite takes for its own.
     if (error.getErrorCode() == SQLITE_READONLY)
@@ -46,6 +58,7 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
     throw error_about(path, fmt::format("was written by a later coilwright: it is an archive of version {}, and this "
                                         "program reads up to version {}",
                                         version, schema_version));
+  if (version < 1) throw error_about(path, fmt::format("is damaged: no archive has version {}", version));
 }
 
 void require_file(const fs::path& path) {
@@ -61,10 +74,36 @@ SQLite::Database open(const fs::path& path, int flags) {
   SQLite::Database database =
       reading(path, [&] { return SQLite::Database(path.string(), flags | SQLite::OPEN_NOMUTEX, busy_timeout); });
   require_archive(path, database);
+  register_checksum(database);
   return database;
 }
 
 }  // namespace
+
+int version_of(const SQLite::Database& database) {
+  SQLite::Statement version(database, "PRAGMA user_version");
+  return version.executeStep() ? version.getColumn(0).getInt() : 0;
+}
+
+void require_whole(const fs::path& path, SQLite::Database& database, std::span<const SealedTable> tables) {
+  std::optional<Damage> damage;
+  try {
+    damage = damage_in(database, tables);
+  } catch (const SQLite::Exception& error) {
+    damage = Damage{.text = error.what()};
+  }
+  if (damage) throw damaged(path, *damage);
+}
+
+void require_whole(const fs::path& path, SQLite::Database& database) {
+  std::vector<SealedTable> tables;
+  try {
+    if (version_of(database) >= first_version_with_checksums) tables = sealed_tables(read_columns(database));
+  } catch (const SQLite::Exception& error) {
+    throw damaged(path, {.text = error.what()});
+  }
+  require_whole(path, database, tables);
+}
 
 SQLite::Database open_to_read(const fs::path& path) {
   // A change that was cut short is taken back by the next who opens the file, but not by one who may only read.
@@ -74,6 +113,8 @@ SQLite::Database open_to_read(const fs::path& path) {
 
 SQLite::Database open_to_write(const fs::path& path) {
   SQLite::Database database = open(path, SQLite::OPEN_READWRITE);
+  if (version_of(database) < first_version_with_checksums)
+    throw error_about(path, "was written by an earlier coilwright, without checksums: nothing is added to it");
   writing(path, text::OutputError::Stage::preparing, [&] {
     database.exec("PRAGMA journal_mode = WAL");
     database.exec("PRAGMA synchronous = FULL");

@@ -3,21 +3,32 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 
+#include "archive/checksum.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 
 namespace coilwright::archive {
 
 /// Opens an archive that is there, to be read. Throws InputError for a file that is none, of another program or of a
-/// later version, and where it cannot be read.
+/// later version, and where it cannot be read. Its checksums are not looked at: require_whole().
 [[nodiscard]] SQLite::Database open_to_read(const std::filesystem::path& path);
 
 /// The same to be written to, with a write-ahead log whose commits are on the disk when they return: what is recorded
 /// outlives a failing power supply. Throws OutputError (preparing) where it cannot be written.
 [[nodiscard]] SQLite::Database open_to_write(const std::filesystem::path& path);
+
+/// The version of its tables.
+[[nodiscard]] int version_of(const SQLite::Database& database);
+
+/// Throws InputError where the tree of the file is torn, or a row of these tables is not what was written.
+void require_whole(const std::filesystem::path& path, SQLite::Database& database, std::span<const SealedTable> tables);
+
+/// The same of all tables that have checksums: of none where the archive is of before there were any.
+void require_whole(const std::filesystem::path& path, SQLite::Database& database);
 
 /// What SQLite refuses, as an InputError about the archive.
 template <class Task>

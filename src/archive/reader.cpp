@@ -1,6 +1,7 @@
 #include "coilwright/archive/reader.hpp"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <bit>
@@ -60,16 +61,32 @@ std::string sql_of(const Query& query) {
   return conditions + order + (query.most ? fmt::format(" LIMIT {}", *query.most) : "");
 }
 
+// What SQLite says of the condition itself is its author's mistake; all else is about the file.
+SQLite::Statement of_condition(const SQLite::Database& database, const std::string& sql) {
+  try {
+    return {database, sql};
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_ERROR) throw std::invalid_argument(error.what());
+    throw;
+  }
+}
+
 }  // namespace
 
 struct Reader::Connection {
   explicit Connection(const std::filesystem::path& file)
       : path(file),
         database(open_to_read(file)),
+        has_checksums(whole_archive_has_checksums()),
         contents(reading(file, [this] { return read_contents(database); })),
         counts(counts_of(contents.columns)),
         selection(selection_of(contents.columns)),
         by_id(reading(file, [this] { return SQLite::Statement(database, selection + " WHERE id = ?"); })) {}
+
+  bool whole_archive_has_checksums() {
+    require_whole(path, database);
+    return version_of(database) >= first_version_with_checksums;
+  }
 
   std::optional<Row> row(std::int64_t id) {
     by_id.reset();
@@ -102,6 +119,7 @@ struct Reader::Connection {
   std::filesystem::path path;
   std::mutex guard;
   SQLite::Database database;
+  bool has_checksums;
   Contents contents;
   ColumnCounts counts;
   std::string selection;
@@ -120,6 +138,10 @@ const std::filesystem::path& Reader::path() const noexcept {
 
 const Contents& Reader::contents() const noexcept {
   return connection_->contents;
+}
+
+bool Reader::has_checksums() const noexcept {
+  return connection_->has_checksums;
 }
 
 std::vector<Run> Reader::runs() const {
@@ -154,12 +176,11 @@ std::size_t Reader::size() const {
 
 std::size_t Reader::count(const std::string& where) const {
   const std::scoped_lock lock(connection_->guard);
-  try {
-    SQLite::Statement count(connection_->database, fmt::format("SELECT count(*) FROM designs WHERE ({}\n)", where));
+  return reading(connection_->path, [&] {
+    SQLite::Statement count =
+        of_condition(connection_->database, fmt::format("SELECT count(*) FROM designs WHERE ({}\n)", where));
     return count.executeStep() ? static_cast<std::size_t>(count.getColumn(0).getInt64()) : std::size_t{0};
-  } catch (const SQLite::Exception& error) {
-    throw std::invalid_argument(error.what());
-  }
+  });
 }
 
 std::optional<Row> Reader::row(std::int64_t id) const {
@@ -186,15 +207,9 @@ void Reader::each(const Query& query, const std::function<void(const Row&)>& tak
   const std::scoped_lock lock(connection_->guard);
   if (!query.order_by.empty() && !is_column(connection_->contents.columns, query.order_by))
     throw std::invalid_argument("no such column: " + query.order_by);
-  const SQLite::Database& database = connection_->database;
-  std::optional<SQLite::Statement> rows;
-  try {
-    rows.emplace(database, connection_->selection + sql_of(query));
-  } catch (const SQLite::Exception& error) {
-    throw std::invalid_argument(error.what());
-  }
   reading(connection_->path, [&] {
-    while (rows->executeStep()) take(row_of(*rows, connection_->counts));
+    SQLite::Statement rows = of_condition(connection_->database, connection_->selection + sql_of(query));
+    while (rows.executeStep()) take(row_of(rows, connection_->counts));
   });
 }
 

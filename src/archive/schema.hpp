@@ -12,8 +12,9 @@ namespace coilwright::archive {
 
 /// "Coil" in ASCII: tells our SQLite files from those of other programs.
 inline constexpr std::int32_t application_id = 0x436f696c;
-/// The version of the tables; a reader refuses later ones.
-inline constexpr int schema_version = 1;
+/// The version of the tables; a reader refuses later ones. Since version 2 every row has a checksum.
+inline constexpr int schema_version = 2;
+inline constexpr int first_version_with_checksums = 2;
 
 /// The columns of `designs` that every study has, in their order.
 inline constexpr std::array<std::string_view, 10> fixed_columns{
@@ -28,10 +29,17 @@ inline constexpr std::array<std::string_view, 10> fixed_columns{
 /// would make 0.0 of -0.0 in a column of type REAL.
 [[nodiscard]] std::string schema_of(const std::vector<Column>& columns);
 
-/// "INSERT INTO designs (...) VALUES (...)" with a place for each column but `id`, in the order of the table.
+/// The columns of `designs` but the checksum, as SQL, in the order of the table.
+[[nodiscard]] std::vector<std::string> design_columns(const std::vector<Column>& columns);
+
+/// "INSERT INTO designs (...) VALUES (...)" with a place for each column, in the order of the table, and the checksum
+/// of what is bound to them.
 [[nodiscard]] std::string insertion_of(const std::vector<Column>& columns);
 
-/// "SELECT id, run, ... FROM designs" with every column, in the order of the table.
+/// "SELECT id, run, ... FROM designs" with every column but the checksum, in the order of the table.
 [[nodiscard]] std::string selection_of(const std::vector<Column>& columns);
+
+/// "UPDATE designs SET number = NUMBER, checksum = ..." for an SQL expression of the number: ready for a WHERE.
+[[nodiscard]] std::string numbering_of(const std::vector<Column>& columns, const std::string& number);
 
 }  // namespace coilwright::archive

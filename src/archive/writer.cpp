@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "archive/bind.hpp"
+#include "archive/checksum.hpp"
 #include "archive/database.hpp"
 #include "archive/read_contents.hpp"
 #include "archive/schema.hpp"
@@ -34,7 +35,7 @@ constexpr std::size_t few = 16;
 
 constexpr const char* now = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 
-constexpr const char* all_of_study = "INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr const char* all_of_study = "INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL)";
 
 void write_contents(SQLite::Database& database, const Contents& contents) {
   SQLite::Transaction transaction(database);
@@ -71,6 +72,7 @@ void write_contents(SQLite::Database& database, const Contents& contents) {
     Binder(column).text(name_of(each.role)).text(each.name).text(each.meaning).text(each.column);
     column.exec();
   }
+  for (const SealedTable& table : sealed_tables(contents.columns)) database.exec(sealing_of(table));
   transaction.commit();
 }
 
@@ -88,6 +90,7 @@ void create(const fs::path& path, const Contents& contents) {
   try {
     writing(path, preparing, [&] {
       SQLite::Database database(part.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+      register_checksum(database);
       write_contents(database, contents);
     });
     // What a run that was killed left beside the file belongs to the one that is replaced, and would be played into
@@ -103,19 +106,40 @@ void create(const fs::path& path, const Contents& contents) {
   }
 }
 
+std::size_t drop_damaged_designs(const fs::path& path) {
+  std::size_t dropped = 0;
+  {
+    SQLite::Database database = open_to_write(path);
+    std::vector<SealedTable> tables = reading(path, [&] { return sealed_tables(read_columns(database)); });
+    const SealedTable designs = tables.back();
+    tables.pop_back();
+    require_whole(path, database, tables);
+    writing(path, text::OutputError::Stage::preparing, [&] {
+      dropped = static_cast<std::size_t>(database.exec(
+          fmt::format("DELETE FROM {} WHERE checksum IS NOT {}", designs.name, checksum_sql(designs.columns))));
+      database.tryExec("PRAGMA journal_mode = DELETE");
+    });
+  }
+  return dropped;
+}
+
 // Everything of the database but the first and the last words is said on one thread.
 class Writer::Thread {
  public:
   Thread(fs::path path, std::optional<std::size_t> max_evaluations, OnFailure on_failure)
       : path_(std::move(path)), database_(open_to_write(path_)), on_failure_(std::move(on_failure)) {
-    const std::vector<Column> columns = reading(path_, [&] { return read_columns(database_); });
+    columns_ = reading(path_, [&] { return read_columns(database_); });
     writing(path_, text::OutputError::Stage::preparing, [&] {
+      SQLite::Transaction transaction(database_);
       SQLite::Statement run(database_,
                             fmt::format("INSERT INTO runs (started_utc, max_evaluations) VALUES ({}, ?)", now));
       Binder(run).integer(max_evaluations);
       run.exec();
       run_ = database_.getLastInsertRowid();
-      insertion_.emplace(database_, insertion_of(columns));
+      seal_run();
+      transaction.commit();
+      last_id_ = database_.execAndGet("SELECT ifnull(max(id), 0) FROM designs").getInt64();
+      insertion_.emplace(database_, insertion_of(columns_));
     });
     thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
   }
@@ -154,8 +178,8 @@ class Writer::Thread {
   void number(const std::vector<std::pair<std::int64_t, std::size_t>>& numbers) {
     attempt([&] {
       SQLite::Transaction transaction(database_);
-      database_.exec("UPDATE designs SET number = NULL WHERE number IS NOT NULL");
-      SQLite::Statement update(database_, "UPDATE designs SET number = ? WHERE id = ?");
+      database_.exec(numbering_of(columns_, "NULL") + " WHERE number IS NOT NULL");
+      SQLite::Statement update(database_, numbering_of(columns_, "?1") + " WHERE id = ?2");
       for (const auto& [id, number] : numbers) {
         update.reset();
         Binder(update).integer(number).integer(id);
@@ -167,6 +191,7 @@ class Writer::Thread {
 
   void end(const Run& run) {
     attempt([&] {
+      SQLite::Transaction transaction(database_);
       SQLite::Statement update(database_, fmt::format("UPDATE runs SET ended_utc = {}, stop_reason = ?, evaluated = ?, "
                                                       "answered = ?, reused = ? WHERE run = ?",
                                                       now));
@@ -177,10 +202,17 @@ class Writer::Thread {
           .integer(run.reused)
           .integer(run_);
       update.exec();
+      seal_run();
+      transaction.commit();
     });
   }
 
  private:
+  void seal_run() {
+    for (const SealedTable& table : sealed_tables(columns_))
+      if (table.name == "runs") database_.exec(fmt::format("{} WHERE run = {}", sealing_of(table), run_));
+  }
+
   void work(const std::stop_token& stop) {
     while (true) {
       std::vector<Row> rows;
@@ -214,12 +246,14 @@ class Writer::Thread {
 
   void insert(std::span<const Row> rows) {
     SQLite::Transaction transaction(database_);
+    std::int64_t id = last_id_;
     for (const Row& row : rows) {
       insertion_->reset();
-      bind_row(*insertion_, row, run_);
+      bind_row(*insertion_, row, ++id, run_);
       insertion_->exec();
     }
     transaction.commit();
+    last_id_ = id;
   }
 
   // Does what writes, unless an earlier attempt failed.
@@ -241,7 +275,9 @@ class Writer::Thread {
   fs::path path_;
   SQLite::Database database_;
   OnFailure on_failure_;
+  std::vector<Column> columns_;
   std::int64_t run_{};
+  std::int64_t last_id_{};  // of the designs that are written
   std::optional<SQLite::Statement> insertion_;
 
   mutable std::mutex guard_;

@@ -9,6 +9,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <regex>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -54,6 +55,11 @@ void remove_parts(const fs::path& folder) {
 }
 
 void require_same_numbers(const archive::Reader& found, const sizing::DesignProblem& problem, std::string_view advice) {
+  if (!found.has_checksums())
+    throw refusal(found.path(),
+                  fmt::format("was written by an earlier coilwright, without checksums, so that no design is answered "
+                              "from it: {}",
+                              advice));
   const std::vector<std::int64_t> differing = archive::designs_with_other_numbers(problem, found, samples);
   if (differing.empty()) return;
   throw refusal(found.path(),
@@ -136,9 +142,37 @@ text::InputError RunArchive::unfinished(const archive::Reader& found, std::size_
                                              designs));
 }
 
+namespace {
+
+// A study's text without its budget, and without what a JSON does not mind.
+std::string without_budget(const std::string& study) {
+  std::string text = study;
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ','; });
+  return std::regex_replace(text, std::regex(R"("max_evaluations":[0-9.eE+]+)"), "");
+}
+
+// A budget is not what a run is of: the search of a larger one begins like that of a smaller one.
+bool differ_in_budget_only(const archive::Contents& found, const archive::Contents& asked) {
+  if (found.inputs.empty() || found.inputs.size() != asked.inputs.size()) return false;
+  const auto same_rest = [](archive::Contents contents) {
+    contents.inputs.front().sha256 = contents.inputs.front().text = without_budget(contents.inputs.front().text);
+    contents.question.clear();
+    contents.physics.systems.clear();
+    return contents;
+  };
+  return archive::differences(same_rest(found), same_rest(asked)).empty();
+}
+
+}  // namespace
+
 void RunArchive::require_same_run(const archive::Reader& found, const archive::Contents& asked) const {
   const std::vector<std::string> differing = archive::differences(found.contents(), asked);
   if (differing.empty()) return;
+  if (max_evaluations_ && differ_in_budget_only(found.contents(), asked))
+    throw refusal(asked.inputs.front().file,
+                  fmt::format("has another max_evaluations than when the run in {} began, and is else the same: put it "
+                              "back as it was, and give --max-evaluations {} --resume",
+                              folder_.path().string(), *max_evaluations_));
   const std::string taken_over = archive::differences_for_reuse(found.contents(), asked).empty()
                                      ? fmt::format(", and --reuse {} takes its designs over", folder_.path().string())
                                      : "";

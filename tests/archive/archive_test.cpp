@@ -15,6 +15,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "error_text.hpp"
+#include "random_draw.hpp"
 #include "temporary_folder.hpp"
 
 namespace coilwright::archive {
@@ -210,9 +211,95 @@ TEST_F(Archive, RefusesWhatIsNoneOrTooNew) {
   execute("CREATE TABLE notes (text)");
   EXPECT_EQ(refusal(), "is no archive of a study: another program wrote it");
   write({});
-  execute("PRAGMA user_version = 2");
+  execute("PRAGMA user_version = 3");
   EXPECT_EQ(refusal(),
-            "was written by a later coilwright: it is an archive of version 2, and this program reads up to version 1");
+            "was written by a later coilwright: it is an archive of version 3, and this program reads up to version 2");
+  EXPECT_THROW(Writer(path_, 60, {}), text::InputError);
+}
+
+// Another value of any column, also one that SQLite has no reason to doubt.
+TEST_F(Archive, KnowsAChangedValueAndTakesTheDesignOut) {
+  const std::string advice = "the command that made it makes it anew with --force";
+  for (const char* change : {"gap_mm = 0.8", "configuration = 'A'", "objective_1 = 60.00000000000001", "mass_g = -60.0",
+                             "\"grip N\" = NULL", "status = 'failed'", "run = 2", "number = 7", "origin = ''",
+                             "took_s = 0.25", "checksum = checksum + 1", "id = 9"}) {
+    write({design(0.7, 60, 1.5), design(0.9, 61, 1.25)});
+    EXPECT_EQ(refusal(), "") << change;
+    execute(std::string("UPDATE designs SET ") + change + " WHERE id = 2");
+    const std::string row = std::string(change) == "id = 9" ? "9" : "2";
+    EXPECT_EQ(refusal(), "is damaged (row " + row +
+                             " of designs is not what was written): coilwright archive check DIR --repair takes such "
+                             "designs out, or " +
+                             advice)
+        << change;
+    EXPECT_EQ(drop_damaged_designs(path_), 1U) << change;
+    EXPECT_EQ(refusal(), "") << change;
+    EXPECT_EQ(Reader(path_).size(), 1U) << change;
+  }
+  for (const char* change : {"study SET seed = 8", "inputs SET content = 'x'", "changes SET change = 'gap_mm=2'",
+                             "columns SET meaning = 'm'", "runs SET evaluated = 1"}) {
+    write({design(0.7, 60, 1.5)});
+    execute(std::string("UPDATE ") + change);
+    EXPECT_THAT(refusal(), ::testing::AllOf(HasSubstr("is not what was written"), ::testing::EndsWith("): " + advice)))
+        << change;
+    EXPECT_THROW(drop_damaged_designs(path_), text::InputError) << change;
+  }
+}
+
+// What an archive says: its contents, its runs and every row, one after the other.
+std::string told_by(const std::filesystem::path& path) {
+  const Reader reader(path);
+  std::string out = reader.contents() == contents() ? "same contents" : "other contents";
+  for (const Run& run : reader.runs()) out += run.started + run.ended + run.stop_reason + std::to_string(run.evaluated);
+  reader.each({}, [&](const Row& row) {
+    out += std::to_string(row.id) + ' ' + std::to_string(row.run) + std::to_string(row.number.value_or(0));
+    for (const Value& value : row.variables)
+      out += std::holds_alternative<double>(value)
+                 ? std::to_string(std::bit_cast<std::uint64_t>(std::get<double>(value)))
+                 : std::get<std::string>(value);
+    for (const double value : row.evaluation.objectives) out += std::to_string(std::bit_cast<std::uint64_t>(value));
+    for (const auto& value : row.evaluation.quantities)
+      out += value ? std::to_string(std::bit_cast<std::uint64_t>(*value)) : "none";
+  });
+  return out;
+}
+
+TEST_F(Archive, NeverSaysAnythingElseWhereverAByteOfItIsChanged) {
+  std::vector<Row> rows;
+  for (int i = 0; i < 120; ++i)
+    rows.push_back(design(0.5 + 0.01 * i, 60.0 + i / 7.0, i % 5 == 0 ? std::nullopt : std::optional(i / 3.0)));
+  write(rows);
+  const std::string said = told_by(path_);
+  std::string bytes;
+  {
+    std::ifstream file(path_, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  random_draw::Generator random(17);
+  std::size_t refused = 0;
+  for (int attempt = 0; attempt < 600; ++attempt) {
+    std::string changed = bytes;
+    const std::size_t place = random() % bytes.size();
+    changed.at(place) = static_cast<char>(changed[place] ^ (1 << (attempt % 8)));
+    std::ofstream(path_, std::ios::binary) << changed;
+    try {
+      EXPECT_EQ(told_by(path_), said) << "byte " << place << ", bit " << attempt % 8;
+    } catch (const text::InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100U);  // the rest lies where nothing is kept
+}
+
+TEST_F(Archive, OfBeforeThereWereChecksumsIsReadAndNotAddedTo) {
+  write({design(0.7, 60, 1.5)});
+  for (const char* table : {"study", "inputs", "changes", "columns", "runs", "designs"})
+    execute(std::string("ALTER TABLE ") + table + " DROP COLUMN checksum");
+  execute("PRAGMA user_version = 1");
+  const Reader reader(path_);
+  EXPECT_FALSE(reader.has_checksums());
+  EXPECT_EQ(reader.size(), 1U);
+  EXPECT_EQ(reader.row(1)->evaluation, design(0.7, 60, 1.5).evaluation);
   EXPECT_THROW(Writer(path_, 60, {}), text::InputError);
 }
 

@@ -3,10 +3,9 @@
 import csv
 import io
 import json
-import sqlite3
 import unittest
 
-from archived_runs import ARCHIVE
+from archived_runs import forge
 from program import ProgramTest, run
 from study import write_study
 
@@ -30,10 +29,19 @@ class Archive(ProgramTest):
         return json.loads(self.archive(command, *arguments, "--json"))["designs"]
 
     def change(self, sql):
-        database = sqlite3.connect(self.folder / "out" / ARCHIVE)
-        with database:
-            database.execute(sql)
-        database.close()
+        forge(self.folder / "out", sql)
+
+    def test_check_says_that_every_row_is_what_was_written(self):
+        counts = self.result("out/result.json")["evaluations"]
+        self.assertEqual(self.archive("check"),
+                         f'out/archive.sqlite: {counts["total"]} designs of 1 runs, each as it was written.\n')
+        self.assertEqual(json.loads(self.archive("check", "--repair", "--json")),
+                         {"archive": "out/archive.sqlite", "designs": counts["total"], "runs": 1, "has_checksums": True,
+                          "dropped": 0})
+
+    def test_a_checksum_is_what_the_docs_say(self):
+        self.change("UPDATE designs SET number = number")  # all checksums anew, by the test's own function
+        self.archive("check")
 
     def test_list_says_what_it_is_of_and_which_runs_wrote_it(self):
         counts = self.result("out/result.json")["evaluations"]

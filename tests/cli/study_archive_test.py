@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import random
 import resource
 import shutil
 import signal
@@ -9,7 +10,7 @@ import sqlite3
 import subprocess
 import unittest
 
-from archived_runs import ARCHIVE, designs_of, end, results_of, start, stop_with_designs
+from archived_runs import ARCHIVE, designs_of, end, forge, results_of, start, stop_with_designs
 from program import HANGS, PROGRAM, ProgramTest, run
 from study import FRONT, GRID, write_study
 
@@ -28,8 +29,7 @@ class ArchivedStudy(ProgramTest):
             return database.execute("SELECT evaluated, answered, reused FROM runs").fetchall()
 
     def change(self, sql, out="out"):
-        with contextlib.closing(sqlite3.connect(self.folder / out / ARCHIVE)) as database, database:
-            database.execute(sql)
+        forge(self.folder / out, sql)
 
     def begun(self, command="pareto", out="out", designs=5, **changes):
         """A run with designs recorded, stopped on its way."""
@@ -155,6 +155,56 @@ class Folders(ArchivedStudy):
                             "out/archive.sqlite: the design of row 1 gives other numbers on this machine than were "
                             "recorded: --force starts anew")
 
+    def test_a_sweep_that_goes_on_never_writes_other_results_wherever_a_byte_of_its_archive_was_changed(self):
+        write_study(self, variables=GRID)
+        self.run_well("sweep")
+        archive, results = self.folder / "out" / ARCHIVE, results_of(self.folder / "out")
+        whole, draw, refused = archive.read_bytes(), random.Random(17), 0
+        for _ in range(25):
+            damaged = bytearray(whole)
+            place = draw.randrange(len(whole))
+            damaged[place] ^= draw.randrange(1, 256)
+            archive.write_bytes(damaged)
+            result = run("sweep", "study.json", "--out", "out", "--resume", "--quiet", cwd=self.folder)
+            self.assertIn(result.returncode, (0, 2), (place, result.stderr))
+            if result.returncode:
+                self.assertEqual(len(result.stderr.splitlines()), 1)
+                self.assertIn("out/archive.sqlite: ", result.stderr)
+                refused += 1
+            self.assertEqual(results_of(self.folder / "out"), results, place)
+        self.assertGreater(refused, 5)
+
+    def test_damaged_designs_are_taken_out_and_evaluated_anew(self):
+        write_study(self, variables=GRID)
+        answer = self.run_well("sweep")
+        results = results_of(self.folder / "out")
+        with contextlib.closing(sqlite3.connect(self.folder / "out" / ARCHIVE)) as database, database:
+            database.execute("UPDATE designs SET mass_g = mass_g + 1e-9 WHERE id IN (3, 5)")
+        damaged = ("out/archive.sqlite: is damaged (row 3 of designs is not what was written, nor are 1 more): coilwright "
+                   "archive check DIR --repair takes such designs out, or the command that made it makes it anew with "
+                   "--force")
+        for command in (["sweep", "study.json", "--out", "out", "--resume"], ["archive", "check", "out"],
+                        ["archive", "top", "out", "--most", "mass_g"]):
+            self.assert_refused(command, damaged)
+        repaired = run("archive", "check", "out", "--repair", cwd=self.folder)
+        self.assertEqual((repaired.returncode, repaired.stderr), (0, ""))
+        self.assertIn("2 damaged designs were taken out; --resume evaluates them anew.", repaired.stdout)
+        self.assertEqual(self.run_well("sweep", "--resume"), answer)
+        self.assertEqual(results_of(self.folder / "out"), results)
+        self.assertEqual(self.runs()[-1][0], 2)
+
+    def test_a_budget_that_was_changed_in_the_study_is_told_by_its_option(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})
+        self.run_well("pareto")
+        write_study(self, objectives=FRONT, search={"max_evaluations": 90, "seed": 5})
+        for option in ([], ["--resume"]):
+            self.assert_refused(["pareto", "study.json", "--out", "out", *option],
+                                "study.json: has another max_evaluations than when the run in out began, and is else the "
+                                "same: put it back as it was, and give --max-evaluations 90 --resume")
+        write_study(self, objectives=FRONT, search={"max_evaluations": 90, "seed": 6})
+        self.assertIn("holds the archive of another run", run("pareto", "study.json", "--out", "out", "--resume",
+                                                              cwd=self.folder).stderr)
+
     def test_a_larger_budget_goes_on_and_ends_as_if_it_had_been_so_from_the_start(self):
         write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})
         self.run_well("pareto")
@@ -206,10 +256,10 @@ class Folders(ArchivedStudy):
     def test_files_that_are_no_archive_or_of_a_later_version_are_left_alone(self):
         write_study(self, search={"max_evaluations": 20})
         self.run_well("size")
-        self.change("PRAGMA user_version = 2")
+        self.change("PRAGMA user_version = 3")
         self.assert_refused(["size", "study.json", "--out", "out", "--resume"],
-                            "out/archive.sqlite: was written by a later coilwright: it is an archive of version 2, and "
-                            "this program reads up to version 1")
+                            "out/archive.sqlite: was written by a later coilwright: it is an archive of version 3, and "
+                            "this program reads up to version 2")
         self.write("out/" + ARCHIVE, "notes")
         self.assert_refused(["size", "study.json", "--out", "out"],
                             "out/archive.sqlite: is no archive of a study: file is not a database")

@@ -28,7 +28,8 @@ struct Query {
 /// Reads an archive, also while a run writes to it. Safe to use from several threads.
 class Reader {
  public:
-  /// Throws InputError for a file that is no archive or of a later version, and where it cannot be read.
+  /// Throws InputError for a file that is no archive or of a later version, where it cannot be read, and where a row of
+  /// it is not what was written: every checksum is looked at, which takes some seconds for a million designs.
   explicit Reader(const std::filesystem::path& path);
   ~Reader();
   Reader(Reader&&) noexcept;
@@ -36,6 +37,10 @@ class Reader {
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept;  ///< as it was given
   [[nodiscard]] const Contents& contents() const noexcept;           ///< what it is an archive of
+
+  /// Whether its rows have checksums. An archive of before there were any is read, and nothing tells whether a number
+  /// of it has changed on the disk: no run is answered from it.
+  [[nodiscard]] bool has_checksums() const noexcept;
 
   /// The runs that wrote to it, in their order.
   [[nodiscard]] std::vector<Run> runs() const;

@@ -19,6 +19,11 @@ namespace coilwright::archive {
 /// not at all. Throws text::OutputError (preparing).
 void create(const std::filesystem::path& path, const Contents& contents);
 
+/// Takes out of an archive the designs that are not what was written, and gives their number: a run that goes on
+/// evaluates them anew. Throws InputError where anything else is damaged, of which nothing can be made again, and
+/// text::OutputError (preparing) where it cannot be written.
+std::size_t drop_damaged_designs(const std::filesystem::path& path);
+
 /// Writes the designs of one run to an archive. A thread of its own does so, a tenth of a second's designs at a time,
 /// and no evaluation waits for the disk: what add() has taken is on the disk at most 0.2 s later, whatever then becomes
 /// of the program.

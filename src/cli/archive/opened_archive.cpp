@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <stdexcept>
 
@@ -24,7 +25,13 @@ void add_row_option(CLI::App& command, std::int64_t& row) {
 }
 
 archive::Reader opened_archive(const std::string& folder) {
-  return archive::Reader(std::filesystem::path(folder) / archive_name);
+  archive::Reader archive(std::filesystem::path(folder) / archive_name);
+  if (!archive.has_checksums())
+    std::cerr << fmt::format(
+        "coilwright: {} was written by an earlier version, without checksums: whether a number "
+        "of it has changed on the disk is not known\n",
+        archive.path().string());
+  return archive;
 }
 
 archive::Row row_of(const archive::Reader& archive, std::int64_t row) {

@@ -44,12 +44,17 @@ std::vector<page::Script> scripts() {
   return out;
 }
 
+text::Node required_member(const text::Node& object, std::string_view key) {
+  if (const auto found = object.find(key)) return *found;
+  throw object.error_without_value(fmt::format("must have \"{}\" (docs/formats.md)", key));
+}
+
 // Whether the file still is what went into a result.
 bool is_unchanged(const text::Node& input, std::string& file) {
-  file = input.find("file").value().text();
+  file = required_member(input, "file").text();
   std::error_code none;
   if (!std::filesystem::is_regular_file(file, none)) return false;
-  return record_of(std::filesystem::path(file)).sha256 == input.find("sha256").value().text();
+  return record_of(std::filesystem::path(file)).sha256 == required_member(input, "sha256").text();
 }
 
 // The study that the results of a folder are of, by its provenance.json; or why it is not at hand.
@@ -61,7 +66,7 @@ void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
   }
   const text::Document document = text::read_json(provenance);
   std::vector<std::string> files;
-  for (const text::Node& input : document.root().find("inputs").value().elements()) {
+  for (const text::Node& input : required_member(document.root(), "inputs").elements(text::Length::at_least(1))) {
     if (is_unchanged(input, files.emplace_back())) continue;
     inputs.why_no_study =
         fmt::format("{}, which these results are of, is not there as it was; make the page where the search was run.",
@@ -69,9 +74,13 @@ void find_study(const std::filesystem::path& folder, page::PageInputs& inputs) {
     return;
   }
   std::vector<std::string> changes;
-  for (const text::Node& change : document.root().find("set").value().elements()) changes.push_back(change.text());
-  inputs.study =
-      formats::read_study(files.at(0), simulation::standard_quantities(), actuator::standard_effects(), changes);
+  for (const text::Node& change : required_member(document.root(), "set").elements()) changes.push_back(change.text());
+  try {
+    inputs.study =
+        formats::read_study(files.at(0), simulation::standard_quantities(), actuator::standard_effects(), changes);
+  } catch (const text::InputError& why) {
+    inputs.why_no_study = fmt::format("the study that {} names cannot be read: {}.", provenance.string(), why.what());
+  }
 }
 
 // Why no page can be made; empty where one can.

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-
 #include "coilwright/text/markup.hpp"
 
 namespace coilwright::exports {
 namespace {
 
-using text::class_of_column;
 using text::escaped;
 
 constexpr std::string_view style = R"(
@@ -30,26 +27,21 @@ li { margin: 1mm 0; break-inside: avoid; }
 figure { margin: 3mm 0; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }
 section.page { break-before: page; }
+@media screen and (max-width: 44rem) {
+  table.stack, .stack tbody, .stack tr, .stack td { display: block; }
+  .stack thead { display: none; }
+  .stack tr { border-bottom: 0.4mm solid #1c2733; padding: 1mm 0; }
+  .stack td { border: 0; padding: 0.3mm 0; overflow-wrap: anywhere; text-align: left; }
+  td.number { white-space: normal; }
+  .stack td:empty { display: none; }
+  .stack td::before { content: attr(data-label) ": "; color: #55626f; }
+  td, th { overflow-wrap: anywhere; }
+  th:first-child:not(.number) { min-width: 0; }
+}
 @media print { body { padding: 0; } }
 )";
 
 }  // namespace
-
-std::string html_table(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
-  std::string out = rows.size() > 20 ? "<table class=\"long\">\n<thead><tr>" : "<table>\n<thead><tr>";
-  std::vector<std::string_view> classes;
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    classes.push_back(class_of_column(rows, i));
-    out += fmt::format("<th{}>{}</th>", classes.back(), escaped(header[i]));
-  }
-  out += "</tr></thead>\n<tbody>\n";
-  for (const std::vector<std::string>& row : rows) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) out += fmt::format("<td{}>{}</td>", classes[i], escaped(row[i]));
-    out += "</tr>\n";
-  }
-  return out + "</tbody>\n</table>\n";
-}
 
 std::string html_list(const std::vector<std::string>& items) {
   std::string out = "<ol>\n";

@@ -4,12 +4,11 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/text/markup.hpp"
+
 namespace coilwright::exports {
 
-/// A table; all cells are texts and are escaped; each row has one for each name of the header.
-/// Columns of numbers are set to the right.
-[[nodiscard]] std::string html_table(const std::vector<std::string>& header,
-                                     const std::vector<std::vector<std::string>>& rows);
+using text::html_table;
 
 /// An ordered list of escaped texts.
 [[nodiscard]] std::string html_list(const std::vector<std::string>& items);

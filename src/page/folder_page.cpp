@@ -1,6 +1,6 @@
 #include "coilwright/page/folder_page.hpp"
 
-#include <optional>
+#include <string>
 
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
@@ -19,14 +19,10 @@ Page page_of(const std::filesystem::path& folder, const std::filesystem::path& f
   result.expect_object();
   const auto command = result.find("command");
   const std::string word = command && command->kind() == text::Node::Kind::text ? command->text() : "";
-  try {
-    if (file.filename() == diagnosis_name) return diagnosis_page(folder, result, inputs.made_by);
-    if (word == "size") return sizing_page(folder, result, inputs.made_by);
-    if (word == "pareto") return front_page(folder, result, inputs);
-    if (word == "sweep") return sweep_page(folder, result, inputs);
-  } catch (const std::bad_optional_access&) {
-    throw text::InputError({.file = file.string(), .rule = "lacks a key that these results have (docs/formats.md)"});
-  }
+  if (file.filename() == diagnosis_name) return diagnosis_page(folder, result, inputs.made_by);
+  if (word == "size") return sizing_page(folder, result, inputs.made_by);
+  if (word == "pareto") return front_page(folder, result, inputs);
+  if (word == "sweep") return sweep_page(folder, result, inputs);
   throw text::InputError({.file = file.string(),
                           .place = "/command",
                           .rule = "must be \"size\", \"pareto\" or \"sweep\": there is no page of other results",

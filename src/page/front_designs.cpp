@@ -81,7 +81,7 @@ std::optional<std::string> actuator_of(const DesignProblem& problem, const Front
   std::optional<actuator::OperatingPoint> operating;
   if (front.texts.has("current_A") && !std::holds_alternative<sizing::DrivenCurrent>(study.current)) {
     operating = study.operating;
-    operating->current = front.texts.number("current_A", row).value();
+    operating->current = front.texts.required_number("current_A", row);
   }
   const std::string name = fmt::format("{}, row {} of its front", study.name, row + 1);
   return formats::to_json(problem.design_at(*point), name, operating).text();

@@ -4,12 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
+#include "page/result_words.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -24,11 +27,13 @@ std::string sense_of(const FrontTable& front, std::size_t objective) {
   return fmt::format("{} ({} is better)", front.objectives[objective], front.largest[objective] ? "more" : "less");
 }
 
-Json position(const FrontTable& front, std::size_t objective) {
+Json position(const FrontTable& front, const OtherDesigns& others, std::size_t objective) {
+  Json scale = Json::object({{"zero", false}});
+  if (!others.axes.empty()) scale.set("domain", Json::numbers(others.axes[objective])).set("nice", false);
   return Json::object({{"field", scene_axes[objective]},
                        {"type", "quantitative"},
                        {"title", sense_of(front, objective)},
-                       {"scale", Json::object({{"zero", false}})}});
+                       {"scale", std::move(scale)}});
 }
 
 Json rows_of(const FrontTable& front) {
@@ -37,7 +42,7 @@ Json rows_of(const FrontTable& front) {
   for (std::size_t row = 0; row < front.rows(); ++row) {
     Json each = Json::object({{"row", row}});
     for (std::size_t i = 0; i < front.objectives.size(); ++i)
-      each.set(scene_axes[i], front.texts.number(front.objectives[i], row).value());
+      each.set(scene_axes[i], front.texts.required_number(front.objectives[i], row));
     each.set("kind",
              shapes ? "configuration " + front.texts.column("configuration")[row] : std::string("on the front"));
     rows.add(std::move(each));
@@ -89,8 +94,8 @@ Json shape_of(const FrontTable& front) {
 }
 
 Figure scatter(const FrontTable& front, const OtherDesigns& others) {
-  const Json x = position(front, 0);
-  const Json y = position(front, 1);
+  const Json x = position(front, others, 0);
+  const Json y = position(front, others, 1);
   Json on_front = Json::object({{"x", x}, {"y", y}, {"shape", shape_of(front)}});
   const bool coloured = front.objectives.size() > 2;
   if (coloured)
@@ -109,10 +114,14 @@ Figure scatter(const FrontTable& front, const OtherDesigns& others) {
                      {"encoding", Json::object({{"x", x}, {"y", y}, {"shape", shape_of(front)}})}}),
        Json::object({{"name", "designs"}, {"data", named("front")}, {"mark", mark}, {"encoding", on_front}})});
   std::vector<std::string> groups;
-  for (const OtherDesigns::Group& group : others.groups)
-    groups.push_back(
-        fmt::format("{} that {}{}", group.count, group.said,
-                    group.values.size() < group.count ? fmt::format(" ({} shown)", group.values.size()) : ""));
+  for (const OtherDesigns::Group& group : others.groups) {
+    std::vector<std::string> remarks;
+    if (group.outside > 0) remarks.push_back(fmt::format("{} outside of the axes", group.outside));
+    if (group.values.size() + group.outside < group.count)
+      remarks.push_back(fmt::format("{} of the others shown", group.values.size()));
+    groups.push_back(fmt::format("{} that {}{}", group.count, group.said,
+                                 remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, ", "))));
+  }
   const std::string behind = groups.empty() ? "" : fmt::format(" Behind them, in grey: {}.", fmt::join(groups, ", "));
   const std::string description =
       fmt::format("{} designs of the front by {} and {}{}.{} A click selects the nearest design; so does the slider.",
@@ -249,39 +258,71 @@ std::optional<Figure> parallel(const FrontTable& front) {
       .table = {}};
 }
 
+using Values = std::vector<double>;  // one for each objective
+
+// The values of the designs of a status that have all of them.
+std::vector<Values> values_of(const text::CsvTexts& all, std::string_view status,
+                              const std::vector<std::string>& objectives) {
+  std::vector<Values> out;
+  for (std::size_t row = 0; row < all.rows(); ++row) {
+    if (all.column("status")[row] != status) continue;
+    Values each;
+    for (const std::string& objective : objectives)
+      if (const auto value = all.number(objective, row)) each.push_back(*value);
+    if (each.size() == objectives.size()) out.push_back(std::move(each));
+  }
+  return out;
+}
+
+std::vector<std::array<double, 2>> axes_around(const std::vector<Values>& front, const std::vector<Values>& feasible) {
+  constexpr double room = 0.04;  // of the axis, on either side
+  std::vector<std::array<double, 2>> out;
+  if (front.empty() && feasible.empty()) return out;
+  for (std::size_t objective = 0; objective < 2; ++objective) {
+    std::array<double, 2> axis{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const std::vector<Values>* group : {&front, &feasible})
+      for (const Values& each : *group) axis = {std::min(axis[0], each[objective]), std::max(axis[1], each[objective])};
+    const double span = axis[1] > axis[0] ? axis[1] - axis[0] : std::max(std::abs(axis[0]), 1.0);
+    out.push_back({axis[0] - room * span, axis[1] + room * span});
+  }
+  return out;
+}
+
+bool is_within(const std::vector<std::array<double, 2>>& axes, const Values& values) {
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (values[i] < axes[i][0] || values[i] > axes[i][1]) return false;
+  return true;
+}
+
 }  // namespace
 
-OtherDesigns read_other_designs(const std::filesystem::path& folder, const FrontTable& front) {
+OtherDesigns read_other_designs(const std::filesystem::path& folder, const text::Node& result,
+                                const FrontTable& front) {
   const text::CsvTexts all = text::read_csv_texts(folder / "evaluations.csv", [&](std::string_view name) {
     return name == "status" || std::ranges::find(front.objectives, name) != front.objectives.end();
   });
+  require_rows(all, evaluations_of(result));
+  std::vector<Values> on_front;
+  for (std::size_t row = 0; row < front.rows(); ++row) {
+    Values each;
+    for (const std::string& objective : front.objectives) each.push_back(front.texts.required_number(objective, row));
+    on_front.push_back(std::move(each));
+  }
+  std::vector<Values> feasible = values_of(all, "ok", front.objectives);
+  std::vector<Values> infeasible = values_of(all, "infeasible", front.objectives);
   OtherDesigns others;
-  for (const auto& [status, name, said] : {std::tuple{"infeasible", "breaks a limit", "break a limit"},
-                                           std::tuple{"ok", "beaten by the front", "the front beats"}}) {
-    std::vector<std::vector<double>> values;
-    for (std::size_t row = 0; row < all.rows(); ++row) {
-      if (all.column("status")[row] != status) continue;
-      std::vector<double> each;
-      for (const std::string& objective : front.objectives)
-        if (const auto value = all.number(objective, row)) each.push_back(*value);
-      if (each.size() == front.objectives.size()) values.push_back(std::move(each));
-    }
-    // Those on the front are among the feasible ones, and would lie under its own marks.
-    if (std::string_view(status) == "ok") {
-      std::vector<std::vector<double>> kept;
-      for (std::size_t row = 0; row < front.rows(); ++row) {
-        std::vector<double> each;
-        for (const std::string& objective : front.objectives)
-          each.push_back(front.texts.number(objective, row).value());
-        kept.push_back(std::move(each));
-      }
-      std::ranges::sort(kept);
-      std::erase_if(values, [&](const auto& each) { return std::ranges::binary_search(kept, each); });
-    }
-    OtherDesigns::Group group{.name = name, .said = said, .count = values.size(), .values = {}};
+  others.axes = axes_around(on_front, feasible);
+  // Those on the front are among the feasible ones, and would lie under its own marks.
+  std::ranges::sort(on_front);
+  std::erase_if(feasible, [&](const Values& each) { return std::ranges::binary_search(on_front, each); });
+  const auto add = [&](const char* name, const char* said, std::vector<Values> values) {
+    OtherDesigns::Group group{.name = name, .said = said, .count = values.size(), .outside = 0, .values = {}};
+    group.outside = std::erase_if(values, [&](const Values& each) { return !is_within(others.axes, each); });
     for (const std::size_t i : even_choice(values.size(), most_others)) group.values.push_back(values[i]);
     if (group.count > 0) others.groups.push_back(std::move(group));
-  }
+  };
+  add("breaks a limit", "break a limit", std::move(infeasible));
+  add("beaten by the front", "the front beats", std::move(feasible));
   return others;
 }
 

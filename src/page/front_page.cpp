@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +37,7 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
   std::vector<std::string> ranges;
   for (const std::string& objective : front.objectives) {
     std::vector<double> values;
-    for (std::size_t row = 0; row < front.rows(); ++row) values.push_back(front.texts.number(objective, row).value());
+    for (std::size_t row = 0; row < front.rows(); ++row) values.push_back(front.texts.required_number(objective, row));
     const auto [least, most] = std::ranges::minmax(values);
     ranges.push_back(fmt::format("{} from {} to {}", objective, short_number(least), short_number(most)));
   }
@@ -158,25 +159,23 @@ std::string pictures_text(const FrontTable& front, const PageInputs& inputs) {
 
 Json landmarks_of(const Node& result, const FrontTable& front) {
   Json out = Json::array();
-  const auto row_of = [&](const Node& design) -> std::optional<std::size_t> {
+  const auto row_of = [&](const Node& design) {
     for (std::size_t row = 0; row < front.rows(); ++row) {
       bool same = true;
       for (const Node& variable : member_of(design, "variables").members()) {
-        const std::string& field = front.texts.column(variable.key())[row];
+        const std::string& field = front.texts.column(variable.key()).at(row);
         same = same && (variable.kind() == Node::Kind::number ? text::number_in(field) == variable.number()
                                                               : field == cell_of(variable));
       }
       if (same) return row;
     }
-    return std::nullopt;
+    throw front.texts.error(fmt::format("must have the design of {} in {} beside it", design.pointer(), "result.json"));
   };
   const std::vector<Node> ends = member_of(result, "ends").elements();
   for (std::size_t i = 0; i < ends.size() && i < front.objectives.size(); ++i)
-    if (const auto row = row_of(ends[i]))
-      out.add(Json::object({{"name", "best " + front.objectives[i]}, {"row", *row}}));
+    out.add(Json::object({{"name", "best " + front.objectives[i]}, {"row", row_of(ends[i])}}));
   const auto middle = result.find("middle");
-  if (middle && !middle->is_null())
-    if (const auto row = row_of(*middle)) out.add(Json::object({{"name", "middle of the front"}, {"row", *row}}));
+  if (middle && !middle->is_null()) out.add(Json::object({{"name", "middle of the front"}, {"row", row_of(*middle)}}));
   return out;
 }
 
@@ -184,13 +183,14 @@ Json landmarks_of(const Node& result, const FrontTable& front) {
 
 Page front_page(const std::filesystem::path& folder, const Node& result, const PageInputs& inputs) {
   const FrontTable front = read_front(folder, result);
+  require_rows(front.texts, member_of(result, "front_size").integer<std::uint32_t>());
   Page page{.title = fmt::format("{}: front", member_of(result, "study").text()),
             .verdict = verdict_of(result, front),
             .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
             .inputs = input_lines(folder),
             .sections = {}};
-  const OtherDesigns others = read_other_designs(folder, front);
+  const OtherDesigns others = read_other_designs(folder, result, front);
   Section trade{.id = "trade", .title = "The trade-off", .blocks = {}};
   if (front.rows() > 0) trade.blocks.emplace_back(Widget{controls_html(front)});
   for (Figure& figure : front_figures(front, others)) trade.blocks.emplace_back(std::move(figure));

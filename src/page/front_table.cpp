@@ -5,44 +5,21 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "page/result_words.hpp"
 
 namespace coilwright::page {
 namespace {
 
-using sizing::Choice;
 using sizing::StudyVariable;
 
 bool is_margin(std::string_view name) {
   return name.find("_max_margin") != std::string_view::npos || name.find("_min_margin") != std::string_view::npos;
 }
 
-// Whether a coordinate of the search is the index of a value instead of the value itself.
-bool is_listed(const StudyVariable& variable) {
-  return std::visit(
-      [](const auto& each) {
-        if constexpr (requires { each.range; })
-          return std::holds_alternative<Choice>(each.range);
-        else
-          return true;
-      },
-      variable);
-}
-
-bool is_value(const sizing::VariableValue& value, const std::string& field) {
-  if (const auto* name = std::get_if<std::string_view>(&value)) return *name == field;
-  const std::optional<double> number = text::number_in(field);
-  return number && *number == std::get<double>(value);
-}
-
 std::optional<double> coordinate_of(const StudyVariable& variable, const std::string& field) {
-  if (!is_listed(variable)) return text::number_in(field);
-  const std::size_t count = sizing::value_count(variable).value_or(0);
-  for (std::size_t i = 0; i < count; ++i)
-    if (is_value(sizing::value_at(variable, static_cast<double>(i)), field)) return static_cast<double>(i);
-  return std::nullopt;
+  if (const std::optional<double> number = text::number_in(field)) return sizing::coordinate_of(variable, *number);
+  return sizing::coordinate_of(variable, std::string_view(field));
 }
 
 // Those of the first of some designs.
@@ -51,15 +28,16 @@ std::vector<std::string> variables_of(const text::Node& designs) {
   return all.empty() ? std::vector<std::string>{} : member_of(all.front(), "variables").keys();
 }
 
-FrontTable designs_in(const std::filesystem::path& file, const text::Node& result, std::vector<std::string> variables) {
+FrontTable designs_in(const std::filesystem::path& file, const text::Node& result, std::vector<std::string> variables,
+                      text::Length objectives) {
   FrontTable designs{.texts = text::read_csv_texts(file, [](std::string_view) { return true; }),
                      .variables = std::move(variables),
                      .objectives = {},
                      .largest = {},
                      .margins = {},
                      .quantities = {}};
-  for (const text::Node& each : member_of(result, "objectives").elements()) {
-    const text::Node member = each.members().at(0);
+  for (const text::Node& each : member_of(result, "objectives").elements(objectives)) {
+    const text::Node member = only_member_of(each);
     designs.objectives.push_back(member.text());
     designs.largest.push_back(member.key() == "maximise");
   }
@@ -78,11 +56,11 @@ FrontTable designs_in(const std::filesystem::path& file, const text::Node& resul
 }  // namespace
 
 FrontTable read_front(const std::filesystem::path& folder, const text::Node& result) {
-  return designs_in(folder / "front.csv", result, variables_of(member_of(result, "ends")));
+  return designs_in(folder / "front.csv", result, variables_of(member_of(result, "ends")), text::Length::from_to(2, 3));
 }
 
 FrontTable read_leaders(const std::filesystem::path& folder, const text::Node& result) {
-  return designs_in(folder / "best.csv", result, variables_of(member_of(result, "best")));
+  return designs_in(folder / "best.csv", result, variables_of(member_of(result, "best")), text::Length::at_least(1));
 }
 
 std::vector<std::string> shown_columns(const FrontTable& front) {

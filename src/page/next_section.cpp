@@ -1,11 +1,13 @@
 #include "page/next_section.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,6 +39,10 @@ constexpr std::array<std::string_view, 5> columns_of_place = {"run", "channel", 
 
 std::vector<std::string> explanations_in(const text::CsvTexts& table) {
   const auto& names = table.names();
+  if (names.size() <= columns_of_place.size() ||
+      !std::ranges::equal(std::span(names).first(columns_of_place.size()), columns_of_place))
+    throw table.error(
+        fmt::format("must have the columns {}, and one for each explanation", fmt::join(columns_of_place, ", ")));
   return {names.begin() + static_cast<std::ptrdiff_t>(columns_of_place.size()), names.end()};
 }
 
@@ -50,12 +56,12 @@ std::vector<Expected> expected_of(const text::CsvTexts& table, const std::vector
       out.push_back({.run = run,
                      .channel = channel,
                      .axis = time ? "time, s" : "angle, deg",
-                     .noise = table.number("noise", row).value(),
+                     .noise = table.required_number("noise", row),
                      .at = {},
                      .values = std::vector<std::vector<double>>(explanations.size())});
-    out.back().at.push_back(time ? *time : table.number("angle_deg", row).value());
+    out.back().at.push_back(time ? *time : table.required_number("angle_deg", row));
     for (std::size_t i = 0; i < explanations.size(); ++i)
-      out.back().values[i].push_back(table.number(explanations[i], row).value());
+      out.back().values[i].push_back(table.required_number(explanations[i], row));
   }
   return out;
 }

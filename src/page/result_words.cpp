@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,12 @@ std::optional<text::Document> provenance_in(const std::filesystem::path& folder)
 Node member_of(const Node& object, std::string_view key) {
   if (const auto found = object.find(key)) return *found;
   throw object.error_without_value(fmt::format("must have \"{}\" (docs/formats.md)", key));
+}
+
+Node only_member_of(const Node& object) {
+  const std::vector<Node> members = object.members();
+  if (members.size() != 1) throw object.error_without_value("must have exactly one member (docs/formats.md)");
+  return members.front();
 }
 
 std::string cell_of(const Node& node) {
@@ -65,9 +72,9 @@ std::string members_text(const Node& object) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string first_member_text(const Node& object) {
-  const std::vector<Node> members = object.members();
-  return members.empty() ? "-" : fmt::format("{} {}", members.front().key(), cell_of(members.front()));
+std::string only_member_text(const Node& object) {
+  const Node member = only_member_of(object);
+  return fmt::format("{} {}", member.key(), cell_of(member));
 }
 
 std::string ids_text(const Node& list) {
@@ -107,8 +114,7 @@ bool is_feasible(const Node& result) {
 }
 
 Objective objective_of(const Node& result) {
-  const Node first = member_of(result, "objectives").elements().front();
-  const Node member = first.members().front();
+  const Node member = only_member_of(member_of(result, "objectives").elements(text::Length::at_least(1)).front());
   return {.name = member.text(), .largest = member.key() == "maximise"};
 }
 
@@ -125,6 +131,19 @@ std::string origin_text(const std::filesystem::path& folder, std::string_view ma
   // Null where nothing is drawn.
   if (const auto seed = root.find("seed"); seed && !seed->is_null()) out += fmt::format(", seed {}", cell_of(*seed));
   return out + '.';
+}
+
+void require_rows(const text::CsvTexts& table, std::size_t counted) {
+  if (table.rows() == counted) return;
+  throw table.error(
+      fmt::format("must have the {} rows that result.json beside it counts; got {}", counted, table.rows()));
+}
+
+std::size_t evaluations_of(const Node& result) {
+  const Node counts = member_of(result, "evaluations");
+  std::size_t all = 0;
+  for (const char* status : {"ok", "infeasible", "failed"}) all += member_of(counts, status).integer<std::uint32_t>();
+  return all;
 }
 
 std::vector<std::string> input_lines(const std::filesystem::path& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/page/page.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/json/node.hpp"
 
 namespace coilwright::page {
@@ -19,6 +21,10 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> mo
 
 /// The value under `key` of an object of a result. Throws text::InputError that names the key where it is not there.
 [[nodiscard]] text::Node member_of(const text::Node& object, std::string_view key);
+
+/// The one member of an object that has one, as {"maximise": "mass_g"}. Throws text::InputError where it has another
+/// number of them.
+[[nodiscard]] text::Node only_member_of(const text::Node& object);
 
 /// A number of a result with four digits, a text as it is, "-" for null.
 [[nodiscard]] std::string cell_of(const text::Node& node);
@@ -33,8 +39,8 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> mo
 /// "gap_mm 0.6, turns_radial 13": the members of an object of plain values.
 [[nodiscard]] std::string members_text(const text::Node& object);
 
-/// The one member of an object of one, as "name value".
-[[nodiscard]] std::string first_member_text(const text::Node& object);
+/// The same of an object of one, as "name value".
+[[nodiscard]] std::string only_member_text(const text::Node& object);
 
 /// "dry_friction and back_emf": the texts of a list; "none" of an empty one.
 [[nodiscard]] std::string ids_text(const text::Node& list);
@@ -65,6 +71,13 @@ struct Objective {
 
 /// What provenance.json tells of where a result is from, as one line.
 [[nodiscard]] std::string origin_text(const std::filesystem::path& folder, std::string_view made_by);
+
+/// Throws text::InputError where a table beside a result does not have as many rows as the result counts: it was cut,
+/// or is of another run.
+void require_rows(const text::CsvTexts& table, std::size_t counted);
+
+/// Designs that the search of a result has evaluated.
+[[nodiscard]] std::size_t evaluations_of(const text::Node& result);
 
 /// The files that the result was made of, as provenance.json names them, each with the first digits of its SHA-256.
 [[nodiscard]] std::vector<std::string> input_lines(const std::filesystem::path& folder);

@@ -49,7 +49,8 @@ Section sensitivity_section(const Node& result) {
   }
   if (!chart.bars.empty()) section.blocks.emplace_back(figure_of(chart));
   if (table.rows.empty())
-    section.blocks.emplace_back(Paragraph{"No steps were looked at: the search was interrupted, or nothing can vary."});
+    section.blocks.emplace_back(Paragraph{
+        "No steps were looked at: the search was interrupted or its answer only was asked for, or nothing can vary."});
   else
     section.blocks.emplace_back(TableBlock{.caption = "Steps of the variables", .table = std::move(table)});
   Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}, .rows = {}};
@@ -68,9 +69,10 @@ Section assumptions_section(const Node& result) {
   Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
   const std::vector<Node> all = member_of(result, "assumptions").elements();
   if (all.empty()) {
-    section.blocks.emplace_back(
-        Paragraph{fmt::format("No other modelling choice was looked at: {}.",
-                              is_feasible(result) ? "the search was interrupted" : "no design keeps every limit")});
+    section.blocks.emplace_back(Paragraph{fmt::format("No other modelling choice was looked at: {}.",
+                                                      !is_feasible(result)      ? "no design keeps every limit"
+                                                      : was_interrupted(result) ? "the search was interrupted"
+                                                                                : "the answer only was asked for")});
     return section;
   }
   BarChart chart{.id = "choices",
@@ -82,7 +84,7 @@ Section assumptions_section(const Node& result) {
                  .label_title = "if it is otherwise",
                  .bars = {},
                  .symbols = true};
-  const double value = member_of(member_of(result, "best"), "objectives").members().front().number();
+  const double value = only_member_of(member_of(member_of(result, "best"), "objectives")).number();
   chart.bars.push_back({.label = "as taken", .value = value, .group = "as taken"});
   Table table{.header = {"subject", "taken", "otherwise", "objective then", "worst margin, % of its limit",
                          "another design", "settled by"},

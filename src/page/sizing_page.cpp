@@ -57,7 +57,7 @@ std::string verdict_of(const Node& result) {
         "No design that was found keeps every limit; this page shows the least infeasible one, which breaks {}.",
         fmt::join(broken, ", "));
   }
-  const double value = member_of(best, "objectives").members().front().number();
+  const double value = only_member_of(member_of(best, "objectives")).number();
   const std::vector<Node> limits = member_of(best, "constraints").elements();
   std::string out = fmt::format("The {} {} found is {}", objective.largest ? "largest" : "smallest", objective.name,
                                 short_number(value));
@@ -99,11 +99,11 @@ TableBlock variables_table(const Node& result) {
 Section limits_section(const Node& result) {
   Section section{.id = "limits", .title = "Objective and limits", .blocks = {}};
   const Node best = member_of(result, "best");
-  std::string line = fmt::format("{}.", first_member_text(member_of(best, "objectives")));
+  std::string line = fmt::format("{}.", only_member_text(member_of(best, "objectives")));
   const auto base = result.find("base");
   if (base && base->find("objectives"))
     line += fmt::format(" The study's own actuator with {} A, for comparison: {}.",
-                        cell_of(member_of(*base, "current_A")), first_member_text(member_of(*base, "objectives")));
+                        cell_of(member_of(*base, "current_A")), only_member_text(member_of(*base, "objectives")));
   else if (base && base->find("reason"))
     line +=
         fmt::format(" The study's own actuator, for comparison, has none: {}.", cell_of(member_of(*base, "reason")));
@@ -147,6 +147,7 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
   const text::CsvTexts all = text::read_csv_texts(folder / "evaluations.csv", [&](std::string_view name) {
     return name == "evaluation" || name == "status" || name == objective;
   });
+  require_rows(all, evaluations_of(result));
   Chart chart{
       .id = "search",
       .title = "Every design of the search",
@@ -172,7 +173,7 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
   for (std::size_t row = 0; row < best.rows(); ++row) {
     const auto value = best.number("best_" + objective, row);
     if (!value) continue;
-    so_far.x.push_back(best.number("evaluation", row).value());
+    so_far.x.push_back(best.required_number("evaluation", row));
     so_far.y.push_back(*value);
   }
   if (!so_far.x.empty()) chart.series.push_back(std::move(so_far));

@@ -30,9 +30,9 @@ std::optional<std::size_t> best_row(const FrontTable& leaders, std::size_t objec
   std::optional<std::size_t> best;
   for (std::size_t row = 0; row < leaders.rows(); ++row) {
     if (leaders.texts.column("best_for")[row] != name || leaders.texts.column("status")[row] != "ok") continue;
-    const double value = leaders.texts.number(name, row).value();
+    const double value = leaders.texts.required_number(name, row);
     if (best) {
-      const double so_far = leaders.texts.number(name, *best).value();
+      const double so_far = leaders.texts.required_number(name, *best);
       if (leaders.largest[objective] ? value <= so_far : value >= so_far) continue;
     }
     best = row;
@@ -59,7 +59,7 @@ std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
     if (const auto row = best_row(leaders, i))
       sentences.push_back(fmt::format(
           "The {} {} is {}: {}.", leaders.largest[i] ? "largest" : "smallest", leaders.objectives[i],
-          short_number(leaders.texts.number(leaders.objectives[i], *row).value()), variables_text(leaders, *row)));
+          short_number(leaders.texts.required_number(leaders.objectives[i], *row)), variables_text(leaders, *row)));
   if (sentences.empty()) return counts + ".";
   return fmt::format("{} {}.", fmt::join(sentences, " "), counts);
 }
@@ -233,7 +233,7 @@ Page sweep_page(const std::filesystem::path& folder, const Node& result, const P
             .origin = origin_text(folder, inputs.made_by),
             .inputs = input_lines(folder),
             .sections = {}};
-  const auto evaluated = static_cast<std::size_t>(member_of(result, "evaluated").number());
+  const auto evaluated = member_of(result, "evaluated").integer<std::size_t>();
   if (evaluated == 0) return page;
   const SweepTable table = read_sweep(folder, leaders, evaluated);
   page.sections.push_back(leaders_section(leaders));

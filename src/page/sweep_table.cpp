@@ -1,5 +1,7 @@
 #include "page/sweep_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -34,20 +36,25 @@ struct Places {
 
 class Summary {
  public:
-  Summary(const FrontTable& leaders, Places places, std::size_t designs)
-      : leaders_(&leaders), places_(std::move(places)), keep_(most_samples / static_cast<double>(designs)) {
+  Summary(const FrontTable& leaders, Places places, std::size_t designs, std::string file)
+      : leaders_(&leaders),
+        places_(std::move(places)),
+        keep_(most_samples / static_cast<double>(designs)),
+        file_(std::move(file)) {
     table_.variables = leaders.variables;
     table_.best.resize(table_.variables.size());
     for (const std::string& name : leaders.margins) table_.broken.push_back({.margin = name});
   }
 
-  void add(std::span<const std::string_view> fields) {
+  void add(std::span<const std::string_view> fields, std::size_t line) {
+    line_ = line;
     const std::string_view status = fields[places_.status];
     if (status == "failed") {
       count_failure(std::string(fields[places_.reason]));
     } else {
       std::vector<std::optional<double>> objectives;
-      for (const std::size_t place : places_.objectives) objectives.push_back(text::number_in(fields[place]));
+      for (std::size_t i = 0; i < places_.objectives.size(); ++i)
+        objectives.push_back(number(fields[places_.objectives[i]], leaders_->objectives[i]));
       if (status == "ok") improve(fields, objectives);
       count_broken(fields);
       if (share_of(table_.rows) < keep_) sample(fields, status == "ok", std::move(objectives));
@@ -58,6 +65,10 @@ class Summary {
   [[nodiscard]] SweepTable table() && { return std::move(table_); }
 
  private:
+  [[nodiscard]] std::optional<double> number(std::string_view field, const std::string& column) const {
+    return text::number_or_nothing(field, file_, line_, column);
+  }
+
   void count_failure(std::string reason) {
     const bool known = table_.failures.contains(reason) || table_.failures.size() < most_reasons;
     ++table_.failures[known ? std::move(reason) : std::string("other reasons")];
@@ -83,7 +94,8 @@ class Summary {
   void count_broken(std::span<const std::string_view> fields) {
     std::vector<std::size_t> broken;
     for (std::size_t i = 0; i < places_.margins.size(); ++i)
-      if (const auto margin = text::number_in(fields[places_.margins[i]]); margin && *margin < 0.0) broken.push_back(i);
+      if (const auto margin = number(fields[places_.margins[i]], leaders_->margins[i]); margin && *margin < 0.0)
+        broken.push_back(i);
     for (const std::size_t i : broken) {
       ++table_.broken[i].times;
       if (broken.size() == 1) ++table_.broken[i].alone;
@@ -100,6 +112,8 @@ class Summary {
   const FrontTable* leaders_;
   Places places_;
   double keep_;
+  std::string file_;
+  std::size_t line_{};
   SweepTable table_;
 };
 
@@ -107,7 +121,9 @@ class Summary {
 Places places_in(const FrontTable& leaders, const std::vector<std::string>& names) {
   Places out;
   const auto place_of = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) throw leaders.texts.error(fmt::format("must have the column {}", name));
+    return static_cast<std::size_t>(found - names.begin());
   };
   for (const std::string& name : leaders.variables) out.variables.push_back(place_of(name));
   for (const std::string& name : leaders.objectives) out.objectives.push_back(place_of(name));
@@ -132,14 +148,19 @@ SweepTable read_sweep(const std::filesystem::path& folder, const FrontTable& lea
   std::vector<std::string> names;
   for (const std::string& name : leaders.texts.names())
     if (is_kept(name)) names.push_back(name);
-  Summary summary(leaders, places_in(leaders, names), designs);
   const std::filesystem::path file = folder / "designs.csv";
+  Summary summary(leaders, places_in(leaders, names), designs, file.string());
   const std::vector<std::string> there =
-      text::for_each_csv_row(file, is_kept, [&](std::span<const std::string_view> fields) {
-        if (fields.size() == names.size()) summary.add(fields);
+      text::for_each_csv_row(file, is_kept, [&](std::span<const std::string_view> fields, std::size_t line) {
+        if (fields.size() == names.size()) summary.add(fields, line);
       });
   if (there != names) throw text::InputError({.file = file.string(), .rule = "must have the columns of best.csv"});
-  return std::move(summary).table();
+  SweepTable table = std::move(summary).table();
+  if (table.rows != designs)
+    throw text::InputError({.file = file.string(),
+                            .rule = fmt::format("must have the {} designs that result.json beside it counts", designs),
+                            .value = fmt::format("{}", table.rows)});
+  return table;
 }
 
 }  // namespace coilwright::page

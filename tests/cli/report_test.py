@@ -62,6 +62,29 @@ class Report(ProgramTest):
         steps = [step["objective_change"] for step in result["steps"] if step["objective_change"] is not None]
         self.assertEqual([row["value"] for row in specs["steps"]["data"]["values"]], steps)
 
+    def test_the_axes_of_a_front_are_those_of_the_designs_that_keep_every_limit(self):
+        write_study(self, objectives=FRONT, constraints=[{"quantity": "mass_g", "at_most": 62}])
+        done = run("pareto", "study.json", "--out", "out", "--report", "--quiet", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        spec = self.specs("out/report.html")["front"]
+        rows = [row for row in self.table("out/evaluations.csv") if row["status"] in ("ok", "infeasible")]
+        names = ("peak_bending_speed_deg_s", "mass_g")
+        inside = {status: 0 for status in ("ok", "infeasible")}
+        axes = [spec["layer"][0]["encoding"][axis]["scale"]["domain"] for axis in "xy"]
+        for row in rows:
+            inside[row["status"]] += all(low <= float(row[name]) <= high for name, (low, high) in zip(names, axes))
+        for name, (low, high) in zip(names, axes):
+            kept = [float(row[name]) for row in rows if row["status"] == "ok"]
+            room = 0.04 * (max(kept) - min(kept))
+            self.assertAlmostEqual(low, min(kept) - room, places=9)
+            self.assertAlmostEqual(high, max(kept) + room, places=9)
+        infeasible = sum(row["status"] == "infeasible" for row in rows)
+        self.assertLess(inside["infeasible"], infeasible)
+        shown = [each for each in spec["datasets"]["others"] if each["kind"] == "breaks a limit"]
+        self.assertEqual(len(shown), inside["infeasible"])
+        self.assertIn(f'{infeasible} that break a limit ({infeasible - inside["infeasible"]} outside of the axes)',
+                      spec["description"])
+
     def sweep(self):
         write_study(self, variables=GRID, objectives=FRONT)
         result = run("sweep", "study.json", "--out", "out", "--report", "--quiet", cwd=self.folder)
@@ -90,7 +113,7 @@ class Report(ProgramTest):
     def test_a_sweep_counts_who_breaks_each_limit(self):
         rows = self.sweep()
         margins = [name for name in rows[0] if "_margin" in name and ("_max_" in name or "_min_" in name)]
-        page = (self.folder / "out/report.html").read_text()
+        page = (self.folder / "out/report.html").read_text().replace("<wbr>", "")
         for name in margins:
             broken = [row for row in rows if row[name] and float(row[name]) < 0]
             alone = [row for row in broken if sum(float(row[other]) < 0 for other in margins) == 1]

@@ -14,12 +14,18 @@ TEST(Markup, KeepsLinesWhereTheyAreAskedFor) {
   EXPECT_EQ(escaped_lines(""), "");
 }
 
-TEST(ClassOfColumn, IsThatOfNumbersWhereThereIsNothingElse) {
-  const std::vector<std::vector<std::string>> rows{{"1.5", "", "2", ""}, {"-2e-05", "3", "2 mm", ""}};
-  EXPECT_EQ(class_of_column(rows, 0), " class=\"number\"");
-  EXPECT_EQ(class_of_column(rows, 1), " class=\"number\"");
-  EXPECT_EQ(class_of_column(rows, 2), "");
-  EXPECT_EQ(class_of_column(rows, 3), "");
+TEST(HtmlTable, SetsColumnsOfNumbersApartAndLetsNamesBreak) {
+  EXPECT_EQ(html_table({"mass_g", "n", "at"}, {{"1.5", "", "2"}, {"-2e-05", "", "2 <mm"}}, "A & B"),
+            "<table>\n<caption>A &amp; B</caption>\n<thead><tr><th scope=\"col\" class=\"number\">mass_<wbr>g</th>"
+            "<th scope=\"col\">n</th><th scope=\"col\">at</th></tr></thead>\n<tbody>\n"
+            "<tr><td class=\"number\">1.5</td><td></td><td>2</td></tr>\n"
+            "<tr><td class=\"number\">-2e-05</td><td></td><td>2 &lt;mm</td></tr>\n</tbody>\n</table>\n");
+}
+
+TEST(HtmlTable, OfManyColumnsCarriesTheirHeadingsInEachCell) {
+  const std::string table = html_table({"a", "b", "\"c\"", "d"}, {{"1", "2", "3", "x"}});
+  EXPECT_TRUE(table.starts_with("<table class=\"stack\">\n<thead>"));
+  EXPECT_NE(table.find("<td class=\"number\" data-label=\"&quot;c&quot;\">3</td>"), std::string::npos);
 }
 
 TEST(ScriptJson, CannotEndTheElementThatItStandsIn) {

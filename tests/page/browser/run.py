@@ -66,7 +66,7 @@ def small_study(name, folder, **changes):
 
 
 def many(folder, source, count):
-    """A front of `count` rows, each a mixture of two of the rows of a small one: a page takes its numbers from the file."""
+    """A front of `count` rows: those of a small one, which the result names, and mixtures of two of them."""
     target = folder / "many"
     target.mkdir()
     with open(source / "front.csv", newline="") as file:
@@ -76,11 +76,13 @@ def many(folder, source, count):
     with open(target / "front.csv", "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(names)
-        for _ in range(count):
+        writer.writerows(rows)
+        for _ in range(count - len(rows)):
             one, other, share = draw.choice(rows), draw.choice(rows), draw.random()
             writer.writerow([repr(share * float(a) + (1 - share) * float(b)) if a and b else "" for a, b in zip(one, other)])
     for name in ("evaluations.csv", "convergence.csv"):
         shutil.copy(source / name, target)
+    result["front_size"] = count
     (target / "result.json").write_text(json.dumps(result))
     return target
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +24,17 @@ bool all(std::string_view) {
   return true;
 }
 
+// What an InputError says, without the folder.
+std::string refusal(const std::function<void()>& task) {
+  try {
+    task();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    return text.substr(std::min(text.find("t.csv"), text.size()));
+  }
+  return {};
+}
+
 TEST(CsvTexts, KeepsTextsAndNumbersAsTheyStand) {
   const CsvTexts table = read("gap_mm,status,reason\n1.50,ok,\n,failed,\"a, b \"\"c\"\"\"\n", all);
   EXPECT_EQ(table.rows(), 2U);
@@ -29,19 +42,26 @@ TEST(CsvTexts, KeepsTextsAndNumbersAsTheyStand) {
   EXPECT_EQ(table.column("reason")[1], "a, b \"c\"");
   EXPECT_EQ(table.number("gap_mm", 0), 1.5);
   EXPECT_FALSE(table.number("gap_mm", 1).has_value());
-  EXPECT_FALSE(table.number("status", 0).has_value());
+  EXPECT_EQ(refusal([&] { static_cast<void>(table.number("status", 0)); }),
+            "t.csv: line 2: column status: must be a number; got \"ok\"");
+  EXPECT_EQ(refusal([&] { static_cast<void>(table.required_number("gap_mm", 1)); }),
+            "t.csv: line 3: column gap_mm: must be a number; got \"\"");
 }
 
 TEST(CsvTexts, KeepsTheColumnsThatAreAskedFor) {
   const CsvTexts table = read("a,b,c\n1,2,3\n", [](std::string_view name) { return name == "c"; });
   EXPECT_EQ(table.names(), (std::vector<std::string>{"c"}));
   EXPECT_FALSE(table.has("a"));
-  EXPECT_THROW(static_cast<void>(table.column("a")), std::out_of_range);
+  EXPECT_EQ(refusal([&] { static_cast<void>(table.column("a")); }), "t.csv: must have the column a");
 }
 
 TEST(CsvTexts, MayHaveNoRowButMustHaveAHeader) {
   EXPECT_EQ(read("a,b\n", all).rows(), 0U);
   EXPECT_THROW(read("", all), InputError);
+}
+
+TEST(CsvTexts, WasCutWhereItDoesNotEndWithALine) {
+  EXPECT_EQ(refusal([] { static_cast<void>(read("a,b\n1,2", all)); }), "t.csv: must end with a whole line: it was cut");
 }
 
 TEST(CsvTexts, NamesTheLineOfARowOfAnotherWidth) {
@@ -60,11 +80,12 @@ TEST(CsvTexts, GivesTheSameRowsOneByOne) {
   const std::vector<std::string> names = for_each_csv_row(
       folder.file("t.csv", "name,note,value\nthis,one,1\nthat,two,2\n"),
       [](std::string_view name) { return name != "note"; },
-      [&](std::span<const std::string_view> fields) {
+      [&](std::span<const std::string_view> fields, std::size_t line) {
+        seen.push_back(std::to_string(line));
         for (const std::string_view field : fields) seen.emplace_back(field);
       });
   EXPECT_EQ(names, (std::vector<std::string>{"name", "value"}));
-  EXPECT_EQ(seen, (std::vector<std::string>{"this", "1", "that", "2"}));
+  EXPECT_EQ(seen, (std::vector<std::string>{"2", "this", "1", "3", "that", "2"}));
 }
 
 TEST(NumberIn, TakesAFieldAsAWhole) {

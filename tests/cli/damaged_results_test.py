@@ -1,0 +1,134 @@
+"""`coilwright report` on folders of results whose files were changed at random: a page, or one line that names a file."""
+
+import json
+import os
+import random
+import shutil
+import unittest
+
+from diagnose_test import PLAN, ROD
+from program import ProgramTest, run
+from study import FRONT, GRID, write_study
+
+# Of each kind of folder; COILWRIGHT_MUTATIONS=500 looks longer.
+MUTATIONS = int(os.environ.get("COILWRIGHT_MUTATIONS", "30"))
+VALUES = [None, True, "", "x", "1", -1, 0, 1e300, 2**60, [], {}, [None], {"a": 1}, ["x"]]
+FIELDS = ["", "x", "nan", "-1", "1e999", "0", "1e300", "ok", "failed", "\"a\"\"b\""]
+
+
+def nodes_of(value, at=()):
+    """Every place of a JSON value."""
+    yield at
+    members = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, member in members:
+        yield from nodes_of(member, (*at, key))
+
+
+def changed_json(text, draw):
+    value = json.loads(text)
+    *path, last = draw.choice([at for at in nodes_of(value) if at])
+    parent = value
+    for key in path:
+        parent = parent[key]
+    how = draw.randrange(4)
+    if how == 0:
+        del parent[last]
+    elif how == 1 and isinstance(parent, dict) and len(parent) > 1:
+        other = draw.choice([key for key in parent if key != last])
+        parent[last], parent[other] = parent[other], parent[last]
+    else:
+        parent[last] = draw.choice(VALUES)
+    return json.dumps(value, indent=2) + "\n"
+
+
+def changed_table(text, draw):
+    lines = text.splitlines()
+    cells = [line.split(",") for line in lines]
+    row, column = draw.randrange(len(cells)), draw.randrange(len(cells[0]))
+    how = draw.randrange(6)
+    if how == 0:
+        for each in cells:
+            del each[column:column + 1]
+    elif how == 1:
+        other = draw.randrange(len(cells[0]))
+        cells[0][column], cells[0][other] = cells[0][other], cells[0][column]
+    elif how == 2:
+        del cells[row]
+    elif how == 3:
+        cells.insert(row, cells[row])
+    elif how == 4:
+        cells = cells[:1]
+    else:
+        cells[row][min(column, len(cells[row]) - 1)] = draw.choice(FIELDS)
+    return "".join(",".join(each) + "\n" for each in cells)
+
+
+def change(folder, draw):
+    """Changes one file of a folder, and says how."""
+    file = draw.choice(sorted(path for path in folder.iterdir() if path.suffix in (".json", ".csv", ".txt")))
+    how = draw.randrange(8)
+    if how == 0:
+        file.unlink()
+        return f"{file.name} removed"
+    text = file.read_text()
+    if how == 1 or file.suffix == ".txt":
+        end = draw.randrange(len(text))
+        file.write_text(text[:end])
+        return f"{file.name} cut at {end}"
+    file.write_text((changed_json if file.suffix == ".json" else changed_table)(text, draw))
+    return f"{file.name} changed"
+
+
+class DamagedResults(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "none").mkdir()
+        if "built without Vega" in run("report", "none", cwd=self.folder).stderr:
+            self.skipTest("the program was built without Vega")
+
+    def assert_every_damage_is_told(self):
+        whole = self.folder / "whole"
+        (self.folder / "out").rename(whole)
+        (whole / "archive.sqlite").unlink(missing_ok=True)
+        told = 0
+        for seed in range(MUTATIONS):
+            shutil.copytree(whole, self.folder / "out")
+            how = f"seed {seed}: {change(self.folder / 'out', random.Random(seed))}"
+            result = run("report", "out", "--pictures", "2", "--out", "page.html", cwd=self.folder)
+            written = (self.folder / "page.html").exists()
+            self.assertIn(result.returncode, (0, 2), f"{how}: {result.stderr}")
+            self.assertEqual(written, result.returncode == 0, how)
+            if result.returncode:
+                # One line, of a file or of the folder as a whole.
+                self.assertRegex(result.stderr, r"^coilwright: out[/:][^\n]*\n$", how)
+                told += 1
+            (self.folder / "page.html").unlink(missing_ok=True)
+            shutil.rmtree(self.folder / "out")
+        self.assertGreater(told, MUTATIONS // 4)
+
+    def test_of_size(self):
+        write_study(self, search={"max_evaluations": 20, "seed": 5})
+        self.assertEqual(run("size", "study.json", "--out", "out", "--quiet", cwd=self.folder).returncode, 0)
+        self.assert_every_damage_is_told()
+
+    def test_of_pareto(self):
+        write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})
+        self.assertEqual(run("pareto", "study.json", "--out", "out", "--quiet", cwd=self.folder).returncode, 0)
+        self.assert_every_damage_is_told()
+
+    def test_of_sweep(self):
+        write_study(self, variables=GRID, objectives=FRONT)
+        self.assertEqual(run("sweep", "study.json", "--out", "out", "--quiet", cwd=self.folder).returncode, 0)
+        self.assert_every_damage_is_told()
+
+    def test_of_diagnose(self):
+        self.write("rod.json", json.dumps(ROD))
+        self.write("plan.json", json.dumps(PLAN))
+        self.assertEqual(run("twin", "rod.json", "--experiment", "plan.json", "--effect", "dry_friction:torque_Nmm=25",
+                             "--out", "set", cwd=self.folder).returncode, 0)
+        self.assertEqual(run("diagnose", "set", "--out", "out", cwd=self.folder).returncode, 0)
+        self.assert_every_damage_is_told()
+
+
+if __name__ == "__main__":
+    unittest.main()

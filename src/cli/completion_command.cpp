@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/actuator/design/parameters.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "command_names.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
@@ -44,6 +46,35 @@ std::string first_words(const TypedCommand& each, const CLI::App& app) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
+// What --set takes: each number of a design with its =, and each name of what has names.
+std::vector<std::string> design_words() {
+  std::vector<std::string> words;
+  for (const char* letter : {"A", "B", "C", "D"}) words.push_back(fmt::format("configuration={}", letter));
+  for (const actuator::Parameter& parameter : actuator::parameters()) {
+    if (parameter.names().empty()) words.push_back(fmt::format("{}=", parameter.name));
+    for (const std::string_view name : parameter.names()) words.push_back(fmt::format("{}={}", parameter.name, name));
+  }
+  return words;
+}
+
+// What --effect begins with: each effect, up to its first number.
+std::vector<std::string> effect_words() {
+  std::vector<std::string> words;
+  for (const actuator::EffectKind* kind : actuator::standard_effects().kinds()) {
+    const auto numbers = kind->parameters();
+    words.push_back(numbers.empty() ? std::string(kind->id()) : fmt::format("{}:{}=", kind->id(), numbers.front().key));
+  }
+  return words;
+}
+
+// What may stand behind an option.
+std::vector<std::string> values_of(const CLI::Option& option) {
+  const std::string name = names_of(option).back();
+  if (name == "--set") return design_words();
+  if (name == "--effect") return effect_words();
+  return words_of(option);
+}
+
 // Functions that bash and zsh take alike.
 std::string functions(const CLI::App& app) {
   std::vector<TypedCommand> all;
@@ -54,7 +85,7 @@ std::string functions(const CLI::App& app) {
     words += fmt::format("    \"{}\") options=\"{}\" first=\"{}\" ;;\n", each.typed, option_words(*each.command),
                          first_words(each, app));
     for (const CLI::Option* option : options_of(*each.command))
-      if (const std::vector<std::string> known = words_of(*option); !known.empty())
+      if (const std::vector<std::string> known = values_of(*option); !known.empty())
         values += fmt::format("    \"{} {}\") values=\"{}\" ;;\n", each.typed, names_of(*option).back(),
                               fmt::join(known, " "));
   }
@@ -67,8 +98,20 @@ constexpr std::string_view bash_head =
     "# Completion of coilwright for bash. Source it, or install it as share/bash-completion/completions/coilwright.\n";
 constexpr std::string_view bash_function = R"(
 _coilwright() {
-  local current="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD-1]}"
-  local command="" options="" first="" values="" words="" at=1 i
+  # bash takes words apart at = and :, and replaces what stands behind the last of them.
+  local typed="${COMP_WORDS[COMP_CWORD]}" current="${COMP_WORDS[COMP_CWORD]}" kept i=$COMP_CWORD
+  while ((i > 1)) && [[ $current == [=:]* || ${COMP_WORDS[i-1]} == [=:] ]]; do
+    ((i--))
+    current="${COMP_WORDS[i]}$current"
+  done
+  local before="${COMP_WORDS[i-1]}"
+  if [[ $current == --*=* ]]; then
+    before="${current%%=*}"
+    current="${current#*=}"
+  fi
+  [[ $typed == [=:] ]] && typed=""
+  kept="${current%"$typed"}"
+  local command="" options="" first="" values="" words="" at=1
   _coilwright_words ""
   for ((i = 1; i < COMP_CWORD; i++)); do
     _coilwright_words "${command:+$command }${COMP_WORDS[i]}" || break
@@ -85,6 +128,8 @@ _coilwright() {
   fi
   if [[ -n $words ]]; then
     COMPREPLY=($(compgen -W "$words" -- "$current"))
+    [[ ${COMPREPLY[*]} == *[=:] ]] && compopt -o nospace 2>/dev/null
+    COMPREPLY=("${COMPREPLY[@]#"$kept"}")
   else
     COMPREPLY=($(compgen -f -- "$current"))
   fi
@@ -107,7 +152,9 @@ _coilwright() {
   done
   _coilwright_values "$command" "$before"
   if [[ -n $values ]]; then
-    compadd -- ${=values}
+    local -a all=(${=values})
+    compadd -- ${all:#*=}
+    compadd -S '' -- ${(M)all:#*=}
   elif [[ $current == -* ]]; then
     compadd -- ${=options}
   elif ((CURRENT == at)) && [[ -n $first ]]; then

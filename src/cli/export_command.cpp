@@ -150,7 +150,11 @@ void add_export_command(CLI::App& app, Outcome&) {
   CLI::App* command =
       app.add_subcommand("export", "Write an actuator as files to build it from or to simulate it with");
   add_actuator_options(*command, options->actuator);
-  command->add_option("--as", options->kind, "Kind of export, see below")->required()->check(word_rule(kind_names()));
+  command
+      ->add_option("--as", options->kind,
+                   fmt::format("Kind of export, see below. One of {}", fmt::join(kind_names(), ", ")))
+      ->required()
+      ->check(word_rule(kind_names()));
   command->add_option("--out", options->out, "Folder for the files; it is created if it does not exist")
       ->required()
       ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });

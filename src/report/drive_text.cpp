@@ -116,6 +116,20 @@ std::string lower_peak(const DrivenActuator& driven, const DriveQuestion& questi
   return "A smaller duty or voltage takes less.";
 }
 
+// A limit that does not look while it is blanked does not hold a current that rises by more in that time than it falls
+// in the off-time.
+std::string current_limit_text(const DrivenActuator& driven, const drive::HBridge& bridge) {
+  if (driven.driver.mean <= *bridge.trip)
+    return "The current limit acts: peaks are clipped, a larger voltage gives little more, and the mean current is not "
+           "in proportion to the duty.";
+  return fmt::format(
+      "The current limit does not hold: it does not look for {} us after switching on (--limit-blanking-us), in which "
+      "the current rises by more than it falls in {} us (--limit-off-time-us), and the driver's mean of {} A is above "
+      "its {} A (--current-limit-A). A lower --supply-voltage-V or a longer off-time lets it hold.",
+      number(bridge.limit_blanking * 1e6), number(bridge.limit_off_time * 1e6), number(driven.driver.mean),
+      number(*bridge.trip));
+}
+
 std::string sentence(DriveWarning warning, const DrivenActuator& driven, const DriveQuestion& question) {
   switch (warning) {
     case DriveWarning::out_of_reach:
@@ -148,9 +162,7 @@ std::string sentence(DriveWarning warning, const DrivenActuator& driven, const D
       return "The pulse is shorter than the dead time, so that nothing is switched on: raise --duty or lower "
              "--frequency-Hz.";
     case DriveWarning::limited:
-      return "The current limit acts: peaks are clipped, a larger voltage gives little more, and the mean current is "
-             "not in "
-             "proportion to the duty.";
+      return current_limit_text(driven, std::get<drive::HBridge>(question.driver));
     case DriveWarning::no_period:
       return "Pulses and current limit beat: no period is like the one before, and the figures are means of 1000.";
     case DriveWarning::discontinuous:

@@ -102,9 +102,11 @@ class SetOfAStudy(ProgramTest):
 
     def test_by_a_pointer_it_is_the_study_with_that_number_in_its_file(self):
         study = write_study(self, objectives=FRONT)
-        changed = self.search("--set", "/constraints/0/at_most=68", "--set", "/operating_point/duty=0.4")
+        changed = self.search("--set", "/constraints/0/at_most=68", "--set", "/operating_point/duty=0.4", "--set",
+                              "/operating_point/wiring=series", "--set", "/search/algorithm=cobyla")
         study["constraints"][0]["at_most"] = 68
-        study["operating_point"]["duty"] = 0.4
+        study["operating_point"].update(duty=0.4, wiring="series")
+        study["search"]["algorithm"] = "cobyla"
         self.write("study.json", json.dumps(study))
         again = self.search()
         self.assertTrue(again == changed)  # assertEqual would spend minutes on telling how they differ
@@ -129,8 +131,12 @@ class SetOfAStudy(ProgramTest):
                 ("gap=1", 'gap=1: is not a number of a design; did you mean "gap_mm"?'),
                 ("/search/sed=1", 'study.json: /search/sed: unknown key; the keys here are "algorithm", '
                  '"max_evaluations", "seed"'),
-                ("/constraints/7/at_most=1", "/constraints/7/at_most=1: must lead to a number of the study"),
-                ("/name=1", "/name=1: must lead to a number of the study"),
+                ("/constraints/7/at_most=1", "/constraints/7/at_most=1: must lead to a number, a word, or true or false of the study"),
+                ("/variables=1", "/variables=1: must lead to a number, a word, or true or false of the study"),
+                ("/operating_point/wiring=serial",
+                 'study.json: /operating_point/wiring: must be one of "series", "parallel"; got text "serial"'),
+                ("/actuator=other.json",
+                 "/actuator=other.json: must not be changed: a study of another actuator is another file"),
                 ("/constraints/0/at_most=x", "/constraints/0/at_most=x: must be a finite number"),
                 ("front_length_mm=0", "front_length_mm=0: must be from 0.01 to 1000")):
             with self.subTest(argument):

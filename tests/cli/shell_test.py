@@ -40,6 +40,18 @@ class Completion(ProgramTest):
         self.assertEqual(self.complete("size", "stu"), {"study.json"})
         self.assertEqual(self.complete("size", "study.json", "--out", "stu"), {"study.json"})
 
+    def test_offers_values(self):
+        self.assertIn("workshop", self.complete("export", "a.json", "--as", ""))
+        self.assertEqual(self.complete("export", "a.json", "--as", "mo"), {"mould"})
+        self.assertIn("gap_mm=", self.complete("evaluate", "a.json", "--set", "gap"))
+        # Words as bash takes them apart: what is offered takes the place of what stands behind the = or the :.
+        self.assertEqual(self.complete("evaluate", "a.json", "--set", "configuration", "="), set("ABCD"))
+        self.assertLessEqual({"N42", "N42SH"}, self.complete("size", "a.json", "--set", "magnet_grade", "=", "N42"))
+        self.assertEqual(self.complete("size", "--set", "=", "configuration", "=", "A"), {"A"})
+        self.assertEqual(self.complete("twin", "a.json", "--effect", "dry_friction", ":"), {"torque_Nmm="})
+        self.write("study.json", "{}")
+        self.assertEqual(self.complete("size", "--out", "=", "stu"), {"study.json"})
+
     def test_offers_every_option_that_the_help_has(self):
         for command in (["evaluate"], ["simulate"], ["drive"], ["rig", "camera"]):
             offered = self.complete(*command, "--")

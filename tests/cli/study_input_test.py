@@ -174,7 +174,8 @@ class StudyInput(ProgramTest):
     def test_an_actuator_that_cannot_be_used_is_named_by_its_own_file(self):
         write_study(self, actuator="absent.json")
         self.assert_refused(["size", "study.json", "--out", "out"],
-                            "absent.json: cannot be opened: No such file or directory")
+                            'study.json: /actuator: must name the file of an actuator, and there is no absent.json; got text '
+                            '"absent.json"')
         write_study(self)
         actuator = json.loads((self.folder / "finger.json").read_text())
         actuator["body"]["gap_mm"] = -1

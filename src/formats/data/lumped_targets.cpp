@@ -219,10 +219,10 @@ LumpedNumbers lumped_numbers(const Document& document, const LumpedModel& model,
 }
 
 Document with_numbers_of(const Document& document, const std::vector<NumberInFile>& in_file, LumpedModel model) {
-  std::map<std::string, double> numbers;
+  std::map<std::string, text::PlainValue> numbers;
   for (const NumberInFile& each : in_file)
     numbers[each.pointer] = units::from_si(number_in(model, each.number), each.unit);
-  return document.with_numbers(numbers);
+  return document.with_values(numbers);
 }
 
 }  // namespace coilwright::formats

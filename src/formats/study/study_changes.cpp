@@ -3,32 +3,57 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "coilwright/formats/actuator/assignment.hpp"
 #include "coilwright/text/argument.hpp"
+#include "coilwright/text/csv/csv_texts.hpp"
+#include "coilwright/text/json/json_pointer.hpp"
 
 namespace coilwright::formats {
+
+namespace {
+
+// What stands there says what a value is read as; where nothing stands yet, its own spelling does, and the reader of
+// the study what the key takes.
+text::PlainValue value_for(const text::Document& document, const text::NameAndValue& assignment,
+                           const std::string& change) {
+  using Kind = text::Node::Kind;
+  if (assignment.name == "/actuator")
+    throw text::argument_error(change, "must not be changed: a study of another actuator is another file");
+  const auto steps = text::pointer_steps(assignment.name);
+  const std::optional<text::Node> there = steps ? text::follow(document.root(), *steps) : std::nullopt;
+  const bool is_truth = assignment.value == "true" || assignment.value == "false";
+  if (there && there->kind() == Kind::boolean && !is_truth) throw text::argument_error(change, "must be true or false");
+  if (there && there->kind() == Kind::number) return text::number_of(change, assignment.value);
+  if (there && there->kind() == Kind::text) return std::string(assignment.value);
+  if (is_truth) return assignment.value == "true";
+  if (const std::optional<double> number = text::number_in(assignment.value)) return *number;
+  return std::string(assignment.value);
+}
+
+}  // namespace
 
 bool is_of_file(std::string_view change) {
   return change.starts_with('/');
 }
 
 text::Document changed(text::Document document, const StudyChanges& changes) {
-  std::map<std::string, double> numbers;
+  std::map<std::string, text::PlainValue> values;
   for (const std::string& change : changes) {
     if (!is_of_file(change)) continue;
     const text::NameAndValue assignment = text::split_assignment(change, change, "/search/seed=3");
-    numbers[std::string(assignment.name)] = text::number_of(change, assignment.value);
+    values[std::string(assignment.name)] = value_for(document, assignment, change);
     try {
-      (void)document.with_numbers(numbers);
+      (void)document.with_values(values);
     } catch (const std::invalid_argument&) {
-      throw text::argument_error(change, "must lead to a number of the study");
+      throw text::argument_error(change, "must lead to a number, a word, or true or false of the study");
     }
   }
-  return numbers.empty() ? std::move(document) : document.with_numbers(numbers);
+  return values.empty() ? std::move(document) : document.with_values(values);
 }
 
 actuator::Design changed(actuator::Design design, const sizing::Study& study, const StudyChanges& changes) {

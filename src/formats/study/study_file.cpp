@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -226,6 +228,9 @@ SearchOptions read_search(const Node& node) {
 }
 
 actuator::Design read_base(const Node& node, const actuator::EffectCatalogue& effects, const InputText* text) {
+  std::error_code error;
+  if (text == nullptr && !std::filesystem::exists(node.path(), error))
+    throw node.error(fmt::format("must name the file of an actuator, and there is no {}", node.path().string()));
   ActuatorFile file =
       text != nullptr ? parse_actuator(text->text, text->file, effects) : read_actuator(node.path(), effects);
   if (!std::holds_alternative<actuator::Design>(file.content))

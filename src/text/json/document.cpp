@@ -28,8 +28,8 @@ Node Document::root() const {
 
 namespace {
 
-// Where a number may stand; a key that is new is made. Null where the pointer leads nowhere.
-JsonValue* number_at(JsonValue& root, std::string_view pointer) {
+// Where a plain value may stand; a key that is new is made. Null where the pointer leads nowhere.
+JsonValue* plain_value_at(JsonValue& root, std::string_view pointer) {
   const auto steps = pointer_steps(pointer);
   if (!steps || steps->empty()) return nullptr;
   JsonValue* value = &root;
@@ -52,17 +52,19 @@ JsonValue* number_at(JsonValue& root, std::string_view pointer) {
       return nullptr;
     }
   }
-  return std::holds_alternative<double>(value->content) ? value : nullptr;
+  const bool plain = std::holds_alternative<bool>(value->content) || std::holds_alternative<double>(value->content) ||
+                     std::holds_alternative<std::string>(value->content);
+  return plain ? value : nullptr;
 }
 
 }  // namespace
 
-Document Document::with_numbers(const std::map<std::string, double>& numbers) const {
+Document Document::with_values(const std::map<std::string, PlainValue>& values) const {
   Content copy = *content_;
-  for (const auto& [pointer, number] : numbers) {
-    JsonValue* value = number_at(copy.root, pointer);
-    if (value == nullptr) throw std::invalid_argument("pointer must lead to a number; got " + pointer);
-    value->content = number;
+  for (const auto& [pointer, plain] : values) {
+    JsonValue* value = plain_value_at(copy.root, pointer);
+    if (value == nullptr) throw std::invalid_argument("pointer must lead to a plain value; got " + pointer);
+    std::visit([&](const auto& each) { value->content = each; }, plain);
   }
   return Document(std::make_unique<const Content>(std::move(copy)));
 }

@@ -181,6 +181,13 @@ JsonValue parse_json_value(std::string_view text, const std::string& file) {
   if (text.size() > json_size_limit) {
     throw InputError({.file = file, .rule = fmt::format("must not be larger than {} MB", json_size_limit / 1'000'000)});
   }
+  // Of a text in Latin letters every other byte of UTF-16 is NUL, with or without a byte order mark.
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+      (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0')))
+    throw InputError({.file = file,
+                      .rule =
+                          "must be UTF-8, and is UTF-16: save it anew as UTF-8 (in an editor, or by iconv -f UTF-16 "
+                          "-t UTF-8)"});
   // nlohmann takes a NUL byte for the end of the text and would not see what comes after it.
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     throw InputError({.file = file, .place = line_and_column(text, nul), .rule = "is not JSON: holds a NUL byte"});

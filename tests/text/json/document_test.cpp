@@ -91,6 +91,11 @@ TEST(JsonDocument, RefusesInvalidUtf8AndNulBytes) {
   EXPECT_EQ(refusal("[\"\xff\"]"),
             "x.json: line 1, column 3: is not JSON: syntax error while parsing value - invalid string: ill-formed "
             "UTF-8 byte");
+  for (const std::string_view utf16 : {std::string_view("\xff\xfe{\0}\0", 6), std::string_view("\xfe\xff\0{\0}", 6),
+                                       std::string_view("{\0}\0", 4), std::string_view("\0{\0}", 4)})
+    EXPECT_EQ(
+        refusal(utf16),
+        "x.json: must be UTF-8, and is UTF-16: save it anew as UTF-8 (in an editor, or by iconv -f UTF-16 -t UTF-8)");
   EXPECT_EQ(refusal(std::string_view("{}\0{}", 5)), "x.json: line 1, column 3: is not JSON: holds a NUL byte");
 }
 

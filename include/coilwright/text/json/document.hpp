@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "coilwright/text/json/node.hpp"
 
@@ -16,6 +17,9 @@ inline constexpr std::size_t json_size_limit = 16'000'000;  ///< bytes of text
 inline constexpr std::size_t json_value_limit = 1'000'000;  ///< numbers, texts, arrays and objects together
 inline constexpr std::size_t json_depth_limit = 64;         ///< arrays and objects inside each other
 
+/// A value without parts.
+using PlainValue = std::variant<bool, double, std::string>;
+
 /// A JSON text that has been read; the nodes it gives out are valid as long as it lives.
 class Document {
  public:
@@ -25,9 +29,9 @@ class Document {
 
   /// The value of the whole document.
   [[nodiscard]] Node root() const;
-  /// A copy with other numbers at some JSON pointers (RFC 6901): each must lead to a number, or to a key that its
-  /// object does not have yet. Throws std::invalid_argument where one does not.
-  [[nodiscard]] Document with_numbers(const std::map<std::string, double>& numbers) const;
+  /// A copy with other values at some JSON pointers (RFC 6901): each must lead to a number, a text or true or false, or
+  /// to a key that its object does not have yet. Throws std::invalid_argument where one does not.
+  [[nodiscard]] Document with_values(const std::map<std::string, PlainValue>& values) const;
 
  private:
   struct Content;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -31,6 +32,7 @@
 #include "commands.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "progress_line.hpp"
 #include "written_files.hpp"
 
 namespace coilwright::cli {
@@ -136,7 +138,14 @@ struct Recording {
 };
 
 Recording record(const actuator::Model& model, const ModelInput& input, const State& start) {
-  Recording out{.states = simulation::simulate(model, input, start), .bending = {}};
+  // A stiff model, or a long time, takes long: then it is said how far it is.
+  std::atomic<double> reached = input.times.front();
+  const ProgressLine::Place place = progress_place(false);
+  const ProgressLine line(std::cerr, place, progress_interval(place), [&] {
+    return fmt::format("the motion is known to {:.6g} s of {:.6g} s", reached.load(), input.times.back());
+  });
+  const simulation::Accuracy accuracy{.progress = [&](double time) { reached = time; }};
+  Recording out{.states = simulation::simulate(model, input, start, accuracy), .bending = {}};
   const auto show = [&](const std::vector<State>& states) {
     for (const State& state : states) {
       const std::span<const double> internal(state.internal.data(), static_cast<std::size_t>(state.internal.size()));
@@ -145,7 +154,7 @@ Recording record(const actuator::Model& model, const ModelInput& input, const St
     }
   };
   if (model.delay() != 0.0)
-    show(simulation::simulate_as_observed(model, input, start));
+    show(simulation::simulate_as_observed(model, input, start, accuracy));
   else
     show(out.states);
   return out;

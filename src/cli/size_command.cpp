@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <iostream>
@@ -75,7 +76,8 @@ Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchRes
                            const Interruption& interruption, bool quiet) {
   if (!result.feasible) return {};
   const std::size_t choices = actuator::other_choices(problem.study().base).size();
-  if (interruption.requested()) return {.left = choices};
+  const bool wanted = problem.study().search.afterwards != sizing::Afterwards::nothing;
+  if (!wanted || interruption.requested()) return {.left = choices};
   std::atomic<std::size_t> looked_at = 0;
   const ProgressLine::Place place = progress_place(quiet);
   const ProgressLine line(std::cerr, place, progress_interval(place), [&] {
@@ -83,6 +85,8 @@ Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchRes
   });
   sizing::AssumptionOptions options{.search = problem.study().search,
                                     .progress = [&](std::size_t done, std::size_t) { looked_at = done; }};
+  // A search that may take few evaluations is not followed by ones of many.
+  options.evaluations = std::min(options.evaluations, options.search.max_evaluations);
   options.search.stop = interruption.token();
   Assumptions out{.effects = sizing::assumption_effects(problem, *result.best, options)};
   out.left = choices - out.effects.size();
@@ -154,6 +158,14 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       app.add_subcommand("size", "Find the best design of a study with one objective, and what limits it");
   add_study_options(*command, *options);
   add_search_options(*command, *options);
+  command
+      ->add_flag(
+          "--answer-only", options->answer_only,
+          fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
+                      "(up to some hundred evaluations more), and what becomes of the answer under each other "
+                      "modelling choice (up to {} each)",
+                      sizing::AssumptionOptions().evaluations))
+      ->disable_flag_override();
   command->footer(
       "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
       "evaluate and simulate), evaluations.csv (every design that was evaluated, with every quantity) and\n"

@@ -66,8 +66,10 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--seed", options.seed, "Random seed; overrides the study's")
       ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
   command
-      .add_option("--max-evaluations", options.max_evaluations,
-                  "Largest number of designs that the search evaluates; overrides the study's")
+      .add_option(
+          "--max-evaluations", options.max_evaluations,
+          "Largest number of designs that the search evaluates; overrides the study's. What size looks at behind "
+          "the search comes on top (--answer-only)")
       ->transform(whole_number_rule(text::Rule::between(1, 1e9)));
   command
       .add_option("--algorithm", options.algorithm,
@@ -90,6 +92,7 @@ StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objecti
   study.search.threads = static_cast<unsigned>(options.threads);
   if (options.seed) study.search.seed = *options.seed;
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
+  if (options.answer_only) study.search.afterwards = sizing::Afterwards::nothing;
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
   const std::filesystem::path base = text::parse_json(file.text, file.file).root().find("actuator")->path();
   return {.study = std::move(study),

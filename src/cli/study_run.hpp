@@ -30,6 +30,7 @@ struct StudyOptions {
   std::optional<std::uint64_t> seed{};
   std::optional<std::size_t> max_evaluations{};
   std::optional<std::string> algorithm{};
+  bool answer_only{false};  ///< of size: nothing behind the search
 };
 
 /// STUDY.json, --out, --set, --threads, --quiet and --json.

@@ -71,8 +71,10 @@ std::string assumptions_text(const formats::SizeReport& report) {
   const std::string left =
       report.assumptions_left == 0
           ? ""
-          : fmt::format("{} other modelling choices were not looked at, as the run was interrupted.\n",
-                        report.assumptions_left);
+          : fmt::format("{} other modelling choices were not looked at{}.\n", report.assumptions_left,
+                        report.study.search.afterwards == Afterwards::nothing
+                            ? ", nor what a step of a variable or a relaxed limit would bring (--answer-only)"
+                            : ", as the run was interrupted");
   if (report.assumptions.empty()) return left.empty() ? "" : '\n' + left;
   std::string text = "\nWhat this answer rests on: modelling choices that no measurement of this design has settled\n";
   std::string_view subject;

@@ -172,6 +172,7 @@ std::vector<State> simulate_at(const actuator::Model& model, const ModelInput& i
         if (may_rest && rest.is_over(stepper)) return stepper.now();
         stepper.step();
         check_motion(model, stepper.packed(), stepper.time());
+        if (accuracy.progress) accuracy.progress(stepper.time());
         if (++all_steps > limit)
           throw std::runtime_error(fmt::format("the motion cannot be followed beyond {:.6g} s", stepper.time()));
       }

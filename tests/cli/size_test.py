@@ -37,6 +37,23 @@ class Size(ProgramTest):
             self.assertLessEqual(answer["performance"][limit["quantity"]], limit["at_most"])
             self.assertGreaterEqual(limit["margin"], 0)
 
+    def test_the_answer_only_takes_the_search_alone(self):
+        write_study(self, search={"max_evaluations": 20, "seed": 5})
+        text = self.size("--answer-only")
+        answer = self.result("out/result.json")
+        self.assertEqual((answer["steps"], answer["binding"], answer["assumptions"]), ([], [], []))
+        self.assertGreater(answer["assumptions_left"], 0)
+        self.assertLessEqual(answer["evaluations"]["total"], 20)
+        self.assertEqual((answer["evaluations"]["surroundings"], answer["evaluations"]["other_choices"]), (0, 0))
+        self.assertIn(f'{answer["assumptions_left"]} other modelling choices were not looked at, nor what a step of a variable '
+                      "or a relaxed limit would bring (--answer-only).\n", text)
+        # Without the option the rest is made, from where the search ended.
+        text = run("size", "study.json", "--out", "out", cwd=self.folder).stdout
+        whole = self.result("out/result.json")
+        self.assertEqual(whole["evaluations"]["search"], answer["evaluations"]["search"])
+        self.assertLessEqual(whole["evaluations"]["other_choices"], 21 * len(whole["assumptions"]))
+        self.assertIn(f'{whole["evaluations"]["other_choices"]} further ones under other modelling choices', text)
+
     def test_the_answer_is_the_best_of_all_evaluations_and_each_is_there_once(self):
         write_study(self)
         self.size()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -21,6 +22,8 @@ struct Accuracy {
   /// is what moves by less than twice the error of a step in a quarter of a second; of effects with slow states
   /// (Model::has_slow_states) nothing is.
   bool ends_at_rest = false;
+  /// Told after each step to which time the motion is known, s; on the caller's thread. May be empty.
+  std::function<void(double time)> progress{};
 };
 
 /// The state at every sample of `input`, from `start` at the first; the states of effects, where `start` has none,

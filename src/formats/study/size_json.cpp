@@ -138,11 +138,17 @@ Json measure_first(const SizeReport& report) {
 
 }  // namespace
 
+std::size_t evaluations_of_choices(const SizeReport& report) {
+  std::size_t all = 0;
+  for (const AssumptionEffect& effect : report.assumptions) all += effect.evaluations;
+  return all;
+}
+
 Json to_json(const SizeReport& report) {
   const SearchResult& result = report.result;
   Json evaluations = to_json(counts_of(result.archive));
   evaluations.set("search", result.search_evaluations).set("surroundings", result.sensitivity_evaluations);
-  evaluations.set("total", result.archive.size());
+  evaluations.set("total", result.archive.size()).set("other_choices", evaluations_of_choices(report));
   Json violated = Json::array();
   for (const std::string& name : result.violated) violated.add(name);
   Json binding = Json::array();

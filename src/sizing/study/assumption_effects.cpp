@@ -21,7 +21,9 @@ DesignProblem under(const DesignProblem& problem, const actuator::OtherChoice& c
   return DesignProblem(std::move(study));
 }
 
-std::optional<Record> other_best(const DesignProblem& other, const Record& best, const AssumptionOptions& options) {
+// Adds to `evaluations` what it takes.
+std::optional<Record> other_best(const DesignProblem& other, const Record& best, const AssumptionOptions& options,
+                                 std::size_t& evaluations) {
   if (options.evaluations == 0) return std::nullopt;
   SearchOptions search_options = options.search;
   search_options.algorithm = Algorithm::automatic;
@@ -31,6 +33,7 @@ std::optional<Record> other_best(const DesignProblem& other, const Record& best,
   Problem problem = other.problem();
   problem.start = best.point;
   SearchResult found = search(problem, search_options);
+  evaluations += found.search_evaluations;
   if (!found.feasible) return std::nullopt;
   return std::move(found.best);
 }
@@ -54,9 +57,10 @@ std::vector<AssumptionEffect> assumption_effects(const DesignProblem& problem, c
     if (options.progress) options.progress(out.size(), choices.size());
     const DesignProblem other = under(problem, choice);
     AssumptionEffect effect;
+    effect.evaluations = 1;
     effect.evaluation = other.assess(other.evaluate(best.point));
     effect.worst = worst_margin(study, effect.evaluation);
-    effect.other_best = other_best(other, best, options);
+    effect.other_best = other_best(other, best, options, effect.evaluations);
     if (options.search.stop.stop_requested()) break;
     if (effect.other_best && effect.other_best->point != best.point) {
       const double reached = effect.other_best->evaluation.objectives.front();

@@ -19,8 +19,12 @@ struct SizeReport {
   const sizing::DesignResult& base;     ///< the actuator that the study starts from
   const sizing::Evaluation& base_seen;  ///< what the search would be told of it
   std::vector<sizing::AssumptionEffect> assumptions{};  ///< of a feasible answer; empty where none was looked at
-  std::size_t assumptions_left{};  ///< how many other choices were not looked at, as the run was interrupted
+  std::size_t
+      assumptions_left{};  ///< how many other choices were not looked at: the run was interrupted, or asked for no more
 };
+
+/// Designs evaluated under other modelling choices, beyond those of the search and around its answer.
+[[nodiscard]] std::size_t evaluations_of_choices(const SizeReport& report);
 
 /// The limit or variable of a study that a result names; it must be there.
 [[nodiscard]] const sizing::Limit& limit_named(const sizing::Study& study, std::string_view name);

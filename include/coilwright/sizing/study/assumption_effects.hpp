@@ -29,6 +29,7 @@ struct AssumptionEffect {
   std::optional<WorstMargin> worst;  ///< of that
   std::optional<Record> other_best;  ///< the best feasible design that a short search under it found; nothing if none
   bool changes_design{};             ///< whether that one would be chosen instead
+  std::size_t evaluations{};         ///< of designs, for all this
 };
 
 /// How much a search under another choice must gain before it counts as another answer, relative to the objective.

@@ -122,8 +122,7 @@ Demagnetisation InnerFields::demagnetisation(std::span<const double> temperature
     const double coercivity = grade_.coercivity_at(temperature);
     const auto margin = [&](double field) {
       if (field >= 0.0) return 1.0;
-      return coercivity > 0.0 ? std::max(least_demagnetisation_margin, 1.0 + field / coercivity)
-                              : least_demagnetisation_margin;
+      return -field <= coercivity ? 1.0 + field / coercivity : -coercivity / field - 1.0;
     };
     worst.margin = std::min(worst.margin, margin(mean_outside - factor_ * magnetisation));
     for (std::size_t p = 0; p < magnetics::face_points; ++p) {

@@ -226,7 +226,8 @@ std::vector<ResultQuantity> rows() {
                      1.0, [](const MotionSummary& motion) { return motion.grasp_force; }),
       of_design(
           "demagnetisation_margin",
-          "1 - mean field inside the worst magnet / its coercivity, at its temperature; -10 where hardly any is left",
+          "1 - mean field inside the worst magnet / its coercivity, at its temperature; below 0, where it is "
+          "demagnetised, coercivity / field - 1",
           0.3, [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin); },
           no_coercivity),
       of_design(

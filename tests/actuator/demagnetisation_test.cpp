@@ -25,10 +25,29 @@ Demagnetisation at(const Design& design, const std::vector<double>& temperatures
 // The audit of the physics: at 60 degC HcJ is 613 kA/m and the mean inner field of the prototype's disc 630 kA/m.
 TEST(InnerFields, DemagnetiseThePrototypeAtSixtyDegrees) {
   const double margin = at(graded("N52"), {25.0, 60.0, 25.0}, 0.0).margin;
-  EXPECT_NEAR((1.0 - margin) * 613.2, 630.0, 0.5);
+  EXPECT_NEAR(613.2 / (1.0 + margin), 630.0, 0.5);
   EXPECT_LT(margin, 0.0);
   EXPECT_GT(at(graded("N52"), {25.0, 55.0, 25.0}, 0.0).margin, 0.0);
   EXPECT_GT(at(graded("N42SH"), {25.0, 100.0, 25.0}, 0.0).margin, 0.3);
+}
+
+// Beyond the coercivity the margin is what of the field the magnet does not stand: one slope where the two meet (near
+// 57.5 degC), down to -1 where no coercivity is left.
+TEST(InnerFields, FallOnWhereTheMagnetIsLost) {
+  const InnerFields fields(graded("N52"), assemble_or_throw(graded("N52")));
+  const auto margin = [&](double temperature) {
+    return fields.demagnetisation(std::vector<double>{25.0, temperature, 25.0}, 0.0).margin;
+  };
+  double zero = 50.0;
+  for (double hot = 70.0; hot - zero > 1e-9;) {
+    const double middle = (zero + hot) / 2.0;
+    (margin(middle) > 0.0 ? zero : hot) = middle;
+  }
+  constexpr double step = 1e-3;  // degC: the curvature adds a hundred-thousandth of the slope
+  EXPECT_NEAR((margin(zero) - margin(zero - step)) / (margin(zero + step) - margin(zero)), 1.0, 1e-3);
+  for (double temperature = 60.0; temperature < 145.0; temperature += 10.0)
+    EXPECT_LT(margin(temperature + 10.0), margin(temperature)) << temperature;
+  EXPECT_EQ(margin(400.0), -1.0);
 }
 
 // The same audit: discs of 1 mm lose at 20 degC.

@@ -9,11 +9,9 @@
 
 namespace coilwright::actuator {
 
-/// The least margin that is told: a magnet so hot that hardly any coercivity is left.
-inline constexpr double least_demagnetisation_margin = -10.0;
-
-/// How far the magnets are from losing magnetisation for good; a margin is 1 - |H| / HcJ, from
-/// least_demagnetisation_margin to 1.
+/// How far the magnets are from losing magnetisation for good. A margin is what of the coercivity the field leaves,
+/// 1 - |H| / HcJ, from 0 to 1; beyond it, where the magnet is demagnetised, it is negative and goes on as what of the
+/// field the magnet does not stand, HcJ / |H| - 1, with the same slope at 0, to -1 where it has no coercivity left.
 struct Demagnetisation {
   double margin{};              ///< of the field's mean over the volume of the worst magnet; < 0: it is demagnetised
   double margin_worst_point{};  ///< of the worst point of any magnet's faces; the margin or less

@@ -43,7 +43,7 @@ std::string name_of(const DampingSplit& split) {
       split.law == DampingLaw::loss_factor ? "at one loss factor of the silicone" : "proportional to the stiffness";
   if (split.share <= 0.0) return "all of it constant";
   if (split.share >= 1.0) return fmt::format("all of it {}", law);
-  return fmt::format("{:.0f} % of what was measured {}, the rest constant", 100.0 * split.share, law);
+  return fmt::format("{:.0f} % of it {}, the rest constant", 100.0 * split.share, law);
 }
 
 void add_damping_laws(const Design& design, std::vector<OtherChoice>& out) {

@@ -10,13 +10,18 @@ namespace coilwright::units {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double gravity = 9.80665;                   // m/s^2, by which kilograms-force are defined (CGPM 1901)
+constexpr double pound_force = 0.45359237 * gravity;  // N; the pound and the inch by the agreement of 1959
+constexpr double pound_force_inch = pound_force * 0.0254;
 
-// One row a unit. Each factor is exact as numerator / denominator (but for pi), so a conversion rounds once.
+// One row a unit. Each factor is exact as numerator / denominator (but for pi and what is of pounds), so a conversion
+// rounds once.
 constexpr std::array table = {
     Unit{"s", "time"},
     Unit{"ms", "time", 1, 1e3},
     Unit{"us", "time", 1, 1e6},
     Unit{"ns", "time", 1, 1e9},
+    Unit{"min", "time", 60},
     Unit{"Hz", "frequency"},
     Unit{"kHz", "frequency", 1e3},
 
@@ -53,11 +58,21 @@ constexpr std::array table = {
 
     Unit{"N", "force"},
     Unit{"mN", "force", 1, 1e3},
+    Unit{"gf", "force", gravity, 1e3},
+    Unit{"kgf", "force", gravity},
+    Unit{"ozf", "force", pound_force, 16},
+    Unit{"lbf", "force", pound_force},
     Unit{"N_m", "linear stiffness"},
     Unit{"N_mm", "linear stiffness", 1e3},
     Unit{"Nm", "torque"},
-    Unit{"mNm", "torque", 1, 1e3},
     Unit{"Nmm", "torque", 1, 1e3},
+    Unit{"mNm", "torque", 1, 1e3},
+    Unit{"Ncm", "torque", 1, 1e2},
+    Unit{"gfcm", "torque", gravity, 1e5},
+    Unit{"kgfcm", "torque", gravity, 1e2},
+    Unit{"ozfin", "torque", pound_force_inch, 16},
+    Unit{"lbfin", "torque", pound_force_inch},
+    Unit{"lbfft", "torque", 12 * pound_force_inch},
     Unit{"Nm_A", "torque per current"},
     Unit{"Nmm_A", "torque per current", 1, 1e3},
     Unit{"N_A", "force per current"},
@@ -102,6 +117,7 @@ constexpr std::array table = {
 
     Unit{"K", "temperature"},
     Unit{"degC", "temperature", 1, 1, 273.15},
+    Unit{"degF", "temperature", 5, 9, 459.67 * 5 / 9},
     Unit{"per_K", "per temperature"},
     Unit{"pct_K", "per temperature", 1, 1e2},
     Unit{"K_W", "thermal resistance"},
@@ -147,7 +163,10 @@ std::optional<NameWithUnit> split_unit(std::string_view name) noexcept {
 Unit difference_unit(std::string_view name) noexcept {
   const auto split = split_unit(name);
   if (!split) return {.suffix = "", .dimension = ""};
-  return split->unit.offset == 0.0 ? split->unit : Unit{.suffix = "K", .dimension = split->unit.dimension};
+  Unit unit = split->unit;
+  if (unit.suffix == "degC") unit.suffix = "K";
+  unit.offset = 0.0;
+  return unit;
 }
 
 double to_si(double value, const Unit& unit) noexcept {

@@ -68,6 +68,19 @@ TEST(Units, OfTheMeasuredDataFormatAreAllThere) {
   }
 }
 
+// NIST SP 811 (2008), appendix B.8.
+TEST(Units, OfBalancesAndWrenchesAreThoseOfTheTables) {
+  EXPECT_DOUBLE_EQ(to_si(1.0, unit("force_lbf")), 4.4482216152605);
+  EXPECT_DOUBLE_EQ(to_si(16.0, unit("force_ozf")), to_si(1.0, unit("force_lbf")));
+  EXPECT_DOUBLE_EQ(to_si(1000.0, unit("force_gf")), 9.80665);
+  EXPECT_DOUBLE_EQ(to_si(1.0, unit("torque_kgfcm")), 0.0980665);
+  EXPECT_NEAR(to_si(1.0, unit("torque_lbfft")), 1.355818, 5e-7);
+  EXPECT_NEAR(to_si(1.0, unit("torque_ozfin")), 7.061552e-3, 5e-10);
+  EXPECT_DOUBLE_EQ(to_si(77.0, unit("temperature_degF")), 298.15);
+  EXPECT_DOUBLE_EQ(to_si(9.0, difference_unit("temperature_degF")), 5.0);
+  EXPECT_EQ(to_si(2.0, unit("time_min")), 120.0);
+}
+
 TEST(Units, HaveEachSuffixOnce) {
   std::set<std::string_view> seen;
   for (const Unit& each : all_units()) EXPECT_TRUE(seen.insert(each.suffix).second) << each.suffix;

@@ -209,7 +209,7 @@ class Evaluate(ProgramTest):
         self.write("finger.json", PAPER_FINGER.read_text())
         for assignment, message in (
             ("gap_m=1", 'gap_m=1: is not a number of a design; did you mean "gap_mm"?'),
-            ("gap_mm=-1", "gap_mm=-1: must be from 0.01 to 1000"),
+            ("gap_mm=-1", "gap_mm=-1: must be from 0.05 to 1000"),
             ("gap_mm=nan", "gap_mm=nan: must be a finite number"),
             ("gap_mm=1e999", "gap_mm=1e999: must be a finite number"),
             ("gap_mm=1,2", "gap_mm=1,2: must be a finite number"),
@@ -263,7 +263,7 @@ class Evaluate(ProgramTest):
              '/format: must be one of "actuator/1", "lumped-model/1"; got text "actuator/2"'),
             (plain.replace('"gap_mm"', '"gap_mm": 1, "gap_mm"'), "/body/gap_mm: duplicate key"),
             (changed(lambda a: a["body"].update(gap_mm="0.9")), '/body/gap_mm: must be a number; got text "0.9"'),
-            (changed(lambda a: a["body"].update(gap_mm=0)), "/body/gap_mm: must be from 0.01 to 1000; got 0"),
+            (changed(lambda a: a["body"].update(gap_mm=0)), "/body/gap_mm: must be from 0.05 to 1000; got 0"),
             (changed(lambda a: a["coil"].update(turns_axial=30.5)),
              "/coil/turns_axial: must be a whole number; got 30.5"),
             (changed(lambda a: a["coil"].update(wire_gauge_AWG=19)),

@@ -115,7 +115,7 @@ class Export(ProgramTest):
 
     def test_an_actuator_that_cannot_be_built_is_refused(self):
         self.assert_refused(["export", str(FINGER), "--set", "gap_mm=1200", "--as", "workshop", "--out", "out"],
-                            "gap_mm=1200: must be from 0.01 to 1000")
+                            "gap_mm=1200: must be from 0.05 to 1000")
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ class List(ProgramTest):
         self.write("finger.json", PAPER_FINGER.read_text())
         listed = {row["key"]: row for row in rows("parameters")}
         self.assertEqual(listed["gap_mm"], {
-            "key": "gap_mm", "in_file": "/body/gap_mm", "unit": "mm", "range": "from 0.01 to 1000",
+            "key": "gap_mm", "in_file": "/body/gap_mm", "unit": "mm", "range": "from 0.05 to 1000",
             "meaning": "Coil face to magnet face with the joint straight."})
         self.assertEqual(listed["magnet_radius_mm"]["in_file"], "/magnet/radius_mm")
         self.assertIn("N42SH", listed["magnet_grade"]["range"].split(", "))

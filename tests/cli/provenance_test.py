@@ -138,7 +138,7 @@ class SetOfAStudy(ProgramTest):
                 ("/actuator=other.json",
                  "/actuator=other.json: must not be changed: a study of another actuator is another file"),
                 ("/constraints/0/at_most=x", "/constraints/0/at_most=x: must be a finite number"),
-                ("front_length_mm=0", "front_length_mm=0: must be from 0.01 to 1000")):
+                ("front_length_mm=0", "front_length_mm=0: must be from 0.05 to 1000")):
             with self.subTest(argument):
                 self.assert_refused(["size", "study.json", "--out", "out", "--set", argument], message)
         self.assert_refused(["size", "study.json", "--out", "out", "--set", "front_length_mm=9", "--set",

@@ -109,8 +109,8 @@ class JsonErrors(ProgramTest):
         self.write("finger.json", PAPER_FINGER.read_text().replace('"gap_mm": 0.9', '"gap_mm": -1'))
         arguments = ["evaluate", "finger.json", "--current-A", "1"]
         told = self.error(*arguments, "--json")
-        self.assertEqual(told, {"exit_code": 2, "message": "finger.json: /body/gap_mm: must be from 0.01 to 1000; got -1",
-                                "file": "finger.json", "place": "/body/gap_mm", "rule": "must be from 0.01 to 1000",
+        self.assertEqual(told, {"exit_code": 2, "message": "finger.json: /body/gap_mm: must be from 0.05 to 1000; got -1",
+                                "file": "finger.json", "place": "/body/gap_mm", "rule": "must be from 0.05 to 1000",
                                 "value": "-1"})
         self.assert_refused(arguments, told["message"])
 

@@ -61,7 +61,7 @@ class StudyInput(ProgramTest):
             (variable("gap_m", lower=1, upper=2), '/variables/gap_m: is not a variable of a design; did you mean '
              '"gap_mm"?'),
             (variable("gap_mm", lower=2, upper=1.5), "/variables/gap_mm/upper: must not be below lower (2); got 1.5"),
-            (variable("gap_mm", lower=-1, upper=1), "/variables/gap_mm/lower: must be from 0.01 to 1000; got -1"),
+            (variable("gap_mm", lower=-1, upper=1), "/variables/gap_mm/lower: must be from 0.05 to 1000; got -1"),
             (variable("gap_mm", lower="1", upper=2), '/variables/gap_mm/lower: must be a number; got text "1"'),
             (variable("gap_mm", lower=1), "/variables/gap_mm/upper: is missing"),
             (variable("gap_mm"), '/variables/gap_mm: needs one of "lower", "values"'),
@@ -181,7 +181,7 @@ class StudyInput(ProgramTest):
         actuator["body"]["gap_mm"] = -1
         self.write("finger.json", json.dumps(actuator))
         self.assert_refused(["size", "study.json", "--out", "out"],
-                            "finger.json: /body/gap_mm: must be from 0.01 to 1000; got -1")
+                            "finger.json: /body/gap_mm: must be from 0.05 to 1000; got -1")
         self.write("finger.json", json.dumps(
             {"format": "lumped-model/1", "joints": [{"stiffness_Nm_rad": 0.01, "damping_Nms_rad": 1e-4}],
              "links": [{"length_m": 0.02, "com_along_m": 0.01, "com_offset_m": 0.004, "mass_kg": 0.02,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/calibrate.hpp"
+#include "coilwright/actuator/calibration_doubts.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/actuator/design/dimensions.hpp"
 #include "coilwright/text/spelling.hpp"
@@ -128,6 +129,18 @@ actuator::Measured read_measured(const Node& node) {
   });
 }
 
+// A slip of the unit makes a measured value a thousand times what the dimensions give, which no silicone does that is
+// softer than its hardness says. A damping may be declared as next to nothing.
+void require_plausible(const Design& design) {
+  constexpr double most = 100.0;
+  if (!actuator::construction_faults(design).empty()) return;
+  for (const actuator::CalibrationDoubt& each : actuator::calibration_doubts(design))
+    if (each.quantity != "joint damping" && (each.factor > most || each.factor < 1.0 / most))
+      throw std::invalid_argument(
+          fmt::format("{} is {:.3g} times what dimensions and materials give: is it in the unit of its key?",
+                      each.quantity, each.factor));
+}
+
 }  // namespace
 
 std::string name_rule(const actuator::Parameter& parameter, std::string_view text) {
@@ -233,6 +246,7 @@ DesignContent read_design(ObjectReader& in, const actuator::EffectCatalogue& kno
     try {
       content.measured = read_measured(*measured);
       design.calibration = actuator::calibrate(design, content.measured);
+      require_plausible(design);
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const InputError&) {

@@ -1,6 +1,9 @@
 #include "formats/actuator/lumped_model_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -20,8 +23,22 @@ using actuator::PairDimensions;
 using actuator::TorqueTable;
 using mechanics::Link;
 
+// Millimetres for metres. A thin rod of carbon has 30 g a metre; a link of a finger whose lengths are written in
+// millimetres has a tenth of that.
 Link read_link(const Node& node) {
-  return read_object(node, [](ObjectReader& in) { return read_numbers(in, link_numbers); });
+  constexpr double usual_length = 1.0;       // m
+  constexpr double longest = 50.0;           // m
+  constexpr double lightest_of_long = 0.01;  // kg/m
+  return read_object(node, [&](ObjectReader& in) {
+    const Link link = read_numbers(in, link_numbers);
+    for (const auto& [key, length] : {std::pair("length_m", link.length), std::pair("com_along_m", link.com_along),
+                                      std::pair("com_offset_m", link.com_offset)})
+      if (std::abs(length) > longest ||
+          (std::abs(length) > usual_length && link.mass < lightest_of_long * std::abs(length)))
+        throw in.at(key).error(
+            fmt::format("must be a length in m that a link of {:.4g} kg can have: is it in mm?", link.mass));
+    return link;
+  });
 }
 
 // Writes the joint's part of `link` too.

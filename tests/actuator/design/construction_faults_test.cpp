@@ -37,21 +37,21 @@ TEST(ConstructionFaults, AreNoneForThePrototype) {
 TEST(ConstructionFaults, NameEverySizeThatIsNotPositive) {
   const auto expect = [](const Change& change, const std::string& rule) { EXPECT_EQ(rules_after(change), rule); };
   expect([](Design& d) { d.coil.inner_radius = -2.5e-3; },
-         "coil inner radius must be from 0.01 to 1000 mm; got -2.5 mm");
-  expect([](Design& d) { d.magnet.radius = 0.0; }, "magnet radius must be from 0.01 to 1000 mm; got 0 mm");
-  expect([](Design& d) { d.magnet.length = infinity; }, "magnet length must be from 0.01 to 1000 mm; got inf mm");
+         "coil inner radius must be from 0.05 to 1000 mm; got -2.5 mm");
+  expect([](Design& d) { d.magnet.radius = 0.0; }, "magnet radius must be from 0.05 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.magnet.length = infinity; }, "magnet length must be from 0.05 to 1000 mm; got inf mm");
   expect([](Design& d) { d.magnet.remanence = not_a_number; }, "remanence must be finite and > 0; got nan T");
   expect([](Design& d) { d.magnet.remanence = 14.4; },
          "remanence must be at most 2 T, which no magnet reaches; got 14.4 T");
   expect([](Design& d) { d.magnet.density = -7.0; }, "magnet density must be finite and > 0; got -7 kg/m3");
-  expect([](Design& d) { d.body.gap = -0.3e-3; }, "gap must be from 0.01 to 1000 mm; got -0.3 mm");
-  expect([](Design& d) { d.body.bottom_layer = 0.0; }, "bottom layer must be from 0.01 to 1000 mm; got 0 mm");
-  expect([](Design& d) { d.body.side_wall = -1e-3; }, "side wall must be from 0.01 to 1000 mm; got -1 mm");
-  expect([](Design& d) { d.body.bottom_wall = 0.0; }, "bottom wall must be from 0.01 to 1000 mm; got 0 mm");
-  expect([](Design& d) { d.body.top_wall = 0.0; }, "top wall must be from 0.01 to 1000 mm; got 0 mm");
-  expect([](Design& d) { d.body.front_length = 0.0; }, "front length must be from 0.01 to 1000 mm; got 0 mm");
-  expect([](Design& d) { d.body.rear_length = 0.0; }, "rear length must be from 0.01 to 1000 mm; got 0 mm");
-  expect([](Design& d) { d.body.hinge_length = 0.0; }, "hinge length must be from 0.01 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.body.gap = -0.3e-3; }, "gap must be from 0.05 to 1000 mm; got -0.3 mm");
+  expect([](Design& d) { d.body.bottom_layer = 0.0; }, "bottom layer must be from 0.05 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.body.side_wall = -1e-3; }, "side wall must be from 0.05 to 1000 mm; got -1 mm");
+  expect([](Design& d) { d.body.bottom_wall = 0.0; }, "bottom wall must be from 0.05 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.body.top_wall = 0.0; }, "top wall must be from 0.05 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.body.front_length = 0.0; }, "front length must be from 0.05 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.body.rear_length = 0.0; }, "rear length must be from 0.05 to 1000 mm; got 0 mm");
+  expect([](Design& d) { d.body.hinge_length = 0.0; }, "hinge length must be from 0.05 to 1000 mm; got 0 mm");
   expect([](Design& d) { d.body.loss_time = -4e-3; }, "loss time must be finite and >= 0; got -4 ms");
   expect([](Design& d) { d.body.slot_width = -0.2e-3; }, "slot width must be finite and >= 0; got -0.2 mm");
   expect([](Design& d) { d.body.poisson_ratio = 0.52; }, "Poisson's ratio must lie in 0 to 0.5; got 0.52");

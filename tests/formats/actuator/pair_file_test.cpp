@@ -176,23 +176,23 @@ TEST(PairFile, RefusesDimensionsThatCannotBe) {
                 magnet)),
             "x.json: /coil/turns_radial: must be from 1 to 10000; got 0");
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": -6, "remanence_T": 1.3})")),
-            "x.json: /magnet/length_mm: must be from 0.01 to 1000; got -6");
+            "x.json: /magnet/length_mm: must be from 0.05 to 1000; got -6");
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_mT": 1300})")),
             "x.json: /magnet/remanence_mT: unknown key; did you mean \"remanence_T\"?");
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 1e-322, "length_mm": 6, "remanence_T": 1.3})")),
-            "x.json: /magnet/radius_mm: must be from 0.01 to 1000; got 1e-322");
+            "x.json: /magnet/radius_mm: must be from 0.05 to 1000; got 1e-322");
   EXPECT_EQ(
       refusal(coil_and_magnet(
           R"({"inner_radius_mm": 5, "outer_radius_mm": 5.0001, "length_mm": 10, "turns_radial": 8, "turns_axial": 2})",
           magnet)),
-      "x.json: /coil/outer_radius_mm: must exceed inner_radius_mm (5) by at least 0.01; got 5.0001");
+      "x.json: /coil/outer_radius_mm: must exceed inner_radius_mm (5) by at least 0.05; got 5.0001");
 }
 
 TEST(PairFile, RefusesNumbersThatNoHardwareHasAndNoFormulaSurvives) {
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_T": 1300})")),
             "x.json: /magnet/remanence_T: must be > 0 and <= 2; got 1300");
   EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 1e300, "length_mm": 6, "remanence_T": 1.3})")),
-            "x.json: /magnet/radius_mm: must be from 0.01 to 1000; got 1e+300");
+            "x.json: /magnet/radius_mm: must be from 0.05 to 1000; got 1e+300");
   EXPECT_EQ(refusal("\"magnets\": [" + magnet + "," + magnet +
                     R"(], "poses": [{"position_mm": [1, 2, 1e300], "axis": [0, 0, 1]}])"),
             "x.json: /poses/0/position_mm/2: must be from -1000000 to 1000000; got 1e+300");

@@ -4,7 +4,7 @@ namespace coilwright::actuator {
 
 /// Values beyond which a slip of the unit or of the decimal point is likelier than hardware.
 ///@{
-inline constexpr double shortest_length = 1e-5;  ///< m, of a part; 0.02 of a file in metres is 20 mm
+inline constexpr double shortest_length = 5e-5;  ///< m, of a part; a file in metres has 0.02 for 20 mm
 inline constexpr double longest_length = 1.0;    ///< m, of a part
 inline constexpr double most_remanence = 2.0;    ///< T; sintered NdFeB has up to 1.5
 /// T; of a lumped model, whose magnets stand for all that makes the torque stronger: a fit to an actuator with another

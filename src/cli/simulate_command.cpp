@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,9 +52,23 @@ struct SimulateOptions {
   std::string input;
   std::optional<double> duration;
   std::optional<double> interval;
+  bool as_written{false};
   bool force{false};
   bool json{false};
 };
+
+// The model, and the coil of a design.
+struct DrivenModel {
+  actuator::Model model;
+  std::optional<actuator::CoilElectrics> coil{};
+};
+
+DrivenModel read_driven_model(const Options& options) {
+  formats::ActuatorFile file = read_actuator(options.actuator);
+  if (auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = std::move(*model)};
+  actuator::Assembly assembly = assemble(std::get<actuator::Design>(file.content), options.actuator);
+  return {.model = std::move(assembly.model), .coil = assembly.coil};
+}
 
 constexpr double usual_duration = 1.0;    // s
 constexpr double usual_interval = 0.002;  // s
@@ -160,6 +175,37 @@ Recording record(const actuator::Model& model, const ModelInput& input, const St
   return out;
 }
 
+// A recorded current a thousand times too large moves the model to no end; no coil carries it. Heat that stays in a
+// coil's copper bounds what it survives for a second; where no copper is known, what any rig of this kind has does.
+void require_bearable(const Options& options, const CommandedInput& command, const ModelInput& input,
+                      const std::optional<actuator::CoilElectrics>& coil) {
+  constexpr double largest_current = 100.0;      // A
+  constexpr double copper_heat = 385.0;          // J/(kg K), CRC Handbook, 25 degC; hotter it is more by up to a fifth
+  constexpr double melting_above_room = 1065.0;  // K
+  if (options.input.empty() || options.as_written || command.drive == Drive::torque) return;
+  double largest = 0.0;
+  double squares = 0.0;  // A^2 s, of all samples but the last, which lasts no time
+  for (std::size_t i = 0; i < input.times.size(); ++i) {
+    const double current = input.currents[i].cwiseAbs().maxCoeff();
+    largest = std::max(largest, current);
+    if (i + 1 < input.times.size()) squares += current * current * (input.times[i + 1] - input.times[i]);
+  }
+  const double duration = input.times.back() - input.times.front();
+  const double in_a_second = squares / std::max(1.0, duration);
+  const bool melts = coil && in_a_second * coil->resistance > melting_above_room * copper_heat * coil->copper_mass;
+  if (!melts && largest <= largest_current) return;
+  const std::string column = column_names(command).front();
+  const bool voltage = command.drive == Drive::voltage;
+  throw text::InputError(
+      {.file = options.input,
+       .place = "column " + column,
+       .rule = fmt::format("{} {:.4g} A{}: looks like {} (name the column {}); --as-written takes it as it is",
+                           voltage ? "drives up to" : "reaches", largest,
+                           melts ? ", by which a coil's copper melts within a second" : ", which no such coil carries",
+                           voltage ? "millivolts" : "milliamperes",
+                           column.substr(0, column.rfind('_')) + (voltage ? "_mV" : "_mA"))});
+}
+
 std::vector<std::string> columns_of(const actuator::Model& model, const CommandedInput& command) {
   std::vector<std::string> columns{"time_s"};
   const std::vector<std::string> commanded = column_names(command);
@@ -213,9 +259,11 @@ void check_output(const SimulateOptions& options) {
 void run_simulate(const SimulateOptions& options) {
   require_file_for_json(options.json, options.out);
   check_output(options);
-  const actuator::Model model = read_model(options.actuator);
+  const DrivenModel driven = read_driven_model(options);
+  const actuator::Model& model = driven.model;
   const CommandedInput command = command_of(options, model);
   const ModelInput input = model_input(options, model, command);
+  require_bearable(options, command, input, driven.coil);
   const std::vector<std::string> columns = columns_of(model, command);
   text::OutputFile file(options.out);
   keep_other_table(file, columns, options.force);
@@ -268,6 +316,10 @@ void add_simulate_command(CLI::App& app, Outcome&) {
           "(default those of the file alone)")
       ->check(number_rule(text::positive));
   command->add_option("--out", options->out, "CSV file to write")->required();
+  command
+      ->add_flag("--as-written", options->as_written,
+                 "Take an --input also where its current is one that no coil carries, as milliamperes for amperes")
+      ->disable_flag_override();
   command->add_flag("--force", options->force, "Replace a file that is no such table")->disable_flag_override();
   add_written_json_option(*command, options->json);
   command->footer(

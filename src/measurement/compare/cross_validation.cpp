@@ -14,6 +14,7 @@
 #include "measurement/compare/fit_in_turns.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/fit/part_of_fit.hpp"
+#include "measurement/fit/scales.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
@@ -28,7 +29,7 @@ struct StepWithout {
 StepWithout step_without(const FittedHypothesis& fitted, std::size_t run) {
   const fit::RunFit& left_out = fitted.fit.runs[run];
   const Eigen::MatrixXd others = fitted.fit.normal_matrix - left_out.normal_matrix;
-  const Eigen::VectorXd scales = fitted.hypothesis.scales();
+  const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
   const Eigen::MatrixXd scaled = scales.asDiagonal() * others * scales.asDiagonal();
   // With the gradient g of the run left out and the normal matrix N of the others, the optimum of the others is at
   // +N^-1 g, because at the common optimum all gradients add up to zero.
@@ -87,7 +88,7 @@ fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> ru
 double left_open(const FittedHypothesis& fitted, std::size_t run) {
   if (fitted.hypothesis.size() == 0) return 0.0;
   constexpr double untold = 1e-12;  // of the best told direction: keeps the others' matrix regular
-  const Eigen::VectorXd scales = fitted.hypothesis.scales();
+  const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
   const Eigen::MatrixXd own = scales.asDiagonal() * fitted.fit.runs[run].normal_matrix * scales.asDiagonal();
   const Eigen::MatrixXd all = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
   Eigen::MatrixXd others = all - own;

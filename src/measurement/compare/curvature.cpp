@@ -7,6 +7,7 @@
 #include "coilwright/algebra/spectral.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/compare/search_effort.hpp"
+#include "measurement/fit/scales.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
@@ -35,7 +36,7 @@ Eigen::MatrixXd information(const FittedHypothesis& fitted) {
 
 Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overdispersion) {
   const Eigen::Index p = fitted.hypothesis.size();
-  const Eigen::VectorXd scales = fitted.hypothesis.scales();
+  const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
   const Eigen::MatrixXd scaled = scales.asDiagonal() * information(fitted) * scales.asDiagonal();
   Eigen::VectorXd out = Eigen::VectorXd::Constant(p, infinity);
   if (p == 0) return out;

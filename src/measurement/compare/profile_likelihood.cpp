@@ -10,6 +10,7 @@
 #include "coilwright/algebra/minimum_norm.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/search_effort.hpp"
+#include "measurement/fit/scales.hpp"
 
 namespace coilwright::measurement::compare {
 namespace {
@@ -22,7 +23,7 @@ bool is_magnitude(const fit::FitParameter& parameter, double value) {
 
 // How the other parameters follow one that is held, by the curvature at the optimum.
 Eigen::VectorXd valley(const FittedHypothesis& fitted, Eigen::Index parameter) {
-  const Eigen::VectorXd scales = fitted.hypothesis.scales();
+  const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
   const Eigen::MatrixXd normal = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
   const Eigen::VectorXd column = algebra::minimum_norm(normal, Eigen::VectorXd::Unit(scales.size(), parameter));
   Eigen::VectorXd out = Eigen::VectorXd::Zero(scales.size());

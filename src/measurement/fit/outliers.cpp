@@ -130,6 +130,27 @@ bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted) 
   return any;
 }
 
+bool take_back(std::span<replay::PreparedRun> runs, const Fit& fitted) {
+  constexpr double most_deviations = 3.0;
+  bool any = false;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    replay::PreparedRun& prepared = runs[r];
+    Eigen::Index at = 0;
+    for (const replay::SampleRange& range : prepared.sample_ranges()) {
+      for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
+        for (std::size_t i = range.first; i < range.last; ++i, ++at) {
+          if (!prepared.is_set_aside(c, i)) continue;
+          const double left = prepared.run->channels[c].values[i] - fitted.runs[r].predictions[at];
+          if (std::abs(left) > most_deviations * prepared.noise[c].sigma) continue;
+          prepared.set_aside[c][i] = 0;
+          any = true;
+        }
+      }
+    }
+  }
+  return any;
+}
+
 std::optional<std::vector<replay::PreparedRun>> with_suspects_aside(std::span<const replay::PreparedRun> runs,
                                                                     const Fit& fitted, double most) {
   std::vector<replay::PreparedRun> out(runs.begin(), runs.end());

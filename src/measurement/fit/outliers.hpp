@@ -14,6 +14,11 @@ namespace coilwright::measurement::fit {
 /// the run itself tells it. True if any sample was set aside that was not before.
 [[nodiscard]] bool set_outliers_aside(std::span<replay::PreparedRun> runs, const Fit& fitted);
 
+/// Takes samples back that lie within three standard deviations of the noise from the prediction of `fitted`: what
+/// stood apart from a model that lacked an effect, as on the steep onset of a step that few pictures show, was no
+/// outlier. True if there was any.
+[[nodiscard]] bool take_back(std::span<replay::PreparedRun> runs, const Fit& fitted);
+
 /// The runs with those samples set aside, too, that are suspected only: up to three in a row that lie more than four
 /// robust standard deviations of what the fit leaves of their channel from its prediction, if they are at most the
 /// fraction `most` of the channel. Outliers that pull at the few pictures of a run, and at its clock, hide themselves

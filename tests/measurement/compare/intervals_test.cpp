@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
@@ -65,6 +66,26 @@ struct Stopped {
   std::vector<replay::PreparedRun> runs;
   std::optional<FittedHypothesis> fitted;
 };
+
+// Declared as 1e-8 it is no measure of what it is fitted as.
+TEST(Intervals, AreThoseOfANumberThatIsDeclaredAsNextToNothing) {
+  Normal normal(7);
+  const data::Run run = slide_run(400, {}, [&] { return noise_sigma * normal(); });
+  std::vector<Estimate> of_damping;
+  for (const double declared_damping : {1e-8, true_damping}) {
+    const replay::DeclaredModel declared = slide(true_mass, declared_damping);
+    fit::Hypothesis hypothesis(declared, {});
+    const std::vector runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
+    auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
+    ASSERT_TRUE(found.value);
+    const FittedHypothesis fitted = score(runs, std::move(hypothesis), std::move(*found.value));
+    of_damping.push_back(estimated(runs, fitted, 1.0).estimates[1]);
+  }
+  EXPECT_TRUE(of_damping[0].determined);
+  const double width = of_damping[1].upper - of_damping[1].lower;
+  EXPECT_NEAR(of_damping[0].lower, of_damping[1].lower, 0.05 * width);
+  EXPECT_NEAR(of_damping[0].upper, of_damping[1].upper, 0.05 * width);
+}
 
 // At a stiffness a thousand times too high the derivative vanishes; the interval that the data allow begins decades
 // below.

@@ -107,5 +107,18 @@ TEST(SuspectedOutliers, AreNoneWhereManySamplesAreFar) {
   EXPECT_FALSE(with_suspects_aside(record.runs, record.fitted(record.runs)).has_value());
 }
 
+TEST(OutliersThatAreTakenBack, AreThoseThatTheFinalModelReaches) {
+  MisreadRecord record;
+  std::vector<char> aside(record.run.times.size(), 0);
+  for (const std::size_t i : record.misread_ones) aside[i] = 1;
+  aside[5] = 1;  // good
+  record.runs.front().whiteners.resize(1);
+  record.runs.front().set_aside = {aside};
+  const Fit fitted = record.fitted(record.runs);
+  EXPECT_TRUE(take_back(record.runs, fitted));
+  EXPECT_EQ(record.set_aside(), record.misread_ones);
+  EXPECT_FALSE(take_back(record.runs, fitted));
+}
+
 }  // namespace
 }  // namespace coilwright::measurement::fit

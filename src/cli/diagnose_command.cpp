@@ -3,54 +3,43 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "actuator_input.hpp"
-#include "coilwright/formats/actuator/actuator_file.hpp"
-#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
-#include "coilwright/formats/data/expected_table.hpp"
-#include "coilwright/formats/data/experiment_file.hpp"
-#include "coilwright/formats/data/experiment_writer.hpp"
-#include "coilwright/formats/data/residual_table.hpp"
-#include "coilwright/measurement/corrected_model.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/measurement/record_slip.hpp"
-#include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/phase_table.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "end_on_signal.hpp"
+#include "diagnosis_files.hpp"
 #include "file_rule.hpp"
 #include "keep_inputs.hpp"
 #include "number_rule.hpp"
+#include "outcome.hpp"
 #include "provenance.hpp"
 #include "report_option.hpp"
+#include "stop_signal.hpp"
 #include "threads_option.hpp"
 
 namespace coilwright::cli {
 namespace {
 
-using actuator::Effect;
 using measurement::Diagnosis;
-
-constexpr const char* diagnosis_name = "diagnosis.json";
-constexpr const char* corrected_name = "corrected_actuator.json";
-constexpr const char* residuals_name = "residuals.csv";
-constexpr const char* summary_name = "summary.txt";
-constexpr const char* next_name = "next_experiment.json";
-constexpr const char* expected_name = "next_experiment.csv";
 
 // The data set, the declared actuator, and every record.
 Provenance provenance_of(const formats::DatasetFile& set, const std::filesystem::path& declared, std::uint64_t seed) {
@@ -92,8 +81,7 @@ void check_output(const DiagnoseOptions& options, const formats::DatasetFile& se
     throw text::OutputError(options.out, "it is the folder of the data set", text::OutputError::Stage::preparing);
   std::vector<std::filesystem::path> inputs = set.run_files;
   inputs.insert(inputs.end(), {set.file, declared});
-  std::vector<const char*> names{diagnosis_name, actuator_name, corrected_name, residuals_name,
-                                 summary_name,   next_name,     expected_name,  provenance_name};
+  std::vector<const char*> names(diagnosis_files.begin(), diagnosis_files.end());
   if (options.report) names.push_back(report_name);
   std::vector<std::filesystem::path> outputs;
   for (const char* name : names) outputs.push_back(std::filesystem::path(options.out) / name);
@@ -103,9 +91,27 @@ void check_output(const DiagnoseOptions& options, const formats::DatasetFile& se
   const text::OutputFolder trial(options.out);
 }
 
+// What a diagnosis knows so far.
+class KnownSoFar {
+ public:
+  void set(Diagnosis known) {
+    const std::scoped_lock lock(mutex_);
+    known_ = std::move(known);
+  }
+  [[nodiscard]] std::optional<Diagnosis> get() {
+    const std::scoped_lock lock(mutex_);
+    return known_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<Diagnosis> known_;
+};
+
 // A set that does not fit its model, or a model that cannot be simulated, is bad data and not a failure of the program.
 Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& set,
-                   const formats::DeclaredActuator& declared, const std::filesystem::path& declared_file) {
+                   const formats::DeclaredActuator& declared, const std::filesystem::path& declared_file,
+                   KnownSoFar& known) {
   // Ceres tells standard error of every fit that it gives up; a hypothesis that cannot be simulated is no news here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   measurement::DiagnosisOptions how{.threads = options.threads, .seed = options.seed, .as_written = options.as_written};
@@ -114,6 +120,7 @@ Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& s
     how.warn = [](const measurement::data::Warning& each) {
       std::cerr << "warning: " << each.run << ": " << each.text << '\n';
     };
+  how.known = [&known](const Diagnosis& so_far) { known.set(so_far); };
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   try {
     return measurement::diagnose(set.data, declared.model, how);
@@ -126,126 +133,62 @@ Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& s
   }
 }
 
-const std::vector<Effect>& effects_of(const formats::ActuatorFile& file) {
-  if (const auto* design = std::get_if<actuator::Design>(&file.content)) return design->effects;
-  return std::get<actuator::Model>(file.content).nominal_spec().effects;
-}
-
-// The files of actuators that were found, read back where they will be used.
-struct FoundActuators {
-  std::string updated;
-  bool is_design{};
-  std::string corrected;             // with the nameless correction; empty: none
-  std::vector<std::string> refused;  // why a file is no input of other commands, a line each
-};
-
-// Whether every effect is there in an actuator that is read back.
-void check_effects(const formats::ActuatorFile& back, const std::vector<Effect>& added) {
-  const std::vector<Effect>& read = effects_of(back);
-  for (const Effect& effect : added)
-    if (std::ranges::find(read, effect.kind, &Effect::kind) == read.end())
-      throw std::logic_error(fmt::format("{} is lost when the actuator is read back", effect.kind->id()));
-}
-
-FoundActuators found_actuators(const Diagnosis& diagnosis, const formats::DeclaredActuator& declared) {
-  FoundActuators out;
-  // A fit may go beyond what an actuator can be: its result is kept and says so, rather than being lost at the end.
-  const auto read_back = [&](const std::string& text, const char* name, const std::vector<Effect>& added) {
-    try {
-      check_effects(formats::parse_actuator(text, name), added);
-    } catch (const text::InputError& refusal) {
-      out.refused.emplace_back(refusal.what());
-    }
-  };
-  const std::vector<Effect> added = measurement::effects_of(diagnosis);
-  const formats::UpdatedActuator updated = declared.updated(measurement::calibration_of(diagnosis), added);
-  out.updated = formats::to_json(updated, declared.name).text();
-  out.is_design = std::holds_alternative<actuator::Design>(updated);
-  read_back(out.updated, actuator_name, added);
-  if (const auto& found = diagnosis.correction.found) {
-    formats::UpdatedActuator actuator = declared.updated(found->calibration, found->effects);
-    std::visit([&](auto& content) { content.as_built.torque_correction = found->torque; }, actuator);
-    out.corrected = formats::to_json(actuator, declared.name).text();
-    read_back(out.corrected, corrected_name, found->effects);
-  }
-  return out;
-}
-
-// All that is to be written.
-struct Found {
-  Diagnosis diagnosis;
-  std::string dataset;
-  std::vector<std::string> held_out;
-  FoundActuators actuators;
-  std::string next_experiment;  // empty: there is none
+// The data set and what it declares, read and checked before the work.
+struct AskedDiagnosis {
+  formats::DatasetFile set;
+  std::filesystem::path declared_file;
+  formats::DeclaredActuator declared;
   Provenance provenance;
 };
 
-// What is to be recorded next, checked where it will be used: its text is read back.
-std::string next_experiment_text(const Diagnosis& diagnosis) {
-  if (!diagnosis.next_experiment) return {};
-  const measurement::experiment::NextExperiment& next = *diagnosis.next_experiment;
-  const std::string description =
-      fmt::format("Proposed by a diagnosis. The last runs are to be recorded: {}: {}.", next.input, next.why);
-  std::string text = formats::experiment_json(next.experiment, description).text();
-  (void)formats::parse_experiment(text, next_name);
-  return text;
-}
-
-Found find(const DiagnoseOptions& options) {
-  const EndOnSignal nothing_to_save;
-  const formats::DatasetFile set = formats::read_dataset(options.dataset);
-  const std::filesystem::path declared_file = declared_path(options, set);
-  const formats::DeclaredActuator declared = formats::read_declared_actuator(
+AskedDiagnosis read_asked(const DiagnoseOptions& options) {
+  formats::DatasetFile set = formats::read_dataset(options.dataset);
+  std::filesystem::path declared_file = declared_path(options, set);
+  formats::DeclaredActuator declared = formats::read_declared_actuator(
       declared_file, {.names = set.calibrate, .file = set.file, .tolerances = set.tolerances});
   check_output(options, set, declared_file);
   Provenance provenance = provenance_of(set, declared_file, options.seed);
-  Diagnosis diagnosis = diagnose(options, set, declared, declared_file);
-  if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
-  FoundActuators actuators = found_actuators(diagnosis, declared);
-  std::string next_experiment = next_experiment_text(diagnosis);
-  return {.diagnosis = std::move(diagnosis),
-          .dataset = set.data.name,
-          .held_out = set.data.held_out,
-          .actuators = std::move(actuators),
-          .next_experiment = std::move(next_experiment),
+  return {.set = std::move(set),
+          .declared_file = std::move(declared_file),
+          .declared = std::move(declared),
           .provenance = std::move(provenance)};
 }
 
-void write(const DiagnoseOptions& options, const Found& found) {
-  const formats::DiagnosisReport answer{.diagnosis = found.diagnosis,
-                                        .dataset = found.dataset,
-                                        .updated_actuator = actuator_name,
-                                        .is_design = found.actuators.is_design,
-                                        .corrected_actuator = found.actuators.corrected.empty() ? "" : corrected_name,
-                                        .held_out = found.held_out,
-                                        .seed = options.seed,
-                                        .next_experiment_file = found.next_experiment.empty() ? "" : next_name,
-                                        .refused = found.actuators.refused};
-  text::OutputFolder folder(options.out);
-  const std::string summary = report::to_text(answer);
-  const std::string diagnosis = formats::to_json(answer).text();
-  folder.write(diagnosis_name, diagnosis);
-  folder.write(provenance_name, to_json(found.provenance).text());
-  folder.write(actuator_name, found.actuators.updated);
-  // One of an earlier diagnosis must not stand beside this one.
-  if (found.actuators.corrected.empty())
-    folder.remove(corrected_name);
-  else
-    folder.write(corrected_name, found.actuators.corrected);
-  formats::write_residuals(folder.open(residuals_name), found.diagnosis.replays);
-  folder.write(summary_name, summary);
-  if (found.next_experiment.empty())
-    folder.remove(next_name);
-  else
-    folder.write(next_name, found.next_experiment);
-  // Where an explanation cannot be simulated in the proposed run, there is nothing to compare.
-  if (found.diagnosis.next_experiment && !found.diagnosis.next_experiment->expected.empty())
-    formats::write_expected_readings(folder.open(expected_name), *found.diagnosis.next_experiment);
-  else
-    folder.remove(expected_name);
-  folder.commit();
-  std::cout << (options.json ? diagnosis : summary);
+void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Diagnosis& diagnosis) {
+  const DiagnosisTexts texts = write_diagnosis(diagnosis, asked.set, asked.declared, asked.provenance, options.out);
+  std::cout << (options.json ? texts.json : texts.summary);
+}
+
+// What is known is written, and the work, which knows nothing of signals, ends with the program.
+[[noreturn]] void end_interrupted(const DiagnoseOptions& options, const AskedDiagnosis& asked,
+                                  const std::optional<Diagnosis>& known) {
+  ExitCode code = ExitCode::interrupted;
+  try {
+    if (known) write(options, asked, *known);
+    std::cout.flush();
+    std::cerr << "coilwright: interrupted: "
+              << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
+                        : std::string("nothing is written"))
+              << '\n';
+  } catch (const std::exception& reason) {
+    std::cerr << "coilwright: " << reason.what() << '\n';
+    code = ExitCode::bad_input;
+  }
+  std::_Exit(static_cast<int>(code));
+}
+
+void run_diagnose(const DiagnoseOptions& options) {
+  const StopSignal stop;
+  const AskedDiagnosis asked = read_asked(options);
+  KnownSoFar known;
+  std::future<Diagnosis> work = std::async(
+      std::launch::async, [&] { return diagnose(options, asked.set, asked.declared, asked.declared_file, known); });
+  constexpr std::chrono::milliseconds soon{50};
+  while (work.wait_for(soon) != std::future_status::ready)
+    if (stop.requested()) end_interrupted(options, asked, known.get());
+  const Diagnosis diagnosis = work.get();
+  if (!options.quiet) std::cerr << report::to_text(diagnosis.phases);
+  write(options, asked, diagnosis);
 }
 
 }  // namespace
@@ -282,13 +225,13 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       "for plan and twin) and next_experiment.csv (what each explanation expects that run to show). Where no known\n"
       "effect explains all and a torque without a name explains more on runs left out, it also writes\n"
       "corrected_actuator.json with that torque. Files of an earlier diagnosis in the folder are replaced, others of\n"
-      "these names only with --force. The exit code is 0 for every verdict. Ctrl-C writes nothing; the exit code is\n"
-      "then 130.\n\n"
+      "these names only with --force. The exit code is 0 for every verdict. Ctrl-C writes what is known so far (the\n"
+      "recalibrated model, the hypotheses compared) with the verdict \"incomplete\"; the exit code is then 130.\n\n"
       "Example:\n"
       "  coilwright diagnose studies/undeclared_effect/data --out results/undeclared_effect");
   add_report_option(*command, options->report);
   command->callback([options] {
-    write(*options, find(*options));
+    run_diagnose(*options);
     if (options->report) write_report(options->out, std::filesystem::path(options->out) / report_name);
   });
 }

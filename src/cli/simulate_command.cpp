@@ -63,7 +63,7 @@ struct DrivenModel {
   std::optional<actuator::CoilElectrics> coil{};
 };
 
-DrivenModel read_driven_model(const Options& options) {
+DrivenModel read_driven_model(const SimulateOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   if (auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = std::move(*model)};
   actuator::Assembly assembly = assemble(std::get<actuator::Design>(file.content), options.actuator);
@@ -177,7 +177,7 @@ Recording record(const actuator::Model& model, const ModelInput& input, const St
 
 // A recorded current a thousand times too large moves the model to no end; no coil carries it. Heat that stays in a
 // coil's copper bounds what it survives for a second; where no copper is known, what any rig of this kind has does.
-void require_bearable(const Options& options, const CommandedInput& command, const ModelInput& input,
+void require_bearable(const SimulateOptions& options, const CommandedInput& command, const ModelInput& input,
                       const std::optional<actuator::CoilElectrics>& coil) {
   constexpr double largest_current = 100.0;      // A
   constexpr double copper_heat = 385.0;          // J/(kg K), CRC Handbook, 25 degC; hotter it is more by up to a fifth

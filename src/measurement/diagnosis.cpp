@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "measurement/compare/curvature.hpp"
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/idle_numbers.hpp"
 #include "measurement/compare/intervals.hpp"
@@ -80,6 +81,23 @@ void set_if_idle(MovedNumber& number, std::span<const compare::IdleNumber> idle,
   }
 }
 
+void set_declared_numbers(Diagnosis& out, const replay::DeclaredModel& declared,
+                          std::span<const compare::Estimate> estimates, std::span<const compare::IdleNumber> idle) {
+  for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
+    const replay::CalibrationParameter& number = declared.calibration[i];
+    if (number.calibrated) {
+      out.calibration.push_back(estimates[i]);
+      out.calibration.back().declared = number.declared;
+    } else {
+      out.nominal.push_back({.estimate = estimates[i],
+                             .declared = number.declared,
+                             .tolerance = number.tolerance->deviation,
+                             .named = number.tolerance->named});
+      set_if_idle(out.nominal.back(), idle, static_cast<Eigen::Index>(i));
+    }
+  }
+}
+
 template <typename Value>
 void append(std::vector<Value>& to, const std::vector<Value>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -98,6 +116,27 @@ long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::De
                                                     .local_numbers_from = &fitted.value.fit});
   if (anew.value) (void)fit::set_outliers_aside(runs, anew.value->fit);
   return fitted.simulated_runs + anew.simulated_runs;
+}
+
+// What is known before there is an answer: the recalibrated model, with intervals by its curvature, and the hypotheses
+// as they were compared so far.
+Diagnosis incomplete(Diagnosis out, std::span<const replay::PreparedRun> runs, const compare::FittedHypothesis& before,
+                     const std::vector<compare::ComparedHypothesis>& so_far) {
+  const double overdispersion = compare::overdispersion_of(runs, before);
+  const Eigen::VectorXd deviations = compare::standard_deviations(before, overdispersion);
+  std::vector<compare::Estimate> estimates;
+  for (Eigen::Index i = 0; i < before.hypothesis.size(); ++i)
+    estimates.push_back(compare::local_estimate(before.hypothesis.parameters()[static_cast<std::size_t>(i)],
+                                                before.fit.values[i], deviations[i]));
+  set_declared_numbers(out, before.hypothesis.declared(), estimates, {});
+  out.verdict = Verdict::incomplete;
+  out.probability_of_declared = compare::probability_of_declared_numbers(before);
+  out.model_error = before.fit.model_error;
+  out.before = before.whiteness;
+  out.after = before.whiteness;
+  out.compared_hypotheses = so_far;
+  for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
+  return out;
 }
 
 Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredModel& declared,
@@ -142,11 +181,19 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const long simulated_for_outliers = set_outliers_aside(runs, declared);
   timer.end_phase("noise and outliers", simulated_for_outliers);
 
-  compare::Attribution compared = compare::attribute({.runs = runs,
-                                                      .declared = &declared,
-                                                      .seed = options.seed,
-                                                      .progress = options.progress,
-                                                      .effects = options.effects});
+  out.held_exact = declared.held_exact;
+  const auto make_known = [&](const compare::FittedHypothesis& before,
+                              const std::vector<compare::ComparedHypothesis>& so_far) {
+    options.known(incomplete(out, runs, before, so_far));
+  };
+  compare::Attribution compared =
+      compare::attribute({.runs = runs,
+                          .declared = &declared,
+                          .seed = options.seed,
+                          .progress = options.progress,
+                          .known = options.known ? make_known : decltype(compare::AttributionRequest::known){},
+                          .effects = options.effects});
+  if (options.known) make_known(compared.before(), compared.compared);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
   timer.end_phase("comparison", compared.simulated_runs);
 
@@ -174,20 +221,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.compared_hypotheses = std::move(found.compared);
   out.hinted = std::move(hinted.value);
   out.indistinguishable = found.indistinguishable;
-  for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
-    const replay::CalibrationParameter& number = declared.calibration[i];
-    if (number.calibrated) {
-      out.calibration.push_back(estimates[i]);
-      out.calibration.back().declared = number.declared;
-    } else {
-      out.nominal.push_back({.estimate = estimates[i],
-                             .declared = number.declared,
-                             .tolerance = number.tolerance->deviation,
-                             .named = number.tolerance->named});
-      set_if_idle(out.nominal.back(), idle_after.value, static_cast<Eigen::Index>(i));
-    }
-  }
-  out.held_exact = declared.held_exact;
+  set_declared_numbers(out, declared, estimates, idle_after.value);
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = compare::estimates_of_effect(found.after(), estimates, i),
@@ -239,6 +273,8 @@ std::string_view name_of(Verdict verdict) {
       return "partly_explained";
     case Verdict::unexplained:
       return "unexplained";
+    case Verdict::incomplete:
+      return "incomplete";
   }
   return "";
 }

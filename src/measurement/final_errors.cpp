@@ -6,16 +6,20 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "coilwright/algebra/definite.hpp"
 #include "measurement/error_sums.hpp"
 #include "measurement/fit/outliers.hpp"
+#include "measurement/fit/scales.hpp"
 #include "measurement/record_slips.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 #include "measurement/unanswered_runs.hpp"
+#include "measurement/worst_starts.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -45,7 +49,7 @@ Channels by_channel(const PreparedRun& prepared, const Eigen::VectorXd& values) 
 // Covariance of the fitted parameters. A typical change of each is its prior standard deviation, so that the covariance
 // is finite in directions that the data do not determine.
 Eigen::MatrixXd parameter_covariance(const FittedHypothesis& model, double overdispersion) {
-  const Eigen::VectorXd scales = model.hypothesis.scales();
+  const Eigen::VectorXd scales = fit::scales_at(model.hypothesis, model.fit.values);
   Eigen::MatrixXd scaled = scales.asDiagonal() * model.fit.normal_matrix * scales.asDiagonal();
   scaled /= overdispersion;
   scaled.diagonal().array() += 1.0;
@@ -182,6 +186,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
   });
   std::vector<data::ChannelKind> order;
   std::vector<ErrorSums> sums;
+  std::vector<std::string> worst;
   for (std::size_t r = 0; r < prepared_runs.size(); ++r) {
     const PreparedRun& prepared = prepared_runs[r];
     list_outliers(prepared, validate);
@@ -191,6 +196,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
       warnings_.push_back({.run = prepared.run->name, .text = "one of the models cannot be simulated here; left out"});
       continue;
     }
+    if (is_worst_at_start(prepared, after.value->values)) worst.push_back(prepared.run->name);
     const std::vector<double> at = abscissa(prepared);
     for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
       const data::Channel& channel = prepared.run->channels[c];
@@ -220,6 +226,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
       replays_.push_back(std::move(replay));
     }
   }
+  std::ranges::move(worst_starts(worst), std::back_inserter(warnings_));
   for (std::size_t i = 0; i < order.size(); ++i) errors_.push_back(sums[i].comparison(order[i]));
 }
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "coilwright/units/angle.hpp"
-#include "measurement/declared_angles.hpp"
+#include "measurement/declared_readings.hpp"
 #include "measurement/fit/hypothesis.hpp"
 
 namespace coilwright::measurement {
@@ -32,9 +32,10 @@ std::vector<data::Warning> unanswered_runs(std::span<const data::Run> runs, cons
   std::vector<data::Warning> out;
   for (const data::Run& run : runs) {
     if (!is_motion_of_angles(run)) continue;
-    const auto angles = declared_angles(run, declared, as_declared);
-    if (!angles) continue;
-    for (const DeclaredAngle& angle : *angles) {
+    const auto readings = declared_readings(run, declared, as_declared);
+    if (!readings) continue;
+    for (const DeclaredReadings& angle : *readings) {
+      if (!is_angle(*angle.channel)) continue;
       const double seen = extent(angle.measured);
       const double expected = extent(angle.declared);
       if (expected < least_motion || seen > hardly * expected) continue;

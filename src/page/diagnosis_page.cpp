@@ -267,7 +267,12 @@ Section warnings_section(const Node& diagnosis) {
 
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
   const std::string dataset = member_of(diagnosis, "dataset").text();
-  require_summary_of(folder, dataset, member_of(diagnosis, "verdict").text());
+  const Node verdict = member_of(diagnosis, "verdict");
+  if (verdict.text() == "incomplete")
+    throw verdict.error_without_value(
+        "is of a diagnosis that was interrupted: summary.txt has what was known then, and "
+        "there is a page once it has ended (diagnose again)");
+  require_summary_of(folder, dataset, verdict.text());
   Page page{.title = fmt::format("{}: diagnosis", dataset),
             .verdict = verdict_of(folder),
             .cautions = cautions_of(folder),

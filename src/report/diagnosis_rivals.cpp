@@ -46,32 +46,6 @@ std::string hypothesis(const Compared& compared, const compare::ComparedHypothes
   return fmt::format("{}", fmt::join(names, " + "));
 }
 
-std::string compared_text(const Diagnosis& diagnosis) {
-  const auto compared = formats::compared_as_reported(diagnosis);
-  if (compared.empty()) return {};
-  TextTable table;
-  table.row({"", "residual", "gain", ""});
-  // Of one that is not the answer its neighbours in rank are not either, though nothing else speaks against them.
-  const auto remark_of = [&](const compare::ComparedHypothesis& each) -> std::string {
-    if (formats::is_reported(diagnosis, each.effects)) return "reported";
-    const compare::ComparedHypothesis& first = compared.front();
-    const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
-                         first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
-    return each.remark.empty() && as_good ? "these data do not tell it from the first of this list" : each.remark;
-  };
-  for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
-    table.row({hypothesis(compared, each),
-               each.evidence ? number_text(over_noise(diagnosis, each.evidence->chi_square_after)) : "none",
-               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
-  return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
-         "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
-         "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
-         "below 0 it\n"
-         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides. "
-         "Those far\n"
-         "  behind the best were fitted briefly: their gain may be larger.\n";
-}
-
 // Whether what a hypothesis leaves over differs so little from what the reported one leaves that a small error of the
 // model, of the noise or of a declared number could have decided between them.
 bool is_near(const compare::ComparedHypothesis& rival, const compare::ComparedHypothesis& reported) {
@@ -152,6 +126,37 @@ std::string hinted_text(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
+
+std::string compared_text(const Diagnosis& diagnosis) {
+  const auto compared = formats::compared_as_reported(diagnosis);
+  if (compared.empty()) return {};
+  TextTable table;
+  table.row({"", "residual", "gain", ""});
+  // Of one that is not the answer its neighbours in rank are not either, though nothing else speaks against them.
+  const auto remark_of = [&](const compare::ComparedHypothesis& each) -> std::string {
+    if (formats::is_reported(diagnosis, each.effects)) return "reported";
+    const compare::ComparedHypothesis& first = compared.front();
+    const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
+                         first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
+    return each.remark.empty() && as_good ? "these data do not tell it from the first of this list" : each.remark;
+  };
+  // Of a diagnosis that was interrupted the values are not counted: by what the recalibrated model leaves of them.
+  const auto residual_of = [&](const compare::Evidence& evidence) {
+    return diagnosis.verdict == Verdict::incomplete
+               ? diagnosis.before.level * std::sqrt(evidence.chi_square_after / evidence.chi_square_before)
+               : over_noise(diagnosis, evidence.chi_square_after);
+  };
+  for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
+    table.row({hypothesis(compared, each), each.evidence ? number_text(residual_of(*each.evidence)) : "none",
+               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
+  return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
+         "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
+         "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
+         "below 0 it\n"
+         "  explains less than its numbers cost. It counts every sample, so that a small steady difference decides. "
+         "Those far\n"
+         "  behind the best were fitted briefly: their gain may be larger.\n";
+}
 
 std::string rivals_text(const Diagnosis& diagnosis) {
   std::string text;

@@ -60,6 +60,10 @@ std::string verdict_sentence(const Diagnosis& diagnosis) {
     case Verdict::partly_explained:
       return fmt::format("The declared model lacks {}, and something else: structure remains that no effect explains.",
                          effects);
+    case Verdict::incomplete:
+      return "INTERRUPTED before there was a conclusion. The declared model was fitted anew, and its effects compared "
+             "as "
+             "far as the\nlist below; nothing is known of runs that no fit has seen. Diagnose again for an answer.";
     case Verdict::unexplained:
       if (may_be_the_camera(diagnosis))
         return "Something is left over that none of the known effects explains. Whether the finger or the camera makes "
@@ -254,6 +258,8 @@ std::string to_text(const formats::DiagnosisReport& report) {
   if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
   for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
   for (const std::string& sentence : errors_beyond_noise(diagnosis)) head += sentence + '\n';
+  if (diagnosis.verdict == Verdict::incomplete)
+    return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + compared_text(diagnosis);
   return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
          errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(report) + residual_text(diagnosis) +
          correction_text(report);

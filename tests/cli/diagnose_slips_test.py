@@ -42,18 +42,18 @@ class Slips(ProgramTest):
                                          r"--as-written takes it as it is\n$")
 
     def test_radians(self):
-        self.assert_slip(lambda i, t, c, a: (t, c, math.radians(a)), COLUMN, "an angle in radians", r"name the column \.\.\._rad")
+        self.assert_slip(lambda i, t, c, a: (t, c, math.radians(a)), COLUMN, "radians", "name the column bending_angle_rad")
 
     def test_an_angle_counted_the_other_way(self):
         self.assert_slip(lambda i, t, c, a: (t, c, -a), COLUMN, "an angle that is counted the other way",
                          "turn its sign: bending that opens the slits is positive")
 
     def test_exchanged_leads(self):
-        self.assert_slip(lambda i, t, c, a: (t, -c, a), "the input", "one of the other sign",
+        self.assert_slip(lambda i, t, c, a: (t, -c, a), "current_A", "one of the other sign",
                          "turn its sign: a positive current makes coil and magnet repel, or the leads are exchanged")
 
     def test_milliamperes(self):
-        self.assert_slip(lambda i, t, c, a: (t, 1000 * c, a), "the input", "milliamperes", "divide it by 1000")
+        self.assert_slip(lambda i, t, c, a: (t, 1000 * c, a), "current_A", "milliamperes", "name the column current_mA")
 
     def test_one_record_of_several(self):
         self.write_as(lambda i, t, c, a: (t, c, -a))
@@ -83,7 +83,7 @@ class Slips(ProgramTest):
     def test_seconds_under_milliseconds(self):
         for name, text in self.records.items():
             self.write(name, text.replace("time_s", "time_ms", 1))
-        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time column: looks like seconds: read so, the declared model "
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_ms: looks like seconds: read so, the declared model "
                                          r"misses the angles by [\d.]+ deg \(rms\), as written there is a sample every 5e-06 s; "
                                          r"name the column time_s; --as-written takes it as it is\n$")
 
@@ -96,7 +96,7 @@ class Slips(ProgramTest):
             self.write(each["input_file"], "".join(f"{t},{c}\n" for t, c, _ in cells))
             self.write(each["file"], "".join(f"{t},{a}\n" for t, _, a in cells).replace("time_s", "time_ms", 1))
         self.write("dataset.json", json.dumps(set_file))
-        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: the time column: looks like seconds: ")
+        self.assertRegex(self.refusal(), r"step_1\.4A\.csv: time_ms: looks like seconds: ")
 
     def test_frame_numbers(self):
         self.assert_slip(lambda i, t, c, a: (i, c, a), "time_s", "frame numbers, at 200 frames a second",

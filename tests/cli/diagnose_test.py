@@ -312,21 +312,32 @@ class Diagnose(ProgramTest):
         self.assertLess(abs(found["calibration"]["/effects/0/parameters/torque_Nmm"]["value"] - 25), 2)
         self.assertNotIn("stays as declared", result.stdout)
 
-    def test_an_interrupt_ends_with_130_and_leaves_nothing(self):
+    def test_an_interrupt_ends_with_130_and_leaves_what_is_known(self):
         plan = {**PLAN, "runs": [swing(f"run{i}.csv", "fit", 100 + 40 * i, 0.3 + 0.2 * i) for i in range(8)]}
         self.write("plan.json", json.dumps(plan))
         self.twin("--effect", "dry_friction:torque_Nmm=25", "--effect", "quadratic_drag:drag_Nmms2_rad2=1")
-        before = self.files()
         with subprocess.Popen([PROGRAM, "diagnose", "set", "--out", "out"], cwd=self.folder, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE) as process:
-            self.assertNotEqual(process.stderr.readline(), b"")  # it is at work
+            while not process.stderr.readline().startswith(b"recalibrated"):
+                self.assertIsNone(process.poll())
             os.kill(process.pid, signal.SIGINT)
             started = time.monotonic()
             self.assertEqual(process.wait(), 130)
             self.assertLess(time.monotonic() - started, 5)
-            self.assertEqual(process.stdout.read(), b"")
-            self.assertEqual(process.stderr.read().splitlines()[-1], b"coilwright: interrupted: nothing is written")
-        self.assertEqual(self.files(), before)
+            summary = process.stdout.read().decode()
+            self.assertEqual(process.stderr.read().splitlines()[-1],
+                             b"coilwright: interrupted: out has what is known so far, marked as incomplete")
+        self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
+                         {"diagnosis.json", "actuator.json", "summary.txt", "provenance.json"})
+        self.assertEqual(summary, (self.folder / "out" / "summary.txt").read_text())
+        self.assertTrue(summary.startswith("rod: incomplete\n\nINTERRUPTED before there was a conclusion."), summary)
+        found = self.result("out/diagnosis.json")
+        self.assertEqual((found["verdict"], found["effects"]), ("incomplete", []))
+        self.assertEqual(self.result("out/actuator.json")["format"], "lumped-model/1")
+        page = run("report", "out", cwd=self.folder)
+        self.assertEqual(page.returncode, 2)
+        self.assertIn("out/diagnosis.json: /verdict: is of a diagnosis that was interrupted: summary.txt has what was "
+                      "known then", page.stderr)
 
 
 if __name__ == "__main__":

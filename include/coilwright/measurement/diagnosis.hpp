@@ -30,7 +30,8 @@ enum class Verdict {
                          ///< or one by itself is off (Diagnosis::numbers_off)
   explained,             ///< with the effects the residual is noise
   partly_explained,      ///< an effect improves the model significantly, structure remains
-  unexplained            ///< structure remains, and the data support no effect
+  unexplained,           ///< structure remains, and the data support no effect
+  incomplete             ///< there is no conclusion: the diagnosis was interrupted
 };
 
 /// "partly_explained".
@@ -110,6 +111,9 @@ struct DiagnosisOptions {
   std::function<void(const std::string&)>
       progress{};                                    ///< called with one line at a time, never from two threads at once
   std::function<void(const data::Warning&)> warn{};  ///< called with what is wrong with the records, before the work
+  /// Called with what is known so far, the verdict being Verdict::incomplete: once the model is recalibrated, and for
+  /// each hypothesis that was compared since; never from two threads at once. Nothing that costs a simulation is in it.
+  std::function<void(const Diagnosis&)> known{};
   /// Effects that the declared model may lack; the diagnosis refers to their kinds.
   actuator::EffectCatalogue effects = actuator::standard_effects();
 };

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -93,8 +95,11 @@ class HypothesisSearch {
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
     kinds_ = std::move(applicable.kinds);
+    recalibrated_ = &before;
+    if (request_.known) request_.known(before, so_far_);
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
     const std::optional<FittedHypothesis> on_some = on_some_windows_if_far(before);
+    compared_with_ = on_some ? &*on_some : &before;
 
     std::vector<FittedHypothesis> all = compare_levels(on_some ? *on_some : before);
     if (found_outliers_) return {.value = std::nullopt, .simulated_runs = simulated_runs_};
@@ -328,8 +333,11 @@ class HypothesisSearch {
 
   // See fit_level.
   [[nodiscard]] Counted<Level> best_of(const std::vector<PlannedExtension>& planned, std::size_t refined) {
-    Counted<LevelFits> fits = fit_level(runs_, planned, refined, [&](std::size_t done) {
-      if (done % 8 == 0) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
+    std::size_t reported = 0;
+    Counted<LevelFits> fits = fit_level(runs_, planned, refined, [&](std::size_t done, const ShortFit* latest) {
+      if (latest != nullptr && request_.known) make_known(*latest);
+      if (done % 8 == 0 && done != reported) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
+      reported = done;
     });
     for (const EffectKind* kind : fits.value.failed) {
       ComparedHypothesis& out = failed_.emplace_back();
@@ -339,9 +347,30 @@ class HypothesisSearch {
     return {.value = std::move(fits.value.level), .simulated_runs = fits.simulated_runs};
   }
 
+  // Of starts with several discrete choices the best one stands for the hypothesis.
+  void make_known(const ShortFit& fit) {
+    const FittedHypothesis fitted = score(runs_, fit.plan.hypothesis, fit.fitted);
+    ComparedHypothesis latest{.effects = fitted.kinds(),
+                              .evidence = evidence_between(runs_, *compared_with_, fitted, overdispersion_)};
+    const auto known = std::ranges::find(so_far_, latest.effects, &ComparedHypothesis::effects);
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    const auto gain = [](const ComparedHypothesis& each) {
+      return each.evidence ? each.evidence->quasi_bic_gain : none;
+    };
+    if (known == so_far_.end())
+      so_far_.push_back(std::move(latest));
+    else if (gain(latest) > gain(*known))
+      *known = std::move(latest);
+    std::ranges::stable_sort(so_far_, std::greater{}, gain);
+    request_.known(*recalibrated_, so_far_);
+  }
+
   const AttributionRequest& request_;
-  std::unique_ptr<SomeWindows> some_windows_;  // null where the search uses all
-  std::span<replay::PreparedRun> runs_;        // with all windows, or some
+  const FittedHypothesis* recalibrated_ = nullptr;
+  const FittedHypothesis* compared_with_ = nullptr;  // the same on the windows of the search
+  std::vector<ComparedHypothesis> so_far_;           // by short fits
+  std::unique_ptr<SomeWindows> some_windows_;        // null where the search uses all
+  std::span<replay::PreparedRun> runs_;              // with all windows, or some
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
   std::vector<ComparedHypothesis> failed_;
@@ -379,11 +408,12 @@ Attribution attribute(const AttributionRequest& request) {
       may_weigh_priors = false;
       continue;
     }
+    const std::size_t samples = found.value->after().fit.samples();
     Counted<Attribution> settled = with_settled_model_error(request.runs, std::move(*found.value));
     Attribution out = std::move(settled.value);
     out.simulated_runs = simulated_runs + settled.simulated_runs;
     // What is reported of the answer is what it is now; its rivals in the table stay as they were compared.
-    if (replay::model_error_of(request.runs) != searched)
+    if (replay::model_error_of(request.runs) != searched || out.after().fit.samples() != samples)
       for (ComparedHypothesis& each : out.compared)
         if (std::ranges::is_permutation(each.effects, out.after().kinds()))
           each.evidence = evidence_between(request.runs, out.before(), out.after(), out.overdispersion);

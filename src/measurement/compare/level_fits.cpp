@@ -218,7 +218,7 @@ const FittedHypothesis* nearest(const Level& level) {
 }
 
 Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const std::vector<PlannedExtension>& planned,
-                             std::size_t refined, const std::function<void(std::size_t)>& progress) {
+                             std::size_t refined, const std::function<void(std::size_t, const ShortFit*)>& progress) {
   std::vector<std::size_t> places;  // among `planned`, of each set of starts
   std::vector<std::vector<std::vector<Effect>>> starts;
   std::vector<std::vector<std::vector<Effect>>> further;
@@ -240,7 +240,8 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
     short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i], pointer_to(at_declared.value));
     const std::scoped_lock lock(reporting);
-    if (--left[places[i]] == 0) progress(++done);
+    if (--left[places[i]] == 0) ++done;
+    progress(done, short_fits[i].value ? &*short_fits[i].value : nullptr);
   });
   struct Found {
     std::size_t place{};

@@ -9,6 +9,7 @@
 #include "coilwright/actuator/model/effect.hpp"
 #include "measurement/compare/fitted_hypothesis.hpp"
 #include "measurement/compare/hypothesis_extension.hpp"
+#include "measurement/compare/staged_fit.hpp"
 #include "measurement/fit/counted.hpp"
 
 namespace coilwright::measurement::compare {
@@ -34,10 +35,11 @@ struct LevelFits {
 
 /// A short fit of each of `planned`, from its starts with each set of discrete choices; those of the best `refined`
 /// that are worth it are continued to convergence with each of these choices, and are what the best of them is.
-/// `progress` is told now and then how many are done; it may be called from several threads, one at a time.
+/// `progress` is told how many are done, and the latest short fit if there is one; it may be called from several
+/// threads, one at a time.
 [[nodiscard]] fit::Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs,
                                                 const std::vector<PlannedExtension>& planned, std::size_t refined,
-                                                const std::function<void(std::size_t)>& progress);
+                                                const std::function<void(std::size_t, const ShortFit*)>& progress);
 
 /// A level (sorted, best first) whose best hypotheses are where another start or another discrete choice leads if that
 /// is better; and these with further numbers of their effects, which give those without them another start. One after

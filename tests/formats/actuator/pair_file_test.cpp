@@ -126,11 +126,11 @@ TEST(PairFile, RefusesListsThatCannotBe) {
   EXPECT_EQ(refusal(R"("bodies": [{"magnet": )" + magnet + R"(, "axis": [0, 0, 1], "x_axis": [0, 0, 2]}])"),
             "x.json: /bodies/0/x_axis: must not lie along \"axis\"");
   EXPECT_EQ(refusal(R"("bodies": [{"magnet": {"size_mm": [10, 0.001, 5], "remanence_T": 1.3}}])"),
-            "x.json: /bodies/0/magnet/size_mm/1: must be from 0.01 to 1000; got 0.001");
+            "x.json: /bodies/0/magnet/size_mm/1: must be from 0.05 to 1000; got 0.001");
   EXPECT_EQ(
       refusal(
           R"("bodies": [{"magnet": {"inner_radius_mm": 5, "outer_radius_mm": 5, "length_mm": 5, "remanence_T": 1.3}}])"),
-      "x.json: /bodies/0/magnet/outer_radius_mm: must exceed inner_radius_mm (5) by at least 0.01; got 5");
+      "x.json: /bodies/0/magnet/outer_radius_mm: must exceed inner_radius_mm (5) by at least 0.05; got 5");
   EXPECT_EQ(
       refusal(
           R"("bodies": [{"magnet": {"radius_mm": 5, "length_mm": 5, "remanence_T": 1.3, "magnetised_along": [0, 0, 0]}}])"),

@@ -128,7 +128,7 @@ enum class SegmentMass {
 
 /// Which chassis-wiring current a gauge has.
 enum class AmpacityChoice {
-  law,   ///< WireGauge::smooth_ampacity: no gauge is better than its neighbours
+  law,   ///< winding::Wire::smooth_ampacity: no gauge is better than its neighbours
   table  ///< the table's own, rounded values
 };
 

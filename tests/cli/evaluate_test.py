@@ -214,7 +214,8 @@ class Evaluate(ProgramTest):
             ("gap_mm=1e999", "gap_mm=1e999: must be a finite number"),
             ("gap_mm=1,2", "gap_mm=1,2: must be a finite number"),
             ("turns_axial=20.5", "turns_axial=20.5: must be a whole number"),
-            ("wire_gauge_AWG=41", "wire_gauge_AWG=41: must be from 20 to 40"),
+            ("wire_gauge_AWG=51", "wire_gauge_AWG=51: must be from 10 to 50"),
+            ("wire_diameter_mm=25", "wire_diameter_mm=25: must be from 0.018 to 5"),
             ("configuration=E", 'configuration=E: must be one of "A", "B", "C", "D"'),
             ("gap_mm", 'gap_mm: must be a name and a value, as in "gap_mm=1.2"'),
             ("coil_inner_radius_mm=0.2", "finger.json: coil inner radius must be at least 0.5334 mm for AWG 28; got "
@@ -253,7 +254,8 @@ class Evaluate(ProgramTest):
             (changed(lambda a: a["body"].update(gpa_mm=1)), '/body/gpa_mm: unknown key; the keys here are '
              '"bottom_layer_mm", "bottom_wall_mm", "conductivity_W_mK", "constant_damping_Nmms_rad", "density_kg_m3", '
              '"front_length_mm", "gap_mm", "heat_capacity_J_kgK", "hinge_length_mm", "loss_factor", "loss_time_ms", '
-             '"poisson_ratio", "rear_length_mm", "shore_hardness_A", "side_wall_mm", "slot_width_mm", "top_wall_mm"'),
+             '"poisson_ratio", "rear_length_mm", "shore_hardness_00", "shore_hardness_A", "side_wall_mm", "silicone", '
+             '"slot_width_mm", "top_wall_mm", "youngs_modulus_MPa"'),
             (changed(lambda a: a["coil"].update(inner_radius_m=a["coil"].pop("inner_radius_mm"))),
              '/coil/inner_radius_m: unknown key; did you mean "inner_radius_mm"?'),
             (changed(lambda a: a.pop("configuration")), '/: needs one of "configuration", "layout"'),
@@ -266,8 +268,8 @@ class Evaluate(ProgramTest):
             (changed(lambda a: a["body"].update(gap_mm=0)), "/body/gap_mm: must be from 0.05 to 1000; got 0"),
             (changed(lambda a: a["coil"].update(turns_axial=30.5)),
              "/coil/turns_axial: must be a whole number; got 30.5"),
-            (changed(lambda a: a["coil"].update(wire_gauge_AWG=19)),
-             "/coil/wire_gauge_AWG: must be from 20 to 40; got 19"),
+            (changed(lambda a: a["coil"].update(wire_gauge_AWG=9)),
+             "/coil/wire_gauge_AWG: must be from 10 to 50; got 9"),
             (changed(lambda a: a["coil"].update(inner_radius_mm=0.3)),
              "/: coil inner radius must be at least 0.5334 mm for AWG 28; got 0.3 mm"),
             (changed(lambda a: a["surroundings"].update(ambient_degC=-300)),

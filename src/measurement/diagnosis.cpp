@@ -27,6 +27,7 @@
 #include "measurement/final_errors.hpp"
 #include "measurement/first_poses.hpp"
 #include "measurement/fit/fit.hpp"
+#include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/frozen_pictures.hpp"
 #include "measurement/localise/localisation.hpp"
@@ -108,13 +109,17 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
 // that was fitted: the comparison begins there.
 long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
   const auto fitted = compare::recalibrated_at_its_error(runs, declared);
-  (void)fit::set_outliers_aside(runs, fitted.value.fit);
+  const auto set_aside = [&](const fit::Fit& found) {
+    (void)fit::set_outliers_aside(runs, found);
+    fit::weigh_input_errors(runs, fitted.value.hypothesis, found.values, &found);
+  };
+  set_aside(fitted.value.fit);
   const auto trimmed = fit::with_suspects_aside(runs, fitted.value.fit);
   if (!trimmed) return fitted.simulated_runs;
   const auto anew = compare::fit_exactly(*trimmed, {.hypothesis = fitted.value.hypothesis,
                                                     .start = fitted.value.fit.values,
                                                     .local_numbers_from = &fitted.value.fit});
-  if (anew.value) (void)fit::set_outliers_aside(runs, anew.value->fit);
+  if (anew.value) set_aside(anew.value->fit);
   return fitted.simulated_runs + anew.simulated_runs;
 }
 
@@ -160,6 +165,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     runs.push_back(replay::prepare_run(run, declared, nominal));
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
   }
+  fit::weigh_input_errors(runs, as_declared, as_declared.start(), nullptr);
   FinalErrors::require_fits_model(data.validate, declared, nominal);
   out.unanswered_runs = unanswered_runs(usable.runs, declared);
   append(out.unanswered_runs, FinalErrors::unanswered_runs(data.validate, declared));

@@ -6,7 +6,7 @@
 
 namespace coilwright::measurement {
 
-void ErrorSums::add(const Replay& replay, const std::vector<double>& deviations, double sigma) {
+void ErrorSums::add(const Replay& replay, const std::vector<double>& deviations, const std::vector<double>& noise) {
   const std::array models{&replay.declared, &replay.before, &replay.after, &replay.corrected};
   const auto counts = [&](std::size_t i) { return replay.left_out.empty() || replay.left_out[i] == 0; };
   has_correction_ = !replay.corrected.empty();
@@ -21,8 +21,8 @@ void ErrorSums::add(const Replay& replay, const std::vector<double>& deviations,
   }
   for (std::size_t i = 0; i < replay.measured.size(); ++i) {
     if (!counts(i)) continue;
-    noise_square_ += sigma * sigma;
-    uncertainty_square_ += sigma * sigma * deviations[i] * deviations[i];
+    noise_square_ += noise[i] * noise[i];
+    uncertainty_square_ += deviations[i] * deviations[i];
     ++samples_;
   }
 }

@@ -11,9 +11,9 @@ namespace coilwright::measurement {
 /// Sums of the errors of finished models over all channels of one kind.
 class ErrorSums {
  public:
-  /// Adds one channel of one run, without the samples that it leaves out. `deviations` are those of its predictions due
-  /// to the uncertainty of the parameters, over the noise; `sigma` is the noise.
-  void add(const Replay& replay, const std::vector<double>& deviations, double sigma);
+  /// Adds one channel of one run, without the samples that it leaves out, with the standard deviations, SI, of each of
+  /// its predictions due to the uncertainty of the parameters, and of what a model that is right leaves there.
+  void add(const Replay& replay, const std::vector<double>& deviations, const std::vector<double>& noise);
 
   [[nodiscard]] ErrorComparison comparison(data::ChannelKind kind) const;
 

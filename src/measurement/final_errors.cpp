@@ -14,9 +14,11 @@
 
 #include "coilwright/algebra/definite.hpp"
 #include "measurement/error_sums.hpp"
+#include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/fit/scales.hpp"
 #include "measurement/record_slips.hpp"
+#include "measurement/replay/input_whitener.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 #include "measurement/unanswered_runs.hpp"
 #include "measurement/worst_starts.hpp"
@@ -32,7 +34,7 @@ using Channels = std::vector<std::vector<double>>;  // one series per channel
 // Values of one model on one run, over the samples that were simulated.
 struct RunPrediction {
   Channels values;
-  Channels deviations;  // standard deviations due to parameter uncertainty, over the noise; empty if not asked for
+  Channels deviations;  // standard deviations due to parameter uncertainty; empty if not asked for
 };
 using CountedPrediction = fit::Counted<std::optional<RunPrediction>>;
 
@@ -57,7 +59,8 @@ Eigen::MatrixXd parameter_covariance(const FittedHypothesis& model, double overd
   return scales.asDiagonal() * inverse * scales.asDiagonal();
 }
 
-// Standard deviations of the predictions of one run over its noise, to first order.
+// Standard deviations of the predictions of one run, to first order, from derivatives over the noise of its
+// instruments.
 Eigen::VectorXd deviations(const PreparedRun& prepared, const fit::Fit& fitted, const Eigen::MatrixXd& covariance) {
   const Eigen::VectorXd all = (fitted.jacobian * covariance).cwiseProduct(fitted.jacobian).rowwise().sum().cwiseSqrt();
   const std::vector<replay::SampleRange> ranges = prepared.sample_ranges();
@@ -67,7 +70,11 @@ Eigen::VectorXd deviations(const PreparedRun& prepared, const fit::Fit& fitted, 
   for (std::size_t block = 0; block < ranges.size(); ++block) {
     const Eigen::Index n = prepared.values_in(ranges[block]);
     out.segment(at, n) = all.segment(row, n);
-    at += n;
+    const Eigen::Index samples = n / static_cast<Eigen::Index>(prepared.noise.size());
+    for (const noise::NoiseLevel& level : prepared.noise) {
+      out.segment(at, samples) *= level.sigma;
+      at += samples;
+    }
     row += fitted.local_bases[block].rows();  // the rows of the prior of its local numbers follow
   }
   return out;
@@ -77,21 +84,49 @@ fit::FitRequest request_for(const PreparedRun& prepared, const FittedHypothesis&
   return {.hypothesis = &model.hypothesis, .runs = std::span(&prepared, 1), .start = model.fit.values};
 }
 
-CountedPrediction predict(const PreparedRun& prepared, const FittedHypothesis& model) {
-  const auto found = fit::evaluate_at(request_for(prepared, model));
+CountedPrediction prediction_from(const PreparedRun& prepared, const fit::Counted<std::optional<fit::Fit>>& found) {
   if (!found.value) return {.value = std::nullopt, .simulated_runs = found.simulated_runs};
   return {
       .value = RunPrediction{.values = by_channel(prepared, found.value->runs.front().predictions), .deviations = {}},
       .simulated_runs = found.simulated_runs};
 }
 
+CountedPrediction predict(const PreparedRun& prepared, const FittedHypothesis& model) {
+  return prediction_from(prepared, fit::evaluate_at(request_for(prepared, model)));
+}
+
 CountedPrediction predict_with_deviations(const PreparedRun& prepared, const FittedHypothesis& model,
                                           const Eigen::MatrixXd& covariance) {
-  const auto found = fit::evaluate_with_jacobian(request_for(prepared, model));
-  if (!found.value) return {.value = std::nullopt, .simulated_runs = found.simulated_runs};
-  return {.value = RunPrediction{.values = by_channel(prepared, found.value->runs.front().predictions),
-                                 .deviations = by_channel(prepared, deviations(prepared, *found.value, covariance))},
-          .simulated_runs = found.simulated_runs};
+  // How much a reading differs because a number does has nothing to do with the errors of the input.
+  PreparedRun exact = prepared;
+  for (replay::Window& window : exact.windows) window.input_whitener = nullptr;
+  const auto found = fit::evaluate_with_jacobian(request_for(exact, model));
+  CountedPrediction out = prediction_from(prepared, found);
+  if (!out.value) return out;
+  if (replay::weighs_input_errors(std::span(&prepared, 1))) {
+    const long simulated_runs = out.simulated_runs;
+    out = predict(prepared, model);
+    out.simulated_runs += simulated_runs;
+  }
+  if (out.value) out.value->deviations = by_channel(prepared, deviations(prepared, *found.value, covariance));
+  return out;
+}
+
+// What a model that is right leaves of each channel: the noise of its instrument, and what the errors of the input do.
+Channels noise_left_in(const PreparedRun& prepared) {
+  Eigen::VectorXd out(prepared.values());
+  Eigen::Index at = 0;
+  for (const replay::SampleRange& range : prepared.sample_ranges()) {
+    const replay::InputWhitener* whitener = prepared.input_whitener(range);
+    const auto samples = static_cast<Eigen::Index>(range.samples());
+    for (std::size_t c = 0; c < prepared.noise.size(); ++c, at += samples) {
+      out.segment(at, samples).setConstant(prepared.noise[c].sigma);
+      if (whitener == nullptr) continue;
+      const auto by_input = whitener->deviations().segment(static_cast<Eigen::Index>(c) * samples, samples);
+      out.segment(at, samples) = (out.segment(at, samples).cwiseAbs2() + by_input.cwiseAbs2()).cwiseSqrt();
+    }
+  }
+  return by_channel(prepared, out);
 }
 
 // Errors of a bending angle and of a joint angle are one kind of error.
@@ -135,7 +170,13 @@ FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredMod
     PreparedRun& prepared = prepared_runs.emplace_back(replay::prepare_run(run, declared, nominal));
     replay::give_recorded_noise(prepared, still, {});
     prepared.model_error = models.after.fit.model_error;
+    const std::span<PreparedRun> alone(&prepared, 1);
+    fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, nullptr);
     set_outliers_aside(prepared, models.after);
+    if (!replay::weighs_input_errors(alone)) continue;
+    const auto found = fit::evaluate_at(request_for(prepared, models.after));
+    simulated_runs_ += found.simulated_runs;
+    if (found.value) fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, &*found.value);
   }
   take(std::move(prepared_runs), models, true);
 }
@@ -198,6 +239,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
     }
     if (is_worst_at_start(prepared, after.value->values)) worst.push_back(prepared.run->name);
     const std::vector<double> at = abscissa(prepared);
+    const Channels noise = noise_left_in(prepared);
     for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
       const data::Channel& channel = prepared.run->channels[c];
       Replay replay{
@@ -221,8 +263,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
         sums.emplace_back();
         found = order.end() - 1;
       }
-      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after.value->deviations[c],
-                                                                prepared.noise[c].sigma);
+      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after.value->deviations[c], noise[c]);
       replays_.push_back(std::move(replay));
     }
   }

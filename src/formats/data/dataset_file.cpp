@@ -16,6 +16,7 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/data/layout_format.hpp"
 #include "formats/data/run_entry.hpp"
+#include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -62,7 +63,8 @@ Tolerances read_tolerances(const Node& node) {
   return out;
 }
 
-Dataset read_runs(const Node& node, const LayoutEntry& layout, std::vector<std::filesystem::path>& files) {
+Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement::data::InputUncertainty& usual,
+                  std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> met;
   std::set<std::filesystem::path> input_files;
   std::map<std::string, InputError> objections;
@@ -71,7 +73,7 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, std::vector<std::
   std::vector<Run> validate;
   Dataset data;
   for (const Node& element : node.elements(Length::from_to(1, most_runs))) {
-    RunInSet entry = read_run_in_set(element, met, layout.layout);
+    RunInSet entry = read_run_in_set(element, met, layout.layout, usual);
     Run& run = entry.file.run;
     used.merge(entry.file.used);
     warnings.emplace(run.name, std::move(entry.file.warnings));
@@ -108,9 +110,10 @@ DatasetFile read_document(const Document& document) {
     out.calibrate = read_calibrate(in);
     if (const auto tolerances = in.find_not_null("tolerances")) out.tolerances = read_tolerances(*tolerances);
     const LayoutEntry layout = read_layout(in, {});
+    const measurement::data::InputUncertainty usual = read_input_uncertainty(in);
     const Node runs = in.at("runs");
     in.finish();
-    out.data = read_runs(runs, layout, out.run_files);
+    out.data = read_runs(runs, layout, usual, out.run_files);
     out.data.name = std::move(name);
     return out;
   });

@@ -9,6 +9,7 @@
 
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/units/unit.hpp"
+#include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -31,6 +32,7 @@ void add_recording(Json& out, const data::Run& run) {
   if (run.clock.offset_sigma > 0.0 || run.has_input_clock()) out.set("clock_offset_s", run.clock.offset_sigma);
   if (run.clock.rate_sigma > 0.0) out.set("clock_rate", run.clock.rate_sigma);
   if (run.clock.exposure > 0.0) out.set("exposure_s", run.clock.exposure);
+  add_input_uncertainty(out, run.input_uncertainty);
   if (run.rig != data::RigChange{}) out.set("rig", rig_change_json(run.rig));
 }
 

@@ -34,6 +34,7 @@ struct Defaults {
   std::vector<std::string> measure{"bending_angle_deg"};
   RecordingClock clock{};
   InputHold hold{};
+  InputUncertainty input_uncertainty{};
   double input_rate{};  // samples a second; 0: on the clock of the run
 };
 
@@ -77,7 +78,9 @@ std::vector<std::string> read_measure(const Node& node) {
 }
 
 // How runs are recorded, where they do not say otherwise.
-void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, double& input_rate) {
+void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, InputUncertainty& input_uncertainty,
+                    double& input_rate) {
+  input_uncertainty = read_input_uncertainty(in, input_uncertainty);
   clock.exposure = in.quantity_or("exposure_s", clock.exposure, time_rule);
   clock.offset_sigma = in.quantity_or("clock_offset_s", clock.offset_sigma, time_rule);
   clock.rate_sigma = in.number_or("clock_rate", clock.rate_sigma, Rule::between(0.0, 0.2));
@@ -142,8 +145,9 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
   run.start = start ? read_start(*start) : Start::at_rest;
   run.clock = defaults.clock;
   run.hold = defaults.hold;
+  run.input_uncertainty = defaults.input_uncertainty;
   planned.input_rate = defaults.input_rate;
-  read_recording(in, run.clock, run.hold, planned.input_rate);
+  read_recording(in, run.clock, run.hold, run.input_uncertainty, planned.input_rate);
   if (const auto rig = in.find("rig")) run.rig = read_rig(*rig);
   if (const auto angles = in.find("start_angles_deg")) {
     if (run.start == Start::at_rest) throw angles->error("must not be there where the start is \"at_rest\"");
@@ -250,7 +254,7 @@ Experiment read_experiment_file(const Document& document) {
     defaults.rate = in.optional_quantity("sampling_rate_Hz", frequency_rule);
     if (const auto measure = in.find("measure")) defaults.measure = read_measure(*measure);
     experiment.instruments = read_instruments(in);
-    read_recording(in, defaults.clock, defaults.hold, defaults.input_rate);
+    read_recording(in, defaults.clock, defaults.hold, defaults.input_uncertainty, defaults.input_rate);
     const std::vector<Node> runs = in.elements("runs", Length::from_to(1, most_planned_runs));
     // A default whose key is misspelt would be missing in every run.
     in.finish();

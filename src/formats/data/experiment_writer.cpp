@@ -8,6 +8,7 @@
 #include "coilwright/units/unit.hpp"
 #include "formats/data/input_shape_format.hpp"
 #include "formats/data/instruments_format.hpp"
+#include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -62,6 +63,7 @@ void add_transient(Json& out, const PlannedRun& run) {
   if (plan.clock.offset_sigma > 0.0) out.set("clock_offset_s", plan.clock.offset_sigma);
   if (plan.clock.rate_sigma > 0.0) out.set("clock_rate", plan.clock.rate_sigma);
   if (run.input_rate > 0.0) out.set("input_rate_Hz", run.input_rate);
+  add_input_uncertainty(out, plan.input_uncertainty);
   if (plan.hold != measurement::data::InputHold::zero_order) out.set("input_hold", name_of(plan.hold));
   if (plan.rig != RigChange{}) out.set("rig", rig_json(plan.rig));
 }

@@ -1,5 +1,7 @@
 #include "formats/data/run_entry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <system_error>
 
@@ -42,6 +44,14 @@ void check_window(const Run& run, const Node& node) {
   if (*run.window <= shortest) throw node.error("must exceed the mean interval between samples");
 }
 
+void check_input_sigma(const Run& run, const Node& node) {
+  const std::size_t given = run.input_uncertainty.sigma.size();
+  if (given > 0 && given != run.inputs.front().size())
+    throw node.error_without_value(
+        fmt::format("input_sigma must be one number, or one for each of the {} columns of the input; got {} numbers",
+                    run.inputs.front().size(), given));
+}
+
 void check_exposure(const Run& run, const Node& node) {
   if (run.clock.exposure >= run.times.back() - run.times.front()) throw node.error("must be shorter than the record");
 }
@@ -82,7 +92,10 @@ std::optional<Node> find_of_motion(ObjectReader& in, std::string_view key, RunKi
 }
 
 // The keys of a transient about its clocks, its input and its rig; the node of its exposure.
-std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry) {
+std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry,
+                                   const measurement::data::InputUncertainty& usual) {
+  for (const char* key : {"input_sigma", "input_correlation_s"}) (void)find_of_motion(in, key, entry.kind);
+  if (entry.kind == RunKind::transient) entry.input_uncertainty = read_input_uncertainty(in, usual);
   if (const auto file = find_of_motion(in, "input_file", entry.kind)) read_input_file(*file, entry);
   if (const auto hold = find_of_motion(in, "input_hold", entry.kind)) entry.hold = read_input_hold(*hold);
   if (const auto shift = find_of_motion(in, "clock_offset_s", entry.kind))
@@ -96,7 +109,8 @@ std::optional<Node> read_recording(ObjectReader& in, RunEntry& entry) {
 
 }  // namespace
 
-RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met, const CsvLayout& set) {
+RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met, const CsvLayout& set,
+                         const measurement::data::InputUncertainty& usual) {
   return read_object(node, [&](ObjectReader& in) {
     const Node file = in.at("file");
     RunEntry entry{.name = file.text()};
@@ -114,7 +128,7 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
     const auto drive = entry.kind == RunKind::transient ? std::optional(in.at("drive")) : in.find("drive");
     if (drive) (void)read_drive(*drive);
     entry.layout = read_file_layout(in, set);
-    const auto exposure = read_recording(in, entry);
+    const auto exposure = read_recording(in, entry, usual);
     std::error_code unreadable;
     const auto path = std::filesystem::weakly_canonical(file.path(), unreadable);
     if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");
@@ -124,6 +138,7 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
     if (start) check_start(out.file.run, *start);
     if (window) check_window(out.file.run, *window);
     if (exposure) check_exposure(out.file.run, *exposure);
+    check_input_sigma(out.file.run, node);
     return out;
   });
 }

@@ -20,9 +20,9 @@ struct RunInSet {
 };
 
 /// Reads one element of "runs", and its files. `met` are the run files so far, to which its own is added; `set` is the
-/// layout that the set has for all. Throws
+/// layout that the set has for all, `usual` what it says of the inputs of motions that say nothing of their own. Throws
 /// InputError: of the element before its files, then of those.
 [[nodiscard]] RunInSet read_run_in_set(const text::Node& node, std::set<std::filesystem::path>& met,
-                                       const text::CsvLayout& set);
+                                       const text::CsvLayout& set, const measurement::data::InputUncertainty& usual);
 
 }  // namespace coilwright::formats

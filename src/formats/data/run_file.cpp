@@ -79,6 +79,15 @@ std::vector<double> not_negative(const CsvTable& table, const std::string& quant
   return values;
 }
 
+// In SI, of every column; as many as were given where that is neither one nor one each, which the data set refuses.
+measurement::data::InputUncertainty input_uncertainty_of(const RunEntry& entry, const CsvTable& table,
+                                                         const InputColumns& input) {
+  measurement::data::InputUncertainty out = entry.input_uncertainty;
+  if (out.sigma.size() == 1) out.sigma.assign(input.quantities.size(), out.sigma.front());
+  for (double& sigma : out.sigma) sigma = units::to_memory(sigma, table.name(input.quantities.front()));
+  return out;
+}
+
 Run run_of(const CsvTable& table, const RunColumns& columns, const RunEntry& entry) {
   Run run{.name = entry.name,
           .kind = entry.kind,
@@ -94,7 +103,10 @@ Run run_of(const CsvTable& table, const RunColumns& columns, const RunEntry& ent
   if (columns.angles) run.angles = values_of(table, "angle");
   if (columns.openings) run.openings = not_negative(table, "opening");
   if (columns.heights) run.heights = not_negative(table, "height");
-  if (columns.input) run.inputs = read_inputs(table, *columns.input);
+  if (columns.input) {
+    run.inputs = read_inputs(table, *columns.input);
+    run.input_uncertainty = input_uncertainty_of(entry, table, *columns.input);
+  }
   // Without a driver no current is commanded.
   if (run.kind == RunKind::transient && !columns.input && !entry.input_file) run.inputs.assign(table.rows(), {0.0});
   for (const Measured& measured : columns.measured) run.channels.push_back(channel_of(table, measured));
@@ -157,6 +169,7 @@ void add_input_file(RunFile& file, const RunEntry& entry, const RunColumns& meas
   const double shift = shift_of(table, clock, run, entry);
   for (double& time : run.input_times) time += shift;
   run.inputs = read_inputs(table, columns);
+  run.input_uncertainty = input_uncertainty_of(entry, table, columns);
   if (!entry.clock_offset) run.clock.offset_sigma = median_interval(run.times);
   require_covers(table, run);
 }

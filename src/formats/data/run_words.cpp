@@ -1,8 +1,7 @@
 #include "formats/data/run_words.hpp"
 
+#include <algorithm>
 #include <utility>
-
-#include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -15,8 +14,10 @@ using measurement::data::RunKind;
 using measurement::data::Start;
 
 // Far beyond any laboratory, and near enough that nothing overflows.
-constexpr Rule turn_rule = Rule::between(-360.0, 360.0);  // deg
-constexpr Rule mass_rule = Rule::between(0.0, 1e6);       // g
+constexpr Rule turn_rule = Rule::between(-360.0, 360.0);       // deg
+constexpr Rule mass_rule = Rule::between(0.0, 1e6);            // g
+constexpr Rule input_sigma_rule = Rule::between(1e-12, 1e12);  // in the unit of a column
+constexpr Rule correlation_rule = Rule::between(0.0, 1e5);     // s
 
 template <class... Values>
 auto read_name(const Node& node, Values... values) {
@@ -53,6 +54,32 @@ measurement::data::RigChange read_rig(const Node& node) {
     if (const auto coil = in.find("coil")) rig.coil = read_coil_wiring(*coil);
     return rig;
   });
+}
+
+measurement::data::InputUncertainty read_input_uncertainty(ObjectReader& in,
+                                                           const measurement::data::InputUncertainty& usual) {
+  measurement::data::InputUncertainty out = usual;
+  const auto sigma = in.find_not_null("input_sigma");
+  if (sigma && sigma->kind() == Node::Kind::number)
+    out.sigma = {sigma->number(input_sigma_rule)};
+  else if (sigma)
+    out.sigma = sigma->numbers(Length::at_least(1), input_sigma_rule);
+  if (const auto correlation = in.find_not_null("input_correlation_s")) {
+    if (out.sigma.empty())
+      throw correlation->error_without_value("must not be there without input_sigma, of whose errors it is the time");
+    out.correlation = correlation->quantity(correlation_rule);
+  }
+  return out;
+}
+
+void add_input_uncertainty(Json& out, const measurement::data::InputUncertainty& uncertainty) {
+  if (uncertainty.sigma.empty()) return;
+  const bool alike = std::ranges::all_of(uncertainty.sigma, [&](double each) { return each == uncertainty.sigma[0]; });
+  if (alike)
+    out.set("input_sigma", uncertainty.sigma[0]);
+  else
+    out.set("input_sigma", Json::numbers(uncertainty.sigma));
+  if (uncertainty.correlation > 0.0) out.set("input_correlation_s", uncertainty.correlation);
 }
 
 }  // namespace coilwright::formats

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "coilwright/measurement/data/run.hpp"
-#include "coilwright/text/json/node.hpp"
+#include "coilwright/text/json/json.hpp"
+#include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
 
@@ -14,5 +15,12 @@ namespace coilwright::formats {
 [[nodiscard]] measurement::data::CoilWiring read_coil_wiring(const text::Node& node);
 /// The object that says what was changed on the rig.
 [[nodiscard]] measurement::data::RigChange read_rig(const text::Node& node);
+
+/// The keys "input_sigma", one number for all columns of the input or one each, in their unit, and
+/// "input_correlation_s"; where they are absent, `usual`. Throws InputError.
+[[nodiscard]] measurement::data::InputUncertainty read_input_uncertainty(
+    text::ObjectReader& in, const measurement::data::InputUncertainty& usual = {});
+/// Writes them where the input is not exact.
+void add_input_uncertainty(text::Json& out, const measurement::data::InputUncertainty& uncertainty);
 
 }  // namespace coilwright::formats

@@ -413,7 +413,8 @@ Attribution attribute(const AttributionRequest& request) {
     Attribution out = std::move(settled.value);
     out.simulated_runs = simulated_runs + settled.simulated_runs;
     // What is reported of the answer is what it is now; its rivals in the table stay as they were compared.
-    if (replay::model_error_of(request.runs) != searched || out.after().fit.samples() != samples)
+    if (replay::model_error_of(request.runs) != searched || out.after().fit.samples() != samples ||
+        replay::weighs_input_errors(request.runs))
       for (ComparedHypothesis& each : out.compared)
         if (std::ranges::is_permutation(each.effects, out.after().kinds()))
           each.evidence = evidence_between(request.runs, out.before(), out.after(), out.overdispersion);

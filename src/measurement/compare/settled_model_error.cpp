@@ -9,6 +9,7 @@
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/other_optima.hpp"
 #include "measurement/compare/staged_fit.hpp"
+#include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
 
 namespace coilwright::measurement::compare {
@@ -37,10 +38,15 @@ fit::Counted<Attribution> with_settled_model_error(std::span<replay::PreparedRun
   constexpr int most_rounds = 3;
   fit::Counted<Attribution> out{.value = std::move(found)};
   for (int round = 0; round < most_rounds; ++round) {
-    const bool taken_back = fit::take_back(runs, out.value.after().fit);
-    const double model_error = model_error_of(runs, out.value.after());
-    if (!taken_back && is_same_model_error(model_error, replay::model_error_of(runs))) break;
+    const FittedHypothesis& after = out.value.after();
+    const bool taken_back = fit::take_back(runs, after.fit);
+    const double model_error = model_error_of(runs, after);
+    const bool lets_input_errors_through_otherwise = round == 0 && replay::weighs_input_errors(runs);
+    if (!taken_back && !lets_input_errors_through_otherwise &&
+        is_same_model_error(model_error, replay::model_error_of(runs)))
+      break;
     set_model_error(runs, model_error);
+    fit::weigh_input_errors(runs, after.hypothesis, after.fit.values, &after.fit);
     std::vector<FittedHypothesis*> all;
     for (FittedHypothesis& step : out.value.steps) all.push_back(&step);
     for (FittedHypothesis& rival : out.value.rivals) all.push_back(&rival);

@@ -7,9 +7,10 @@
 
 namespace coilwright::measurement::compare {
 
-/// Weighs priors against the model error of the last step of `found` instead of that of the search, takes samples back
-/// that are no outliers by it (fit::take_back), and fits its steps and their rivals anew; changes nothing where both
-/// errors are the same and no sample is taken back. The errors of the steps are comparable then, and
+/// Weighs priors against the model error of the last step of `found` instead of that of the search, and the errors of
+/// recorded inputs as that step lets them through; takes samples back that are no outliers by it (fit::take_back), and
+/// fits its steps and their rivals anew. Changes nothing where both errors are the same, all inputs exact and no sample
+/// is taken back. The errors of the steps are comparable then, and
 /// their numbers stay as near to what is declared as the last step's own error allows.
 [[nodiscard]] fit::Counted<Attribution> with_settled_model_error(std::span<replay::PreparedRun> runs,
                                                                  Attribution found);

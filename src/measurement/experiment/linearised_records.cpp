@@ -8,6 +8,7 @@
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/data/usable_runs.hpp"
+#include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 
@@ -33,6 +34,7 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
     prepared_.push_back(replay::prepare_run(run, rig, nominal));
     replay::give_recorded_noise(prepared_.back(), still, recorded_);
   }
+  fit::weigh_input_errors(prepared_, as_declared, as_declared.start(), nullptr);
   const compare::PlannedFit plan{.hypothesis = as_declared, .start = as_declared.start()};
   const auto evaluate = [&] {
     auto fitted_locally = fit::evaluate_with_jacobian(compare::fit_request_of(prepared_, plan));
@@ -44,6 +46,7 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
   // It also takes the noise anew that a run's own record told; residuals over two different noises would differ by
   // more than any effect changes.
   (void)fit::set_outliers_aside(prepared_, at_truth);
+  fit::weigh_input_errors(prepared_, as_declared, at_truth.values, &at_truth);
   at_truth = evaluate();
   base_ = compare::score(prepared_, as_declared, std::move(at_truth));
 }

@@ -1,6 +1,10 @@
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "measurement/experiment/apply_instrument.hpp"
@@ -27,6 +31,30 @@ void add_input_noise(data::Run& run, double deviation, const NoiseStream& stream
   const std::size_t width = run.inputs.front().size();
   const std::vector<double> noise = normal_numbers(stream, run.inputs.size() * width);
   for (std::size_t i = 0; i < noise.size(); ++i) run.inputs[i / width][i % width] += deviation * noise[i];
+}
+
+// What a recorded input is off from what acted.
+void add_input_errors(data::Run& run, std::uint64_t seed, std::size_t number) {
+  constexpr std::size_t first_column = 1'000'002;
+  data::InputUncertainty& uncertainty = run.input_uncertainty;
+  if (uncertainty.sigma.empty() || run.inputs.empty()) return;
+  const std::size_t width = run.inputs.front().size();
+  if (uncertainty.sigma.size() == 1) uncertainty.sigma.assign(width, uncertainty.sigma.front());
+  if (uncertainty.sigma.size() != width)
+    throw std::invalid_argument(
+        fmt::format("{}: input_sigma must be one number, or one for each of the {} columns of the input; got {}",
+                    run.name, width, uncertainty.sigma.size()));
+  for (std::size_t c = 0; c < width; ++c) {
+    Instrument instrument{.noise = uncertainty.sigma[c]};
+    if (uncertainty.correlation > 0.0)
+      instrument.colour = {.kind = NoiseColour::Kind::low_pass,
+                           .frequency = 0.5 / (std::numbers::pi * uncertainty.correlation)};
+    std::vector<double> column;
+    for (const std::vector<double>& row : run.inputs) column.push_back(row[c]);
+    column = apply_instrument(instrument, {.seed = seed, .run = number, .channel = first_column + c},
+                              run.times_of_inputs(), std::move(column));
+    for (std::size_t i = 0; i < column.size(); ++i) run.inputs[i][c] = column[i];
+  }
 }
 
 }  // namespace
@@ -62,6 +90,7 @@ std::vector<data::Run> simulate_experiment(const Experiment& experiment, const r
     }
     add_input_noise(run, experiment.instruments.input_noise,
                     {.seed = seed, .run = out.size(), .channel = input_stream});
+    add_input_errors(run, seed, out.size());
     out.push_back(std::move(run));
   }
   return out;

@@ -66,7 +66,9 @@ std::optional<SmoothColumn> smoothed(const std::vector<double>& times, const std
   std::size_t alike = 0;
   for (std::size_t i = 1; i < values.size(); ++i) alike += values[i] == values[i - 1] ? 1 : 0;
   if (static_cast<double>(alike) > most_alike * static_cast<double>(values.size())) return std::nullopt;
-  data::Run record{.kind = data::RunKind::transient, .times = times};
+  data::Run record;
+  record.kind = data::RunKind::transient;
+  record.times = times;
   record.channels = {{.name = "input", .kind = data::ChannelKind::torque, .values = values}};
   const noise::NoiseLevel level = noise::noise_of(record, record.channels.front());
   const auto [least, most] = std::minmax_element(values.begin(), values.end());

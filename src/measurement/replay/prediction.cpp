@@ -12,6 +12,7 @@
 #include "coilwright/simulation/initial_state.hpp"
 #include "coilwright/simulation/transient.hpp"
 #include "coilwright/thermal/transient.hpp"
+#include "measurement/replay/input_whitener.hpp"
 #include "measurement/replay/window_input.hpp"
 
 namespace coilwright::measurement::replay {
@@ -176,6 +177,15 @@ std::optional<Trajectory> simulated(const Model& model, const ModelInput& input,
   return out;
 }
 
+std::optional<State> start_under(const Model& model, const ModelInput& input, LocalValues local,
+                                 const actuator::InternalStates& internal) {
+  if (!local.numbers->has_initial_state()) return simulation::equilibrium_at_first_input(model, input);
+  State start = local.numbers->initial_state(local.values, internal);
+  if (internal.size() == 0)
+    start.internal = model.settled(start.angles, input.currents.front(), actuator::InitialHistory::recorded_run);
+  return start;
+}
+
 // The motion as a camera with states of its own shows it.
 Trajectory as_shown(const Model& model, const Trajectory& motion) {
   Trajectory out{.times = motion.times};
@@ -210,10 +220,13 @@ std::optional<Trajectory> simulate_window(const Model& model, const Window& wind
                                                             .bend = local.numbers->bend(local.values),
                                                             .errors = local.numbers->input_errors(local.values)});
   const ModelInput& input = as_planned ? window.input : driven;
-  if (local.numbers->has_initial_state())
-    return simulated(model, input, local.numbers->initial_state(local.values, internal));
-  const auto rest = simulation::equilibrium_at_first_input(model, input);
-  return rest ? simulated(model, input, *rest) : std::nullopt;
+  const std::optional<State> start = start_under(model, input, local, internal);
+  return start ? simulated(model, input, *start) : std::nullopt;
+}
+
+std::optional<State> start_of_window(const Model& model, const Window& window, LocalValues local,
+                                     const actuator::InternalStates& internal) {
+  return start_under(model, window.input, local, internal);
 }
 
 Eigen::VectorXd observed_values(const Model& model, const PreparedRun& prepared, const Window& window,
@@ -307,6 +320,8 @@ Eigen::VectorXd measured_values(const data::Run& run, SampleRange range) {
 }
 
 Eigen::VectorXd over_noise(const PreparedRun& prepared, SampleRange range, Eigen::VectorXd differences) {
+  if (const InputWhitener* whitener = prepared.input_whitener(range))
+    return whitener->innovations(prepared, differences);
   const auto n = static_cast<Eigen::Index>(range.samples());
   for (std::size_t c = 0; c < prepared.noise.size(); ++c) {
     auto of_channel = differences.segment(static_cast<Eigen::Index>(c) * n, n);

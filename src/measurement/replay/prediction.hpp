@@ -25,9 +25,13 @@ struct LocalValues {
   std::span<const double> values{};
 };
 
-/// Simulates a window from its local initial state, or from the equilibrium under its first input where it has none.
-/// If `internal` is empty, internal states take the values with which a recorded run begins. Nothing if the motion
-/// cannot be simulated, or if there is no equilibrium.
+/// Where a window starts: in its local initial state, or in the equilibrium under its first input where it has none. If
+/// `internal` is empty, internal states have the values with which a recorded run begins. Nothing if there is no
+/// equilibrium.
+[[nodiscard]] std::optional<simulation::State> start_of_window(const actuator::Model& model, const Window& window,
+                                                               LocalValues local,
+                                                               const actuator::InternalStates& internal);
+/// Simulates a window from there. Nothing if the motion cannot be simulated, or if there is no equilibrium.
 [[nodiscard]] std::optional<Trajectory> simulate_window(const actuator::Model& model, const Window& window,
                                                         LocalValues local, const actuator::InternalStates& internal);
 

@@ -98,6 +98,17 @@ Eigen::Index PreparedRun::values_set_aside() const {
   return count;
 }
 
+const InputWhitener* PreparedRun::input_whitener(SampleRange range) const {
+  const auto window = std::ranges::find(windows, range.first, [](const Window& each) { return each.range.first; });
+  return window == windows.end() ? nullptr : window->input_whitener.get();
+}
+
+bool weighs_input_errors(std::span<const PreparedRun> runs) {
+  return std::ranges::any_of(runs, [](const PreparedRun& run) {
+    return std::ranges::any_of(run.windows, [](const Window& window) { return window.input_whitener != nullptr; });
+  });
+}
+
 void require_fits_model(const data::Run& run, const DeclaredModel& declared, const Model& nominal) {
   require_joints(run, nominal);
   require_drive(run, nominal);
@@ -112,7 +123,9 @@ PreparedRun prepare_run(const data::Run& run, const DeclaredModel& declared, con
   for (const data::Channel& channel : run.channels) prepared.noise.push_back(noise::noise_of(run, channel));
   if (!prepared.is_motion()) return prepared;
   prepared.windows = windows_of(run);
-  const std::optional<CleanInput> clean = without_noise(run);
+  // An input whose errors are declared is taken as it was recorded.
+  const std::optional<CleanInput> clean =
+      run.input_uncertainty.sigma.empty() ? without_noise(run) : std::optional<CleanInput>();
   if (clean) prepared.input_noise = clean->sigma;
   const CleanInput input = clean ? *clean : CleanInput{.rows = run.inputs};
   for (Window& window : prepared.windows) {

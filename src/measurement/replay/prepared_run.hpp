@@ -54,6 +54,8 @@ struct InputRowErrors {
   std::vector<mechanics::JointVector> joint_torques{};  ///< N m, likewise; empty where the input has none
 };
 
+class InputWhitener;
+
 /// A part of a motion that is simulated from one initial state.
 struct Window {
   SampleRange range{};
@@ -64,6 +66,8 @@ struct Window {
                                   ///< between them, row by row; empty where that is next to nothing
   std::vector<InputRowErrors> errors{};  ///< of an input with noise
   InitialStatePrior prior{};  ///< from the first samples of the measurement; empty for runs that start at rest
+  /// What makes residuals white where the recorded input is not exact (weigh_input_errors()); null: they are.
+  std::shared_ptr<const InputWhitener> input_whitener{};
 
   [[nodiscard]] std::size_t samples() const { return range.samples(); }
 };
@@ -72,7 +76,7 @@ struct Window {
 struct PreparedRun {
   const data::Run* run{};
   std::vector<noise::NoiseLevel> noise{};  ///< one per channel
-  /// What makes the noise of a channel white, one per channel; null: it is white.
+  /// What makes the noise of a channel white, one per channel; null: it is white, or the input is not exact.
   std::vector<std::shared_ptr<const noise::Whitener>> whiteners{};
   std::vector<double> lines{};       ///< Hz, of hum that every angle shows
   std::vector<double> line_sizes{};  ///< rad, amplitude of each in the record of the noise
@@ -93,6 +97,8 @@ struct PreparedRun {
   [[nodiscard]] bool is_set_aside(std::size_t channel, std::size_t sample) const {
     return channel < set_aside.size() && !set_aside[channel].empty() && set_aside[channel][sample] != 0;
   }
+  /// The whitener of the input in the window with these samples; null where there is none.
+  [[nodiscard]] const InputWhitener* input_whitener(SampleRange range) const;
   /// Number of samples that no fit may use, all channels together.
   [[nodiscard]] Eigen::Index values_set_aside() const;
   [[nodiscard]] bool is_motion() const { return run->kind == data::RunKind::transient; }
@@ -104,6 +110,9 @@ struct PreparedRun {
 [[nodiscard]] inline double model_error_of(std::span<const PreparedRun> runs) {
   return runs.empty() ? 1.0 : runs.front().model_error;
 }
+
+/// Whether the errors of any recorded input are weighed (weigh_input_errors()).
+[[nodiscard]] bool weighs_input_errors(std::span<const PreparedRun> runs);
 
 /// Throws std::invalid_argument naming the run if it does not fit the model: number of coils or joints, a voltage
 /// without a resistance, a temperature without heat paths, a grasp beyond the tip.

@@ -1,6 +1,7 @@
 #include "measurement/replay/recorded_noise.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,8 @@ void take_over(PreparedRun& prepared, std::size_t channel, const NoiseColour& co
     prepared.lines.push_back(line.frequency);
     prepared.line_sizes.push_back(line.amplitude);
   }
-  if (!colour.is_white)
+  // Innovations of an input that is not exact are those of white noise.
+  if (!colour.is_white && prepared.run->input_uncertainty.sigma.empty())
     prepared.whiteners[channel] = std::make_shared<noise::Whitener>(colour, mean_interval(prepared.run->times));
 }
 
@@ -167,10 +169,7 @@ void take_over_hum(PreparedRun& prepared, std::size_t c, std::span<const data::R
   take_over(prepared, c, *colour);
 }
 
-}  // namespace
-
-void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still, std::span<const data::Run> runs) {
-  if (!prepared.is_motion()) return;
+void take_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still, std::span<const data::Run> runs) {
   prepared.whiteners.assign(prepared.noise.size(), nullptr);
   prepared.lines.clear();
   prepared.line_sizes.clear();
@@ -211,6 +210,17 @@ void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still
     }
     take_over(prepared, c, *colour);
   }
+}
+
+}  // namespace
+
+void give_recorded_noise(PreparedRun& prepared, std::span<const data::Run> still, std::span<const data::Run> runs) {
+  if (!prepared.is_motion()) return;
+  take_recorded_noise(prepared, still, runs);
+  const std::vector<double>& sigma = prepared.run->input_uncertainty.sigma;
+  if (sigma.empty()) return;
+  for (noise::NoiseLevel& level : prepared.noise)
+    level.colour += fmt::format("; white beside the errors of the input, input_sigma {:.6g}", fmt::join(sigma, ", "));
 }
 
 }  // namespace coilwright::measurement::replay

@@ -244,6 +244,33 @@ TEST_F(DatasetFiles, ReadWhatALaboratoryKnowsOfItsClocksAndItsRig) {
   EXPECT_THAT(file.run_files, ::testing::Contains(folder_.path() / "fed.csv"));
 }
 
+TEST_F(DatasetFiles, SayHowFarAnInputIsFromWhatActed) {
+  write("pushed.csv", "time_s,torque1_Nmm,torque2_Nmm,theta1_deg\n0,0,1,2\n0.01,5,4,3\n");
+  const std::string pushed = R"({"file": "pushed.csv", "kind": "transient", "role": "fit", "drive": "torque")";
+  const DatasetFile file = read(R"({"format": "measured-data/1", "input_sigma": 0.1, "input_correlation_s": 0.02,
+      "runs": [)" + run_a + "," +
+                                pushed + R"(, "input_sigma": [30, 40]},
+      {"file": "bench.csv", "kind": "static_torque", "role": "fit"}]})");
+  ASSERT_EQ(file.data.fit.size(), 3u);
+  EXPECT_EQ(file.data.fit[0].input_uncertainty,
+            (measurement::data::InputUncertainty{.sigma = {0.1}, .correlation = 0.02}));
+  EXPECT_THAT(file.data.fit[1].input_uncertainty.sigma, ElementsAre(0.03, 0.04));
+  EXPECT_EQ(file.data.fit[1].input_uncertainty.correlation, 0.02);
+  EXPECT_THAT(file.data.fit[2].input_uncertainty.sigma, IsEmpty());
+  EXPECT_THAT(read_runs(pushed + R"(, "input_sigma": 30})").data.fit[0].input_uncertainty.sigma,
+              ElementsAre(0.03, 0.03));
+  EXPECT_EQ(runs_refusal(pushed + R"(, "input_sigma": [1, 2, 3]})"),
+            "dataset.json: /runs/0: input_sigma must be one number, or one for each of the 2 columns of the input; got "
+            "3 numbers");
+  EXPECT_EQ(runs_refusal(pushed + R"(, "input_sigma": 0})"),
+            "dataset.json: /runs/0/input_sigma: must be from 1e-12 to 1000000000000; got 0");
+  EXPECT_EQ(runs_refusal(pushed + R"(, "input_correlation_s": 0.1})"),
+            "dataset.json: /runs/0/input_correlation_s: must not be there without input_sigma, of whose errors it is "
+            "the time");
+  EXPECT_EQ(runs_refusal(R"({"file": "bench.csv", "kind": "static_torque", "role": "fit", "input_sigma": 0.1})"),
+            "dataset.json: /runs/0/input_sigma: must be there for a transient only");
+}
+
 TEST_F(DatasetFiles, AssumeAShiftOfOneSampleBetweenTwoClocks) {
   write("seen.csv", seen);
   write("fed.csv", "time_ms,current_A\n0,0\n150,1.4\n300,1.4\n");

@@ -126,6 +126,7 @@ TEST(DatasetWriter, WritesClocksAndRigsThatReadBack) {
   run.inputs = {{0.0, 0.1}, {1.4, 0.1}, {1.4, 0.2}, {1.4, 0.2}};
   run.hold = data::InputHold::linear;
   run.clock = {.offset_sigma = 0.004, .rate_sigma = 0.001, .exposure = 0.0015};
+  run.input_uncertainty = {.sigma = {0.02, 0.03}, .correlation = 0.1};
   run.rig = {.base_turn = -30.0 * degree, .tip_mass = 5e-3, .coil = data::CoilWiring::shorted};
   const data::Run still{
       .name = "still.csv",
@@ -152,6 +153,7 @@ TEST(DatasetWriter, WritesClocksAndRigsThatReadBack) {
   EXPECT_EQ(back.fit[0].clock.offset_sigma, 0.004);
   EXPECT_EQ(back.fit[0].clock.rate_sigma, 0.001);
   EXPECT_EQ(back.fit[0].clock.exposure, 0.0015);
+  EXPECT_EQ(back.fit[0].input_uncertainty, run.input_uncertainty);
   EXPECT_EQ(back.fit[0].rig, run.rig);
   ASSERT_EQ(back.still.size(), 1u);
   EXPECT_EQ(back.still[0].times, still.times);

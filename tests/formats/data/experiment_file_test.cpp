@@ -58,7 +58,7 @@ TEST(ExperimentFile, SaysHowALaboratoryRecords) {
     "input_noise": {"current_A": 0.02},
     "runs": [{"file": "still.csv", "kind": "still", "duration_s": 5},
              {"file": "a.csv", "role": "fit", "duration_s": 2, "input": {"step": {"after_A": 1, "at_s": 0.1}},
-              "exposure_s": 0, "input_hold": "zero_order",
+              "exposure_s": 0, "input_hold": "zero_order", "input_sigma": 0.05, "input_correlation_s": 0.2,
               "rig": {"base_turn_deg": 90, "tip_mass_g": 5, "coil": "open"}},
              {"file": "b.csv", "role": "fit", "duration_s": 2, "input": {"step": {"after_A": 1, "at_s": 0.1}}}]})",
                                                  "x.json");
@@ -81,6 +81,7 @@ TEST(ExperimentFile, SaysHowALaboratoryRecords) {
   EXPECT_EQ(own.plan.clock.exposure, 0.0);
   EXPECT_EQ(own.plan.clock.offset_sigma, 0.01);
   EXPECT_EQ(own.plan.hold, InputHold::zero_order);
+  EXPECT_EQ(own.plan.input_uncertainty, (InputUncertainty{.sigma = {0.05}, .correlation = 0.2}));
   EXPECT_DOUBLE_EQ(own.plan.rig.base_turn, 90.0 * degree);
   EXPECT_EQ(own.plan.rig.tip_mass, 5e-3);
   EXPECT_EQ(own.plan.rig.coil, CoilWiring::open);

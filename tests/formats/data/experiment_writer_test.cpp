@@ -58,6 +58,7 @@ Experiment written() {
   text.erase(text.find(clock), clock.size());
   Experiment out = parse_experiment(text, "x.json");
   out.runs[1].input_rate = 100.0;
+  out.runs[1].plan.input_uncertainty = {.sigma = {0.02}, .correlation = 0.1};
   return out;
 }
 
@@ -94,6 +95,7 @@ TEST(ExperimentWriter, WritesWhatReadsBackToTheBit) {
     EXPECT_EQ(b.plan.drive, a.plan.drive);
     EXPECT_EQ(b.plan.start, a.plan.start);
     EXPECT_EQ(b.plan.hold, a.plan.hold);
+    EXPECT_EQ(b.plan.input_uncertainty, a.plan.input_uncertainty);
     EXPECT_EQ(b.plan.rig, a.plan.rig);
     EXPECT_EQ(b.plan.clock.exposure, a.plan.clock.exposure);
     EXPECT_EQ(b.plan.clock.offset_sigma, a.plan.clock.offset_sigma);

@@ -41,6 +41,8 @@ struct RunEntry {
                                          ///< file, with an `input_file` the median interval between measured samples
   double clock_rate{};                   ///< standard deviation of the relative difference of the clocks' rates; >= 0
   double exposure{};                     ///< s; >= 0
+  /// Of a transient's input; in the unit of its first column, one number for all columns or one each.
+  measurement::data::InputUncertainty input_uncertainty{};
 };
 
 /// A run as its file gives it.

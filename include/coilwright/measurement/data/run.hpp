@@ -60,6 +60,14 @@ struct RecordingClock {
   double exposure{};      ///< s; a sample is the mean over this time, centred on its stamp; >= 0
 };
 
+/// How far a recorded input is from what acted: independent errors of its columns, normally distributed about 0.
+struct InputUncertainty {
+  std::vector<double> sigma{};  ///< standard deviation of each column, in its SI unit; empty: the input is exact
+  double correlation{};         ///< time over which the errors fall to 1/e of their correlation, s; below half the
+                                ///< interval between samples of the input: each sample has one of its own
+  friend bool operator==(const InputUncertainty&, const InputUncertainty&) = default;
+};
+
 /// The word that a data set uses: "static_torque", "at_rest", "unknown_within_sample", "shorted".
 [[nodiscard]] std::string_view name_of(RunKind kind);
 [[nodiscard]] std::string_view name_of(Start start);
@@ -88,6 +96,7 @@ struct Run {
   std::optional<double> sigma{};   ///< standard deviation of the measurement noise, SI; nothing: it is estimated
   RecordingClock clock{};
   InputHold hold{};
+  InputUncertainty input_uncertainty{};
   RigChange rig{};
   std::vector<double> times{};        ///< s, increasing, of the measurement (transient, temperature, still)
   std::vector<double> input_times{};  ///< s, increasing, of `inputs` where they have a clock of their own; empty: the

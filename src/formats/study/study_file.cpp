@@ -125,7 +125,8 @@ LayoutVariable read_layouts(const Node& node, const std::string& name, const Rea
     for (const Node& element : in.elements("values", Length::at_least(1))) {
       NamedLayout value = read_value(element);
       if (std::ranges::count(variable.values, value.layout, &NamedLayout::layout) > 0)
-        throw element.error_without_value("must not be there twice");
+        throw element.kind() == Node::Kind::text ? element.error("must not be there twice")
+                                                 : element.error_without_value("must not be there twice");
       variable.values.push_back(std::move(value));
     }
     return variable;

@@ -79,6 +79,29 @@ class GetDP(ProgramTest):
         lorentz, _, _ = by_elements(folder, "-setnumber", "gap", "3")
         self.assertAlmostEqual(lorentz, force(folder), delta=RIGID * abs(lorentz))
 
+    def test_the_field_is_that_of_coilwright_field(self):
+        # Radius and height in mm: beyond the magnet, beside the pair, in the copper and in the magnet.
+        points = [(4, 20), (12, 5), (6, 1), (5, 10.5)]
+        folder, _ = export(PAPER_FINGER, "getdp", self.folder / "pair", "--current-A", "1.4")
+        with open(folder / "pair.pro", "a", encoding="utf-8") as file:
+            file.write("PostOperation { { Name AtPoints; NameOfPostProcessing Field; Operation {\n")
+            for number, (radius, height) in enumerate(points):
+                file.write(f"  Print[flux_density, OnPoint {{{radius / 1e3}, {height / 1e3}, 0}}, Format SimpleTable, "
+                           f"File \"point{number}.txt\"];\n")
+            file.write("} } }\n")
+        fine = ("-setnumber", "fineness", "2")
+        by_elements(folder, *fine)
+        call(folder, "getdp", "pair.pro", "-msh", "pair.msh", "-pos", "AtPoints", "-v", "2", *fine)
+        at = [word for radius, height in points for word in ("--at", radius, 0, height)]
+        result = run("field", folder / "pair.json", *at, "--json")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for number, point in enumerate(json.loads(result.stdout)["points"]):
+            across, along = map(float, (folder / f"point{number}.txt").read_text().split()[3:5])
+            # A slope of a potential of second order: 0.07 % at worst here, 0.05 % with the next finer mesh.
+            bound = 1.5e-3 * point["magnitude_mT"]
+            self.assertAlmostEqual(1e3 * across, point["flux_density_mT"][0], delta=bound)
+            self.assertAlmostEqual(1e3 * along, point["flux_density_mT"][2], delta=bound)
+
     def test_a_model_without_parts_is_refused(self):
         lumped, _ = export(FINGER, "lumped", self.folder / "lumped")
         before = self.files()

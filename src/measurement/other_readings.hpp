@@ -25,8 +25,9 @@ struct OtherReading {
 };
 
 /// The readings of a record's columns in every other unit of the table (units::all_units) whose number differs by a
-/// factor of 4 or more (50, of what is no channel), or by an offset, and with the other sign; of times that are whole numbers one after the other
-/// also as frames of the usual cameras. Positions are the angle, opening and height of a bench.
+/// factor of 4 or more (50, of what is no channel), or by an offset, and with the other sign; of times that are whole
+/// numbers one after the other also as frames of the usual cameras. Positions are the angle, opening and height of a
+/// bench.
 [[nodiscard]] std::vector<OtherReading> other_readings(const data::Run& run);
 
 /// The record as it was meant then.

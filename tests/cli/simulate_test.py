@@ -160,6 +160,17 @@ class Simulate(ProgramTest):
                 self.assertRegex(result.stderr, r"^coilwright: input\.csv: .+\n$")
                 self.assertEqual(self.files()["out.csv"], b"precious")
 
+    def test_milliamperes_for_amperes_are_refused_unless_they_are_asked_for(self):
+        self.write("in.csv", "time_s,current_A\n" + "".join(f"{0.01 * i},{1400 if i > 5 else 0}\n" for i in range(50)))
+        result = run("simulate", PAPER_FINGER, "--input", "in.csv", "--out", "out.csv", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout, result.stderr),
+                         (2, "", "coilwright: in.csv: column current_A: reaches 1400 A, by which a coil's copper melts "
+                                 "within a second: looks like milliamperes (name the column current_mA); --as-written "
+                                 "takes it as it is\n"))
+        self.assertFalse((self.folder / "out.csv").exists())
+        self.write("in.csv", (self.folder / "in.csv").read_text().replace("current_A", "current_mA", 1))
+        self.assertEqual(run("simulate", PAPER_FINGER, "--input", "in.csv", "--out", "out.csv", cwd=self.folder).returncode, 0)
+
     def test_exactly_one_input_is_asked_for(self):
         for arguments in ([], ["--step-A", "1", "--input", "x.csv"]):
             result = run("simulate", PAPER_FINGER, *arguments, "--out", "out.csv", cwd=self.folder)

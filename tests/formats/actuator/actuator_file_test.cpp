@@ -147,6 +147,9 @@ TEST(ActuatorFile, RefusesWordsAndMeasurementsThatDoNotExist) {
             R"(a.json: /: gives "measured" and "calibration"; only one of them may be there)");
   EXPECT_EQ(refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_com_mm": 1e9}})"),
             "a.json: /measured/tip_com_mm: must be from 0.05 to 1000; got 1000000000");
+  EXPECT_EQ(refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_segment_mass_g": 0.0225}})")
+                .substr(0, 30),
+            "a.json: /measured: tip segment");  // kilograms
   EXPECT_EQ(refusal(changed(full_design, R"("hinge": "slot")", R"("hinge": "crack")")),
             R"(a.json: /model/hinge: must be one of "slit", "slot", "beam"; got text "crack")");
   EXPECT_EQ(refusal(changed(full_design, R"("poisson_ratio": 0.48)", R"("poisson_ratio": 0.51)")),

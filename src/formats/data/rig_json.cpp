@@ -25,17 +25,18 @@ void set_both(Json& out, const Callable& json) {
 
 Json to_json(const StiffnessReading& reading) {
   return Json::object(
-      {reading_member("gauge_force_N", reading.force), in_unit("stiffness_Nmm_rad", reading.stiffness)});
+      {reading_member("gauge_force_N", reading.force), reading_member("stiffness_Nmm_rad", reading.stiffness)});
 }
 
 Json to_json(const StiffnessSpread& spread) {
   return Json::object({reading_member("mean_stiffness_Nmm_rad", spread.mean),
-                       in_unit("stiffness_deviation_Nmm_rad", spread.deviation)});
+                       reading_member("stiffness_deviation_Nmm_rad", spread.deviation)});
 }
 
 Json to_json(const ResponseFigures& shown) {
-  return Json::object({reading_member("first_angle_deg", shown.first), in_unit("last_angle_deg", shown.last),
-                       reading_member("largest_angle_deg", shown.largest), in_unit("fastest_rise_deg_s", shown.fastest),
+  return Json::object({reading_member("first_angle_deg", shown.first), reading_member("last_angle_deg", shown.last),
+                       reading_member("largest_angle_deg", shown.largest),
+                       reading_member("fastest_rise_deg_s", shown.fastest),
                        reading_member("late_mean_angle_deg", shown.late_mean),
                        reading_member("late_peak_to_peak_deg", shown.peak_to_peak)});
 }
@@ -49,7 +50,7 @@ Json to_json(const std::vector<TorqueBenchPoint>& points, const TorqueBench& ben
     set_both(entry, [&](magnetics::Fidelity fidelity) {
       const TorqueReading& reading = point.reading.of(fidelity);
       return Json::object(
-          {reading_member("torque_Nmm", reading.torque), in_unit("gauge_force_N", reading.gauge_force)});
+          {reading_member("torque_Nmm", reading.torque), reading_member("gauge_force_N", reading.gauge_force)});
     });
     entry.set("error_of_line_of_centres_pct", 100.0 * point.error_of_line_of_centres());
     list.add(std::move(entry));
@@ -65,8 +66,8 @@ Json to_json(const std::vector<TorqueBenchPoint>& points, const TorqueBench& ben
 Json to_json(const StiffnessReadings& readings) {
   Json list = Json::array();
   for (const StiffnessPoint& point : readings.points) {
-    Json entry =
-        Json::object({reading_member("angle_deg", point.angle), in_unit("hinge_torque_Nmm", point.hinge_torque)});
+    Json entry = Json::object(
+        {reading_member("angle_deg", point.angle), reading_member("hinge_torque_Nmm", point.hinge_torque)});
     set_both(entry, [&](magnetics::Fidelity fidelity) {
       return Json::object(
           {{"level", to_json(point.level.of(fidelity))}, {"hanging", to_json(point.hanging.of(fidelity))}});
@@ -90,7 +91,7 @@ Json to_json(const std::vector<GraspBenchPoint>& points, const GraspBench& bench
     Json entry = Json::object({reading_member("current_A", point.current)});
     set_both(entry, [&](magnetics::Fidelity fidelity) {
       return Json::object({reading_member("force_N", point.force.of(fidelity)),
-                           in_unit("bending_angle_deg", point.bending.of(fidelity))});
+                           reading_member("bending_angle_deg", point.bending.of(fidelity))});
     });
     list.add(std::move(entry));
   }

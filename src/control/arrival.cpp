@@ -15,7 +15,7 @@ constexpr double look = 0.5e-3;  // s
 constexpr double smallest_change = 1e-6;
 
 // Good to 1e-4 of a settling time (docs/theory/simulation.md); a search asks a thousand times.
-constexpr simulation::Accuracy accuracy{.relative = 1e-5};
+const simulation::Accuracy accuracy{.relative = 1e-5};
 
 }  // namespace
 

@@ -168,7 +168,7 @@ TEST(SkinTemperature, SeesABottomLayerOfAnotherSilicone) {
 
 TEST(SkinTemperature, WantsATemperatureForEachNode) {
   EXPECT_EQ(error_text([] { (void)skin_temperature(finger(50.0), NodeVector::Constant(3, 25.0)); }),
-            "temperatures: must have 8 elements; got 3");
+            "temperatures: must be 8 in number; got 3");
 }
 
 }  // namespace

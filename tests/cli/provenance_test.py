@@ -134,7 +134,8 @@ class SetOfAStudy(ProgramTest):
                 ("/constraints/7/at_most=1", "/constraints/7/at_most=1: must lead to a number, a word, or true or false of the study"),
                 ("/variables=1", "/variables=1: must lead to a number, a word, or true or false of the study"),
                 ("/operating_point/wiring=serial",
-                 'study.json: /operating_point/wiring: must be one of "series", "parallel"; got text "serial"'),
+                 'study.json: /operating_point/wiring: must be one of "parallel", "series"; did you mean "series"?; got text '
+                 '"serial"'),
                 ("/actuator=other.json",
                  "/actuator=other.json: must not be changed: a study of another actuator is another file"),
                 ("/constraints/0/at_most=x", "/constraints/0/at_most=x: must be a finite number"),

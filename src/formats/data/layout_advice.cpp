@@ -54,7 +54,8 @@ InputError advised(const InputError& error, const CsvHeader& header, const RunEn
                    const std::function<bool(CsvHeader&)>& accepts) {
   Fault fault = error.fault();
   const CsvForm& form = header.form();
-  if (form.sample.empty()) return error;
+  // Of two columns of one name a person knows which is meant.
+  if (form.sample.empty() || fault.rule == "must not be there twice") return error;
   const bool of_run = &layout == &entry.layout;
   const LayoutGuess guess =
       guess_layout(form, {.kind = entry.kind, .input = !of_run || !entry.input_file, .measured = of_run});

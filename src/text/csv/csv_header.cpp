@@ -41,6 +41,11 @@ std::string unknown_unit(std::string_view asked) {
       if (unit.dimension == wanted->unit.dimension)
         names.push_back(in_quotes(fmt::format("{}_{}", wanted->quantity, unit.suffix)));
   if (names.empty()) names.push_back(in_quotes(asked));
+  constexpr std::size_t most_units = 4;
+  if (names.size() > most_units) {
+    names.resize(most_units);
+    names.emplace_back("..");
+  }
   return fmt::format("unknown unit; may be {}, with the numbers in that unit", fmt::join(names, " or "));
 }
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "actuator/design/specific_heats.hpp"
 #include "actuator/heat_chain.hpp"
-#include "actuator/specific_heats.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/thermal/paths.hpp"
 #include "coilwright/winding/copper.hpp"

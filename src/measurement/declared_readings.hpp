@@ -24,8 +24,8 @@ struct DeclaredReadings {
 };
 
 /// Every channel of `run`, which is a bench or a motion from rest; nothing where the model cannot follow the input.
-/// `as_declared` has no effect beside those that the model declares. Throws std::invalid_argument where the run does not
-/// fit the model.
+/// `as_declared` has no effect beside those that the model declares. Throws std::invalid_argument where the run does
+/// not fit the model.
 [[nodiscard]] std::optional<std::vector<DeclaredReadings>> declared_readings(const data::Run& run,
                                                                              const replay::DeclaredModel& declared,
                                                                              const fit::Hypothesis& as_declared);

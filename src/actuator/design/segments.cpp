@@ -3,7 +3,7 @@
 #include <numbers>
 #include <optional>
 
-#include "actuator/specific_heats.hpp"
+#include "actuator/design/specific_heats.hpp"
 
 namespace coilwright::actuator {
 namespace {

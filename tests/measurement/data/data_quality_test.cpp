@@ -113,12 +113,13 @@ TEST(DataQuality, NamesUnitsThatCannotBeRight) {
   EXPECT_THAT(data_quality_warnings(run), only("a current of 1099.91 A is commanded"));
   run.drive = Drive::torque;
   EXPECT_THAT(data_quality_warnings(run), IsEmpty());
-  run = {.name = "sine.csv",
-         .kind = RunKind::temperature,
-         .times = {0.0, 1.0, 2.5},
-         .inputs = {{0.7}, {0.7}, {0.7}},
-         .channels = {{.name = "temperature_degC", .kind = ChannelKind::temperature, .values = {298.1, 305.2, 511.0}}}};
-  EXPECT_THAT(data_quality_warnings(run), only("temperature_degC goes from 298.1 to 511 degC"));
+  const data::Run warm{
+      .name = "sine.csv",
+      .kind = RunKind::temperature,
+      .times = {0.0, 1.0, 2.5},
+      .inputs = {{0.7}, {0.7}, {0.7}},
+      .channels = {{.name = "temperature_degC", .kind = ChannelKind::temperature, .values = {298.1, 305.2, 511.0}}}};
+  EXPECT_THAT(data_quality_warnings(warm), only("temperature_degC goes from 298.1 to 511 degC"));
 }
 
 }  // namespace

@@ -169,7 +169,8 @@ Wire gauge(int awg, Enamel enamel) {
 }
 
 Wire round_wire(double bare_diameter, Enamel enamel) {
-  if (!(bare_diameter >= least_bare_diameter && bare_diameter <= largest_bare_diameter)) {
+  // A file's 0.018 mm is a rounding below.
+  if (!(bare_diameter >= least_bare_diameter * (1.0 - 1e-12) && bare_diameter <= largest_bare_diameter)) {
     throw std::invalid_argument(fmt::format("bare_diameter: must be from {:.4g} to {:.4g} m; got {:.6g}",
                                             least_bare_diameter, largest_bare_diameter, bare_diameter));
   }

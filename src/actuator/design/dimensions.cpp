@@ -158,7 +158,8 @@ void check_wire(const Design& design, MisfitList& list) {
     return;
   }
   const double bare = coil.wire_diameter;
-  if (bare != 0.0 && !(bare >= winding::least_bare_diameter && bare <= winding::largest_bare_diameter)) {
+  if (bare != 0.0 &&
+      !(bare >= winding::least_bare_diameter * (1.0 - 1e-12) && bare <= winding::largest_bare_diameter)) {
     const double outside = bare > winding::largest_bare_diameter ? bare / winding::largest_bare_diameter - 1.0
                                                                  : 1.0 - bare / winding::least_bare_diameter;
     list.add(fmt::format("wire diameter must be {:.4g} to {:.4g} mm; got {:.4g} mm", winding::least_bare_diameter * 1e3,

@@ -34,6 +34,9 @@ constexpr double absolute_zero = -273.15;  // degC
 // For which the relation between a hardness and a modulus holds: Shore A by Gent, Shore 00 by Hertz.
 constexpr Rule shore_a = Rule::between(20.0, 80.0);
 constexpr Rule shore_00 = Rule::between(10.0, 70.0);
+// Of IEC 60317-0-1, winding::least_bare_diameter and winding::largest_bare_diameter; and whatever lies over that.
+constexpr Rule wire_mm = Rule::between(0.018, 5.0);
+constexpr Rule wire_overall_mm = Rule::between(0.02, 10.0);
 constexpr Rule modulus_MPa = Rule::between(1e-3, 100.0);
 
 using actuator::ComponentKind;
@@ -161,9 +164,8 @@ Rule rule_of(const actuator::Parameter& parameter) {
   if (parameter.key == "shore_hardness_A") return shore_a;
   if (parameter.key == "shore_hardness_00") return shore_00;
   if (parameter.key == "youngs_modulus_MPa") return modulus_MPa;
-  if (parameter.name == "wire_diameter_mm")
-    return Rule::between(units::from_memory(winding::least_bare_diameter, parameter.key),
-                         units::from_memory(winding::largest_bare_diameter, parameter.key));
+  if (parameter.name == "wire_diameter_mm") return wire_mm;
+  if (parameter.name == "wire_overall_mm") return wire_overall_mm;
   if (parameter.name == "remanence_T") return design_remanence;
   if (parameter.name == "gravity_m_s2") return Rule::between(0.0, actuator::most_gravity);
   if (parameter.key.ends_with("_degC")) return Rule::above(absolute_zero).and_also(Rule::at_most(largest_number));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "coilwright/simulation/modes.hpp"
 #include "measurement/data/usual_interval.hpp"
 #include "measurement/fit/hypothesis.hpp"
+#include "measurement/replay/input_whitener.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -123,6 +125,24 @@ void warn_of_unknown_colour(std::vector<data::Warning>& out, const Diagnosis& di
   }
 }
 
+// Along a motion that the errors of the input have led elsewhere, what more of them does is no longer linear. A
+// pendulum whose torque moved it by 7 degrees had a right damping outside of its interval in 6 of 18 sets.
+void warn_of_far_input_errors(std::vector<data::Warning>& out, std::span<const replay::PreparedRun> runs) {
+  constexpr double farthest = 0.05;  // rad
+  for (const replay::PreparedRun& prepared : runs) {
+    double moved = 0.0;
+    for (const replay::Window& window : prepared.windows)
+      if (window.input_whitener != nullptr) moved = std::max(moved, window.input_whitener->deviations().maxCoeff());
+    if (!(moved > farthest)) continue;
+    out.push_back(
+        {.run = prepared.run->name,
+         .text = fmt::format("the errors of the input (input_sigma) move the motion by up to {:.3g} deg, which "
+                             "is weighed to first order: intervals are too narrow, and weak effects may be "
+                             "chance; start the run anew in pieces (window_s) in which it is less than 3 deg",
+                             moved / (std::numbers::pi / 180.0))});
+  }
+}
+
 }  // namespace
 
 std::vector<data::Warning> warnings_of(const Diagnosis& diagnosis, std::span<const replay::PreparedRun> runs,
@@ -131,6 +151,7 @@ std::vector<data::Warning> warnings_of(const Diagnosis& diagnosis, std::span<con
   const auto warn = [&](std::string text) { out.push_back({.run = "", .text = std::move(text)}); };
   const double level = diagnosis.after.level;
   const bool given =
+      replay::weighs_input_errors(runs) ||
       std::ranges::any_of(runs, [](const replay::PreparedRun& prepared) { return prepared.run->sigma.has_value(); });
   if (given && level > notable_ratio)
     warn(fmt::format("what is left is {:.3g} times the noise that the set gives", level));
@@ -149,6 +170,7 @@ std::vector<data::Warning> warnings_of(const Diagnosis& diagnosis, std::span<con
     warn_of_short_lags(out, diagnosis, *slowest);
   }
   warn_of_unknown_colour(out, diagnosis, runs);
+  warn_of_far_input_errors(out, runs);
   if (diagnosis.verdict == Verdict::partly_explained || diagnosis.verdict == Verdict::unexplained) return out;
   for (const ErrorComparison& errors : diagnosis.validate_errors)
     if (errors.after.rmse > notable_ratio * errors.noise_floor_rmse)

@@ -94,16 +94,22 @@ class BadData(ProgramTest):
 
     def test_columns_that_are_missing_unknown_or_there_twice(self):
         for header, message in (
-                ("torque1_Nm,theta1_deg", "column time_s: is missing"),
-                ("time_s,theta1_deg", "must have an input column: current_A, current1_A.., voltage_V or torque1_Nm.."),
+                ("torque1_Nm,theta1_deg", 'column time_s: is missing; the columns are "torque1_Nm", "theta1_deg", and '
+                 'dataset.json must say the time: how many rows were taken a second, as "sampling_rate_Hz"'),
+                ("time_s,theta1_deg", "must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..; the "
+                 'columns are "time_s", "theta1_deg", and dataset.json must say the input: a column of current or voltage '
+                 'in this file, or another file with one, named by "input_file"'),
                 ("time_s,torque1_Nm",
-                 "must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s.."),
+                 "must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..; the columns are "
+                 '"time_s", "torque1_Nm", and dataset.json must say which column is the angle, in "columns"'),
                 ("time_s,torque1_Nm,theta1_deg,mood", "column mood: unknown column; there may be time_s, bending_angle_deg, theta1_deg.., omega1_rad_s.., "
                  "current_A, current1_A.., voltage_V, torque1_Nm..; what is to be left alone is named in "
                  "\"ignore\" in dataset.json, by name or position (\"#1\"); in dataset.json, beside \"runs\" for all runs, "
                  "write: \"ignore\": [\"mood\"]"),
                 ("time_s,torque1_Nm,theta1_deg,theta1_deg", "column theta1_deg: must not be there twice"),
-                ("time_s,torque1_A,theta1_deg", 'column torque1_A: unknown unit; may be "torque1_Nm" or "torque1_Nmm", with the numbers in that unit')):
+                ("time_s,torque1_A,theta1_deg", 'column torque1_A: unknown unit; may be "torque1_Nm" or "torque1_Nmm" or "torque1_mNm" '
+                 'or "torque1_Ncm" or .., with the numbers in that unit; in dataset.json, beside "runs" for all runs, '
+                 'write: "columns": {"torque1_A": "current_A"}')):
             values = ",".join("0" for _ in header.split(","))
             self.refuse_csv(f"{header}\n{values}\n1{values[1:]}\n", f"line 1: {message}")
 

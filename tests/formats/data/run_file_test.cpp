@@ -172,8 +172,8 @@ TEST(RunFile, RefusesColumnsAndUnitsThatDoNotExist) {
             "x.csv: line 1: column bending_angel_deg: unknown column; did you mean \"bending_angle_deg\"?");
   EXPECT_EQ(
       refusal("time_A,current_A,theta1_deg\n1,2,3\n"),
-      "x.csv: line 1: column time_A: unknown unit; may be \"time_s\" or \"time_ms\" or \"time_us\" or \"time_ns\", "
-      "with the numbers in that unit");
+      "x.csv: line 1: column time_A: unknown unit; may be \"time_s\" or \"time_ms\" or \"time_us\" or \"time_ns\" or "
+      ".., with the numbers in that unit");
   EXPECT_EQ(
       refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
       "x.csv: line 1: column theta1_mm: unknown unit; may be \"theta1_rad\" or \"theta1_mrad\" or \"theta1_deg\", "

@@ -118,8 +118,8 @@ TEST(CsvTable, RefusesAnUnknownUnit) {
       "numbers in that unit");
   EXPECT_EQ(
       refusal("angle_deg,current_A,torque_deg\n1.5,2.5,3\n"),
-      "x.csv: line 1: column torque_deg: unknown unit; may be \"torque_Nm\" or \"torque_mNm\" or \"torque_Nmm\", with "
-      "the numbers in that unit");
+      "x.csv: line 1: column torque_deg: unknown unit; may be \"torque_Nm\" or \"torque_Nmm\" or \"torque_mNm\" or "
+      "\"torque_Ncm\" or .., with the numbers in that unit");
 }
 
 TEST(CsvTable, RefusesAColumnThatIsThereTwice) {

@@ -59,6 +59,10 @@ bool is_quoted_number(std::string_view line, std::string_view field) {
   return line.find('"') != std::string_view::npos && number_of(field, ',').has_value();
 }
 
+bool quotes_fit(std::string_view text) {
+  return std::ranges::count(text, '"') % 2 == 0;
+}
+
 // What the last lines look like when they are cut at one separator.
 struct Cut {
   char separator{','};
@@ -72,7 +76,7 @@ Cut cut(const std::vector<Line>& lines, char separator) {
   const std::size_t first = lines.size() > searched_lines ? lines.size() - searched_lines : 0;
   long score = 0;
   for (std::size_t i = first; i < lines.size(); ++i) {
-    if (has_nothing(lines[i].text) || lines[i].text.starts_with('#')) continue;
+    if (has_nothing(lines[i].text) || lines[i].text.starts_with('#') || !quotes_fit(lines[i].text)) continue;
     std::vector<std::string> fields = fields_of(lines[i].text, separator);
     for (const std::string& field : fields) {
       // Text alone tells nothing; digits in what is no number stand where a line is cut wrongly.
@@ -110,10 +114,6 @@ Cut best_cut(const std::vector<Line>& lines, const CsvLayout& layout) {
     if (!best || each.score > best->score) best = std::move(each);
   }
   return *best;
-}
-
-bool quotes_fit(std::string_view text) {
-  return std::ranges::count(text, '"') % 2 == 0;
 }
 
 // The lines before the rows; those that quotes join are one, and have the number of the last.
@@ -212,7 +212,8 @@ CsvForm find_csv_form(std::string_view text, bool whole, const std::string& file
   const std::vector<Line> lines = lines_of(text, whole, layout.skip_lines);
   const Cut form = best_cut(lines, layout);
   const auto is_data = [&](const Line& line) {
-    return !has_nothing(line.text) && !line.text.starts_with('#') && is_row(fields_of(line.text, form.separator), form);
+    return !has_nothing(line.text) && !line.text.starts_with('#') && quotes_fit(line.text) &&
+           is_row(fields_of(line.text, form.separator), form);
   };
   const auto row = std::ranges::find_if(lines, is_data);
   if (row == lines.end() && text.find('\0') != std::string_view::npos)

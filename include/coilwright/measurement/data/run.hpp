@@ -96,7 +96,6 @@ struct Run {
   std::optional<double> sigma{};   ///< standard deviation of the measurement noise, SI; nothing: it is estimated
   RecordingClock clock{};
   InputHold hold{};
-  InputUncertainty input_uncertainty{};
   RigChange rig{};
   std::vector<double> times{};        ///< s, increasing, of the measurement (transient, temperature, still)
   std::vector<double> input_times{};  ///< s, increasing, of `inputs` where they have a clock of their own; empty: the
@@ -109,6 +108,7 @@ struct Run {
   std::vector<std::vector<double>> inputs{};  ///< A, V or N m: one row per sample of the input, with one value for all
                                               ///< coils or one value for each; empty in a still run
   std::vector<Channel> channels{};            ///< at least one
+  InputUncertainty input_uncertainty{};       // last: GCC 12 warns of one that is initialised before others
 
   /// Number of samples of each channel.
   [[nodiscard]] std::size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }

@@ -156,8 +156,8 @@ class Evaluate(ProgramTest):
         changed = {key for key in held if held[key] != pulsed[key]} - {"time_to_limit_warm_s"}
         self.assertEqual(sorted(changed),
                          ["coil_hot_spot_degC", "coil_resistance_hot_Ohm", "coil_temperature_degC",
-                          "magnet_temperature_degC", "power_W", "skin_temperature_degC", "supply_current_cold_A", "supply_voltage_V",
-                          "thermal_load", "thermal_load_free", "thermal_load_gripping", "thermal_load_still_air",
+                          "magnet_temperature_degC", "power_W", "skin_temperature_degC", "supply_current_cold_A",
+                          "supply_voltage_V", "thermal_load", "thermal_load_free", "thermal_load_gripping", "thermal_load_still_air",
                           "voltage_V"])
         self.assertAlmostEqual(pulsed["thermal_load"], 0.6 * held["thermal_load"], places=12)  # the square root of 0.36
 

@@ -72,8 +72,8 @@ PlannedRun planned(const PreparedRun& prepared) {
               .start = run.start,
               .clock = run.clock,
               .hold = run.hold,
-              .input_uncertainty = run.input_uncertainty,
-              .rig = run.rig};
+              .rig = run.rig,
+              .input_uncertainty = run.input_uncertainty};
   constexpr double largest_rate_difference = 0.2;  // that an experiment may have
   out.plan.clock.rate_sigma = std::min(run.clock.rate_sigma, largest_rate_difference);
   for (const data::Channel& channel : run.channels)

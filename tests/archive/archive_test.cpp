@@ -237,7 +237,7 @@ TEST_F(Archive, KnowsAChangedValueAndTakesTheDesignOut) {
     EXPECT_EQ(Reader(path_).size(), 1U) << change;
   }
   for (const char* change : {"study SET seed = 8", "inputs SET content = 'x'", "changes SET change = 'gap_mm=2'",
-                             "columns SET meaning = 'm'", "runs SET evaluated = 1"}) {
+                             "columns SET meaning = 'm'", "runs SET evaluated = 7"}) {
     write({design(0.7, 60, 1.5)});
     execute(std::string("UPDATE ") + change);
     EXPECT_THAT(refusal(), ::testing::AllOf(HasSubstr("is not what was written"), ::testing::EndsWith("): " + advice)))

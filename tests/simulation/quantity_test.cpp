@@ -151,8 +151,9 @@ TEST(Quantities, OfALumpedModelAreThoseOfADesign) {
     EXPECT_EQ(quantity.value_of_lumped(base.performance.cold, base.point.current), quantity.value(base.view()))
         << quantity.name;
   }
-  // Two angles, seven numbers of the step, frequency and damping of a mode, two forces and the current.
-  EXPECT_EQ(lumped, 2 + 7 + 2 + 2 + 1);
+  // Two angles, the smallest of each pose, seven numbers of the step, frequency and damping of a mode, two forces and
+  // the current.
+  EXPECT_EQ(lumped, 2 + 2 + 7 + 2 + 2 + 1);
 }
 
 TEST(QuantityTable, TakesAQuantityOfAUsersOwn) {

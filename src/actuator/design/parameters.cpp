@@ -299,7 +299,7 @@ std::span<const Parameter> parameters() {
 std::optional<std::string> conflict_between(const Parameter& one, const Parameter& other) {
   if (&one == &other || one.one_name_of.empty() || one.one_name_of != other.one_name_of || one.section != other.section)
     return std::nullopt;
-  return fmt::format("must not be there beside \"{}\": both give {}", one.key, one.one_name_of);
+  return fmt::format("must not be there beside \"{}\": both give {}", other.key, one.one_name_of);
 }
 
 std::optional<double> value_named(const Parameter& parameter, std::string_view name) {

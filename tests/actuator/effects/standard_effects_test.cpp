@@ -368,8 +368,12 @@ std::string inapplicable(std::string_view id, const ModelSpec& spec) {
 }
 
 TEST(Effect, SaysWhyItCannotBeInAModel) {
-  for (const EffectKind* kind : standard_effects().kinds())
-    EXPECT_EQ(kind->inapplicable(finger()).value_or(""), "") << kind->id();
+  for (const EffectKind* kind : standard_effects().kinds()) {
+    const bool of_motors = kind->id() == "load_friction" || kind->id() == "rotor_inertia";
+    EXPECT_EQ(kind->inapplicable(finger()).value_or(""),
+              of_motors ? "coil and magnet act across the joint, without a motor's shaft" : "")
+        << kind->id();
+  }
   const ModelSpec bare = rotor(1e-3);
   for (const char* id : {"driver_deadband", "driver_saturation", "current_offset", "coil_heating", "coil_lag",
                          "force_gain", "magnet_heating", "back_emf", "backlash", "off_axis_force", "coil_coil_force"})

@@ -19,7 +19,7 @@ TEST(EffectUnits, AreMissingFromPureNumbersOnly) {
       const std::string_view key = parameter.key;
       const bool pure = key == "gain" || key == "scale" || key == "side" || key == "warm_start" ||
                         key == "stiffness_ratio" || key == "mass_ratio" || key == "stribeck_ratio" ||
-                        key == "softening" || key == "damping_ratio";
+                        key == "softening" || key == "damping_ratio" || key == "coefficient";
       EXPECT_EQ(!units::split_unit(key).has_value(), pure) << kind->id() << ' ' << key;
     }
   }

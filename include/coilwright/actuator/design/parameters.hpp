@@ -38,7 +38,7 @@ struct Parameter {
 /// Every number of a Design, section by section.
 [[nodiscard]] std::span<const Parameter> parameters();
 
-/// What is wrong about giving both of two parameters: a line without its end, or nothing.
+/// What is wrong about giving `one` beside `other`, which its words name: a line without its end, or nothing.
 [[nodiscard]] std::optional<std::string> conflict_between(const Parameter& one, const Parameter& other);
 
 /// The value of a parameter that has names for one of them; nothing for any other text.

@@ -105,7 +105,7 @@ bool is_unit_row(const std::vector<std::string>& fields) {
   return units > 0;
 }
 
-std::string unit_in_brackets(std::string unit) {
+std::string unit_in_brackets(const std::string& unit) {
   const bool has = unit.starts_with('(') || unit.starts_with('[') || unit.starts_with('{');
   return has ? unit : "(" + unit + ")";
 }

@@ -302,7 +302,7 @@ TEST(DeclaredDesign, RefusesNamesThatNoFitCanMove) {
             "dataset.json: /calibrate/1: must not mean a number that another name means: "
             "\"/measured/joint_stiffness_Nmm_rad\"; got text "
             "\"joint_stiffness\"");
-  const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "coil": {"inner_radius_mm": 0.02}})";
+  const std::string impossible = R"({"format": "actuator/1", "configuration": "B", "coil": {"inner_radius_mm": 0.06}})";
   EXPECT_THAT(refusal(impossible, {}), ::testing::StartsWith("a.json: /: "));
 }
 

@@ -133,8 +133,10 @@ TEST(RunFile, NeedsNoInputWhereNoDriverIsConnected) {
   EXPECT_EQ(run("time_s,theta1_deg\n0,7\n1,6\n", CoilWiring::shorted).rig.coil, CoilWiring::shorted);
   EXPECT_THAT(run("time_s,current_A,theta1_deg\n0,0.5,7\n1,0.5,6\n", CoilWiring::open).inputs,
               ElementsAre(ElementsAre(0.5), ElementsAre(0.5)));
-  EXPECT_EQ(text::testing::error_of([&] { (void)run("time_s,curent_A,theta1_deg\n0,0,7\n1,0,6\n", CoilWiring::open); }),
-            "x.csv: line 1: column curent_A: unknown column; did you mean \"current_A\"?");
+  EXPECT_EQ(
+      text::testing::error_of([&] { (void)run("time_s,curent_A,theta1_deg\n0,0,7\n1,0,6\n", CoilWiring::open); }),
+      "x.csv: line 1: column curent_A: unknown column; did you mean \"current_A\"?; in dataset.json, beside \"runs\" "
+      "for all runs, write: \"columns\": {\"curent_A\": \"current_A\"}");
 }
 
 TEST(RunFile, LeavesColumnsAloneThatTheSetNames) {

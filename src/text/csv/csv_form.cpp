@@ -212,8 +212,7 @@ CsvForm find_csv_form(std::string_view text, bool whole, const std::string& file
   const std::vector<Line> lines = lines_of(text, whole, layout.skip_lines);
   const Cut form = best_cut(lines, layout);
   const auto is_data = [&](const Line& line) {
-    return !has_nothing(line.text) && !line.text.starts_with('#') && quotes_fit(line.text) &&
-           is_row(fields_of(line.text, form.separator), form);
+    return !has_nothing(line.text) && !line.text.starts_with('#') && is_row(fields_of(line.text, form.separator), form);
   };
   const auto row = std::ranges::find_if(lines, is_data);
   if (row == lines.end() && text.find('\0') != std::string_view::npos)

@@ -163,10 +163,11 @@ void require_clock(const data::Run& run, const Declared& declared) {
   constexpr double fastest_camera = 5e-4;  // s
   if (run.times.size() < 3) return;
   const double interval = data::usual_interval(run);
+  const auto has_a_camera = [](double seconds) { return seconds > fastest_camera && seconds < slowest_camera; };
   const bool slow = interval >= slowest_camera;
-  if (!slow && interval > fastest_camera) return;
+  if (has_a_camera(interval)) return;
   for (const OtherReading& reading : other_readings(run)) {
-    if (reading.of != Of::time || reading.counts || (reading.factor < 1.0) != slow) continue;
+    if (reading.of != Of::time || reading.counts || !has_a_camera(reading.factor * interval)) continue;
     const data::Run run_meant = read_as(run, reading);
     const auto meant = comparison_of(declared.readings_of(run_meant), reading);
     if (!meant || !meant->follows()) continue;

@@ -383,8 +383,8 @@ class SchemasAndProgram(ProgramTest):
             self.assert_same_bounds("actuator", {"format": "actuator/1", "configuration": "B", **names})
 
     def test_bound_the_numbers_of_effects_alike(self):
-        # Of a model that can have every effect, for it knows of none.
-        base = json.loads(PAPER_FINGER.read_text())
+        # Of models that can have every effect, for they know of none; a motor's are of a joint without a coil and a magnet.
+        finger, motor = json.loads(PAPER_FINGER.read_text()), data_file("lumped_model.json")
         for effect in SCHEMAS["effects.schema.json"]["items"]["oneOf"]:
             rules = {key: rule for key, rule in effect["properties"]["parameters"].get("properties", {}).items()
                      if key != "comment"}
@@ -392,6 +392,7 @@ class SchemasAndProgram(ProgramTest):
             for key, rule in rules.items():
                 bounds = resolved(rule, "effects.schema.json")[0]
                 values[key] = 1 if "enum" in rule else min(max(1, bounds["minimum"]), bounds.get("maximum", 1e9))
+            base = motor if effect["title"] in ("load_friction", "rotor_inertia") else finger
             base["effects"] = [{"id": effect["title"], "parameters": values}]
             self.assertEqual(faults(base), [])
             for key, rule in rules.items():
@@ -400,11 +401,11 @@ class SchemasAndProgram(ProgramTest):
                 for value in outside(rule):
                     with self.subTest(f"{effect['title']} {key} {value}"):
                         self.assertNotEqual(faults(changed(base, pointer, value)), [])
-                        self.assertIn(f" {pointer}: must be ", self.refusal("actuator", changed(base, pointer, value)))
+                        self.assertIn(f" {pointer}: must be ", self.refusal(schema_of(base), changed(base, pointer, value)))
                 for value in inside(rule):
                     with self.subTest(f"{effect['title']} {key} {value}"):
                         self.assertEqual(faults(changed(base, pointer, value)), [])
-                        self.assertEqual(self.refusal("actuator", changed(base, pointer, value)), "")
+                        self.assertEqual(self.refusal(schema_of(base), changed(base, pointer, value)), "")
 
     def test_bound_the_numbers_of_other_files_alike(self):
         self.assert_same_bounds("lumped-model", data_file("lumped_model.json"))
@@ -459,11 +460,12 @@ class SchemasAndProgram(ProgramTest):
         of_blocks = {f"{block}_{key}" for block, content in BLOCKS.items() for key, value in content.items()
                      if isinstance(value, (int, float)) and key not in ("least_current_up_to_A", "step_ms", "periods",
                                                                         "settling_periods")}
-        names = {"configuration", "current_A", *(name for _, name in rows), *factors, *of_blocks}
+        rows_of_parts = {"configuration", "layout", "polarity"}
+        names = {*rows_of_parts, "current_A", *(name for _, name in rows), *factors, *of_blocks}
         variables = SCHEMAS["study.schema.json"]["properties"]["variables"]["properties"]
         self.assertEqual(set(variables), names)
         study.update(BLOCKS)
-        for name in sorted(names - {"configuration", "current_A"}):
+        for name in sorted(names - rows_of_parts - {"current_A"}):
             # Far above every number there is: told of the bound, and not of the name.
             refusal = self.refusal("study", changed(study, "/variables", {name: {"values": [1e9]}}))
             self.assertIn(f" /variables/{name}/values/0: must be ", refusal)

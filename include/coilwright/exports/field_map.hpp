@@ -23,6 +23,7 @@ struct MapPlane {
   std::size_t columns{};  ///< >= 1
   std::size_t rows{};     ///< >= 1
 
+  /// The point with these coordinates, m.
   [[nodiscard]] Eigen::Vector3d at(double along_right, double along_up) const {
     return origin + along_right * right + along_up * up;
   }

@@ -68,6 +68,7 @@ struct Cut {
   char separator{','};
   std::size_t width{};
   std::vector<bool> numeric;  // columns that hold numbers, where they hold something
+  std::vector<bool> blank;    // columns left of all numbers that hold hardly anything
   long score{};
 };
 
@@ -78,16 +79,19 @@ Cut cut(const std::vector<Line>& lines, char separator) {
   for (std::size_t i = first; i < lines.size(); ++i) {
     if (has_nothing(lines[i].text) || lines[i].text.starts_with('#') || !quotes_fit(lines[i].text)) continue;
     std::vector<std::string> fields = fields_of(lines[i].text, separator);
+    bool has_number = false;
     for (const std::string& field : fields) {
       // Text alone tells nothing; digits in what is no number stand where a line is cut wrongly.
-      if (is_number(field, separator) || is_quoted_number(lines[i].text, field))
+      const bool number = is_number(field, separator) || is_quoted_number(lines[i].text, field);
+      has_number = has_number || number;
+      if (number)
         ++score;
       else if (field.find_first_of("0123456789") != std::string::npos)
         --score;
     }
-    by_width[fields.size()].push_back(std::move(fields));
+    if (has_number) by_width[fields.size()].push_back(std::move(fields));
   }
-  Cut out{.separator = separator, .width = 0, .numeric = {}, .score = score};
+  Cut out{.separator = separator, .width = 0, .numeric = {}, .blank = {}, .score = score};
   std::size_t most = 0;
   for (const auto& [width, rows] : by_width)
     if (rows.size() >= most) {
@@ -100,7 +104,9 @@ Cut cut(const std::vector<Line>& lines, char separator) {
       filled += is_absent(row[column]) ? 0 : 1;
       numbers += is_number(row[column], separator) || number_of(row[column], ',') ? 1 : 0;
     }
+    const bool leads = std::ranges::find(out.numeric, true) == out.numeric.end();
     out.numeric.push_back(numbers > 0 && 2 * numbers >= filled);
+    out.blank.push_back(leads && numbers == 0 && 2 * filled < most);
   }
   return out;
 }
@@ -142,6 +148,7 @@ bool is_row(const std::vector<std::string>& fields, const Cut& form) {
   if (fields.size() != form.width) return false;
   std::size_t numbers = 0, columns = 0;
   for (std::size_t i = 0; i < form.width; ++i) {
+    if (form.blank[i] && !is_absent(fields[i])) return false;  // the name of a setting, as in LabVIEW's header
     if (!form.numeric[i]) continue;
     ++columns;
     const bool number = is_number(fields[i], form.separator) || number_of(fields[i], ',');

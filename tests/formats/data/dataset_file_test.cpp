@@ -376,9 +376,9 @@ TEST_F(DatasetFiles, SayHowWellTheirNumbersAreKnown) {
       R"("joint_damping_ratio", "face_closing_deg", "joint_stiffness", "joint_damping" or by a JSON pointer into the actuator file)");
 }
 
-// Blocks of docs/formats.md that begin ```<kind>, by what else is on that line.
+// Blocks of docs/formats-dataset.md that begin ```<kind>, by what else is on that line.
 std::map<std::string, std::string> documented(const std::string& kind) {
-  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats.md");
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats-dataset.md");
   std::map<std::string, std::string> blocks;
   std::string opening("```");
   opening.append(kind).push_back(' ');
@@ -429,7 +429,7 @@ TEST_F(DatasetFiles, OfOtherProgramsInTheDocumentAreRead) {
 }
 
 TEST(EffectsOfTheDocument, AreThoseOfTheCatalogue) {
-  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats.md");
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats-actuator.md");
   std::vector<std::string> rows;
   std::string line;
   while (std::getline(file, line) && !line.starts_with("| id | parameters |")) continue;

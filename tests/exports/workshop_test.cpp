@@ -102,7 +102,7 @@ TEST(Casting, PoursABottomLayerOfItsOwnSiliconeFirst) {
   const auto plain = rows_of(text_of(workshop(subject_of(design), {}), "casting.csv"));
   design.body.make_of(&mechanics::silicone_grades()[2]);  // Ecoflex 00-30
   design.bottom_silicone = design.body;
-  design.bottom_silicone->make_of(&mechanics::silicone_grades()[7]);  // Dragon Skin 30
+  design.bottom_silicone->make_of(&mechanics::silicone_grades()[6]);  // Dragon Skin 30
   const DesignSubject subject = subject_of(design);
   const auto files = workshop(subject, {});
   const auto rows = rows_of(text_of(files, "casting.csv"));

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace coilwright::mechanics {
 namespace {
@@ -55,6 +57,34 @@ TEST(Silicones, HaveTheSmallStrainModulusBehindTheStressAtTwiceTheLength) {
   EXPECT_NEAR(young_modulus_from_100_percent(stress), modulus, 1e-6 * modulus);
   const double slope = (energy(1.0 + step) - 2.0 * energy(1.0) + energy(1.0 - step)) / (step * step);
   EXPECT_NEAR(slope, modulus, 1e-3 * modulus);  // E is the slope at rest
+}
+
+// Nominal stress at 6.795, 25 and 100 % extension, MPa: L. Marechal et al., Soft Robotics Materials Database,
+// Universite Savoie Mont Blanc, 2020, github.com/LucMarechal/Soft-Robotics-Materials-Database (ASTM D412, die C, 450
+// mm/min, extension of the grips over 33 mm). The first two give E at small strains.
+TEST(Silicones, AreStifferThanTensileTestsByWhatTheDocumentsSay) {
+  struct Tension {
+    std::string_view name;
+    double at_7_percent, at_25_percent, at_100_percent;
+    double factor;  // E over the stress at 100 %: 12/7 for a neo-Hookean rubber
+    double over;    // the table's modulus over E
+  };
+  constexpr Tension tests[] = {
+      {"Ecoflex 00-10", 0.000407, 0.00411, 0.01479, 1.79, 3.57},
+      {"Ecoflex 00-30", 0.00149, 0.00856, 0.02972, 1.70, 2.33},
+      {"Ecoflex 00-50", 0.00224, 0.01226, 0.04095, 1.75, 1.98},
+      {"Dragon Skin 10", 0.00636, 0.02643, 0.11296, 1.27, 1.81},
+      {"Dragon Skin 20", 0.01811, 0.07215, 0.31836, 1.22, 1.50},
+      {"Dragon Skin 30", 0.02964, 0.11087, 0.43712, 1.33, 1.75},
+  };
+  const auto neo_hookean = [](double stretch) { return (stretch - 1.0 / (stretch * stretch)) / 3.0; };
+  for (const Tension& test : tests) {
+    const double modulus = (test.at_25_percent - test.at_7_percent) / (neo_hookean(1.25) - neo_hookean(1.06795)) * 1e6;
+    EXPECT_NEAR(modulus / (test.at_100_percent * 1e6), test.factor, 0.006) << test.name;
+    const auto grade = std::ranges::find(silicone_grades(), test.name, &SiliconeGrade::name);
+    ASSERT_NE(grade, silicone_grades().end()) << test.name;
+    EXPECT_NEAR(grade->young_modulus / modulus, test.over, 0.006) << test.name;
+  }
 }
 
 // Hardness and stress at 100 % are two measurements of one material: Gent's relation and Hertz's against the makers'

@@ -30,9 +30,10 @@ constexpr std::array choices = {
            "Current of one wire in free air (chassis wiring) and by a law through it; a coil runs hotter: evaluate."},
     Choice{"magnets", magnet_listing, "Sintered NdFeB at 20 degC, as makers' tables give it."},
     Choice{"silicones", silicone_listing,
-           "Of a name: 12/7 of its maker's stress at 100 %. Of Shore A: by Gent's relation, 20 % below to 30 % above "
-           "those;\n"
-           "of Shore 00: by Hertz, within a factor of 2.2. Measure joint_stiffness_Nmm_rad where it matters."},
+           "Of a name: 12/7 of its maker's stress at 100 %, 1.5 to 3.6 times what tensile tests of castings have.\n"
+           "Of Shore A: by Gent's relation, 30 % below to 30 % above those of a name; of Shore 00: by Hertz, within a "
+           "factor of 2.2.\n"
+           "Measure joint_stiffness_Nmm_rad where it matters."},
 };
 
 std::vector<std::string> words() {

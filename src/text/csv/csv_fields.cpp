@@ -65,12 +65,16 @@ bool is_absent(std::string_view field) noexcept {
 
 std::optional<double> number_of(std::string_view field, char decimal) noexcept {
   if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
-  std::array<char, 64> pointed{};
-  if (const std::size_t comma = field.find(decimal); decimal != '.' && comma != std::string_view::npos) {
-    if (field.size() > pointed.size() || field.find('.') != std::string_view::npos) return std::nullopt;
-    std::ranges::copy(field, pointed.begin());
-    pointed[comma] = '.';
-    field = {pointed.data(), field.size()};
+  std::array<char, 64> rewritten{};
+  const std::size_t comma = decimal == '.' ? std::string_view::npos : field.find(decimal);
+  const std::size_t exponent = field.find('D');
+  if (comma != std::string_view::npos || exponent != std::string_view::npos) {
+    if (field.size() > rewritten.size()) return std::nullopt;
+    if (comma != std::string_view::npos && field.find('.') != std::string_view::npos) return std::nullopt;
+    std::ranges::copy(field, rewritten.begin());
+    if (comma != std::string_view::npos) rewritten[comma] = '.';
+    if (exponent != std::string_view::npos) rewritten[exponent] = 'E';
+    field = {rewritten.data(), field.size()};
   }
   double value{};
   const char* end = field.data() + field.size();

@@ -22,7 +22,7 @@ inline constexpr char blank_cut = '\x1f';
 /// Whether the field is what programs write where there was no reading: nothing, nan, NA, null, -.
 [[nodiscard]] bool is_absent(std::string_view field) noexcept;
 
-/// The field as a finite number: no locale, no hexadecimal, no blanks, a plus sign allowed.
+/// The field as a finite number: no locale, no hexadecimal, no blanks, a plus sign allowed, and Fortran's D for E.
 [[nodiscard]] std::optional<double> number_of(std::string_view field, char decimal) noexcept;
 
 }  // namespace coilwright::text

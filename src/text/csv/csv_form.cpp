@@ -73,7 +73,11 @@ struct Cut {
 };
 
 Cut cut(const std::vector<Line>& lines, char separator) {
-  std::map<std::size_t, std::vector<std::vector<std::string>>> by_width;
+  struct Rows {
+    std::vector<std::vector<std::string>> fields;  // of those that have a number
+    std::size_t votes = 0;  // one a line, and one more where it has a number
+  };
+  std::map<std::size_t, Rows> by_width;
   const std::size_t first = lines.size() > searched_lines ? lines.size() - searched_lines : 0;
   long score = 0;
   for (std::size_t i = first; i < lines.size(); ++i) {
@@ -89,24 +93,27 @@ Cut cut(const std::vector<Line>& lines, char separator) {
       else if (field.find_first_of("0123456789") != std::string::npos)
         --score;
     }
-    if (has_number) by_width[fields.size()].push_back(std::move(fields));
+    Rows& rows = by_width[fields.size()];
+    rows.votes += has_number ? 2 : 1;
+    if (has_number) rows.fields.push_back(std::move(fields));
   }
   Cut out{.separator = separator, .width = 0, .numeric = {}, .blank = {}, .score = score};
   std::size_t most = 0;
   for (const auto& [width, rows] : by_width)
-    if (rows.size() >= most) {
-      most = rows.size();
+    if (rows.votes >= most) {
+      most = rows.votes;
       out.width = width;
     }
   for (std::size_t column = 0; column < out.width; ++column) {
     std::size_t numbers = 0, filled = 0;
-    for (const auto& row : by_width[out.width]) {
+    const auto& rows = by_width[out.width].fields;
+    for (const auto& row : rows) {
       filled += is_absent(row[column]) ? 0 : 1;
       numbers += is_number(row[column], separator) || number_of(row[column], ',') ? 1 : 0;
     }
     const bool leads = std::ranges::find(out.numeric, true) == out.numeric.end();
     out.numeric.push_back(numbers > 0 && 2 * numbers >= filled);
-    out.blank.push_back(leads && numbers == 0 && 2 * filled < most);
+    out.blank.push_back(leads && numbers == 0 && 2 * filled < rows.size());
   }
   return out;
 }
@@ -148,7 +155,6 @@ bool is_row(const std::vector<std::string>& fields, const Cut& form) {
   if (fields.size() != form.width) return false;
   std::size_t numbers = 0, columns = 0;
   for (std::size_t i = 0; i < form.width; ++i) {
-    if (form.blank[i] && !is_absent(fields[i])) return false;  // the name of a setting, as in LabVIEW's header
     if (!form.numeric[i]) continue;
     ++columns;
     const bool number = is_number(fields[i], form.separator) || number_of(fields[i], ',');
@@ -156,6 +162,19 @@ bool is_row(const std::vector<std::string>& fields, const Cut& form) {
     numbers += number ? 1 : 0;
   }
   return numbers > 0 && 3 * numbers >= columns;
+}
+
+bool names_a_setting(const std::vector<std::string>& fields, const Cut& form) {
+  for (std::size_t i = 0; i < form.width; ++i)
+    if (form.blank[i] && !is_absent(fields[i])) return true;
+  return false;
+}
+
+bool names_columns(const std::vector<std::string>& fields, const Cut& form) {
+  for (std::size_t i = 0; i < form.width; ++i)
+    if (form.numeric[i] && (i >= fields.size() || is_absent(fields[i]) || is_number(fields[i], form.separator)))
+      return false;
+  return true;
 }
 
 // A comma among digits that may part thousands.
@@ -221,7 +240,15 @@ CsvForm find_csv_form(std::string_view text, bool whole, const std::string& file
   const auto is_data = [&](const Line& line) {
     return !has_nothing(line.text) && !line.text.starts_with('#') && is_row(fields_of(line.text, form.separator), form);
   };
-  const auto row = std::ranges::find_if(lines, is_data);
+  auto row = std::ranges::find_if(lines, is_data);
+  // A setting with a number a column, above the names, as in LabVIEW's header. Beside the rows of an oscilloscope,
+  // whose columns have no names, settings stand too.
+  if (row != lines.end() && names_a_setting(fields_of(row->text, form.separator), form)) {
+    const auto names = std::find_if(row, lines.end(), [&](const Line& line) {
+      return !line.text.starts_with('#') && names_columns(fields_of(line.text, form.separator), form);
+    });
+    if (names != lines.end()) row = std::find_if(names, lines.end(), is_data);
+  }
   if (row == lines.end() && text.find('\0') != std::string_view::npos)
     throw not_text(file, "must be text, and is binary: export it as CSV");
   CsvForm out{.separator = form.separator};

@@ -56,9 +56,14 @@ void CsvTable::require_increasing(std::string_view quantity, std::string_view of
     disorder = disorder || (back && values[std::min(row + 3, values.size() - 1)] > latest);
   }
   if (first == 0) return;
-  const std::string rule = fmt::format("must exceed the value before it ({})",
-                                       units::from_si(values[first - 1], unit_of(names_[index_of(quantity)])));
+  const units::Unit unit = unit_of(names_[index_of(quantity)]);
+  const std::string rule = fmt::format("must exceed the value before it ({})", units::from_si(values[first - 1], unit));
   if (disorder) throw error(quantity, first, rule + "; the rows are out of order: sort them by this column");
+  constexpr double counter = 4294967296.0;  // of a microcontroller's 32 bits
+  if (restarts.size() == 1 && units::from_si(values[first - 1], unit) > 0.99 * counter &&
+      units::from_si(values[first - 1], unit) < counter && units::from_si(values[first], unit) < 0.01 * counter)
+    throw error(quantity, first,
+                fmt::format("{}; its counter of 32 bits began again: add {:.0f} to it from here on", rule, counter));
   if (!restarts.empty()) {
     const std::string where = restarts.size() == 1    ? "here"
                               : restarts.size() > few ? fmt::format("{} times", restarts.size())

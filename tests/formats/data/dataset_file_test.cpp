@@ -251,7 +251,8 @@ TEST_F(DatasetFiles, SayHowFarAnInputIsFromWhatActed) {
   const DatasetFile file = read(R"({"format": "measured-data/1", "input_sigma": 0.1, "input_correlation_s": 0.02,
       "runs": [)" + run_a + "," +
                                 pushed + R"(, "input_sigma": [30, 40]},
-      {"file": "bench.csv", "kind": "static_torque", "role": "fit"},)" + run_b + "]})");
+      {"file": "bench.csv", "kind": "static_torque", "role": "fit"},)" +
+                                run_b + "]}");
   ASSERT_EQ(file.data.fit.size(), 3u);
   EXPECT_EQ(file.data.fit[2].input_uncertainty, measurement::data::InputUncertainty{});
   EXPECT_EQ(file.data.fit[0].input_uncertainty,

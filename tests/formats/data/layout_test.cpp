@@ -170,6 +170,14 @@ TEST_F(OwnRecords, AreScaledTurnedAndShifted) {
                                                   DoubleNear(11 * degree, 1e-15)));
 }
 
+TEST_F(OwnRecords, MayHaveSettingsAsWideAsTheirRowsAboveTheNames) {
+  const Record run = read(
+      R"("sampling_rate_Hz": 500, "columns": {"Strom": "current_A", "Winkel": "bending_angle_deg"})",
+      "LabVIEW Measurement\t\nDelta_X\t0.002\t0.002\t\n***End_of_Header***\t\t\t\nX_Value\tStrom\tWinkel\tComment\n"
+      "\t0\t7\t\n\t0.5\t8\t\n\t1\t9\t\n");
+  EXPECT_THAT(run.inputs, ElementsAre(ElementsAre(0.0), ElementsAre(0.5), ElementsAre(1.0)));
+}
+
 TEST_F(OwnRecords, MayBeInAnyUnitOfTheSameDimension) {
   const Record run = read("", "time_us,current_mA,theta1_mrad\n0,0,7\n1000,700,8\n");
   EXPECT_THAT(run.times, ElementsAre(0.0, 0.001));

@@ -194,6 +194,22 @@ TEST(CsvTable, ChecksThatAColumnIncreases) {
       "file holds 2 records: make a file of each, with the line of names; got 15");
 }
 
+TEST(CsvTable, TellsACounterThatOverflowsFromAClockThatStartsAgain) {
+  const auto read = [](std::string_view text) {
+    const CsvTable table = parse_csv(text, "x.csv", [](CsvHeader& header) { header.require("time_us"); });
+    return testing::error_of([&] { table.require_increasing("time"); });
+  };
+  EXPECT_EQ(read("time_us\n4294960000\n4294966000\n704\n"),
+            "x.csv: line 4: column time_us: must exceed the value before it (4294966000); its counter of 32 bits began "
+            "again: add 4294967296 to it from here on; got 704");
+  EXPECT_THAT(read("time_us\n3294960000\n3294966000\n704\n"), ::testing::HasSubstr("the clock starts again here"));
+}
+
+TEST(CsvTable, ReadsTheExponentsOfFortran) {
+  const CsvTable table = bench("angle_deg,current_A\n0.1D+02,-15D-1\n");
+  EXPECT_EQ(table.column("current")[0], -1.5);
+}
+
 TEST(CsvTable, AllowsIgnoredColumnsButNotTextInThem) {
   const auto read = [](std::string_view text) {
     return parse_csv(text, "x.csv", [](CsvHeader& header) {

@@ -430,12 +430,13 @@ TEST_F(DatasetFiles, OfOtherProgramsInTheDocumentAreRead) {
 }
 
 TEST(EffectsOfTheDocument, AreThoseOfTheCatalogue) {
-  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats-actuator.md");
-  std::vector<std::string> rows;
-  std::string line;
-  while (std::getline(file, line) && !line.starts_with("| id | parameters |")) continue;
-  while (std::getline(file, line) && line.starts_with("|"))
-    if (line.starts_with("| `")) rows.push_back(line);
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/theory/effects.md");
+  std::vector<std::string> rows;  // of its tables of effects, one a stage
+  bool in_table = false;
+  for (std::string line; std::getline(file, line);) {
+    in_table = line.starts_with("| id | equation |") || (in_table && line.starts_with("|"));
+    if (in_table && line.starts_with("| `")) rows.push_back(line);
+  }
   ASSERT_EQ(rows.size(), actuator::standard_effects().kinds().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const actuator::EffectKind& kind = *actuator::standard_effects().kinds()[i];

@@ -1,4 +1,4 @@
-// An effect of one's own. An effect of Coilwright is such a file in src/actuator/effects and a line in its
+// An effect of one's own. An effect of Coilwright is such a row in src/actuator/effects and a line in its
 // standard_effects.cpp; this one belongs to a program, whose line is `standard_effects().with(reluctance_torque())`.
 
 #include <array>
@@ -42,42 +42,36 @@ class ReluctanceTerm final : public EffectTerm {
   double range_;
 };
 
-class ReluctanceTorque final : public DescribedEffect {
- public:
-  ReluctanceTorque()
-      : DescribedEffect({.id = "reluctance_torque",
-                         .stage = Stage::magnetics,
-                         .description = "iron beside the magnets is pulled whichever way the current flows",
-                         .equation = "q_j -= i^2/2 L_1/(2r) / cosh^2(theta_j/(2r))",
-                         .source = "the force of a coil on iron is half the squared current times the slope of the "
-                                   "inductance (Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3); the "
-                                   "shape over the angle is a choice",
-                         .parameters = {{.key = "inductance_mH",
-                                         .text = "what the iron adds to a coil with the joint straight",
-                                         .lower = 0.0,
-                                         .upper = std::numeric_limits<double>::infinity(),
-                                         .absent = 0.0},
-                                        {.key = "range_deg",
-                                         .text = "angle over which that falls by half",
-                                         .lower = 5.0 / degrees,
-                                         .upper = 180.0 / degrees}}}) {}
-
-  // Where a fit starts: a tenth of the torques on this rig, with a short and a long range.
-  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    std::vector<std::vector<double>> out;
-    for (const double range : {20.0 / degrees, 60.0 / degrees})
-      out.push_back({0.1 * scale.torque * 4.0 * range / (scale.current * scale.current), range});
-    return out;
-  }
-
-  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    return std::make_unique<ReluctanceTerm>(spec.magnetics.hinge_pairs(), values[0], values[1]);
-  }
-};
+// Where a fit starts: a tenth of the torques on this rig, with a short and a long range.
+std::vector<std::vector<double>> starts(const RigScale& scale) {
+  std::vector<std::vector<double>> out;
+  for (const double range : {20.0 / degrees, 60.0 / degrees})
+    out.push_back({0.1 * scale.torque * 4.0 * range / (scale.current * scale.current), range});
+  return out;
+}
 
 }  // namespace
 
 const EffectKind& reluctance_torque() {
-  static const ReluctanceTorque kind;
+  static const DescribedEffect kind(
+      {.id = "reluctance_torque",
+       .stage = Stage::magnetics,
+       .description = "iron beside the magnets is pulled whichever way the current flows",
+       .equation = "q_j -= i^2/2 L_1/(2r) / cosh^2(theta_j/(2r))",
+       .source = "the force of a coil on iron is half the squared current times the slope of the inductance "
+                 "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3); the shape over the angle is a choice",
+       .parameters = {{.key = "inductance_mH",
+                       .text = "what the iron adds to a coil with the joint straight",
+                       .lower = 0.0,
+                       .upper = std::numeric_limits<double>::infinity(),
+                       .absent = 0.0},
+                      {.key = "range_deg",
+                       .text = "angle over which that falls by half",
+                       .lower = 5.0 / degrees,
+                       .upper = 180.0 / degrees}},
+       .starts = starts,
+       .build = [](std::span<const double> values, ModelSpec& spec) {
+         return std::make_unique<ReluctanceTerm>(spec.magnetics.hinge_pairs(), values[0], values[1]);
+       }});
   return kind;
 }

@@ -106,16 +106,11 @@ DrivenCoils::DrivenCoils(CoilLoop loop)
            .stage = actuator::Stage::magnetics,
            .description = "a driver's voltage drives the currents against resistance, inductance and motion",
            .equation = "L i' = u - R i - g . omega for each coil, g = dq/di",
-           .source = "Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3"}),
-      loop_(std::move(loop)) {}
-
-std::vector<std::vector<double>> DrivenCoils::starts(const actuator::RigScale& /*scale*/) const {
-  return {{}};
-}
-
-std::unique_ptr<const actuator::EffectTerm> DrivenCoils::build(std::span<const double> /*values*/,
-                                                               actuator::ModelSpec& spec) const {
-  return std::make_unique<CoilsTerm>(loop_, coil_magnet_pairs(spec.magnetics));
-}
+           .source = "Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3",
+           .starts = [](const actuator::RigScale& /*scale*/) { return std::vector<std::vector<double>>{{}}; },
+           .build =
+               [loop = std::move(loop)](std::span<const double> /*values*/, actuator::ModelSpec& spec) {
+                 return std::make_unique<CoilsTerm>(loop, coil_magnet_pairs(spec.magnetics));
+               }}) {}
 
 }  // namespace coilwright::systems

@@ -39,8 +39,7 @@ struct CoilLoop {
 /// The coils' currents as states of a model, with what motion induces in them by the model's own torques per ampere g_j
 /// of each joint: sum g_j omega_j (Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3), so that what the
 /// circuit loses the chain gains. States, all of one actuator: the currents, then Integral by Integral.
-class DrivenCoils final : public actuator::DescribedEffect {
- public:
+struct DrivenCoils final : actuator::DescribedEffect {
   /// What is integrated beside the currents, in this order after them.
   enum Integral {
     charge,  ///< of the driver's current, A s
@@ -52,13 +51,6 @@ class DrivenCoils final : public actuator::DescribedEffect {
 
   /// Keeps the loop.
   explicit DrivenCoils(CoilLoop loop);
-
-  std::vector<std::vector<double>> starts(const actuator::RigScale& scale) const override;
-  std::unique_ptr<const actuator::EffectTerm> build(std::span<const double> values,
-                                                    actuator::ModelSpec& spec) const override;
-
- private:
-  CoilLoop loop_;
 };
 
 /// Throws std::invalid_argument where the model has an effect of a stage up to `last`, which acts `on` what follows

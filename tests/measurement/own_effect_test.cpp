@@ -37,29 +37,23 @@ class PushTerm final : public actuator::EffectTerm {
   double strength_;
 };
 
-class Push final : public actuator::DescribedEffect {
- public:
-  Push()
-      : DescribedEffect({.id = "push",
-                         .stage = actuator::Stage::hinge,
-                         .description = "something pushes on, the harder the faster it goes",
-                         .equation = "q += c rate |rate|",
-                         .source = "this test",
-                         .parameters = {{.key = "push_Nmms2_rad2",
-                                         .text = "torque over squared rate",
-                                         .lower = 0.0,
-                                         .upper = std::numeric_limits<double>::infinity(),
-                                         .absent = 0.0}}}) {}
-  std::vector<std::vector<double>> starts(const actuator::RigScale& scale) const override {
-    return {{0.1 * scale.torque / (scale.rate * scale.rate)}};
-  }
-  std::unique_ptr<const actuator::EffectTerm> build(std::span<const double> values,
-                                                    actuator::ModelSpec& /*spec*/) const override {
-    return std::make_unique<PushTerm>(values[0]);
-  }
-};
-
-const Push push;
+const actuator::DescribedEffect push(
+    {.id = "push",
+     .stage = actuator::Stage::hinge,
+     .description = "something pushes on, the harder the faster it goes",
+     .equation = "q += c rate |rate|",
+     .source = "this test",
+     .parameters = {{.key = "push_Nmms2_rad2",
+                     .text = "torque over squared rate",
+                     .lower = 0.0,
+                     .upper = std::numeric_limits<double>::infinity(),
+                     .absent = 0.0}},
+     .starts =
+         [](const actuator::RigScale& scale) {
+           return std::vector<std::vector<double>>{{0.1 * scale.torque / (scale.rate * scale.rate)}};
+         },
+     .build = [](std::span<const double> values,
+                 actuator::ModelSpec& /*spec*/) { return std::make_unique<PushTerm>(values[0]); }});
 
 const EffectCatalogue& own_effects() {
   static const EffectCatalogue all = actuator::standard_effects().with(push);

@@ -1,10 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <utility>
 
-#include "actuator/effects/starts.hpp"
-#include "coilwright/actuator/model/model_spec.hpp"
+#include "actuator/effects/effect_rows.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {
@@ -43,65 +40,57 @@ class StopTerm final : public EffectTerm {
   double side_;
 };
 
-class EndStop final : public DescribedEffect {
- public:
-  EndStop()
-      : DescribedEffect(
-            {.id = "end_stop",
-             .stage = Stage::hinge,
-             .description = "something stops the joints: a limit, a cable, segments that meet",
-             .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
-             .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
-             .check = "bend the finger by hand and feel for a stop; look for a cable, or segments that touch",
-             .parameters = {{.key = "angle_deg",
-                             .text = "joint angle at which the stop is met, every joint",
-                             .lower = -180.0 / degrees,
-                             .upper = 180.0 / degrees},
-                            {.key = "stiffness_Nmm_rad",
-                             .text = "of the stop",
-                             .lower = 0.0,
-                             .upper = std::numeric_limits<double>::infinity(),
-                             .absent = 0.0},
-                            {.key = "side",
-                             .text = "1: limits opening, -1: limits closing",
-                             .lower = -1.0,
-                             .upper = 1.0,
-                             .choices = sides}}}) {}
+constexpr EffectParameter stop_angle{.key = "angle_deg",
+                                     .text = "joint angle at which the stop is met, every joint",
+                                     .lower = -180.0 / degrees,
+                                     .upper = 180.0 / degrees};
 
-  // A fit sees a stop only where the motion presses it: from close inside either end of the motion inwards.
-  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double range = scale.upper_angle - scale.lower_angle;
-    const double stiffness = 10.0 * scale.torque / scale.angle;
-    std::vector<std::vector<double>> out;
-    for (const double side : sides) {
-      const double end = side > 0.0 ? scale.upper_angle : scale.lower_angle;
-      for (const double inwards : {0.03, 0.15, 0.35}) {
-        const double angle = end - side * inwards * range;
-        out.push_back({std::clamp(angle, parameters()[0].lower, parameters()[0].upper), stiffness, side});
-      }
+// A fit sees a stop only where the motion presses it: from close inside either end of the motion inwards.
+Starts stop_starts(const RigScale& scale) {
+  const double range = scale.upper_angle - scale.lower_angle;
+  const double stiffness = 10.0 * scale.torque / scale.angle;
+  Starts out;
+  for (const double side : sides) {
+    const double end = side > 0.0 ? scale.upper_angle : scale.lower_angle;
+    for (const double inwards : {0.03, 0.15, 0.35}) {
+      const double angle = end - side * inwards * range;
+      out.push_back({std::clamp(angle, stop_angle.lower, stop_angle.upper), stiffness, side});
     }
-    return out;
   }
-
-  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    if (values[1] == 0.0) return nullptr;
-    const double side = values[2];
-    const mechanics::JointVector mobility = spec.chain.joint_mobility();
-    std::vector<FaceContact> stops;
-    for (const double m : mobility) {
-      const double stiffness = std::min(values[1], fastest_ring * fastest_ring / m);
-      stops.push_back({.closing_angle = -side * values[0],
-                       .stiffness = stiffness,
-                       .damping = mechanics::contact_damping(stiffness, m)});
-    }
-    return std::make_unique<StopTerm>(std::move(stops), side);
-  }
-};
+  return out;
+}
 
 }  // namespace
 
 const EffectKind& end_stop() {
-  static const EndStop kind;
+  static const DescribedEffect kind(
+      {.id = "end_stop",
+       .stage = Stage::hinge,
+       .description = "something stops the joints: a limit, a cable, segments that meet",
+       .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
+       .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
+       .check = "bend the finger by hand and feel for a stop; look for a cable, or segments that touch",
+       .parameters =
+           {stop_angle,
+            {.key = "stiffness_Nmm_rad", .text = "of the stop", .lower = 0.0, .upper = infinity, .absent = 0.0},
+            {.key = "side",
+             .text = "1: limits opening, -1: limits closing",
+             .lower = -1.0,
+             .upper = 1.0,
+             .choices = sides}},
+       .starts = stop_starts,
+       .build = [](Values values, ModelSpec& spec) -> Term {
+         const double side = values[2];
+         const mechanics::JointVector mobility = spec.chain.joint_mobility();
+         std::vector<FaceContact> stops;
+         for (const double m : mobility) {
+           const double stiffness = std::min(values[1], fastest_ring * fastest_ring / m);
+           stops.push_back({.closing_angle = -side * values[0],
+                            .stiffness = stiffness,
+                            .damping = mechanics::contact_damping(stiffness, m)});
+         }
+         return std::make_unique<StopTerm>(std::move(stops), side);
+       }});
   return kind;
 }
 

@@ -1,8 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "actuator/effects/starts.hpp"
-#include "coilwright/actuator/model/model_spec.hpp"
+#include "actuator/effects/effect_rows.hpp"
 
 namespace coilwright::actuator::effects {
 namespace {
@@ -68,28 +68,27 @@ class MountTerm final : public EffectTerm {
   double damping_ratio_;
 };
 
-std::vector<EffectParameter> undamped_parameters() {
-  return {{.key = "frequency_Hz",
-           .text = "of the mount on its spring, with the finger held stiff",
-           .lower = 5.0,
-           .upper = 300.0},
-          {.key = "mass_ratio",
-           .text = "mass of the chain over that of the mount",
-           .lower = 0.0,
-           .upper = 5.0,
-           .absent = 0.0}};
+constexpr EffectParameter frequency{.key = "frequency_Hz",
+                                    .text = "of the mount on its spring, with the finger held stiff",
+                                    .lower = 5.0,
+                                    .upper = 300.0};
+constexpr EffectParameter mass_ratio{
+    .key = "mass_ratio", .text = "mass of the chain over that of the mount", .lower = 0.0, .upper = 5.0, .absent = 0.0};
+constexpr EffectParameter damping_ratio{
+    .key = "damping_ratio",
+    .text = "of the mount on its spring, with the finger held stiff; 0.05 if not given",
+    .lower = 0.001,
+    .upper = 0.5};
+
+constexpr double slowest_start = 6.0;  // Hz
+
+// The fastest mount that a fit starts from, Hz: the records still show three samples of its period.
+double fastest_start(const RigScale& scale) {
+  return std::clamp(0.3 / scale.interval, 12.0, 150.0);
 }
 
-std::vector<EffectParameter> damped_parameters() {
-  std::vector<EffectParameter> out = undamped_parameters();
-  out.push_back({.key = "damping_ratio",
-                 .text = "of the mount on its spring, with the finger held stiff; 0.05 if not given",
-                 .lower = 0.001,
-                 .upper = 0.5});
-  return out;
-}
-
-EffectProperties described(std::vector<EffectParameter> parameters) {
+// What the mount has with the usual damping and with one of its own.
+EffectProperties mount() {
   return {.id = "mount_compliance",
           .stage = Stage::chain,
           .description = "the mount gives way: a mass on a spring that moves with the finger",
@@ -100,65 +99,45 @@ EffectProperties described(std::vector<EffectParameter> parameters) {
               "Lagrange's equations of a chain on a sliding base (Goldstein, Classical Mechanics, ch. 1); damping "
               "a choice",
           .check = "repeat one step with the mount clamped hard, or tap it and film whether it moves",
-          .parameters = std::move(parameters)};
-}
-
-constexpr double slowest_start = 6.0;  // Hz
-
-// The fastest mount that a fit starts from, Hz: the records still show three samples of its period.
-double fastest_start(const RigScale& scale) {
-  return std::clamp(0.3 / scale.interval, 12.0, 150.0);
-}
-
-std::unique_ptr<const EffectTerm> build_mount(const ModelSpec& spec, double frequency, double mass_ratio,
-                                              double damping_ratio) {
-  if (!(mass_ratio > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
-  return std::make_unique<MountTerm>(spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * frequency,
-                                                                 .mass_ratio = mass_ratio,
-                                                                 .damping_ratio = damping_ratio});
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            if (!(values[1] > 1e-9)) return nullptr;  // a mount a thousand million times as heavy
+            return std::make_unique<MountTerm>(
+                spec.chain, MountTerm::Spec{.frequency = 2.0 * std::numbers::pi * values[0],
+                                            .mass_ratio = values[1],
+                                            .damping_ratio = values.size() > 2 ? values[2] : usual_damping_ratio});
+          }};
 }
 
 // The damping told by the records: a mount that rings for longer than the usual one, or not at all.
-class DampedMount final : public DescribedEffect {
- public:
-  DampedMount() : DescribedEffect(described(damped_parameters())) {}
-
-  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double fastest = fastest_start(scale);
-    return {{fastest, 0.2, 0.02}, {fastest, 0.2, 0.15}};
-  }
-
-  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    return build_mount(spec, values[0], values[1], values[2]);
-  }
-};
-
-class MountCompliance final : public DescribedEffect {
- public:
-  MountCompliance() : DescribedEffect(described(undamped_parameters())) {}
-
-  const EffectKind* with_further_numbers() const override {
-    static const DampedMount kind;
-    return &kind;
-  }
-
-  std::vector<std::vector<double>> starts(const RigScale& scale) const override {
-    const double fastest = fastest_start(scale);
-    // A heavy mount rings by itself: a start must be near enough that both keep step for a few swings.
-    constexpr double widest_ratio = 1.4;
-    const int count = 1 + static_cast<int>(std::ceil(std::log(fastest / slowest_start) / std::log(widest_ratio)));
-    return each_with_each(log_spread(slowest_start, fastest, count), {0.05, 0.2});
-  }
-
-  std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const override {
-    return build_mount(spec, values[0], values[1], usual_damping_ratio);
-  }
-};
+const EffectKind& damped_mount() {
+  static const DescribedEffect kind([] {
+    EffectProperties row = mount();
+    row.parameters = {frequency, mass_ratio, damping_ratio};
+    row.starts = [](const RigScale& scale) {
+      const double fastest = fastest_start(scale);
+      return Starts{{fastest, 0.2, 0.02}, {fastest, 0.2, 0.15}};
+    };
+    return row;
+  }());
+  return kind;
+}
 
 }  // namespace
 
 const EffectKind& mount_compliance() {
-  static const MountCompliance kind;
+  static const DescribedEffect kind([] {
+    EffectProperties row = mount();
+    row.parameters = {frequency, mass_ratio};
+    row.further = &damped_mount();
+    row.starts = [](const RigScale& scale) {
+      const double fastest = fastest_start(scale);
+      // A heavy mount rings by itself: a start must be near enough that both keep step for a few swings.
+      constexpr double widest_ratio = 1.4;
+      const int count = 1 + static_cast<int>(std::ceil(std::log(fastest / slowest_start) / std::log(widest_ratio)));
+      return each_with_each(log_spread(slowest_start, fastest, count), {0.05, 0.2});
+    };
+    return row;
+  }());
   return kind;
 }
 

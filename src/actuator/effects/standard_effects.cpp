@@ -38,7 +38,7 @@
 namespace coilwright::actuator {
 namespace effects {
 
-// Each is defined in the file of its name.
+// Each is defined in the file of what it changes.
 #define COILWRIGHT_DECLARE(id) const EffectKind& id();
 COILWRIGHT_EFFECTS(COILWRIGHT_DECLARE)
 #undef COILWRIGHT_DECLARE

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coilwright/actuator/model/described_effect.hpp"
 #include "coilwright/actuator/model/model_spec.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -60,6 +61,19 @@ void EffectTerm::show(InternalStateView /*own*/, mechanics::JointVector& /*angle
 std::optional<std::string> EffectKind::inapplicable(const ModelSpec& spec) const {
   if ((stage() == Stage::drive || stage() == Stage::magnetics) && spec.coils == 0) return "the model has no coils";
   return std::nullopt;
+}
+
+std::optional<std::string> DescribedEffect::inapplicable(const ModelSpec& spec) const {
+  return properties_.inapplicable ? properties_.inapplicable(spec) : EffectKind::inapplicable(spec);
+}
+
+std::unique_ptr<const EffectTerm> DescribedEffect::build(std::span<const double> values, ModelSpec& spec) const {
+  const auto first =
+      std::ranges::find_if(properties_.parameters, [](const EffectParameter& each) { return each.absent.has_value(); });
+  if (first != properties_.parameters.end() &&
+      values[static_cast<std::size_t>(first - properties_.parameters.begin())] == *first->absent)
+    return nullptr;
+  return properties_.build(values, spec);
 }
 
 void validate_effect(const Effect& effect) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -9,7 +13,8 @@
 
 namespace coilwright::actuator {
 
-/// What of an effect is text and numbers rather than code; each field as the function of EffectKind of its name.
+/// An effect as a row of a table; each field as the function of EffectKind of its name. The texts are not copied: give
+/// literals.
 struct EffectProperties {
   std::string_view id;
   Stage stage{};
@@ -18,13 +23,20 @@ struct EffectProperties {
   std::string_view source;
   std::string_view check{};
   std::vector<EffectParameter> parameters{};
+  bool needs_closed_circuit{};
+  /// The same effect with further numbers (EffectKind::with_further_numbers); not owned.
+  const EffectKind* further{};
+  std::function<std::vector<std::vector<double>>(const RigScale&)> starts{};
+  /// Not asked where the effect is absent: where the first of its numbers that has such a value has it.
+  std::function<std::unique_ptr<const EffectTerm>(std::span<const double>, ModelSpec&)> build{};
+  /// Empty: EffectKind::inapplicable.
+  std::function<std::optional<std::string>(const ModelSpec&)> inapplicable{};
 };
 
-/// An effect whose texts and numbers are given once, in its constructor. What derives from it adds where a fit starts
-/// and how the effect is built in. The texts are not copied: give literals.
+/// An effect that is such a row: what a program defines, without a class of its own.
 class DescribedEffect : public EffectKind {
  public:
-  /// Keeps the texts and numbers.
+  /// Keeps the row.
   explicit DescribedEffect(EffectProperties properties) : properties_(std::move(properties)) {}
 
   [[nodiscard]] std::string_view id() const final { return properties_.id; }
@@ -35,6 +47,13 @@ class DescribedEffect : public EffectKind {
   [[nodiscard]] std::string_view source() const final { return properties_.source; }
   [[nodiscard]] std::string_view check() const final { return properties_.check; }
   [[nodiscard]] std::span<const EffectParameter> parameters() const final { return properties_.parameters; }
+  [[nodiscard]] bool needs_closed_circuit() const final { return properties_.needs_closed_circuit; }
+  [[nodiscard]] const EffectKind* with_further_numbers() const final { return properties_.further; }
+  [[nodiscard]] std::optional<std::string> inapplicable(const ModelSpec& spec) const final;
+  [[nodiscard]] std::vector<std::vector<double>> starts(const RigScale& scale) const final {
+    return properties_.starts(scale);
+  }
+  [[nodiscard]] std::unique_ptr<const EffectTerm> build(std::span<const double> values, ModelSpec& spec) const final;
 
  private:
   EffectProperties properties_;

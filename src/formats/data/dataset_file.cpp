@@ -67,7 +67,6 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
                   std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> met;
   std::set<std::filesystem::path> input_files;
-  std::map<std::string, InputError> objections;
   std::map<std::string, std::vector<measurement::data::Warning>> warnings;
   std::set<std::string> used;
   std::vector<Run> validate;
@@ -77,7 +76,7 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
     Run& run = entry.file.run;
     used.merge(entry.file.used);
     warnings.emplace(run.name, std::move(entry.file.warnings));
-    if (entry.file.objection) objections.emplace(run.name, *entry.file.objection);
+    if (entry.file.objection) throw InputError(*entry.file.objection);
     if (entry.input_file) input_files.insert(*entry.input_file);
     if (run.kind == RunKind::still)
       data.still.push_back(std::move(run));
@@ -94,7 +93,6 @@ Dataset read_runs(const Node& node, const LayoutEntry& layout, const measurement
   data = measurement::data::with_runs_held_out(std::move(data));
   for (const std::vector<Run>* runs : {&data.fit, &data.still})
     for (const Run& run : *runs) {
-      if (const auto found = objections.find(run.name); found != objections.end()) throw found->second;
       std::ranges::move(warnings.at(run.name), std::back_inserter(data.warnings));
       std::ranges::move(measurement::data::data_quality_warnings(run), std::back_inserter(data.warnings));
     }

@@ -134,6 +134,13 @@ void draw_outlines(Sketch& sketch, const MapPlane& plane, std::span<const magnet
   }
 }
 
+// 1, 2 or 5 times a power of ten, so that four to ten marks stand along the length.
+double mark_spacing(double length) {
+  const double most = 0.25 * length;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  return power * (most >= 5.0 * power ? 5.0 : most >= 2.0 * power ? 2.0 : 1.0);
+}
+
 void draw_axes(Sketch& sketch, const MapPlane& plane) {
   const double unit = sketch.text_height();
   const double right = plane.left + plane.cell * static_cast<double>(plane.columns);
@@ -143,14 +150,15 @@ void draw_axes(Sketch& sketch, const MapPlane& plane) {
                                  std::pair(Point{plane.left, plane.bottom}, Point{plane.left, top}),
                                  std::pair(Point{right, plane.bottom}, Point{right, top})})
     sketch.line(Layer::dimension, from, to);
-  constexpr int marks = 4;
-  for (int i = 0; i <= marks; ++i) {
-    const double share = static_cast<double>(i) / marks;
-    const double x = plane.left + share * (right - plane.left);
-    const double y = plane.bottom + share * (top - plane.bottom);
+  const double spacing = mark_spacing(std::max(right - plane.left, top - plane.bottom));
+  for (int i = static_cast<int>(std::ceil(plane.left / spacing)); i * spacing <= right; ++i) {
+    const double x = i * spacing;
     sketch.line(Layer::dimension, {x, plane.bottom}, {x, plane.bottom - 0.5 * unit});
-    sketch.line(Layer::dimension, {plane.left, y}, {plane.left - 0.5 * unit, y});
     sketch.text(Layer::note, {x, plane.bottom - 2.0 * unit}, fmt::format("{:.4g}", 1e3 * x), Anchor::middle);
+  }
+  for (int i = static_cast<int>(std::ceil(plane.bottom / spacing)); i * spacing <= top; ++i) {
+    const double y = i * spacing;
+    sketch.line(Layer::dimension, {plane.left, y}, {plane.left - 0.5 * unit, y});
     sketch.text(Layer::note, {plane.left - unit, y - 0.5 * unit}, fmt::format("{:.4g}", 1e3 * y), Anchor::end);
   }
   sketch.text(Layer::note, {0.5 * (plane.left + right), plane.bottom - 4.0 * unit}, plane.right_name + " (mm)",

@@ -105,14 +105,11 @@ Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::Vec
     out.predictions.push_back(run.predictions);
   }
   if (derivatives == Derivatives::none) return {.value = std::move(out), .simulated_runs = simulated_runs};
-  linearise(*here_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) out.blocks[b].jacobian.setZero(blocks_[b].rows, parameters.size());
   if (derivatives == Derivatives::all) {
     const auto displaced = displaced_models(parameters);
     if (!displaced) return no_model();
-    const auto simulated =
-        std::ranges::count(here_->runs, true, [](const RunValues& run) { return run.beside.empty(); });
-    simulated_runs += static_cast<long>(displaced->size()) * static_cast<long>(simulated);
+    simulated_runs += static_cast<long>(displaced->size() * request_.runs.size());
     add_jacobian(parameters, *displaced, out);
     add_known_columns(out);
   }
@@ -128,12 +125,9 @@ std::optional<ResidualBlocks::Models> ResidualBlocks::models_at(const Eigen::Vec
   }
 }
 
-// Where `about` has the motions beside its own, by these.
-std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_run(const Models& models, std::size_t r,
-                                                                      const RunValues* about) const {
+std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_run(const Models& models, std::size_t r) const {
   const Model& model = models.on(rig_of_run_[r]);
-  std::optional<RunValues> out =
-      request_.runs[r].is_motion() ? evaluate_windows(model, r, about) : evaluate_bench(model, r);
+  std::optional<RunValues> out = request_.runs[r].is_motion() ? evaluate_windows(model, r) : evaluate_bench(model, r);
   if (out && !std::ranges::all_of(out->residuals, [](const Eigen::VectorXd& one) { return one.allFinite(); }))
     return std::nullopt;
   return out;
@@ -150,8 +144,7 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_bench(const Mo
 
 // Window after window: where initial states are fitted, the internal states of effects (heat, creep) continue from one
 // to the next; angles and rates have an initial state of their own in each.
-std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const Model& model, std::size_t r,
-                                                                          const RunValues* about) const {
+std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const Model& model, std::size_t r) const {
   const replay::PreparedRun& prepared = request_.runs[r];
   RunValues out{.predictions = Eigen::VectorXd(prepared.values())};
   InternalStates internal;
@@ -159,12 +152,7 @@ std::optional<ResidualBlocks::RunValues> ResidualBlocks::evaluate_windows(const 
     const ResidualBlock& block = blocks_[b];
     const replay::Window& window = prepared.windows[block.window];
     out.internal.push_back(internal);
-    std::optional<replay::Trajectory> motion;
-    if (about != nullptr && !about->beside.empty()) {
-      const auto start = replay::start_of_window(model, window, block.local_values(), internal);
-      if (start) motion = about->beside[b - first_block_[r]].of(model, *start);
-    }
-    if (!motion) motion = replay::simulate_window(model, window, block.local_values(), internal);
+    auto motion = replay::simulate_window(model, window, block.local_values(), internal);
     if (!motion) return std::nullopt;
     const Eigen::VectorXd predicted = replay::observed_values(model, prepared, window, *motion, block.local_values());
     if (block.numbers.has_initial_state()) internal = motion->at(prepared.run->times[window.range.last - 1]).internal;

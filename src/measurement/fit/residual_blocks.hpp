@@ -78,16 +78,9 @@ class ResidualBlocks {
   void add_blocks(std::size_t run);
   [[nodiscard]] bool is_here(const Eigen::VectorXd& parameters) const;
   long move_to(const Eigen::VectorXd& parameters);
-  [[nodiscard]] std::optional<RunValues> evaluate_run(const Models& models, std::size_t run,
-                                                      const RunValues* about = nullptr) const;
+  [[nodiscard]] std::optional<RunValues> evaluate_run(const Models& models, std::size_t run) const;
   [[nodiscard]] std::optional<RunValues> evaluate_bench(const actuator::Model& model, std::size_t run) const;
-  [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run,
-                                                          const RunValues* about) const;
-  [[nodiscard]] std::span<const ResidualBlock> blocks_of(std::size_t run) const {
-    return std::span(blocks_).subspan(first_block_[run], last_block_[run] - first_block_[run]);
-  }
-  [[nodiscard]] bool linearises(std::size_t run) const;
-  void linearise(Place& place) const;
+  [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run) const;
   [[nodiscard]] bool takes_known_column(Eigen::Index parameter) const;
   [[nodiscard]] std::optional<std::vector<Displaced>> displaced_models(const Eigen::VectorXd& parameters) const;
   void add_jacobian(const Eigen::VectorXd& parameters, const std::vector<Displaced>& displaced,

@@ -49,27 +49,6 @@ LocalStep local_step(const ResidualBlock& block, const replay::Window& window, s
 
 }  // namespace
 
-// Derivatives need to be no better than the model is, or than the errors of the input let its readings be; along
-// motions to first order they are good to a few thousandths where nothing strikes.
-bool ResidualBlocks::linearises(std::size_t r) const {
-  constexpr double far_from_noise = 10.0;
-  const replay::PreparedRun& prepared = request_.runs[r];
-  if (!prepared.is_motion()) return false;
-  if (prepared.model_error < far_from_noise && !replay::weighs_input_errors(std::span(&prepared, 1))) return false;
-  const auto blocks = blocks_of(r);
-  return std::ranges::all_of(blocks, [](const ResidualBlock& block) { return block.numbers.keeps_the_input(); });
-}
-
-void ResidualBlocks::linearise(Place& place) const {
-  tbb::parallel_for(std::size_t{0}, request_.runs.size(), [&](std::size_t r) {
-    RunValues& run = place.runs[r];
-    if (!linearises(r) || !run.beside.empty()) return;
-    run.beside.reserve(run.trajectories.size());
-    for (std::size_t w = 0; w < run.trajectories.size(); ++w)
-      run.beside.emplace_back(place.models.on(rig_of_run_[r]), request_.runs[r].windows[w], run.trajectories[w]);
-  });
-}
-
 // Whether the derivatives with respect to a number are taken over from another fit.
 bool ResidualBlocks::takes_known_column(Eigen::Index parameter) const {
   return request_.derivatives_from != nullptr && request_.hypothesis->is_nominal(parameter);
@@ -105,12 +84,12 @@ void ResidualBlocks::add_jacobian(const Eigen::VectorXd& parameters, const std::
     const Displaced& to = displaced[task / runs];
     const std::size_t r = task % runs;
     double step = to.step;
-    auto there = evaluate_run(to.models, r, &here_->runs[r]);
+    auto there = evaluate_run(to.models, r);
     if (!there) {
       step = -step;
       Eigen::VectorXd at = parameters;
       at[to.parameter] += step;
-      if (const std::optional<Models> other = models_at(at)) there = evaluate_run(*other, r, &here_->runs[r]);
+      if (const std::optional<Models> other = models_at(at)) there = evaluate_run(*other, r);
     }
     if (!there) return;
     for (std::size_t b = 0; b < there->residuals.size(); ++b) {
@@ -168,10 +147,7 @@ bool ResidualBlocks::add_local_jacobian(const Models& models, const std::vector<
       const replay::LocalValues there{.numbers = &block.numbers, .values = displaced};
       std::optional<Trajectory> moved;
       if (block.numbers.moves(i)) {
-        const RunValues& here = runs[block.run];
-        if (!here.beside.empty())
-          moved = here.beside[in_run].of(model, *replay::start_of_window(model, window, there, here.internal[in_run]));
-        if (!moved) moved = replay::simulate_window(model, window, there, here.internal[in_run]);
+        moved = replay::simulate_window(model, window, there, runs[block.run].internal[in_run]);
         if (!moved) {
           simulated[b] = 0;
           return;

@@ -7,7 +7,6 @@
 
 #include "coilwright/actuator/model/model.hpp"
 #include "measurement/fit/residual_blocks.hpp"
-#include "measurement/replay/motions_beside.hpp"
 #include "measurement/replay/rig_change.hpp"
 
 // What ResidualBlocks keeps of one set of parameters and local numbers.
@@ -32,7 +31,6 @@ struct ResidualBlocks::RunValues {
   Eigen::VectorXd predictions{};
   std::vector<actuator::InternalStates> internal{};  // at the start of each block
   std::vector<replay::Trajectory> trajectories{};    // of each block; none on a bench
-  std::vector<replay::MotionsBeside> beside{};       // these; none where derivatives are those of simulations
 };
 
 /// The models with one parameter displaced, for a forward difference.

@@ -28,9 +28,6 @@ class LocalNumbers {
   /// Whether number `i` changes the motion; otherwise it changes only what is shown of it.
   [[nodiscard]] bool moves(std::size_t i) const { return i < clock_; }
 
-  /// Whether the input is driven as planned, whatever the numbers are.
-  [[nodiscard]] bool keeps_the_input() const { return edges_ == 0 && !has_bend_ && errors_ == 0; }
-
   /// Throws nothing; `values` are as many as size().
   [[nodiscard]] simulation::State initial_state(std::span<const double> values,
                                                 const actuator::InternalStates& internal) const;

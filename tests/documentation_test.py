@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every page of docs is in its index, every command in the README, every effect and every room in the pages about
-them, what the page about the C++ API names in its headers, and every relative link of a page leads to a
-file and a heading that exist."""
+them, what the page about the C++ API names in its headers, what the page about the architecture names in
+its files, and every relative link of a page leads to a file and a heading that exist."""
 
 import pathlib
 import re
@@ -90,10 +90,30 @@ def faults_of_api() -> list[str]:
     return found if rows else ["docs/api.md: has no rows"]
 
 
+def text_under(path: pathlib.Path) -> str:
+    return "".join(text_of(file) for file in ([path] if path.is_file() else sorted(path.rglob("*.?pp"))))
+
+
+def faults_of_decisions() -> list[str]:
+    """Each row of docs/architecture.md, "Where decisions are made": question, functions or types, the files that have them."""
+    table = text_of("docs/architecture.md").partition("\n## Where decisions are made\n")[2].partition("\n## ")[0]
+    found, rows = [], 0
+    for row in re.findall(r"^\|.* src/.*\|$", table, re.MULTILINE):
+        rows += 1
+        _, names, files = (cell.strip() for cell in row.strip("|").split("|"))
+        paths = [ROOT / file for file in files.split(", ")]
+        found += [f"docs/architecture.md: {path.relative_to(ROOT)} does not exist" for path in paths if not path.exists()]
+        text = "".join(text_under(path) for path in paths if path.exists())
+        found += [f"docs/architecture.md: {name} is not in {files}" for name in re.findall(r"`(\w+)`", names)
+                  if not re.search(rf"\b{name}\b", text)]
+    return found if rows else ["docs/architecture.md: has no table of decisions"]
+
+
 def main() -> int:
     pages = sorted(page for folder in (ROOT.glob, (ROOT / "docs").rglob, (ROOT / "studies").rglob)
                    for page in folder("*.md"))
     faults = faults_of_links(pages) + faults_of_index() + faults_of_lists() + faults_of_api()
+    faults += faults_of_decisions()
     print("\n".join(faults) if faults else f"{len(pages)} pages, all links lead somewhere")
     return 1 if faults or not pages else 0
 

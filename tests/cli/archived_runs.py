@@ -40,7 +40,7 @@ for _byte in range(256):
 
 
 def checksum(*values):
-    """The checksum of a row as docs/formats.md describes it, signed as SQLite keeps it."""
+    """The checksum of a row as docs/formats-results.md describes it, signed as SQLite keeps it."""
     data = b""
     for value in values:
         if value is None:

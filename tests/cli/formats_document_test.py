@@ -1,4 +1,4 @@
-"""docs/formats.md: its examples run, its defaults and study names are the program's."""
+"""docs/formats*.md: their examples run, their defaults and study names are the program's."""
 
 import re
 import unittest
@@ -7,7 +7,7 @@ from program import DATA, ProgramTest, run
 from study import size_plain_finger
 
 ROOT = DATA.parent.parent
-TEXT = (ROOT / "docs" / "formats.md").read_text()
+TEXT = "\n".join(page.read_text() for page in sorted((ROOT / "docs").glob("formats*.md")))
 
 
 # What is written only where a design has it.

@@ -379,9 +379,9 @@ TEST_F(DatasetFiles, SayHowWellTheirNumbersAreKnown) {
       R"("joint_damping_ratio", "face_closing_deg", "joint_stiffness", "joint_damping" or by a JSON pointer into the actuator file)");
 }
 
-// Blocks of docs/formats.md that begin ```<kind>, by what else is on that line.
+// Blocks of docs/formats-dataset.md that begin ```<kind>, by what else is on that line.
 std::map<std::string, std::string> documented(const std::string& kind) {
-  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats.md");
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats-dataset.md");
   std::map<std::string, std::string> blocks;
   std::string opening("```");
   opening.append(kind).push_back(' ');
@@ -432,12 +432,13 @@ TEST_F(DatasetFiles, OfOtherProgramsInTheDocumentAreRead) {
 }
 
 TEST(EffectsOfTheDocument, AreThoseOfTheCatalogue) {
-  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/formats.md");
-  std::vector<std::string> rows;
-  std::string line;
-  while (std::getline(file, line) && !line.starts_with("| id | parameters |")) continue;
-  while (std::getline(file, line) && line.starts_with("|"))
-    if (line.starts_with("| `")) rows.push_back(line);
+  std::ifstream file(COILWRIGHT_SOURCE_DIR "/docs/theory/effects.md");
+  std::vector<std::string> rows;  // of its tables of effects, one a stage
+  bool in_table = false;
+  for (std::string line; std::getline(file, line);) {
+    in_table = line.starts_with("| id | equation |") || (in_table && line.starts_with("|"));
+    if (in_table && line.starts_with("| `")) rows.push_back(line);
+  }
   ASSERT_EQ(rows.size(), actuator::standard_effects().kinds().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const actuator::EffectKind& kind = *actuator::standard_effects().kinds()[i];

@@ -46,7 +46,7 @@ class Finger:
         body, measured = self.design["body"], self.design["measured"]
         self.face = 0.5e-3 * body["bottom_layer_mm"]  # from the hinge line
         self.axis = 1e-3 * measured["axis_offset_mm"]
-        self.density = 1130.0  # of its silicone, kg/m3: the default of docs/formats.md
+        self.density = 1130.0  # of its silicone, kg/m3: the default of docs/formats-actuator.md
         chain = xml.parse(folder / "actuator.xml")
         self.gravity = chain.find("option").get("gravity")
         self.first = chain.find("worldbody/body/body")

@@ -132,9 +132,7 @@ class Reach(ProgramTest):
         self.assertAlmostEqual(half["holding_current_A"], 2 * fifty_degrees()[2]["holding_current_A"], places=6)
 
     def assert_header_moves_as_the_program(self, actuator, reals):
-        result = run("reach", actuator, "--angle-deg", "50", "--out", "profile.csv", "--c-header", "finger.h",
-                     cwd=self.folder)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        profile = self.reach("--angle-deg", "50", "--c-header", "finger.h", actuator=actuator)["profiles"][-1]
         start = run("simulate", actuator, "--step-A", "0", "--duration-s", "0.01", "--out", "rest.csv", cwd=self.folder)
         self.assertEqual(start.returncode, 0)
         with open(self.folder / "rest.csv", newline="") as file:
@@ -142,7 +140,6 @@ class Reach(ProgramTest):
         angles = ", ".join(str(float(rest[f"theta{j}_deg"]) / 57.29577951308232) for j in (1, 2))
         self.write("main.c", MAIN.replace("START", angles))
         # The microcontroller changes the current at its steps; simulate gets the same.
-        profile = self.reach("--angle-deg", "50", actuator=actuator)["profiles"][-1]
         steps = [round(0.0005 * i, 6) for i in range(2001)]
         at_steps = [max(i for i, time in enumerate(profile["time_s"]) if time <= step + 1e-7) for step in steps]
         motion = self.motion(self.dense({"time_s": steps, "current_A": [profile["current_A"][i] for i in at_steps]}, 1.0),
@@ -161,13 +158,17 @@ class Reach(ProgramTest):
                             "none/a.csv: cannot be written: No such file or directory")
 
     def test_another_file_is_kept_and_its_own_kind_replaced(self):
-        for option, name in (("--out", "a.csv"), ("--c-header", "a.h")):
+        outputs = (("--out", "a.csv"), ("--c-header", "a.h"))
+        for option, name in outputs:
             self.write(name, "my notes\n")
-            command = ("reach", PAPER_FINGER, "--angle-deg", "40", option, name)
-            self.assert_refused(command, f"{name}: cannot be written: it holds something else; --force replaces it, "
-                                         "another --out keeps it")
-            self.assertEqual(run(*command, "--force", cwd=self.folder).returncode, 0)
-            self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "30", option, name, cwd=self.folder).returncode, 0)
+            self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "40", option, name),
+                                f"{name}: cannot be written: it holds something else; --force replaces it, another --out keeps it")
+        both = [word for output in outputs for word in output]
+        self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "40", *both, "--force", cwd=self.folder).returncode, 0)
+        first = self.files()
+        self.assertEqual(run("reach", PAPER_FINGER, "--angle-deg", "30", *both, cwd=self.folder).returncode, 0)
+        for _, name in outputs:
+            self.assertNotEqual(self.files()[name], first[name])
 
     def test_refuses_what_makes_no_sense(self):
         finger = json.loads(PAPER_FINGER.read_text())

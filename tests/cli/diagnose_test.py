@@ -2,8 +2,11 @@
 
 import json
 import os
+import pathlib
+import shutil
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -27,6 +30,24 @@ PLAN = {"format": "experiment/1", "name": "rod", "sampling_rate_Hz": 100, "noise
 
 
 class Diagnose(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        """A set that hides dry friction, in `set`, and its diagnosis by one thread, in `out`, which several tests look at."""
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        cls.friction = pathlib.Path(temporary.name)
+        (cls.friction / "rod.json").write_text(json.dumps(ROD))
+        (cls.friction / "plan.json").write_text(json.dumps(PLAN))
+        run("twin", "rod.json", "--experiment", "plan.json", "--out", "set", "--effect", "dry_friction:torque_Nmm=25",
+            cwd=cls.friction)
+        cls.diagnosed = run("diagnose", "set", "--out", "out", "--threads", "1", cwd=cls.friction)
+
+    def take_friction(self):
+        """That set and its diagnosis, in the folder of this test."""
+        self.assertEqual(self.diagnosed.returncode, 0, self.diagnosed.stderr)
+        shutil.copytree(self.friction, self.folder, dirs_exist_ok=True)
+        return self.diagnosed
+
     def setUp(self):
         super().setUp()
         self.write("rod.json", json.dumps(ROD))
@@ -42,8 +63,7 @@ class Diagnose(ProgramTest):
         return result
 
     def test_the_hidden_effect_is_found_and_everything_is_written(self):
-        self.twin("--effect", "dry_friction:torque_Nmm=25")
-        result = self.diagnose("out")
+        result = self.take_friction()
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
                          {"diagnosis.json", "actuator.json", "residuals.csv", "summary.txt", "provenance.json"})
         self.assertEqual(result.stdout, (self.folder / "out" / "summary.txt").read_text())
@@ -97,11 +117,12 @@ class Diagnose(ProgramTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(any(each["visible"] for each in json.loads(result.stdout)["effects"]))
         # Nothing to decide: no file, and none is named.
-        self.twin("--effect", "dry_friction:torque_Nmm=25")
-        self.diagnose("clear", "--quiet")
-        self.assertIsNone(self.result("clear/diagnosis.json")["next_experiment"])
-        self.assertFalse((self.folder / "clear" / "next_experiment.json").exists())
-        self.assertFalse((self.folder / "clear" / "next_experiment.csv").exists())
+        shutil.rmtree(self.folder / "out")
+        shutil.rmtree(self.folder / "set")
+        self.take_friction()
+        self.assertIsNone(self.result("out/diagnosis.json")["next_experiment"])
+        self.assertFalse((self.folder / "out" / "next_experiment.json").exists())
+        self.assertFalse((self.folder / "out" / "next_experiment.csv").exists())
 
     def test_simulating_a_run_of_the_updated_actuator_gives_the_column_after(self):
         # A rod that a coil pushes, whose coil warms up in seconds and fades, under a camera that is late and askew. Damped
@@ -132,8 +153,7 @@ class Diagnose(ProgramTest):
                 self.assertAlmostEqual(ours, theirs, delta=1e-6 * abs(theirs))
 
     def test_the_updated_actuator_is_taken_by_the_other_commands_and_lacks_nothing(self):
-        self.twin("--effect", "dry_friction:torque_Nmm=25")
-        self.diagnose("out")
+        self.take_friction()
         self.write("push.csv", "time_s,torque1_Nm\n0,0\n0.1,0.3\n1,0.3\n")
         moved = {}
         for actuator in ("rod.json", "out/actuator.json"):
@@ -146,16 +166,14 @@ class Diagnose(ProgramTest):
         self.assertEqual(self.result("again/diagnosis.json")["verdict"], "no_missing_effect")
 
     def test_any_number_of_threads_gives_the_same_bytes(self):
-        self.twin("--effect", "dry_friction:torque_Nmm=25")
-        self.diagnose("one", "--threads", "1", "--quiet")
+        self.take_friction()
         # More than there are cores, of which TBB would tell.
         self.assertEqual(self.diagnose("two", "--threads", "1024", "--quiet").stderr, "")
         for name in ("diagnosis.json", "actuator.json", "residuals.csv", "summary.txt"):
-            self.assertEqual(self.files()[f"one/{name}"], self.files()[f"two/{name}"], name)
+            self.assertEqual(self.files()[f"out/{name}"], self.files()[f"two/{name}"], name)
 
     def test_where_the_time_went_ends_the_progress_and_is_in_no_file(self):
-        self.twin("--effect", "dry_friction:torque_Nmm=25")
-        result = self.diagnose("out")
+        result = self.take_friction()
         head, *phases = result.stderr[result.stderr.index("  phase "):].splitlines()
         self.assertEqual(head.split(), ["phase", "s", "simulated", "runs"])
         rows = [line.rsplit(maxsplit=2) for line in phases]

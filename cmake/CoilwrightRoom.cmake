@@ -20,10 +20,10 @@ function(coilwright_room name)
   coilwright_component(${name})
 endfunction()
 
-# Compiles a dozen files of a room as one, in the builds that users and continuous integration make: what they include is
-# parsed once, which is most of what a file takes. Names in unnamed namespaces are therefore different throughout a room. The
-# other presets compile each file alone, which shows what a file forgets to include.
-option(COILWRIGHT_UNITY "Compile the files of a library together" OFF)
+# Compiles a dozen files of a room, or of a program of tests, as one, in the builds that users and continuous integration
+# make: what they include is parsed once, which is most of what a file takes. Names in unnamed namespaces are therefore
+# different throughout it. The other presets compile each file alone, which shows what a file forgets to include.
+option(COILWRIGHT_UNITY "Compile the files of a library or a program of tests together" OFF)
 function(coilwright_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${COILWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 12)
   if(COILWRIGHT_UNITY)
@@ -47,13 +47,14 @@ function(coilwright_warnings target)
     $<$<BOOL:${COILWRIGHT_WERROR}>:-Werror>)
 endfunction()
 
-# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>] [LONG <test>...])
+# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>] [LONG <test>...] [ALONE])
 #
 # Label unit: seconds, and a minute under the sanitizers. What takes longer has a label of its own. LONG: tests, as
 # GoogleTest filters them, that take half a minute or more each and have shorter ones beside them; their label is long,
-# and `scripts/test.sh` leaves them out but for `--long`.
+# and `scripts/test.sh` leaves them out but for `--long`. ALONE: names of its files may be the same, so each is compiled
+# by itself.
 function(coilwright_test name)
-  cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LINK;LONG" ${ARGN})
+  cmake_parse_arguments(TEST "ALONE" "LABEL" "SOURCES;LINK;LONG" ${ARGN})
   if(NOT TEST_LABEL)
     set(TEST_LABEL unit)
   endif()
@@ -65,6 +66,9 @@ function(coilwright_test name)
     COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   coilwright_warnings(${name})
   coilwright_precompile(${name} TEST)
+  if(NOT TEST_ALONE)
+    coilwright_unity(${name})
+  endif()
   list(JOIN TEST_LONG ":" long)
   if(long)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${long}" TEST_LIST ${name}_long

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "drive/prototype_coils.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::drive {
 namespace {
 
-const Circuit coils{.resistance = 7.6, .inductance = 2.33e-3};
 const HBridge bridge{.supply_voltage = 24.0};
 
 TEST(Settings, OfAnIdealDriverAreOhmsLaw) {

@@ -8,12 +8,11 @@
 #include <cmath>
 #include <vector>
 
+#include "drive/prototype_coils.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::drive {
 namespace {
-
-const Circuit coils{.resistance = 7.6, .inductance = 2.33e-3};
 
 HBridge bridge_with(Decay decay) {
   return {.supply_voltage = 24.0, .supply_resistance = 0.07, .dead_time = 3e-6, .decay = decay};

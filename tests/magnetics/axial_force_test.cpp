@@ -11,6 +11,7 @@
 
 #include "coilwright/magnetics/constants.hpp"
 #include "filament_reference.hpp"
+#include "magnetics/prototype.hpp"
 #include "random_pairs.hpp"
 #include "reference_cases.hpp"
 
@@ -47,9 +48,6 @@ TEST(AxialForce, AgreesWithTheIndependentReferenceInEveryCase) {
   }
 }
 
-const ThickCoil prototype(
-    {.inner_radius = 3e-3, .outer_radius = 9.5e-3, .length = 12e-3, .turns_radial = 15, .turns_axial = 30});
-const CylinderMagnet magnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44});
 const ThickCoil other({.inner_radius = 4.1e-3,
                        .outer_radius = 7.3e-3,
                        .length = 8.7e-3,
@@ -84,10 +82,11 @@ TEST(AxialForce, DoesNotDependOnWhichCoilIsCalledTheFirst) {
 }
 
 TEST(AxialForce, IsOddInTheDistanceAndZeroAtTheCentre) {
-  EXPECT_EQ(axial_force(prototype, 1.1, magnet, 0.0), 0.0);
+  EXPECT_EQ(axial_force(prototype, 1.1, prototype_magnet, 0.0), 0.0);
   EXPECT_EQ(axial_force(prototype, 1.1, other, 0.7, 0.0), 0.0);
   for (const double z : {0.7e-3, 9.3e-3, 140e-3})
-    EXPECT_DOUBLE_EQ(axial_force(prototype, 1.1, magnet, -z), -axial_force(prototype, 1.1, magnet, z));
+    EXPECT_DOUBLE_EQ(axial_force(prototype, 1.1, prototype_magnet, -z),
+                     -axial_force(prototype, 1.1, prototype_magnet, z));
 }
 
 // F = -3 mu0 m1 m2 / (2 pi z^4) for two dipoles; finite sizes add terms of relative size (size / z)^2, here below
@@ -101,7 +100,7 @@ TEST(AxialForce, BecomesThatOfTwoDipolesFarAway) {
   const double magnet_moment = 1.44 / vacuum_permeability * std::numbers::pi * 10e-3 * 10e-3 * 6e-3;
   const double expected =
       -3.0 * vacuum_permeability * coil_moment * magnet_moment / (2.0 * std::numbers::pi * z * z * z * z);
-  EXPECT_NEAR(axial_force(prototype, 1.0, magnet, z) / expected, 1.0, 8e-5);
+  EXPECT_NEAR(axial_force(prototype, 1.0, prototype_magnet, z) / expected, 1.0, 8e-5);
 }
 
 // All lengths times s at the same remanence and turns: sheet current of the coil 1/s, of the magnet 1, area s^2.
@@ -114,8 +113,11 @@ TEST(AxialForce, ScalesWithSizeAsTheFormulaSays) {
                          .turns_radial = 15,
                          .turns_axial = 30});
   const CylinderMagnet large_magnet({.radius = 10e-3 * s, .length = 6e-3 * s, .remanence = 1.44});
-  EXPECT_NEAR(axial_force(large, 1.0, large_magnet, 11e-3 * s) / axial_force(prototype, 1.0, magnet, 11e-3), s, 1e-12);
-  EXPECT_NEAR(axial_force(large_magnet, large_magnet, 11e-3 * s) / axial_force(magnet, magnet, 11e-3), s * s, 1e-12);
+  EXPECT_NEAR(axial_force(large, 1.0, large_magnet, 11e-3 * s) / axial_force(prototype, 1.0, prototype_magnet, 11e-3),
+              s, 1e-12);
+  EXPECT_NEAR(
+      axial_force(large_magnet, large_magnet, 11e-3 * s) / axial_force(prototype_magnet, prototype_magnet, 11e-3),
+      s * s, 1e-12);
 }
 
 // The closed form gives way to loops where it cancels. A smooth force has smooth logarithms: on a grid of ratio 1.002
@@ -134,7 +136,7 @@ TEST(AxialForce, IsSmoothAcrossTheSwitchToLoops) {
   };
   check([&](double z) { return axial_force(small, small, z); });
   check([&](double z) { return axial_force(flat, small, z); });
-  check([&](double z) { return axial_force(prototype, 1.0, magnet, z); });
+  check([&](double z) { return axial_force(prototype, 1.0, prototype_magnet, z); });
   check([&](double z) { return axial_force(other, 1.0, flat, z); });
 }
 
@@ -142,10 +144,12 @@ TEST(AxialForce, GivesTheSameBitsInABatchAndOnAnyThread) {
   std::vector<double> distances;
   for (double z = -20e-3; z < 60e-3; z += 0.77e-3) distances.push_back(z);
   std::vector<double> single(distances.size());
-  for (std::size_t i = 0; i < distances.size(); ++i) single[i] = axial_force(other, 1.0, magnet, distances[i]);
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    single[i] = axial_force(other, 1.0, prototype_magnet, distances[i]);
   std::vector<std::vector<double>> batches(3, std::vector<double>(distances.size()));
   std::vector<std::thread> threads;
-  for (auto& batch : batches) threads.emplace_back([&] { axial_force_per_ampere(other, magnet, distances, batch); });
+  for (auto& batch : batches)
+    threads.emplace_back([&] { axial_force_per_ampere(other, prototype_magnet, distances, batch); });
   for (auto& thread : threads) thread.join();
   for (const auto& batch : batches) EXPECT_EQ(batch, single);
 }
@@ -161,11 +165,11 @@ TEST(AxialForce, OfLayerCentresTendsToThatOfUniformCurrent) {
                       .turns_axial = 30,
                       .winding = winding});
   };
-  EXPECT_EQ(axial_force(coil(1, CurrentDistribution::paper_shells), 1.0, magnet, 9.9e-3),
-            axial_force(coil(1, CurrentDistribution::layer_centres), 1.0, magnet, 9.9e-3));
+  EXPECT_EQ(axial_force(coil(1, CurrentDistribution::paper_shells), 1.0, prototype_magnet, 9.9e-3),
+            axial_force(coil(1, CurrentDistribution::layer_centres), 1.0, prototype_magnet, 9.9e-3));
   const auto error = [&](int layers) {
-    return axial_force(coil(layers, CurrentDistribution::layer_centres), 1.0, magnet, 9.9e-3) /
-               axial_force(coil(layers, CurrentDistribution::uniform), 1.0, magnet, 9.9e-3) -
+    return axial_force(coil(layers, CurrentDistribution::layer_centres), 1.0, prototype_magnet, 9.9e-3) /
+               axial_force(coil(layers, CurrentDistribution::uniform), 1.0, prototype_magnet, 9.9e-3) -
            1.0;
   };
   EXPECT_NEAR(error(8) / error(32), 16.0, 1.6);
@@ -199,9 +203,9 @@ TEST(AxialForce, IsFiniteAndAttractiveWhateverTheSizes) {
 
 TEST(AxialForce, RefusesWhatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT([&] { (void)axial_force(magnet, magnet, nan); },
+  EXPECT_THAT([&] { (void)axial_force(prototype_magnet, prototype_magnet, nan); },
               ThrowsMessage<std::invalid_argument>("distance must be finite; got nan"));
-  EXPECT_THAT([&] { (void)axial_force(prototype, nan, magnet, 0.01); },
+  EXPECT_THAT([&] { (void)axial_force(prototype, nan, prototype_magnet, 0.01); },
               ThrowsMessage<std::invalid_argument>("current must be finite; got nan"));
   EXPECT_THAT([&] { (void)axial_force(prototype, nan, other, 1.0, 0.01); },
               ThrowsMessage<std::invalid_argument>("first_current must be finite; got nan"));
@@ -209,7 +213,7 @@ TEST(AxialForce, RefusesWhatIsNotFinite) {
               ThrowsMessage<std::invalid_argument>("second_current must be finite; got nan"));
   const std::vector<double> three(3, 0.01);
   std::vector<double> two(2);
-  EXPECT_THAT([&] { axial_force_per_ampere(prototype, magnet, three, two); },
+  EXPECT_THAT([&] { axial_force_per_ampere(prototype, prototype_magnet, three, two); },
               ThrowsMessage<std::invalid_argument>("forces must be as many as distances (3); got 2"));
 }
 

@@ -6,19 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/pair_curve.hpp"
+#include "degree.hpp"
+#include "magnetics/prototype.hpp"
 
 namespace coilwright::magnetics {
 namespace {
 
-const ThickCoil coil(
-    {.inner_radius = 3e-3, .outer_radius = 9.5e-3, .length = 12e-3, .turns_radial = 15, .turns_axial = 30});
-const CylinderMagnet magnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44});
 const HingeGeometry hinge{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 11.5e-3};
-constexpr double degree = std::numbers::pi / 180.0;
 
 // The bound is the curve's own; direct evaluation must stay inside it, and it inside the tolerance asked for.
 TEST(Curve, KeepsItsErrorBoundAgainstDirectEvaluation) {
@@ -26,12 +23,12 @@ TEST(Curve, KeepsItsErrorBoundAgainstDirectEvaluation) {
     const double tolerance = fidelity == Fidelity::exact ? 1e-7 : 1e-8;
     const Curve::Spec spec{
         .lower = (fidelity == Fidelity::exact ? -1.0 : -3.0) * degree, .upper = 120 * degree, .tolerance = tolerance};
-    const Curve curve = torque_curve(coil, magnet, hinge, fidelity, spec);
+    const Curve curve = torque_curve(prototype, prototype_magnet, hinge, fidelity, spec);
     EXPECT_LE(curve.error_bound(), tolerance * curve.scale());
     double worst = 0.0;
     for (double angle = spec.lower; angle < spec.upper; angle += 0.913 * degree)
-      worst =
-          std::max(worst, std::abs(curve.value(angle) - hinge_torque_per_ampere(coil, magnet, hinge, fidelity, angle)));
+      worst = std::max(worst, std::abs(curve.value(angle) -
+                                       hinge_torque_per_ampere(prototype, prototype_magnet, hinge, fidelity, angle)));
     EXPECT_LE(worst, curve.error_bound());
   }
 }
@@ -50,14 +47,16 @@ TEST(Curve, KeepsItsErrorBoundForForcesOverDistance) {
       ASSERT_NEAR(curve.value(z), force(z), curve.error_bound()) << z;
     EXPECT_NEAR(curve.value(spec.upper), force(spec.upper), curve.error_bound());
   };
-  check(force_curve(coil, magnet, spec), [](double z) { return axial_force(coil, 1.0, magnet, z); });
-  check(force_curve(magnet, magnet, spec), [](double z) { return axial_force(magnet, magnet, z); });
+  check(force_curve(prototype, prototype_magnet, spec),
+        [](double z) { return axial_force(prototype, 1.0, prototype_magnet, z); });
+  check(force_curve(prototype_magnet, prototype_magnet, spec),
+        [](double z) { return axial_force(prototype_magnet, prototype_magnet, z); });
   check(force_curve(shells, shells, spec), [&](double z) { return axial_force(shells, 1.0, shells, 1.0, z); });
 }
 
 // The value alone takes a shorter way: it ends at the same bits, inside the range, at its ends and beyond.
 TEST(Curve, HasTheSameValueWithAndWithoutItsDerivative) {
-  const Curve curve = force_curve(coil, magnet, {.lower = 10e-3, .upper = 90e-3, .tolerance = 1e-9});
+  const Curve curve = force_curve(prototype, prototype_magnet, {.lower = 10e-3, .upper = 90e-3, .tolerance = 1e-9});
   for (double z = 8e-3; z < 100e-3; z += 0.131e-3) ASSERT_EQ(curve.value(z), curve.sample(z).value) << z;
   for (const double z : {10e-3, 90e-3}) EXPECT_EQ(curve.value(z), curve.sample(z).value) << z;
 }
@@ -77,7 +76,7 @@ TEST(Curve, HasTheDerivativeOfItsFunction) {
 }
 
 TEST(Curve, GoesOnAsAStraightLineOutsideItsRange) {
-  const Curve curve = force_curve(coil, magnet, {.lower = 11e-3, .upper = 40e-3, .tolerance = 1e-8});
+  const Curve curve = force_curve(prototype, prototype_magnet, {.lower = 11e-3, .upper = 40e-3, .tolerance = 1e-8});
   const Curve::Sample first = curve.sample(11e-3);
   EXPECT_DOUBLE_EQ(curve.value(10.2e-3), first.value - 0.8e-3 * first.derivative);
   EXPECT_DOUBLE_EQ(curve.derivative(10.2e-3), first.derivative);
@@ -100,7 +99,7 @@ TEST(Curve, SaysWhatIsWrongWithItsInputs) {
   using testing::HasSubstr;
   using testing::ThrowsMessage;
   using Error = std::invalid_argument;
-  const auto making = [](Curve::Spec spec) { return [spec] { (void)force_curve(coil, magnet, spec); }; };
+  const auto making = [](Curve::Spec spec) { return [spec] { (void)force_curve(prototype, prototype_magnet, spec); }; };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(making({.lower = nan, .upper = 1.0, .tolerance = 1e-8}),
               ThrowsMessage<Error>("curve lower must be finite; got nan"));

@@ -27,7 +27,7 @@ constexpr double half = 3e-3;
 const Eigen::Vector3d oblique(0.7, -0.5, 0.9);  // T
 const Pose tilted{.position = {1e-3, 2e-3, -1e-3}, .axis = {0.3, -0.4, 0.8}, .x_axis = {1.0, 2.0, 0.3}};
 
-const ThickCoil coil(
+const ThickCoil small_coil(
     {.inner_radius = 2e-3, .outer_radius = 5e-3, .length = 6e-3, .turns_radial = 5, .turns_axial = 10});
 
 Body disc(const Eigen::Vector3d& remanence) {
@@ -44,7 +44,7 @@ std::vector<Body> each_kind() {
                           .remanence = oblique},
            .pose = tilted},
           {.part = Magnet{.shape = Cuboid{.size = {6e-3, 8e-3, 10e-3}}, .remanence = oblique}, .pose = tilted},
-          {.part = DrivenCoil{.coil = coil, .current = 1.3}, .pose = tilted}};
+          {.part = DrivenCoil{.coil = small_coil, .current = 1.3}, .pose = tilted}};
 }
 
 Eigen::Vector3d at(const Body& body, const Eigen::Vector3d& point) {
@@ -65,7 +65,7 @@ TEST(Field, OnTheAxisIsThatOfTheSolenoidAndTheDisc) {
     EXPECT_NEAR(magnet / (1.3 * sheet(radius, half, z)), 1.0, 1e-10) << z;
     using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
     const double mean = Rule::integrate([&](double r) { return sheet(r, half, z); }, 2e-3, 5e-3, 6, 1e-13) / 3e-3;
-    const double winding = at({.part = DrivenCoil{.coil = coil, .current = 1.3}}, {0.0, 0.0, z}).z();
+    const double winding = at({.part = DrivenCoil{.coil = small_coil, .current = 1.3}}, {0.0, 0.0, z}).z();
     EXPECT_NEAR(winding / (vacuum_permeability * 50.0 * 1.3 / 6e-3 * mean), 1.0, 1e-10) << z;
   }
 }
@@ -209,7 +209,7 @@ TEST(Field, HasTheSameGradientOnTheAxisAsNextToIt) {
 
 // Ampere's law round the copper of one side of a coil, over a rectangle that no formula knows of: 4 sides of 32 nodes.
 TEST(Field, RoundACoilAddsUpToItsAmpereTurns) {
-  const Body body{.part = DrivenCoil{.coil = coil, .current = 1.3}};
+  const Body body{.part = DrivenCoil{.coil = small_coil, .current = 1.3}};
   const std::array<Eigen::Vector3d, 5> corners{Eigen::Vector3d(0.5e-3, 0, -6e-3), Eigen::Vector3d(9e-3, 0, -6e-3),
                                                Eigen::Vector3d(9e-3, 0, 6e-3), Eigen::Vector3d(0.5e-3, 0, 6e-3),
                                                Eigen::Vector3d(0.5e-3, 0, -6e-3)};

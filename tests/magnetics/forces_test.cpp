@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 using Rule = boost::math::quadrature::gauss<double, 20>;
 
-const ThickCoil coil(
+const ThickCoil flat_coil(
     {.inner_radius = 3e-3, .outer_radius = 7e-3, .length = 6e-3, .turns_radial = 8, .turns_axial = 12});
 const CylinderMagnet cylinder({.radius = 5e-3, .length = 4e-3, .remanence = 1.3});
 
@@ -45,21 +45,22 @@ void expect_near(const Wrench& got, const Wrench& expected, double relative, dou
 
 TEST(Forces, OfCoilsAndCylindersAreTheWrenchToTheBit) {
   const Pose pose{.position = {1e-3, 2e-3, 9e-3}, .axis = {0.1, -0.2, 1.0}};
-  const Body first{.part = DrivenCoil{.coil = coil, .current = 1.4}};
+  const Body first{.part = DrivenCoil{.coil = flat_coil, .current = 1.4}};
   const Body second{.part = magnet_of(cylinder), .pose = pose};
-  const Wrench expected = wrench(coil, 1.4, cylinder, pose);
+  const Wrench expected = wrench(flat_coil, 1.4, cylinder, pose);
   EXPECT_EQ(on_second(first, second).force, expected.force);
   EXPECT_EQ(on_second(first, second).torque, expected.torque);
   const Wrench magnets = wrench(cylinder, cylinder, pose);
   EXPECT_EQ(on_second({.part = magnet_of(cylinder)}, second).force, magnets.force);
-  const Wrench coils = wrench(coil, 1.4, coil, -0.7, pose);
-  EXPECT_EQ(on_second(first, {.part = DrivenCoil{.coil = coil, .current = -0.7}, .pose = pose}).torque, coils.torque);
+  const Wrench coils = wrench(flat_coil, 1.4, flat_coil, -0.7, pose);
+  EXPECT_EQ(on_second(first, {.part = DrivenCoil{.coil = flat_coil, .current = -0.7}, .pose = pose}).torque,
+            coils.torque);
 }
 
 // The magnet first or second, magnetised along or against its axis, and the whole scene turned: one force.
 TEST(Forces, DoNotDependOnOrderAxesOrNames) {
   const Pose pose{.position = {1e-3, 2e-3, 9e-3}, .axis = {0.1, -0.2, 1.0}, .x_axis = {0.0, 1.0, 0.3}};
-  const Body source{.part = DrivenCoil{.coil = coil, .current = 1.4}};
+  const Body source{.part = DrivenCoil{.coil = flat_coil, .current = 1.4}};
   const Body target{.part = magnet_of(cylinder), .pose = pose};
   const Wrench expected = on_second(source, target);
   const Forces swapped = forces(std::vector<Body>{target, source});
@@ -81,8 +82,9 @@ TEST(Forces, DoNotDependOnOrderAxesOrNames) {
 
 // A ring's sheets against its faces' charge, and a cylinder's: two integrals with no surface in common.
 TEST(Forces, OfSheetsAreThoseOfTheFacesCharge) {
-  for (const Body& source : {Body{.part = magnet_of(cylinder)}, Body{.part = DrivenCoil{.coil = coil, .current = 3.0}},
-                             ring(2e-3, 6e-3, 5e-3, {0.0, 0.0, -1.1})})
+  for (const Body& source :
+       {Body{.part = magnet_of(cylinder)}, Body{.part = DrivenCoil{.coil = flat_coil, .current = 3.0}},
+        ring(2e-3, 6e-3, 5e-3, {0.0, 0.0, -1.1})})
     for (const Pose& pose :
          {Pose{.position = {0.0, 0.0, 9e-3}}, Pose{.position = {3e-3, -1e-3, 8e-3}, .axis = {0.3, 0.1, 1.0}}}) {
       const Body target = ring(1.5e-3, 4e-3, 5e-3, {0.0, 0.0, 1.2}, pose);
@@ -187,7 +189,7 @@ TEST(Forces, AreTheSlopesOfTheEnergyOverTheVolume) {
   const Pose pose{.position = {4e-3, -2e-3, 12e-3}, .axis = {0.3, 0.25, 0.9}, .x_axis = {1.0, 0.4, 0.0}};
   const std::vector<Body> sources{block({8e-3, 6e-3, 5e-3}, {0.4, -0.3, 1.1}),
                                   ring(1e-3, 5e-3, 5e-3, {1.2, 0.0, 0.3}),
-                                  {.part = DrivenCoil{.coil = coil, .current = 3.0}}};
+                                  {.part = DrivenCoil{.coil = flat_coil, .current = 3.0}}};
   const std::vector<Body> targets{block({4e-3, 5e-3, 6e-3}, {0.2, 1.0, -0.6}, pose),
                                   ring(1e-3, 3e-3, 6e-3, {1.1, 0.3, 0.2}, pose)};
   for (const Body& source : sources)
@@ -223,7 +225,7 @@ TEST(Forces, AreTheSlopesOfTheEnergyOverTheVolume) {
 TEST(Forces, OnACoilBesideABlockAreThoseOnItsCurrent) {
   const Body magnet = block({8e-3, 6e-3, 5e-3}, {0.4, -0.3, 1.1});
   const Pose pose{.position = {3e-3, -2e-3, 12e-3}, .axis = {0.3, 0.25, 0.9}};
-  const Body winding{.part = DrivenCoil{.coil = coil, .current = 3.0}, .pose = pose};
+  const Body winding{.part = DrivenCoil{.coil = flat_coil, .current = 3.0}, .pose = pose};
   const Eigen::Matrix3d axes = rotation_of(pose);
   const double density = 96.0 * 3.0 / (4e-3 * 6e-3);
   Wrench expected;
@@ -256,7 +258,7 @@ TEST(Forces, OfManyBodiesBalance) {
   const std::vector<Body> bodies{
       block({8e-3, 6e-3, 5e-3}, {0.4, -0.3, 1.1}),
       ring(1e-3, 5e-3, 5e-3, {1.2, 0.0, 0.3}, {.position = {2e-3, 0.0, 9e-3}, .axis = {0.1, 0.3, 1.0}}),
-      {.part = DrivenCoil{.coil = coil, .current = 3.0},
+      {.part = DrivenCoil{.coil = flat_coil, .current = 3.0},
        .pose = {.position = {18e-3, 0.0, 2e-3}, .axis = {1.0, 0.0, 0.4}}},
       {.part = magnet_of(cylinder), .pose = {.position = {-14e-3, 3e-3, 5e-3}, .axis = {0.0, 1.0, 0.4}}}};
   const Forces all = forces(bodies);

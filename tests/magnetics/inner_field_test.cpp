@@ -17,14 +17,14 @@ namespace {
 
 using testing::ThrowsMessage;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-const ThickCoil coil({.inner_radius = 3.1e-3,
-                      .outer_radius = 9.3e-3,
-                      .length = 11.7e-3,
-                      .turns_radial = 14,
-                      .turns_axial = 29,
-                      .winding = CurrentDistribution::uniform});
+const ThickCoil layered_coil({.inner_radius = 3.1e-3,
+                              .outer_radius = 9.3e-3,
+                              .length = 11.7e-3,
+                              .turns_radial = 14,
+                              .turns_axial = 29,
+                              .winding = CurrentDistribution::uniform});
 
 // 1 - Nagaoka's table of 1909 (its own digits), at diameter over length 4, 2, 1 and 0.5. Chen, Brug and Goldfarb (IEEE
 // Trans. Magn. 27, 3601, 1991) give 0.4745 and 0.3116 for length over diameter 0.5 and 1 at zero susceptibility.
@@ -73,10 +73,10 @@ TEST(AxialField, HasTheForceAsItsSlope) {
   const double moment = 1.31 * pi * size.radius * size.radius * size.length;
   for (const double distance : {9.5e-3, 14e-3, 40e-3}) {
     constexpr double step = 2e-5;  // central differences: (step / distance)^2, 4e-6 at the nearest
-    const double slope =
-        (axial_field(coil, 1.7, size, distance + step).mean - axial_field(coil, 1.7, size, distance - step).mean) /
-        (2.0 * step);
-    EXPECT_NEAR(moment * slope / axial_force(coil, 1.7, magnet, distance), 1.0, 2e-5) << distance;
+    const double slope = (axial_field(layered_coil, 1.7, size, distance + step).mean -
+                          axial_field(layered_coil, 1.7, size, distance - step).mean) /
+                         (2.0 * step);
+    EXPECT_NEAR(moment * slope / axial_force(layered_coil, 1.7, magnet, distance), 1.0, 2e-5) << distance;
   }
 }
 

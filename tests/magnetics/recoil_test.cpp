@@ -13,23 +13,23 @@
 #include "coilwright/magnetics/inner_field.hpp"
 #include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/wrench.hpp"
+#include "magnetics/prototype.hpp"
 
 namespace coilwright::magnetics {
 namespace {
 
 using testing::ThrowsMessage;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-const ThickCoil coil(
-    {.inner_radius = 3e-3, .outer_radius = 9.5e-3, .length = 12e-3, .turns_radial = 15, .turns_axial = 30});
-const CylinderMagnet magnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44, .recoil_permeability = 1.05});
+const CylinderMagnet recoiling_magnet(
+    {.radius = 10e-3, .length = 6e-3, .remanence = 1.44, .recoil_permeability = 1.05});
 constexpr double current = 1.4;
 
 // Finite elements with a recoil of 1.05 (studies/force_by_finite_elements): at 0.9 mm the mean of push and pull, which
 // the coil's attraction of the material leaves as it is; from 6 mm on that attraction is below 0.01 %.
 TEST(Recoil, TakesFromTheForceWhatFiniteElementsSay) {
-  const auto force = [](double gap) { return -axial_force(coil, current, magnet, 9e-3 + gap); };
+  const auto force = [](double gap) { return -axial_force(prototype, current, recoiling_magnet, 9e-3 + gap); };
   EXPECT_NEAR(force(0.9e-3), 2.0481, 2.5e-4 * 2.0481);
   EXPECT_NEAR(force(6e-3), 0.84261, 2.5e-4 * 0.84261);
   EXPECT_NEAR(force(12e-3), 0.32689, 2.5e-4 * 0.32689);
@@ -39,7 +39,7 @@ TEST(Recoil, TakesFromTheForceWhatFiniteElementsSay) {
 TEST(Recoil, TakesTheMeanFarAway) {
   for (const double length : {1.1e-3, 6e-3, 25e-3}) {
     const CylinderMagnet bar({.radius = 7e-3, .length = length, .remanence = 1.3, .recoil_permeability = 1.08});
-    const double share = axial_force(coil, 1.0, bar, 3.0) / axial_force(coil, 1.0, bar.without_recoil(), 3.0);
+    const double share = axial_force(prototype, 1.0, bar, 3.0) / axial_force(prototype, 1.0, bar.without_recoil(), 3.0);
     EXPECT_NEAR(share, recoil_factor({.radius = 7e-3, .length = length}, 1.08), 5e-6) << length;
   }
 }
@@ -92,9 +92,9 @@ Field own_field(const CylinderMagnet& of, double rho, double z) {
 }
 
 // Energy of the magnetisation that recoil adds in the coil's field, -mu0 M1 . H, J per ampere and chi.
-double energy(const Pose& pose) {
+double energy_at(const Pose& pose) {
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), pose.axis);
-  const double magnetisation = magnet.remanence() / vacuum_permeability;
+  const double magnetisation = recoiling_magnet.remanence() / vacuum_permeability;
   const auto coil_field = [](const Eigen::Vector3d& at) {
     const double rho = std::hypot(at.x(), at.y());
     Field sum{};
@@ -115,11 +115,11 @@ double energy(const Pose& pose) {
   constexpr int round = 12;
   return Points::integrate(
       [&](double u) {
-        const double rho = 0.5 * magnet.radius() * (1.0 + u);
+        const double rho = 0.5 * recoiling_magnet.radius() * (1.0 + u);
         return Points::integrate(
             [&](double v) {
-              const double z = 0.5 * magnet.length() * v;
-              const Field own = own_field(magnet, rho, z);
+              const double z = 0.5 * recoiling_magnet.length() * v;
+              const Field own = own_field(recoiling_magnet, rho, z);
               double mean = 0.0;
               for (int i = 0; i < round; ++i) {
                 const double phi = 2.0 * pi * (i + 0.5) / round;
@@ -128,8 +128,8 @@ double energy(const Pose& pose) {
                 const Eigen::Vector3d place = pose.position + turn * (rho * out + z * Eigen::Vector3d::UnitZ());
                 mean += (turn * extra).dot(coil_field(place)) / round;
               }
-              return -2.0 * pi * rho * 0.5 * magnet.radius() * 0.5 * magnet.length() * magnetisation *
-                     vacuum_permeability * mean;
+              return -2.0 * pi * rho * 0.5 * recoiling_magnet.radius() * 0.5 * recoiling_magnet.length() *
+                     magnetisation * vacuum_permeability * mean;
             },
             -1.0, 1.0);
       },
@@ -140,12 +140,12 @@ double energy(const Pose& pose) {
 // while the library takes the Lorentz force on currents on its surface. 0.3 % of what is 4 % of the wrench.
 TEST(Recoil, TakesFromTheWrenchWhatAVolumeIntegralSays) {
   const Pose pose{.position = {3e-3, 0.0, 12.5e-3}, .axis = {std::sin(0.35), 0.0, std::cos(0.35)}};
-  const Wrench with = wrench(coil, 1.0, magnet, pose);
-  const Wrench without = wrench(coil, 1.0, magnet.without_recoil(), pose);
+  const Wrench with = wrench(prototype, 1.0, recoiling_magnet, pose);
+  const Wrench without = wrench(prototype, 1.0, recoiling_magnet.without_recoil(), pose);
   const double change = 0.05 / (1.0 + 0.05 * demagnetisation_factor({.radius = 10e-3, .length = 6e-3}));
   constexpr double step = 1e-4;
   const auto slope = [&](const auto& moved) {
-    return -change * (energy(moved(step)) - energy(moved(-step))) / (2.0 * step);
+    return -change * (energy_at(moved(step)) - energy_at(moved(-step))) / (2.0 * step);
   };
   const double force_x =
       slope([&](double s) { return Pose{.position = pose.position + Eigen::Vector3d(s, 0, 0), .axis = pose.axis}; });
@@ -158,26 +158,28 @@ TEST(Recoil, TakesFromTheWrenchWhatAVolumeIntegralSays) {
   const auto turned = [&](double angle) {
     return Pose{.position = pose.position, .axis = {std::sin(0.35 + angle), 0.0, std::cos(0.35 + angle)}};
   };
-  const double torque = -change * (energy(turned(turn)) - energy(turned(-turn))) / (2.0 * turn);
+  const double torque = -change * (energy_at(turned(turn)) - energy_at(turned(-turn))) / (2.0 * turn);
   EXPECT_NEAR(with.torque.y() - without.torque.y(), torque, 3e-3 * std::abs(size) * 10e-3);
   // On the axis the wrench is the axial force; off it a hair away nearly so.
-  const Wrench beside = wrench(coil, 1.0, magnet, {.position = {1e-7, 0.0, 9.9e-3}, .axis = {0.0, 0.0, 1.0}});
-  const double axial = axial_force(coil, 1.0, magnet, 9.9e-3);
+  const Wrench beside =
+      wrench(prototype, 1.0, recoiling_magnet, {.position = {1e-7, 0.0, 9.9e-3}, .axis = {0.0, 0.0, 1.0}});
+  const double axial = axial_force(prototype, 1.0, recoiling_magnet, 9.9e-3);
   EXPECT_NEAR(beside.force.z(), axial, 1e-6 * std::abs(axial));
 }
 
 // Curves interpolate the share between few distances: within 1e-5 of the torque and force themselves.
 TEST(Recoil, IsInTheCurvesAsInTheForces) {
   const HingeGeometry hinge{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 11.5e-3};
-  const Curve force = force_curve(coil, magnet, {.lower = 9.3e-3, .upper = 80e-3, .tolerance = 1e-6});
+  const Curve force = force_curve(prototype, recoiling_magnet, {.lower = 9.3e-3, .upper = 80e-3, .tolerance = 1e-6});
   for (const double distance : {9.3e-3, 9.7e-3, 12e-3, 33e-3, 79e-3}) {
-    const double direct = axial_force(coil, 1.0, magnet, distance);
+    const double direct = axial_force(prototype, 1.0, recoiling_magnet, distance);
     EXPECT_NEAR(force.value(distance), direct, 5e-6 * std::abs(direct) + 1e-6 * force.scale()) << distance;
   }
   for (const Fidelity fidelity : {Fidelity::line_of_centres, Fidelity::exact}) {
-    const Curve torque = torque_curve(coil, magnet, hinge, fidelity, {.lower = -0.02, .upper = 2.0, .tolerance = 1e-6});
+    const Curve torque =
+        torque_curve(prototype, recoiling_magnet, hinge, fidelity, {.lower = -0.02, .upper = 2.0, .tolerance = 1e-6});
     for (const double angle : {-0.02, 0.0, 0.1, 0.7, 1.9})
-      EXPECT_NEAR(torque.value(angle), hinge_torque_per_ampere(coil, magnet, hinge, fidelity, angle),
+      EXPECT_NEAR(torque.value(angle), hinge_torque_per_ampere(prototype, recoiling_magnet, hinge, fidelity, angle),
                   5e-6 * torque.scale())
           << angle;
   }
@@ -186,19 +188,20 @@ TEST(Recoil, IsInTheCurvesAsInTheForces) {
 // A magnet that goes into the bore of a coil, and a curve that a solver follows into the copper.
 TEST(Recoil, IsInCurvesBeyondLevelFaces) {
   const CylinderMagnet rod({.radius = 2e-3, .length = 8e-3, .remanence = 1.3, .recoil_permeability = 1.05});
-  const Curve force = force_curve(coil, rod, {.lower = 1e-3, .upper = 60e-3, .tolerance = 1e-6});
+  const Curve force = force_curve(prototype, rod, {.lower = 1e-3, .upper = 60e-3, .tolerance = 1e-6});
   for (const double distance : {1e-3, 4e-3, 9.5e-3, 10.2e-3, 15e-3, 50e-3}) {
-    const double direct = axial_force(coil, 1.0, rod, distance);
+    const double direct = axial_force(prototype, 1.0, rod, distance);
     EXPECT_NEAR(force.value(distance), direct, 1e-4 * std::abs(direct)) << distance;
   }
   const HingeGeometry hinge{.coil_offset = 6.3e-3, .magnet_offset = 3.6e-3, .axis_offset = 11.5e-3};
-  const Curve torque =
-      torque_curve(coil, magnet, hinge, Fidelity::line_of_centres, {.lower = -0.5, .upper = 2.0, .tolerance = 1e-6});
+  const Curve torque = torque_curve(prototype, recoiling_magnet, hinge, Fidelity::line_of_centres,
+                                    {.lower = -0.5, .upper = 2.0, .tolerance = 1e-6});
   for (const double angle : {0.0, 0.4, 1.9})
-    EXPECT_NEAR(torque.value(angle), hinge_torque_per_ampere(coil, magnet, hinge, Fidelity::line_of_centres, angle),
+    EXPECT_NEAR(torque.value(angle),
+                hinge_torque_per_ampere(prototype, recoiling_magnet, hinge, Fidelity::line_of_centres, angle),
                 5e-6 * torque.scale())
         << angle;
-  const double inside = hinge_torque_per_ampere(coil, magnet, hinge, Fidelity::line_of_centres, -0.3);
+  const double inside = hinge_torque_per_ampere(prototype, recoiling_magnet, hinge, Fidelity::line_of_centres, -0.3);
   EXPECT_NEAR(torque.value(-0.3), inside, 3e-3 * torque.scale());
 }
 

@@ -12,6 +12,7 @@
 
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/constants.hpp"
+#include "magnetics/prototype.hpp"
 #include "random_pairs.hpp"
 #include "reference_cases.hpp"
 
@@ -40,10 +41,6 @@ TEST(Wrench, AgreesWithTheIndependentReferenceInEveryCase) {
     EXPECT_LT(torque_error, 1e-7) << c["id"];
   }
 }
-
-const ThickCoil prototype(
-    {.inner_radius = 3e-3, .outer_radius = 9.5e-3, .length = 12e-3, .turns_radial = 15, .turns_axial = 30});
-const CylinderMagnet prototype_magnet({.radius = 10e-3, .length = 6e-3, .remanence = 1.44});
 
 /// What third law and moment balance leave over when the bodies change roles: largest component over the largest
 /// component of the wrench, torques in units of force times `size`.

@@ -9,9 +9,8 @@
 namespace truth {
 namespace {
 
-constexpr double visible = 6.0;  // standard deviations of the noise, all samples together
-constexpr int draws = 6;         // of sign and shape of each kind
-constexpr double probe = 0.02;   // share of the bound at which the strength of a draw is determined
+constexpr int draws = 6;        // of sign and shape of each kind
+constexpr double probe = 0.02;  // share of the bound at which the strength of a draw is determined
 
 double dot(const RecordedAngles& a, const RecordedAngles& b, const RecordedAngles& origin) {
   double sum = 0.0;

@@ -8,6 +8,9 @@
 
 namespace truth {
 
+/// An effect is visible if it changes all samples together by at least so many standard deviations of the noise.
+inline constexpr double visible = 6.0;
+
 /// The motion of a finger with one hidden effect, whose confounders are searched.
 struct ConfounderRequest {
   std::string id;

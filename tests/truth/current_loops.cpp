@@ -6,11 +6,7 @@
 #include <numbers>
 
 namespace truth {
-namespace {
-
-constexpr double mu0 = 4e-7 * std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 double loop_potential(double a, double radius, double height) {
   const double far = (a + radius) * (a + radius) + height * height;

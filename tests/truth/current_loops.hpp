@@ -1,6 +1,10 @@
 #pragma once
 
+#include <numbers>
+
 namespace truth {
+
+inline constexpr double mu0 = 4e-7 * std::numbers::pi;  ///< of vacuum, H/m
 
 /// Mutual inductance of two coaxial loops of radii `a`, `b` at axial distance `s`, H (Maxwell, Treatise, art. 701). Not
 /// for loops that touch.

@@ -1,8 +1,8 @@
 #include "truth/data_set.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "degree.hpp"
 #include "truth/hide.hpp"
 #include "truth/random.hpp"
 #include "truth/recording.hpp"
@@ -10,7 +10,6 @@
 namespace truth {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double noise = 0.3 * degree;
 constexpr double resolution_deg = 0.02;
 

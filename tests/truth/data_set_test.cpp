@@ -9,14 +9,13 @@
 #include <set>
 #include <sstream>
 
+#include "degree.hpp"
 #include "temporary_folder.hpp"
 #include "truth/hidden_effects.hpp"
 #include "truth/recording.hpp"
 
 namespace truth {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "degree.hpp"
 #include "truth/experiments.hpp"
 #include "truth/hidden_effects.hpp"
 #include "truth/motion.hpp"
@@ -17,8 +17,6 @@
 
 namespace truth {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // (9) to (12) of the paper as printed, solved for the accelerations by Cramer's rule.
 TEST(Dynamics, HasThePapersMatrices) {

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
+
+#include "degree.hpp"
 
 namespace truth {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double milli = 1e3;  // mm, ms, mN, mA, g in a kg
 
 using Strength = std::function<void(UnmodelledEffects&, double)>;
@@ -80,7 +80,7 @@ HiddenKind stribeck_friction() {
 
 HiddenKind end_stop() {
   return {.id = "end_stop",
-          .numbers = {{"angle_deg", &UnmodelledEffects::stop_angle, degrees},
+          .numbers = {{"angle_deg", &UnmodelledEffects::stop_angle, radian_in_degrees},
                       {"stiffness_Nmm_rad", &UnmodelledEffects::stop_stiffness, milli},
                       {"side", &UnmodelledEffects::stop_side}},
           .draw = [](Random& random, const AngleRange& range, UnmodelledEffects& effects) {
@@ -95,7 +95,7 @@ HiddenKind end_stop() {
 HiddenKind static_attraction() {
   return {.id = "static_attraction",
           .numbers = {{"torque_Nmm", &UnmodelledEffects::attraction, milli},
-                      {"range_deg", &UnmodelledEffects::attraction_range, degrees},
+                      {"range_deg", &UnmodelledEffects::attraction_range, radian_in_degrees},
                       {"side", &UnmodelledEffects::attraction_side}},
           .draw = [](Random& random, const AngleRange&, UnmodelledEffects& effects) {
             effects.attraction_side = random.sign();
@@ -139,7 +139,7 @@ std::vector<HiddenKind> all_kinds() {
       plain("back_emf", {{"conductance_1_Ohm", &Q::motional_conductance}}, &Q::motional_conductance, 0.0, 3.0),
       two_sided("joint_asymmetry", {{"stiffness_ratio", &Q::second_stiffness_ratio}}, &Q::second_stiffness_ratio, 1.0,
                 0.4, 2.5),
-      two_sided("rest_angle", {{"angle_deg", &Q::rest_angle, degrees}}, &Q::rest_angle, 0.0, -0.4, 0.4),
+      two_sided("rest_angle", {{"angle_deg", &Q::rest_angle, radian_in_degrees}}, &Q::rest_angle, 0.0, -0.4, 0.4),
       two_sided("stiffness_hardening", {{"coefficient_1_rad2", &Q::hardening}}, &Q::hardening, 0.0, -1.0 / 3.0, 5.0),
       plain("viscoelastic_creep", {{"stiffness_ratio", &Q::creep_share}, {"time_constant_s", &Q::creep_time}},
             &Q::creep_share, 0.0, 1.5, between(&Q::creep_time, 0.03, 5.0)),
@@ -149,17 +149,18 @@ std::vector<HiddenKind> all_kinds() {
       plain("quadratic_drag", {{"drag_Nmms2_rad2", &Q::drag, milli}}, &Q::drag, 0.0, 3e-5),
       end_stop(),
       plain("added_mass", {{"mass_g", &Q::added_mass, milli}}, &Q::added_mass, 0.0, 20e-3),
-      two_sided("base_tilt", {{"angle_deg", &Q::base_tilt, degrees}}, &Q::base_tilt, 0.0, -0.5, 0.5),
+      two_sided("base_tilt", {{"angle_deg", &Q::base_tilt, radian_in_degrees}}, &Q::base_tilt, 0.0, -0.5, 0.5),
       plain("measurement_delay", {{"delay_ms", &Q::delay, milli}}, &Q::delay, 0.0, 0.06),
       two_sided("angle_scale", {{"scale", &Q::angle_scale}}, &Q::angle_scale, 1.0, 0.7, 1.3),
-      two_sided("angle_offset", {{"angle_deg", &Q::angle_offset, degrees}}, &Q::angle_offset, 0.0, -0.17, 0.17),
+      two_sided("angle_offset", {{"angle_deg", &Q::angle_offset, radian_in_degrees}}, &Q::angle_offset, 0.0, -0.17,
+                0.17),
 
       outsider(plain("shaken_base", {{"acceleration_m_s2", &Q::shake}, {"frequency_Hz", &Q::shake_frequency}},
                      &Q::shake, 0.0, 20.0, between(&Q::shake_frequency, 2.0, 25.0))),
       outsider(two_sided("drifting_stiffness", {{"share_1_h", &Q::drift}}, &Q::drift, 0.0, -1.2, 1.2)),
       beyond_calibration(plain("mullins_softening",
-                               {{"softening", &Q::mullins}, {"angle_deg", &Q::mullins_angle, degrees}}, &Q::mullins,
-                               0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
+                               {{"softening", &Q::mullins}, {"angle_deg", &Q::mullins_angle, radian_in_degrees}},
+                               &Q::mullins, 0.0, 0.6, between(&Q::mullins_angle, 0.2, 0.6))),
       outsider(plain("random_cable", {{"torque_Nmm_s0.5", &Q::cable, milli}}, &Q::cable, 0.0, 4e-3)),
       beyond_calibration(plain("mount_compliance",
                                {{"mass_ratio", &Q::mount_compliance},
@@ -174,7 +175,7 @@ std::vector<HiddenKind> all_kinds() {
                      0.0, 1.0, between(&Q::contact_rate, 1.0, 3.0))),
       outsider(plain("torque_ripple", {{"torque_Nmm", &Q::ripple, milli}, {"periods", &Q::ripple_count}}, &Q::ripple,
                      0.0, 4e-3, between(&Q::ripple_count, 15.0, 45.0))),
-      outsider(plain("mains_hum", {{"amplitude_deg", &Q::hum, degrees}}, &Q::hum, 0.0, 0.2)),
+      outsider(plain("mains_hum", {{"amplitude_deg", &Q::hum, radian_in_degrees}}, &Q::hum, 0.0, 0.2)),
       outsider(plain("frozen_frames",
                      {{"length_ms", &Q::frozen_frames, milli},
                       {"rate_1_s", &Q::frozen_rate},
@@ -186,8 +187,8 @@ std::vector<HiddenKind> all_kinds() {
                      })),
 
       stribeck_friction(),
-      plain("backlash", {{"gap_deg", &Q::backlash, degrees}, {"inertia_share", &Q::backlash_inertia}}, &Q::backlash,
-            0.0, 10.0 / degrees,
+      plain("backlash", {{"gap_deg", &Q::backlash, radian_in_degrees}, {"inertia_share", &Q::backlash_inertia}},
+            &Q::backlash, 0.0, 10.0 / radian_in_degrees,
             [](Random& random, UnmodelledEffects& effects) { effects.backlash_inertia = random.uniform(0.13, 0.17); }),
       plain("tracking_lag", {{"time_constant_ms", &Q::tracking_time, milli}}, &Q::tracking_time, 0.0, 0.06),
 
@@ -202,7 +203,8 @@ std::vector<HiddenKind> all_kinds() {
                      })),
       outsider(plain("shifting_magnet", {{"share", &Q::magnet_shift}, {"travel_rad", &Q::shift_travel}},
                      &Q::magnet_shift, 0.0, 0.3, between(&Q::shift_travel, 1.0, 8.0))),
-      outsider(plain("contact_between_coils", {{"share", &Q::contact_share}, {"angle_deg", &Q::contact_angle, degrees}},
+      outsider(plain("contact_between_coils",
+                     {{"share", &Q::contact_share}, {"angle_deg", &Q::contact_angle, radian_in_degrees}},
                      &Q::contact_share, 0.0, 0.5, between(&Q::contact_angle, 0.25, 0.5))),
       outsider(plain("gusts", {{"torque_Nmm", &Q::gust, milli}, {"time_constant_s", &Q::gust_time}}, &Q::gust, 0.0,
                      2e-3, between(&Q::gust_time, 0.05, 0.5))),

@@ -11,9 +11,6 @@
 namespace truth {
 namespace {
 
-// An effect is visible if it changes all samples together by at least so many standard deviations of the noise.
-constexpr double visible = 6.0;
-
 // The share of its bound at which an effect has the strength that is asked for; 1 if it is weaker even at its bound.
 template <typename StrengthAt>
 double share_for(double asked, StrengthAt&& strength_at) {

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "degree.hpp"
 #include "temporary_folder.hpp"
 #include "truth/hidden_effects.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
@@ -18,8 +19,6 @@
 
 namespace truth::laboratory {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;

@@ -5,16 +5,14 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "degree.hpp"
 #include "truth/torque_curves.hpp"
 
 namespace truth {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Experiment step_to(double current, double interval, double duration) {
   Experiment experiment;

@@ -17,7 +17,7 @@
 namespace truth {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Experiment sine(double mean, double amplitude, double frequency, double duration) {
   Experiment experiment = constant(mean, duration);

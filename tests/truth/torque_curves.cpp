@@ -9,14 +9,13 @@
 #include <numbers>
 #include <vector>
 
+#include "degree.hpp"
 #include "truth/current_loops.hpp"
 
 namespace truth {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double mu0 = 4e-7 * pi;
-constexpr double degree = pi / 180.0;
+using std::numbers::pi;
 
 double shell_radius(const Pair& pair, int shell) {
   return pair.inner_radius + (pair.outer_radius - pair.inner_radius) * shell / (pair.turns_radial - 1.0);

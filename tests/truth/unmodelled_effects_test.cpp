@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "degree.hpp"
 #include "truth/motion.hpp"
 #include "truth/test_motions.hpp"
 #include "truth/torque_curves.hpp"
 
 namespace truth {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(DriveEffects, ActAsAnotherCurrent) {
   const UnmodelledEffects none;

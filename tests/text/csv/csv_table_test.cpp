@@ -29,7 +29,7 @@ CsvTable bench(std::string_view text) {
   return parse_csv(text, "x.csv", ask_for_bench);
 }
 
-std::string refusal(std::string_view text) {
+std::string table_refusal(std::string_view text) {
   return testing::error_of([&] { (void)bench(text); });
 }
 
@@ -76,59 +76,59 @@ TEST(CsvTable, SaysWhatAFileIsThatIsNoText) {
       "\xff\xfe"
       "a\0n\0g\0l\0e\0\n\0",
       14);
-  EXPECT_EQ(refusal(utf16),
+  EXPECT_EQ(table_refusal(utf16),
             "x.csv: must be UTF-8, and is UTF-16: save it anew as UTF-8 (\"CSV UTF-8\" of a spreadsheet)");
-  EXPECT_EQ(refusal("PK\x03\x04 xl/worksheets"),
+  EXPECT_EQ(table_refusal("PK\x03\x04 xl/worksheets"),
             "x.csv: must be text, and is a spreadsheet or an archive: export it as CSV");
-  EXPECT_EQ(refusal(std::string_view("\x01\0\x02\n", 4)), "x.csv: must be text, and is binary: export it as CSV");
+  EXPECT_EQ(table_refusal(std::string_view("\x01\0\x02\n", 4)), "x.csv: must be text, and is binary: export it as CSV");
 }
 
 TEST(CsvTable, RefusesAnEmptyFileAndOneWithoutRows) {
-  EXPECT_EQ(refusal(""), "x.csv: is empty: it must have a header");
-  EXPECT_EQ(refusal("\n \n"), "x.csv: is empty: it must have a header");
-  EXPECT_EQ(refusal("angle_deg,current_A\n"), "x.csv: must have a row below its header");
+  EXPECT_EQ(table_refusal(""), "x.csv: is empty: it must have a header");
+  EXPECT_EQ(table_refusal("\n \n"), "x.csv: is empty: it must have a header");
+  EXPECT_EQ(table_refusal("angle_deg,current_A\n"), "x.csv: must have a row below its header");
 }
 
 TEST(CsvTable, RefusesAMissingColumn) {
-  EXPECT_EQ(refusal("angle_deg,torque_Nmm\n1.5,2.5\n"), "x.csv: line 1: column current_A: is missing");
+  EXPECT_EQ(table_refusal("angle_deg,torque_Nmm\n1.5,2.5\n"), "x.csv: line 1: column current_A: is missing");
 }
 
 TEST(CsvTable, RefusesAnUnknownColumnAndSuggestsTheOneThatWasMeant) {
-  EXPECT_EQ(refusal("angle_deg,current_A,troque_Nmm\n1.5,2.5,3.5\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A,troque_Nmm\n1.5,2.5,3.5\n"),
             "x.csv: line 1: column troque_Nmm: unknown column; did you mean \"torque_Nmm\"?");
-  EXPECT_EQ(refusal("angle_deg,current_A,humidity\n1.5,2.5,3.5\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A,humidity\n1.5,2.5,3.5\n"),
             "x.csv: line 1: column humidity: unknown column; there may be angle_deg, current_A, torque_Nmm");
-  EXPECT_EQ(refusal("angle_deg,mood,current_A,humidity\n1.5,2,2.5,3.5\n"),
+  EXPECT_EQ(table_refusal("angle_deg,mood,current_A,humidity\n1.5,2,2.5,3.5\n"),
             "x.csv: line 1: columns mood, humidity: unknown columns; there may be angle_deg, current_A, torque_Nmm");
 }
 
 TEST(CsvTable, RefusesAnUnknownUnit) {
   EXPECT_EQ(
-      refusal("angle_deg,current_mV\n1.5,2.5\n"),
+      table_refusal("angle_deg,current_mV\n1.5,2.5\n"),
       "x.csv: line 1: column current_mV: unknown unit; may be \"current_A\" or \"current_mA\", with the numbers in "
       "that unit");
-  EXPECT_EQ(refusal("Angle_deg,current_A\n1.5,2.5\n"),
+  EXPECT_EQ(table_refusal("Angle_deg,current_A\n1.5,2.5\n"),
             "x.csv: line 1: column angle_deg: is missing; is \"Angle_deg\" meant? Every letter of a name counts");
-  EXPECT_EQ(refusal("0,21.5\n1.5,2.5\n"),
+  EXPECT_EQ(table_refusal("0,21.5\n1.5,2.5\n"),
             "x.csv: line 1: must name the columns, and has numbers only: the header is missing");
-  EXPECT_EQ(refusal("angle_furlong,current_A\n1.5,2.5\n"), "x.csv: line 1: column angle_deg: is missing");
+  EXPECT_EQ(table_refusal("angle_furlong,current_A\n1.5,2.5\n"), "x.csv: line 1: column angle_deg: is missing");
   EXPECT_EQ(
-      refusal("angle,current_A\n1.5,2.5\n"),
+      table_refusal("angle,current_A\n1.5,2.5\n"),
       "x.csv: line 1: column angle: unknown unit; may be \"angle_rad\" or \"angle_mrad\" or \"angle_deg\", with the "
       "numbers in that unit");
   EXPECT_EQ(
-      refusal("angle_deg,current_A,torque_deg\n1.5,2.5,3\n"),
+      table_refusal("angle_deg,current_A,torque_deg\n1.5,2.5,3\n"),
       "x.csv: line 1: column torque_deg: unknown unit; may be \"torque_Nm\" or \"torque_Nmm\" or \"torque_mNm\" or "
       "\"torque_Ncm\" or .., with the numbers in that unit");
 }
 
 TEST(CsvTable, RefusesAColumnThatIsThereTwice) {
-  EXPECT_EQ(refusal("angle_deg,current_A,angle_deg\n1,2,3\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A,angle_deg\n1,2,3\n"),
             "x.csv: line 1: column angle_deg: must not be there twice");
-  EXPECT_EQ(refusal("angle_deg,current_A,angle_rad\n1,2,3\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A,angle_rad\n1,2,3\n"),
             "x.csv: line 1: column angle_rad: must not be there twice");
-  EXPECT_EQ(refusal("angle_deg,current_A,\n1,2,3\n"), "x.csv: line 1: column 3: has no name");
-  EXPECT_EQ(refusal(",angle_deg,current_A\n1,2,3\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A,\n1,2,3\n"), "x.csv: line 1: column 3: has no name");
+  EXPECT_EQ(table_refusal(",angle_deg,current_A\n1,2,3\n"),
             "x.csv: line 1: column 1: has no name (a pandas index? write the file with index=False)");
 }
 
@@ -137,20 +137,20 @@ TEST(CsvTable, RefusesWhatIsNoFiniteNumber) {
   const std::string place =
       "x.csv: line 3: column current_A: must be a finite number (delete the line if it is damaged); got ";
   for (const std::string field : {"abc", "inf", "-inf", "1e999", "1.5x", "0x10", "1 5", "+-2", "--2"}) {
-    EXPECT_EQ(refusal(header + "3.5," + field + "\n"), place + "\"" + field + "\"");
+    EXPECT_EQ(table_refusal(header + "3.5," + field + "\n"), place + "\"" + field + "\"");
   }
   for (const std::string field : {"", "nan", "NaN", "NA"})
-    EXPECT_EQ(refusal(header + "3.5," + field + "\n"),
+    EXPECT_EQ(table_refusal(header + "3.5," + field + "\n"),
               "x.csv: line 3: column current_A: must be a finite number (delete the rows that have none); got \"" +
                   field + "\"");
-  EXPECT_EQ(refusal(header + "3.5,\"a\nb\"\n"), place + "\"a\\nb\"");
+  EXPECT_EQ(table_refusal(header + "3.5,\"a\nb\"\n"), place + "\"a\\nb\"");
 }
 
 TEST(CsvTable, RefusesARaggedRow) {
-  EXPECT_EQ(refusal("angle_deg,current_A\n1.5,2.5\n3.5\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A\n1.5,2.5\n3.5\n"),
             "x.csv: line 3: must have 2 fields, as the header has (delete the line if it is damaged); got 1");
   EXPECT_EQ(bench("angle_deg,current_A\n1.5,2.5,\n").rows(), 1u);  // a separator at the end
-  EXPECT_EQ(refusal("angle_deg,current_A\n1,5,2,5\n"),
+  EXPECT_EQ(table_refusal("angle_deg,current_A\n1,5,2,5\n"),
             "x.csv: line 2: must have 2 fields, as the header has (are its decimals written with commas?); got 4");
 }
 
@@ -160,28 +160,29 @@ TEST(CsvTable, FindsSeparatorsAndDecimalSigns) {
         "angle_deg  current_A\n 1.5   2.5\n", "angle_deg|current_A\n1.5|2.5\n",
         "\"angle_deg\",\"current_A\"\n\"1,5\",\"2,5\"\n"})
     EXPECT_THAT(bench(text).column("current"), ElementsAre(2.5)) << text;
-  EXPECT_THAT(refusal("frame|camera,angle_deg,current_A\n1,1.5,2.5\n"),
+  EXPECT_THAT(table_refusal("frame|camera,angle_deg,current_A\n1,1.5,2.5\n"),
               StartsWith("x.csv: line 1: column frame|camera: unknown column"));
 }
 
 TEST(CsvTable, CountsLinesAcrossBlankOnesAndLineEndsInQuotes) {
-  EXPECT_EQ(refusal("\nangle_deg,current_A\r\n\r\n1.5,2.5\r\nx,2\r\n"),
+  EXPECT_EQ(table_refusal("\nangle_deg,current_A\r\n\r\n1.5,2.5\r\nx,2\r\n"),
             "x.csv: line 5: column angle_deg: must be a finite number (delete the line if it is damaged); got \"x\"");
   EXPECT_EQ(
-      refusal("angle_deg,current_A\n\"1.5\n\",2\n"),
+      table_refusal("angle_deg,current_A\n\"1.5\n\",2\n"),
       "x.csv: line 2: column angle_deg: must be a finite number (delete the line if it is damaged); got \"1.5\\n\"");
 }
 
 TEST(CsvTable, RefusesQuotesThatDoNotFit) {
   EXPECT_EQ(
-      refusal("angle_deg,current_A\n1.5,2\"5\n"),
+      table_refusal("angle_deg,current_A\n1.5,2\"5\n"),
       "x.csv: line 2: must have quotes around whole fields only, and quotes inside them doubled (delete the line if it "
       "is damaged)");
-  EXPECT_EQ(refusal("angle_deg,current_A\n1.5,\"2.5\n3.5,1\n"), "x.csv: line 2: must close the quote that it opens");
+  EXPECT_EQ(table_refusal("angle_deg,current_A\n1.5,\"2.5\n3.5,1\n"),
+            "x.csv: line 2: must close the quote that it opens");
 }
 
 TEST(CsvTable, RefusesARowWithoutEnd) {
-  EXPECT_EQ(refusal("angle_deg,current_A\n1.5,\"" + std::string(csv_row_limit, '\n')),
+  EXPECT_EQ(table_refusal("angle_deg,current_A\n1.5,\"" + std::string(csv_row_limit, '\n')),
             "x.csv: line 2: must not be longer than 1 MB (is a quote not closed?)");
 }
 
@@ -246,9 +247,9 @@ TEST(CsvTable, SkipsLinesThatBeginWithAHash) {
   EXPECT_THAT(bench("# logger 3, \"raw\r\n#\r\nangle_deg,current_A\r\n# x\n1.5,2.5\n#end").column("angle"),
               ElementsAre(::testing::DoubleEq(1.5 * 3.14159265358979323846 / 180.0)));
   // Only at the beginning of a line, and counted as a line.
-  EXPECT_EQ(refusal("# a\nangle_deg,current_A\n1.5,#\n"),
+  EXPECT_EQ(table_refusal("# a\nangle_deg,current_A\n1.5,#\n"),
             "x.csv: line 3: column current_A: must be a finite number (delete the line if it is damaged); got \"#\"");
-  EXPECT_EQ(refusal("# a\n# b\n"), "x.csv: is empty: it must have a header");
+  EXPECT_EQ(table_refusal("# a\n# b\n"), "x.csv: is empty: it must have a header");
 }
 
 TEST(CsvTable, TakesMillisecondsForSeconds) {

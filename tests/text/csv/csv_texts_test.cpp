@@ -25,7 +25,7 @@ bool all(std::string_view) {
 }
 
 // What an InputError says, without the folder.
-std::string refusal(const std::function<void()>& task) {
+std::string refusal_by(const std::function<void()>& task) {
   try {
     task();
   } catch (const InputError& error) {
@@ -42,9 +42,9 @@ TEST(CsvTexts, KeepsTextsAndNumbersAsTheyStand) {
   EXPECT_EQ(table.column("reason")[1], "a, b \"c\"");
   EXPECT_EQ(table.number("gap_mm", 0), 1.5);
   EXPECT_FALSE(table.number("gap_mm", 1).has_value());
-  EXPECT_EQ(refusal([&] { static_cast<void>(table.number("status", 0)); }),
+  EXPECT_EQ(refusal_by([&] { static_cast<void>(table.number("status", 0)); }),
             "t.csv: line 2: column status: must be a number; got \"ok\"");
-  EXPECT_EQ(refusal([&] { static_cast<void>(table.required_number("gap_mm", 1)); }),
+  EXPECT_EQ(refusal_by([&] { static_cast<void>(table.required_number("gap_mm", 1)); }),
             "t.csv: line 3: column gap_mm: must be a number; got \"\"");
 }
 
@@ -52,7 +52,7 @@ TEST(CsvTexts, KeepsTheColumnsThatAreAskedFor) {
   const CsvTexts table = read("a,b,c\n1,2,3\n", [](std::string_view name) { return name == "c"; });
   EXPECT_EQ(table.names(), (std::vector<std::string>{"c"}));
   EXPECT_FALSE(table.has("a"));
-  EXPECT_EQ(refusal([&] { static_cast<void>(table.column("a")); }), "t.csv: must have the column a");
+  EXPECT_EQ(refusal_by([&] { static_cast<void>(table.column("a")); }), "t.csv: must have the column a");
 }
 
 TEST(CsvTexts, MayHaveNoRowButMustHaveAHeader) {
@@ -61,7 +61,8 @@ TEST(CsvTexts, MayHaveNoRowButMustHaveAHeader) {
 }
 
 TEST(CsvTexts, WasCutWhereItDoesNotEndWithALine) {
-  EXPECT_EQ(refusal([] { static_cast<void>(read("a,b\n1,2", all)); }), "t.csv: must end with a whole line: it was cut");
+  EXPECT_EQ(refusal_by([] { static_cast<void>(read("a,b\n1,2", all)); }),
+            "t.csv: must end with a whole line: it was cut");
 }
 
 TEST(CsvTexts, NamesTheLineOfARowOfAnotherWidth) {

@@ -12,7 +12,7 @@ namespace {
 
 using coilwright::testing::TemporaryFolder;
 
-std::string refusal(std::string_view text) {
+std::string document_refusal(std::string_view text) {
   return testing::error_of([&] { (void)parse_json(text, "x.json"); });
 }
 
@@ -37,80 +37,81 @@ TEST(JsonDocument, StaysValidWhenMoved) {
 
 TEST(JsonDocument, SkipsAByteOrderMark) {
   EXPECT_EQ(parse_json("\xef\xbb\xbf{\"turns\": 40}", "x.json").root().find("turns")->integer(), 40);
-  EXPECT_EQ(refusal("\xef\xbb\xbf[1,]"),
+  EXPECT_EQ(document_refusal("\xef\xbb\xbf[1,]"),
             "x.json: line 1, column 4: is not JSON: syntax error while parsing value - unexpected ']'; expected '[', "
             "'{', or a literal (a comma stands before it)");
 }
 
 TEST(JsonDocument, RefusesDuplicateKeys) {
-  EXPECT_EQ(refusal(R"({"coils": [{"turns": 3}, {"turns": 4, "gap": 1, "turns": 5}]})"),
+  EXPECT_EQ(document_refusal(R"({"coils": [{"turns": 3}, {"turns": 4, "gap": 1, "turns": 5}]})"),
             "x.json: /coils/1/turns: duplicate key");
-  EXPECT_EQ(refusal(R"({"a": 1, "\u0061": 2})"), "x.json: /a: duplicate key");
+  EXPECT_EQ(document_refusal(R"({"a": 1, "\u0061": 2})"), "x.json: /a: duplicate key");
 }
 
 TEST(JsonDocument, AllowsOneKeyInDifferentObjects) {
-  EXPECT_EQ(refusal(R"([{"a": {"a": 1}}, {"a": 2}])"), "accepted");
+  EXPECT_EQ(document_refusal(R"([{"a": {"a": 1}}, {"a": 2}])"), "accepted");
 }
 
 TEST(JsonDocument, RefusesNumbersThatAreNotFinite) {
-  EXPECT_EQ(refusal(R"({"a": [1, 1e999]})"), "x.json: /a/1: must be a finite number (at most 1.8e308); got 1e999");
-  EXPECT_EQ(refusal("-1e999"), "x.json: /: must be a finite number (at most 1.8e308); got -1e999");
+  EXPECT_EQ(document_refusal(R"({"a": [1, 1e999]})"),
+            "x.json: /a/1: must be a finite number (at most 1.8e308); got 1e999");
+  EXPECT_EQ(document_refusal("-1e999"), "x.json: /: must be a finite number (at most 1.8e308); got -1e999");
   const std::string rule = "must be a finite number: JSON has no NaN and no Infinity";
-  EXPECT_EQ(refusal("{\"a\":\n NaN}"), "x.json: line 2, column 2: " + rule);
-  EXPECT_EQ(refusal("[2, Infinity]"), "x.json: line 1, column 5: " + rule);
-  EXPECT_EQ(refusal("[2, -Infinity]"), "x.json: line 1, column 6: " + rule);
-  EXPECT_EQ(refusal("[2, nan]"), "x.json: line 1, column 6: " + rule);
+  EXPECT_EQ(document_refusal("{\"a\":\n NaN}"), "x.json: line 2, column 2: " + rule);
+  EXPECT_EQ(document_refusal("[2, Infinity]"), "x.json: line 1, column 5: " + rule);
+  EXPECT_EQ(document_refusal("[2, -Infinity]"), "x.json: line 1, column 6: " + rule);
+  EXPECT_EQ(document_refusal("[2, nan]"), "x.json: line 1, column 6: " + rule);
 }
 
 TEST(JsonDocument, RefusesATruncatedText) {
-  EXPECT_EQ(refusal("{\"a\": [1,\n  2"), "x.json: line 2, column 4: ends before its JSON value is complete");
-  EXPECT_EQ(refusal("{\"a\": \"te"), "x.json: line 1, column 10: ends before its JSON value is complete");
-  EXPECT_EQ(refusal(""), "x.json: line 1, column 1: is empty: it must hold a JSON value");
+  EXPECT_EQ(document_refusal("{\"a\": [1,\n  2"), "x.json: line 2, column 4: ends before its JSON value is complete");
+  EXPECT_EQ(document_refusal("{\"a\": \"te"), "x.json: line 1, column 10: ends before its JSON value is complete");
+  EXPECT_EQ(document_refusal(""), "x.json: line 1, column 1: is empty: it must hold a JSON value");
 }
 
 TEST(JsonDocument, RefusesWhatIsNotJson) {
-  EXPECT_EQ(refusal("radius = 3"),
+  EXPECT_EQ(document_refusal("radius = 3"),
             "x.json: line 1, column 1: is not JSON: syntax error while parsing value - invalid literal");
-  EXPECT_EQ(refusal("{\"a\": 1,}"),
+  EXPECT_EQ(document_refusal("{\"a\": 1,}"),
             "x.json: line 1, column 9: is not JSON: syntax error while parsing object key - unexpected '}'; "
             "expected string literal (a comma stands before it)");
   EXPECT_EQ(
-      refusal("{\"mass_g\": 60,5}"),
+      document_refusal("{\"mass_g\": 60,5}"),
       "x.json: line 1, column 15: is not JSON: syntax error while parsing object key - unexpected number literal; "
       "expected string literal (is a decimal written with a comma? JSON has a point)");
-  EXPECT_EQ(refusal("{} {}"),
+  EXPECT_EQ(document_refusal("{} {}"),
             "x.json: line 1, column 4: is not JSON: syntax error while parsing value - unexpected '{'; "
             "expected end of input");
-  EXPECT_EQ(refusal("// no\n{}"),
+  EXPECT_EQ(document_refusal("// no\n{}"),
             "x.json: line 1, column 1: is not JSON: syntax error while parsing value - invalid literal (JSON has no "
             "comments: "
             "write a text under the key \"comment\")");
 }
 
 TEST(JsonDocument, RefusesInvalidUtf8AndNulBytes) {
-  EXPECT_EQ(refusal("[\"\xff\"]"),
+  EXPECT_EQ(document_refusal("[\"\xff\"]"),
             "x.json: line 1, column 3: is not JSON: syntax error while parsing value - invalid string: ill-formed "
             "UTF-8 byte");
   for (const std::string_view utf16 : {std::string_view("\xff\xfe{\0}\0", 6), std::string_view("\xfe\xff\0{\0}", 6),
                                        std::string_view("{\0}\0", 4), std::string_view("\0{\0}", 4)})
     EXPECT_EQ(
-        refusal(utf16),
+        document_refusal(utf16),
         "x.json: must be UTF-8, and is UTF-16: save it anew as UTF-8 (in an editor, or by iconv -f UTF-16 -t UTF-8)");
-  EXPECT_EQ(refusal(std::string_view("{}\0{}", 5)), "x.json: line 1, column 3: is not JSON: holds a NUL byte");
+  EXPECT_EQ(document_refusal(std::string_view("{}\0{}", 5)), "x.json: line 1, column 3: is not JSON: holds a NUL byte");
 }
 
 TEST(JsonDocument, RefusesDeepNesting) {
-  EXPECT_EQ(refusal(std::string(json_depth_limit, '[') + std::string(json_depth_limit, ']')), "accepted");
+  EXPECT_EQ(document_refusal(std::string(json_depth_limit, '[') + std::string(json_depth_limit, ']')), "accepted");
   const std::string deep(200'000, '[');
   std::string pointer;
   for (std::size_t i = 0; i < json_depth_limit; ++i) pointer += "/0";
-  EXPECT_EQ(refusal(deep), "x.json: " + pointer + ": must be nested at most 64 deep");
+  EXPECT_EQ(document_refusal(deep), "x.json: " + pointer + ": must be nested at most 64 deep");
 }
 
 TEST(JsonDocument, RefusesMoreValuesThanAnyStudyHas) {
   std::string many = "[0";
   for (std::size_t i = 0; i < json_value_limit; ++i) many += ",0";
-  EXPECT_EQ(refusal(many + "]"), "x.json: /999999: must hold at most 1000000 values");
+  EXPECT_EQ(document_refusal(many + "]"), "x.json: /999999: must hold at most 1000000 values");
 }
 
 TEST(JsonDocument, NamesTheFileThatCannotBeRead) {

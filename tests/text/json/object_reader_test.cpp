@@ -28,7 +28,7 @@ Coil read_coil(const Node& node) {
   });
 }
 
-std::string refusal(std::string_view coil) {
+std::string coil_refusal(std::string_view coil) {
   const Document document = parse_json("{\"coil\": " + std::string(coil) + "}", "x.json");
   return testing::error_of([&] { (void)read_coil(document.root().find("coil").value()); });
 }
@@ -50,16 +50,16 @@ TEST(ObjectReader, ReadsValuesInSiAndFillsInDefaults) {
 }
 
 TEST(ObjectReader, RefusesAnUnknownKeyAndSuggestsTheOneThatWasMeant) {
-  EXPECT_EQ(refusal(R"({"radius_mm": 9.9, "turns": 14, "shpae": "round"})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 9.9, "turns": 14, "shpae": "round"})"),
             "x.json: /coil/shpae: unknown key; did you mean \"shape\"?");
-  EXPECT_EQ(refusal(R"({"radius_mm": 9.9, "turns": 14, "colour": "round"})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 9.9, "turns": 14, "colour": "round"})"),
             "x.json: /coil/colour: unknown key; the keys here are \"pitch_mm\", \"radius_mm\", \"shape\", \"turns\"");
 }
 
 TEST(ObjectReader, AcceptsACommentInEveryObjectIfItIsAText) {
-  EXPECT_EQ(refusal(R"({"comment": "of the paper", "radius_mm": -9.9, "turns": 14})"),
+  EXPECT_EQ(coil_refusal(R"({"comment": "of the paper", "radius_mm": -9.9, "turns": 14})"),
             "x.json: /coil/radius_mm: must be > 0; got -9.9");
-  EXPECT_EQ(refusal(R"({"comment": 3, "radius_mm": 9.9, "turns": 14})"),
+  EXPECT_EQ(coil_refusal(R"({"comment": 3, "radius_mm": 9.9, "turns": 14})"),
             "x.json: /coil/comment: must be a text; got 3");
   const Document document = parse_json(R"({"comment": "of the paper", "radius_mm": 9.9, "turns": 14})", "x.json");
   EXPECT_EQ(read_coil(document.root()).turns, 14);
@@ -74,44 +74,45 @@ TEST(ObjectReader, AcceptsTheSchemaOfAnEditorAtTheRootOnly) {
   EXPECT_EQ(read_coil(document.root()).turns, 14);
   EXPECT_EQ(refusal_of_document(R"({"$schema": 3, "radius_mm": 9.9, "turns": 14})"),
             "x.json: /$schema: must be a text; got 3");
-  EXPECT_EQ(refusal(R"({"$schema": "coil.json", "radius_mm": 9.9, "turns": 14})"),
+  EXPECT_EQ(coil_refusal(R"({"$schema": "coil.json", "radius_mm": 9.9, "turns": 14})"),
             "x.json: /coil/$schema: unknown key; the keys here are \"pitch_mm\", \"radius_mm\", \"shape\", \"turns\"");
 }
 
 TEST(ObjectReader, RefusesAWrongUnit) {
-  EXPECT_EQ(refusal(R"({"radius_m": 9.9, "turns": 14})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_m": 9.9, "turns": 14})"),
             "x.json: /coil/radius_m: unknown key; did you mean \"radius_mm\"?");
-  EXPECT_EQ(refusal(R"({"radius_mm": 9.9, "turns": 14, "pitch_um": 350})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 9.9, "turns": 14, "pitch_um": 350})"),
             "x.json: /coil/pitch_um: unknown key; did you mean \"pitch_mm\"?");
-  EXPECT_EQ(refusal(R"({"radius": 9.9, "turns": 14})"),
+  EXPECT_EQ(coil_refusal(R"({"radius": 9.9, "turns": 14})"),
             "x.json: /coil/radius: unknown key; did you mean \"radius_mm\"?");
 }
 
 TEST(ObjectReader, RefusesAMissingKey) {
-  EXPECT_EQ(refusal(R"({"radius_mm": 9.9})"), "x.json: /coil/turns: is missing");
-  EXPECT_EQ(refusal(R"({"radius_mm": 9.9, "tuns": 14})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 9.9})"), "x.json: /coil/turns: is missing");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 9.9, "tuns": 14})"),
             "x.json: /coil/turns: is missing; is \"tuns\" meant to be it?");
 }
 
 TEST(ObjectReader, RefusesAWrongTypeNamingBoth) {
-  EXPECT_EQ(refusal("[3]"), "x.json: /coil: must be an object; got an array of 1");
-  EXPECT_EQ(refusal(R"({"radius_mm": "9.9"})"), "x.json: /coil/radius_mm: must be a number; got text \"9.9\"");
-  EXPECT_EQ(refusal(R"({"radius_mm": null})"), "x.json: /coil/radius_mm: must be a number; got null");
-  EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": true})"), "x.json: /coil/turns: must be a whole number; got true");
-  EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": 3, "shape": {}})"),
+  EXPECT_EQ(coil_refusal("[3]"), "x.json: /coil: must be an object; got an array of 1");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": "9.9"})"), "x.json: /coil/radius_mm: must be a number; got text \"9.9\"");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": null})"), "x.json: /coil/radius_mm: must be a number; got null");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 2, "turns": true})"),
+            "x.json: /coil/turns: must be a whole number; got true");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 2, "turns": 3, "shape": {}})"),
             "x.json: /coil/shape: must be a text; got an object");
 }
 
 TEST(ObjectReader, RefusesANumberOutsideItsRule) {
-  EXPECT_EQ(refusal(R"({"radius_mm": -1.5})"), "x.json: /coil/radius_mm: must be > 0; got -1.5");
-  EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": 0})"), "x.json: /coil/turns: must be >= 1; got 0");
-  EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": 3.5})"), "x.json: /coil/turns: must be a whole number; got 3.5");
-  EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": 3e9})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": -1.5})"), "x.json: /coil/radius_mm: must be > 0; got -1.5");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 2, "turns": 0})"), "x.json: /coil/turns: must be >= 1; got 0");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 2, "turns": 3.5})"), "x.json: /coil/turns: must be a whole number; got 3.5");
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 2, "turns": 3e9})"),
             "x.json: /coil/turns: must be from -2147483648 to 2147483647; got 3000000000");
 }
 
 TEST(ObjectReader, RefusesAWordThatIsNoChoice) {
-  EXPECT_EQ(refusal(R"({"radius_mm": 2, "turns": 3, "shape": "sqare"})"),
+  EXPECT_EQ(coil_refusal(R"({"radius_mm": 2, "turns": 3, "shape": "sqare"})"),
             "x.json: /coil/shape: must be one of \"round\", \"square\"; did you mean \"square\"?; got text \"sqare\"");
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "degree.hpp"
 #include "truth/hide.hpp"
 #include "truth/laboratory/absorption.hpp"
 #include "truth/laboratory/recorder.hpp"
@@ -15,7 +15,6 @@
 namespace truth::laboratory {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double still_duration = 15.0;  // s
 
 // Faces of soft silicone, which a release of the straight finger presses by a few degrees.

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "degree.hpp"
 #include "truth/laboratory/noise.hpp"
 #include "truth/laboratory/run_keys.hpp"
 
 namespace truth::laboratory {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // Gauss's rule of three points for the mean over an exposure of length 1 about 0: exact for polynomials of degree 5.
 struct Part {

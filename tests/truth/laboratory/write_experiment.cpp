@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "degree.hpp"
 #include "truth/declared_finger.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
 #include "truth/laboratory/recorder.hpp"
@@ -16,11 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double driver_rate = 500.0;  // changes of a smooth input per second
 
 void add_noise(const NoiseFaults& noise, Json& experiment) {
-  double level = noise.level * degrees;
+  double level = noise.level * radian_in_degrees;
   if (noise.colour == Colour::hum) {  // half of the variance: a sine with the amplitude of the whole
     experiment["hum"] = {{"frequency_Hz", 50}, {"angle_deg", level}};
     level *= std::sqrt(0.5);
@@ -81,7 +80,7 @@ void write_experiment(const LaboratorySet& set, const std::filesystem::path& fol
       entry["start"] = "free";
       entry["start_angles_deg"] = Json::array();
       for (const double angle : equilibrium({}, {}, planned.experiment.currents.front()))
-        entry["start_angles_deg"].push_back(angle * degrees);
+        entry["start_angles_deg"].push_back(angle * radian_in_degrees);
     }
     if (const Json rig = rig_of(planned.experiment.rig); !rig.empty()) entry["rig"] = rig;
     runs.push_back(entry);

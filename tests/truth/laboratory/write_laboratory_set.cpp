@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "degree.hpp"
 #include "truth/declared_finger.hpp"
 #include "truth/laboratory/laboratory_set.hpp"
 #include "truth/laboratory/names.hpp"
@@ -15,8 +15,6 @@ namespace truth::laboratory {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 bool has_input_file(const Request& request) {
   return request.clocks.log != InputLog::beside_pictures;
@@ -44,7 +42,7 @@ Json run_entry(const LaboratorySet& set, const RecordedRun& run) {
   if (request.camera.exposure_share > 0.0)
     out["exposure_s"] = request.camera.exposure_share / request.camera.frame_rate;
   if (request.noise.sigma_given)
-    out["sigma"] = std::hypot(request.noise.level * degrees, resolution_deg / std::sqrt(12.0));
+    out["sigma"] = std::hypot(request.noise.level * radian_in_degrees, resolution_deg / std::sqrt(12.0));
   if (const Json rig = rig_of(run.planned.experiment.rig); !rig.empty()) out["rig"] = rig;
   return out;
 }
@@ -98,7 +96,7 @@ Json effects_of(const Answer& answer) {
 
 Json faces_of(const Faces& faces) {
   if (faces.stiffness <= 0.0) return nullptr;
-  return {{"closing_angle_deg", faces.angle * degrees},
+  return {{"closing_angle_deg", faces.angle * radian_in_degrees},
           {"stiffness_Nm_rad", faces.stiffness},
           {"damping_Nms_rad", faces.damping}};
 }
@@ -115,7 +113,8 @@ Json runs_of(const LaboratorySet& set) {
   Json out = Json::array();
   for (const RecordedRun& run : set.runs) {
     Json outliers = Json::array();
-    for (const Outlier& one : run.outliers) outliers.push_back({{"time_s", one.time}, {"by_deg", one.by * degrees}});
+    for (const Outlier& one : run.outliers)
+      outliers.push_back({{"time_s", one.time}, {"by_deg", one.by * radian_in_degrees}});
     out.push_back({{"file", run.planned.experiment.name + ".csv"},
                    {"clock_offset_s", run.clock.offset},
                    {"clock_rate", run.clock.rate},
@@ -168,7 +167,7 @@ void write_answer(const LaboratorySet& set, const std::filesystem::path& file) {
       {"faces", {{"declared", faces_of(set.answer.declared_faces)}, {"are", faces_of(set.answer.built.finger.faces)}}},
       {"noise",
        {{"colour", name_of(request.noise.colour)},
-        {"sigma_deg", request.noise.level * degrees},
+        {"sigma_deg", request.noise.level * radian_in_degrees},
         {"resolution_deg", resolution_deg},
         {"outlier_share", request.noise.outliers},
         {"input_noise_A", request.noise.input_noise}}},

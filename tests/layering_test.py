@@ -42,7 +42,7 @@ ROOMS = {
 FOLDERS = {
     "sizing": "problem sampling nlopt surrogate search study",
     "actuator": "parts model effects design",
-    "measurement": "data noise whiteness replay fit compare localise correction experiment",
+    "measurement": "data noise whiteness replay fit records compare localise correction experiment",
 }
 
 # Libraries that only the .cpp files of the named layers, or rooms with all their layers, may see (a private header

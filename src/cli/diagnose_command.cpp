@@ -21,7 +21,7 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
-#include "coilwright/measurement/record_slip.hpp"
+#include "coilwright/measurement/records/record_slip.hpp"
 #include "coilwright/report/phase_table.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
@@ -124,7 +124,7 @@ Diagnosis diagnose(const DiagnoseOptions& options, const formats::DatasetFile& s
   if (!options.quiet) how.progress = [](const std::string& line) { std::cerr << line << '\n'; };
   try {
     return measurement::diagnose(set.data, declared.model, how);
-  } catch (const measurement::RecordSlip& slip) {
+  } catch (const measurement::records::RecordSlip& slip) {
     throw text::InputError({.file = set.file, .rule = fmt::format("{}; --as-written takes it as it is", slip.what())});
   } catch (const std::invalid_argument& misfit) {
     throw text::InputError({.file = set.file, .rule = misfit.what()});

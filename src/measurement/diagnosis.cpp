@@ -3,16 +3,18 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 
 #include "measurement/compare/curvature.hpp"
 #include "measurement/compare/hypothesis_search.hpp"
-#include "measurement/compare/idle_numbers.hpp"
+#include "measurement/compare/insensitive_parameters.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/recalibration.hpp"
@@ -25,33 +27,32 @@
 #include "measurement/diagnosis_warnings.hpp"
 #include "measurement/experiment/separating_experiment.hpp"
 #include "measurement/final_errors.hpp"
-#include "measurement/first_poses.hpp"
 #include "measurement/fit/fit.hpp"
 #include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
-#include "measurement/frozen_pictures.hpp"
 #include "measurement/localise/localisation.hpp"
-#include "measurement/record_slips.hpp"
+#include "measurement/records/record_slips.hpp"
+#include "measurement/records/suspect_records.hpp"
 #include "measurement/replay/recorded_noise.hpp"
-#include "measurement/unanswered_runs.hpp"
 
 namespace coilwright::measurement {
 namespace {
 
-// Measures how long each phase takes.
+// Measures how long each phase takes, and how many runs its fits simulate.
 class PhaseTimer {
  public:
-  // Ends a phase in which so many runs were simulated in fits.
-  void end_phase(std::string name, long simulated_runs) {
+  void end_phase(std::string name) {
     const auto now = std::chrono::steady_clock::now();
     phases_.push_back({.name = std::move(name),
                        .seconds = std::chrono::duration<double>(now - last_).count(),
-                       .simulated_runs = simulated_runs});
+                       .simulated_runs = simulations_->exchange(0)});
     last_ = now;
   }
   [[nodiscard]] const std::vector<Phase>& phases() const { return phases_; }
+  [[nodiscard]] const replay::SimulationCount& simulations() const { return simulations_; }
 
  private:
+  replay::SimulationCount simulations_ = std::make_shared<std::atomic<long>>();
   std::vector<Phase> phases_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
@@ -70,9 +71,9 @@ Verdict verdict_of(const compare::Attribution& found, double probability_of_decl
   return found.after().whiteness.is_white() ? Verdict::explained : Verdict::partly_explained;
 }
 
-void set_if_idle(MovedNumber& number, std::span<const compare::IdleNumber> idle, Eigen::Index index) {
+void set_if_idle(MovedNumber& number, std::span<const compare::InsensitiveParameter> idle, Eigen::Index index) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const compare::IdleNumber& each : idle) {
+  for (const compare::InsensitiveParameter& each : idle) {
     if (each.index != index) continue;
     number.idle_from = each.nearest;
     const bool below = each.nearest < number.declared;
@@ -83,7 +84,8 @@ void set_if_idle(MovedNumber& number, std::span<const compare::IdleNumber> idle,
 }
 
 void set_declared_numbers(Diagnosis& out, const replay::DeclaredModel& declared,
-                          std::span<const compare::Estimate> estimates, std::span<const compare::IdleNumber> idle) {
+                          std::span<const compare::Estimate> estimates,
+                          std::span<const compare::InsensitiveParameter> idle) {
   for (std::size_t i = 0; i < declared.calibration.size(); ++i) {
     const replay::CalibrationParameter& number = declared.calibration[i];
     if (number.calibrated) {
@@ -105,22 +107,20 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
 }
 
 // Sets outliers aside, as the declared model shows them once it is recalibrated, and once more without what is
-// suspected then; returns the number of runs simulated here. Far from the noise the runs keep the model error at which
-// that was fitted: the comparison begins there.
-long set_outliers_aside(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
+// suspected then. Far from the noise the runs keep the model error at which that was fitted: the comparison begins
+// there.
+void set_outliers_aside_twice(std::vector<replay::PreparedRun>& runs, const replay::DeclaredModel& declared) {
   const auto fitted = compare::recalibrated_at_its_error(runs, declared);
   const auto set_aside = [&](const fit::Fit& found) {
     (void)fit::set_outliers_aside(runs, found);
-    fit::weigh_input_errors(runs, fitted.value.hypothesis, found.values, &found);
+    fit::weigh_input_errors(runs, fitted.hypothesis, found.values, &found);
   };
-  set_aside(fitted.value.fit);
-  const auto trimmed = fit::with_suspects_aside(runs, fitted.value.fit);
-  if (!trimmed) return fitted.simulated_runs;
-  const auto anew = compare::fit_exactly(*trimmed, {.hypothesis = fitted.value.hypothesis,
-                                                    .start = fitted.value.fit.values,
-                                                    .local_numbers_from = &fitted.value.fit});
-  if (anew.value) set_aside(anew.value->fit);
-  return fitted.simulated_runs + anew.simulated_runs;
+  set_aside(fitted.fit);
+  const auto trimmed = fit::with_suspects_aside(runs, fitted.fit);
+  if (!trimmed) return;
+  const auto anew = compare::fit_exactly(
+      *trimmed, {.hypothesis = fitted.hypothesis, .start = fitted.fit.values, .local_numbers_from = &fitted.fit});
+  if (anew) set_aside(anew->fit);
 }
 
 // What is known before there is an answer: the recalibrated model, with intervals by its curvature, and the hypotheses
@@ -155,7 +155,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   const actuator::Model nominal = as_declared.model_at(as_declared.start());
   for (const data::Run& run : data.fit) replay::require_fits_model(run, declared, nominal);
   if (!options.as_written) {
-    require_no_slip(data.fit, declared);
+    records::require_no_slip(data.fit, declared);
     FinalErrors::require_no_slip(data.validate, declared);
   }
   const data::UsableRuns usable = data::usable_runs(data.fit);
@@ -164,28 +164,29 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   for (const data::Run& run : usable.runs) {
     runs.push_back(replay::prepare_run(run, declared, nominal));
     replay::give_recorded_noise(runs.back(), data.still, usable.runs);
+    runs.back().simulations = timer.simulations();
   }
   fit::weigh_input_errors(runs, as_declared, as_declared.start(), nullptr);
   FinalErrors::require_fits_model(data.validate, declared, nominal);
-  out.unanswered_runs = unanswered_runs(usable.runs, declared);
+  out.unanswered_runs = records::unanswered_runs(usable.runs, declared);
   append(out.unanswered_runs, FinalErrors::unanswered_runs(data.validate, declared));
   append(out.warnings, out.unanswered_runs);
   // A finger that does not answer has no pose that could tell of the zero.
-  out.far_first_pose = far_first_pose(runs, declared);
+  out.far_first_pose = records::initial_pose_mismatch(runs, declared);
   if (out.far_first_pose &&
       std::ranges::find(out.unanswered_runs, out.far_first_pose->run, &data::Warning::run) != out.unanswered_runs.end())
     out.far_first_pose.reset();
   if (out.far_first_pose) out.warnings.push_back(*out.far_first_pose);
   for (const data::Run& run : usable.runs)
-    if (auto frozen = frozen_pictures(run)) {
+    if (auto stalled = records::stalled_frames(run)) {
       out.frozen_runs.push_back(run.name);
-      out.warnings.push_back(std::move(*frozen));
+      out.warnings.push_back(std::move(*stalled));
     }
   // What is wrong with the records is said before the work: its answer would come to nothing.
   if (options.warn)
     for (const data::Warning& each : out.warnings) options.warn(each);
-  const long simulated_for_outliers = set_outliers_aside(runs, declared);
-  timer.end_phase("noise and outliers", simulated_for_outliers);
+  set_outliers_aside_twice(runs, declared);
+  timer.end_phase("noise and outliers");
 
   out.held_exact = declared.held_exact;
   const auto make_known = [&](const compare::FittedHypothesis& before,
@@ -201,48 +202,42 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                           .effects = options.effects});
   if (options.known) make_known(compared.before(), compared.compared);
   for (const replay::PreparedRun& prepared : runs) append(out.noise, prepared.noise);
-  timer.end_phase("comparison", compared.simulated_runs);
+  timer.end_phase("comparison");
 
   compare::PrunedAttribution pruned = compare::prune_unsupported_effects(runs, std::move(compared), options.progress);
   compare::Attribution& found = pruned.attribution;
   auto hinted = compare::widen_by_unseen_effects(pruned.estimates, runs, found, pruned.overdispersion);
   compare::widen_by_rivals(pruned.estimates, found.rivals, pruned.overdispersion);
   const std::vector<compare::Estimate>& estimates = pruned.estimates;
-  const auto idle_before = compare::idle_numbers(runs, found.before());
-  const auto idle_after = found.steps.size() == 1
-                              ? fit::Counted<std::vector<compare::IdleNumber>>{.value = idle_before.value}
-                              : compare::idle_numbers(runs, found.after());
-  auto numbers_off = is_enough(found) ? compare::numbers_that_may_be_off(runs, found.before(), pruned.overdispersion)
-                                      : fit::Counted<std::vector<compare::NumberOff>>{};
-  timer.end_phase("intervals and cross-validation", pruned.simulated_runs + hinted.simulated_runs +
-                                                        idle_before.simulated_runs + idle_after.simulated_runs +
-                                                        numbers_off.simulated_runs);
+  const auto idle_before = compare::insensitive_parameters(runs, found.before());
+  const auto idle_after = found.steps.size() == 1 ? idle_before : compare::insensitive_parameters(runs, found.after());
+  if (is_enough(found)) out.numbers_off = compare::numbers_that_may_be_off(runs, found.before(), pruned.overdispersion);
+  timer.end_phase("intervals and cross-validation");
 
-  out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before.value);
-  out.numbers_off = std::move(numbers_off.value);
+  out.probability_of_declared = compare::probability_of_declared_numbers(found.before(), idle_before);
   out.verdict = verdict_of(found, out.probability_of_declared, !out.numbers_off.empty());
   out.model_error = found.after().fit.model_error;
   out.before = found.before().whiteness;
   out.after = found.after().whiteness;
   out.compared_hypotheses = std::move(found.compared);
-  out.hinted = std::move(hinted.value);
+  out.hinted = std::move(hinted);
   out.indistinguishable = found.indistinguishable;
-  set_declared_numbers(out, declared, estimates, idle_after.value);
+  set_declared_numbers(out, declared, estimates, idle_after);
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = compare::estimates_of_effect(found.after(), estimates, i),
                            .evidence = pruned.evidence[i]});
-  say("what is left over, as a torque");
+  say("residual as a torque");
   out.residual = localise::localise(runs, found.after());
-  timer.end_phase("localisation", 0);
+  timer.end_phase("localisation");
   correction::FoundCorrection nameless;
   if (out.verdict == Verdict::partly_explained || out.verdict == Verdict::unexplained)
     nameless = correction::find_correction(runs, found, out.residual, options.progress);
   out.correction = nameless.outcome;
-  timer.end_phase("nameless correction", nameless.simulated_runs);
+  timer.end_phase("nameless correction");
   say("what to record next");
   out.next_experiment = experiment::separating_experiment(runs, found);
-  timer.end_phase("next experiment", 0);
+  timer.end_phase("next experiment");
 
   const ThreeModels models{.declared = {.hypothesis = as_declared, .fit = {.values = as_declared.start()}},
                            .before = found.before(),
@@ -251,7 +246,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
                            .corrected = nameless.fitted};
   say("errors of the finished models");
   const FinalErrors fitted(runs, models);
-  const FinalErrors validated(data.validate, declared, models, data.still);
+  const FinalErrors validated(data.validate, declared, models, data.still, timer.simulations());
   out.fit_errors = fitted.errors();
   out.validate_errors = validated.errors();
   for (const FinalErrors* errors : {&fitted, &validated}) {
@@ -260,7 +255,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
     append(out.warnings, errors->warnings());
   }
   append(out.warnings, warnings_of(out, runs, declared));
-  timer.end_phase("final errors", fitted.simulated_runs() + validated.simulated_runs());
+  timer.end_phase("final errors");
   out.phases = timer.phases();
   return out;
 }

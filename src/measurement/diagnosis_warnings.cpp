@@ -13,7 +13,7 @@
 
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/modes.hpp"
-#include "measurement/data/usual_interval.hpp"
+#include "measurement/data/median_interval.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/input_whitener.hpp"
 
@@ -46,7 +46,7 @@ const data::Run* slowest_record(std::span<const replay::PreparedRun> runs) {
   const data::Run* out = nullptr;
   for (const replay::PreparedRun& prepared : runs)
     if (prepared.is_motion() && prepared.run->times.size() > 1 &&
-        (out == nullptr || data::usual_interval(*prepared.run) > data::usual_interval(*out)))
+        (out == nullptr || data::median_interval(*prepared.run) > data::median_interval(*out)))
       out = prepared.run;
   return out;
 }
@@ -73,7 +73,7 @@ std::optional<double> ringing_frequency(const actuator::Model& model) {
 
 void warn_of_ringing(std::vector<data::Warning>& out, const data::Run& slowest, double frequency,
                      std::span<const replay::PreparedRun> runs) {
-  const double rate = 1.0 / data::usual_interval(slowest);
+  const double rate = 1.0 / data::median_interval(slowest);
   if (rate < pictures_a_period * frequency)
     out.push_back({.run = slowest.name,
                    .text = fmt::format("{:.3g} samples a second are {:.2g} a period of the slowest ringing ({:.3g} "
@@ -90,7 +90,7 @@ void warn_of_ringing(std::vector<data::Warning>& out, const data::Run& slowest, 
 
 // A reported lag or delay that is short beside the time between samples.
 void warn_of_short_lags(std::vector<data::Warning>& out, const Diagnosis& diagnosis, const data::Run& slowest) {
-  const double interval = data::usual_interval(slowest);
+  const double interval = data::median_interval(slowest);
   for (const AddedEffect& effect : diagnosis.effects) {
     const std::string_view id = effect.kind->id();
     if (id != "measurement_delay" && id != "coil_lag" && id != "tracking_lag") continue;

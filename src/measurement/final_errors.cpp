@@ -17,11 +17,11 @@
 #include "measurement/fit/input_errors.hpp"
 #include "measurement/fit/outliers.hpp"
 #include "measurement/fit/scales.hpp"
-#include "measurement/record_slips.hpp"
+#include "measurement/records/record_slips.hpp"
+#include "measurement/records/suspect_records.hpp"
+#include "measurement/records/worst_starts.hpp"
 #include "measurement/replay/input_whitener.hpp"
 #include "measurement/replay/recorded_noise.hpp"
-#include "measurement/unanswered_runs.hpp"
-#include "measurement/worst_starts.hpp"
 
 namespace coilwright::measurement {
 namespace {
@@ -36,7 +36,7 @@ struct RunPrediction {
   Channels values;
   Channels deviations;  // standard deviations due to parameter uncertainty; empty if not asked for
 };
-using CountedPrediction = fit::Counted<std::optional<RunPrediction>>;
+using Prediction = std::optional<RunPrediction>;
 
 Channels by_channel(const PreparedRun& prepared, const Eigen::VectorXd& values) {
   const std::size_t channels = prepared.run->channels.size();
@@ -84,32 +84,43 @@ fit::FitRequest request_for(const PreparedRun& prepared, const FittedHypothesis&
   return {.hypothesis = &model.hypothesis, .runs = std::span(&prepared, 1), .start = model.fit.values};
 }
 
-CountedPrediction prediction_from(const PreparedRun& prepared, const fit::Counted<std::optional<fit::Fit>>& found) {
-  if (!found.value) return {.value = std::nullopt, .simulated_runs = found.simulated_runs};
-  return {
-      .value = RunPrediction{.values = by_channel(prepared, found.value->runs.front().predictions), .deviations = {}},
-      .simulated_runs = found.simulated_runs};
+Prediction prediction_from(const PreparedRun& prepared, const std::optional<fit::Fit>& found) {
+  if (!found) return std::nullopt;
+  return RunPrediction{.values = by_channel(prepared, found->runs.front().predictions), .deviations = {}};
 }
 
-CountedPrediction predict(const PreparedRun& prepared, const FittedHypothesis& model) {
+Prediction predict(const PreparedRun& prepared, const FittedHypothesis& model) {
   return prediction_from(prepared, fit::evaluate_at(request_for(prepared, model)));
 }
 
-CountedPrediction predict_with_deviations(const PreparedRun& prepared, const FittedHypothesis& model,
-                                          const Eigen::MatrixXd& covariance) {
+Prediction predict_with_deviations(const PreparedRun& prepared, const FittedHypothesis& model,
+                                   const Eigen::MatrixXd& covariance) {
   // How much a reading differs because a number does has nothing to do with the errors of the input.
   PreparedRun exact = prepared;
   for (replay::Window& window : exact.windows) window.input_whitener = nullptr;
   const auto found = fit::evaluate_with_jacobian(request_for(exact, model));
-  CountedPrediction out = prediction_from(prepared, found);
-  if (!out.value) return out;
-  if (replay::weighs_input_errors(std::span(&prepared, 1))) {
-    const long simulated_runs = out.simulated_runs;
-    out = predict(prepared, model);
-    out.simulated_runs += simulated_runs;
-  }
-  if (out.value) out.value->deviations = by_channel(prepared, deviations(prepared, *found.value, covariance));
+  Prediction out = prediction_from(prepared, found);
+  if (!out) return out;
+  if (replay::weighs_input_errors(std::span(&prepared, 1))) out = predict(prepared, model);
+  if (out) out->deviations = by_channel(prepared, deviations(prepared, *found, covariance));
   return out;
+}
+
+// Outliers pull at the run's clock and hum, and hide themselves among what these then leave: as long as some are found,
+// the run is fitted again without them, and without whatever is suspected besides. Of the few pictures of a short step
+// many may be wrong, and the model is fitted no more: what it lacks is not hidden by leaving more out of a clock.
+void set_outliers_of_run_aside(PreparedRun& prepared, const FittedHypothesis& model) {
+  constexpr int most_looks = 4;
+  constexpr double most_suspects = 0.25;
+  PreparedRun looked_at = prepared;
+  for (int look = 0; look < most_looks; ++look) {
+    const auto found = fit::evaluate_at(request_for(looked_at, model));
+    if (!found) return;
+    const bool any = fit::set_outliers_aside(std::span(&prepared, 1), *found);
+    auto trimmed = fit::with_suspects_aside(std::span(&prepared, 1), *found, most_suspects);
+    if (!any && (look > 0 || !trimmed)) return;
+    looked_at = trimmed ? std::move(trimmed->front()) : prepared;
+  }
 }
 
 // What a model that is right leaves of each channel: the noise of its instrument, and what the errors of the input do.
@@ -154,29 +165,29 @@ void FinalErrors::require_fits_model(const data::SealedRuns& runs, const replay:
 }
 
 void FinalErrors::require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared) {
-  measurement::require_no_slip(runs.runs_, declared);
+  records::require_no_slip(runs.runs_, declared);
 }
 
 std::vector<data::Warning> FinalErrors::unanswered_runs(const data::SealedRuns& runs,
                                                         const replay::DeclaredModel& declared) {
-  return measurement::unanswered_runs(runs.runs_, declared);
+  return records::unanswered_runs(runs.runs_, declared);
 }
 
 FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
-                         std::span<const data::Run> still) {
+                         std::span<const data::Run> still, const replay::SimulationCount& simulations) {
   const actuator::Model nominal = models.before.hypothesis.model_at(models.before.fit.values);
   std::vector<PreparedRun> prepared_runs;
   for (const data::Run& run : runs.runs_) {
     PreparedRun& prepared = prepared_runs.emplace_back(replay::prepare_run(run, declared, nominal));
     replay::give_recorded_noise(prepared, still, {});
+    prepared.simulations = simulations;
     prepared.model_error = models.after.fit.model_error;
     const std::span<PreparedRun> alone(&prepared, 1);
     fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, nullptr);
-    set_outliers_aside(prepared, models.after);
+    set_outliers_of_run_aside(prepared, models.after);
     if (!replay::weighs_input_errors(alone)) continue;
     const auto found = fit::evaluate_at(request_for(prepared, models.after));
-    simulated_runs_ += found.simulated_runs;
-    if (found.value) fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, &*found.value);
+    if (found) fit::weigh_input_errors(alone, models.after.hypothesis, models.after.fit.values, &*found);
   }
   take(std::move(prepared_runs), models, true);
 }
@@ -184,24 +195,6 @@ FinalErrors::FinalErrors(const data::SealedRuns& runs, const replay::DeclaredMod
 FinalErrors::FinalErrors(std::vector<PreparedRun> runs, const ThreeModels& models) {
   for (PreparedRun& prepared : runs) prepared.model_error = models.after.fit.model_error;
   take(std::move(runs), models, false);
-}
-
-// Outliers pull at the run's clock and hum, and hide themselves among what these then leave: as long as some are found,
-// the run is fitted again without them, and without whatever is suspected besides. Of the few pictures of a short step
-// many may be wrong, and the model is fitted no more: what it lacks is not hidden by leaving more out of a clock.
-void FinalErrors::set_outliers_aside(PreparedRun& prepared, const FittedHypothesis& model) {
-  constexpr int most_looks = 4;
-  constexpr double most_suspects = 0.25;
-  PreparedRun looked_at = prepared;
-  for (int look = 0; look < most_looks; ++look) {
-    const auto found = fit::evaluate_at(request_for(looked_at, model));
-    simulated_runs_ += found.simulated_runs;
-    if (!found.value) return;
-    const bool any = fit::set_outliers_aside(std::span(&prepared, 1), *found.value);
-    auto trimmed = fit::with_suspects_aside(std::span(&prepared, 1), *found.value, most_suspects);
-    if (!any && (look > 0 || !trimmed)) return;
-    looked_at = trimmed ? std::move(trimmed->front()) : prepared;
-  }
 }
 
 // What was left out of each channel.
@@ -218,7 +211,7 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
   const Eigen::MatrixXd covariance = parameter_covariance(models.after, models.overdispersion);
   std::vector<const FittedHypothesis*> all{&models.declared, &models.before, &models.after};
   if (models.corrected) all.push_back(&*models.corrected);
-  std::vector<std::array<CountedPrediction, 4>> predictions(prepared_runs.size());
+  std::vector<std::array<Prediction, 4>> predictions(prepared_runs.size());
   tbb::parallel_for(std::size_t{0}, all.size() * prepared_runs.size(), [&](std::size_t task) {
     const PreparedRun& prepared = prepared_runs[task / all.size()];
     const std::size_t m = task % all.size();
@@ -231,13 +224,12 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
   for (std::size_t r = 0; r < prepared_runs.size(); ++r) {
     const PreparedRun& prepared = prepared_runs[r];
     list_outliers(prepared, validate);
-    for (const CountedPrediction& each : predictions[r]) simulated_runs_ += each.simulated_runs;
     const auto& [as_declared, before, after, corrected] = predictions[r];
-    if (!as_declared.value || !before.value || !after.value || (models.corrected && !corrected.value)) {
+    if (!as_declared || !before || !after || (models.corrected && !corrected)) {
       warnings_.push_back({.run = prepared.run->name, .text = "one of the models cannot be simulated here; left out"});
       continue;
     }
-    if (is_worst_at_start(prepared, after.value->values)) worst.push_back(prepared.run->name);
+    if (records::is_worst_at_start(prepared, after->values)) worst.push_back(prepared.run->name);
     const std::vector<double> at = abscissa(prepared);
     const Channels noise = noise_left_in(prepared);
     for (std::size_t c = 0; c < prepared.run->channels.size(); ++c) {
@@ -249,10 +241,10 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
           .channel = channel.name,
           .at = at,
           .measured = {channel.values.begin(), channel.values.begin() + static_cast<std::ptrdiff_t>(at.size())},
-          .declared = as_declared.value->values[c],
-          .before = before.value->values[c],
-          .after = after.value->values[c],
-          .corrected = corrected.value ? corrected.value->values[c] : std::vector<double>{}};
+          .declared = as_declared->values[c],
+          .before = before->values[c],
+          .after = after->values[c],
+          .corrected = corrected ? corrected->values[c] : std::vector<double>{}};
       if (c < prepared.set_aside.size() && !prepared.set_aside[c].empty())
         replay.left_out.assign(prepared.set_aside[c].begin(),
                                prepared.set_aside[c].begin() + static_cast<std::ptrdiff_t>(at.size()));
@@ -263,11 +255,11 @@ void FinalErrors::take(std::vector<PreparedRun> prepared_runs, const ThreeModels
         sums.emplace_back();
         found = order.end() - 1;
       }
-      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after.value->deviations[c], noise[c]);
+      sums[static_cast<std::size_t>(found - order.begin())].add(replay, after->deviations[c], noise[c]);
       replays_.push_back(std::move(replay));
     }
   }
-  std::ranges::move(worst_starts(worst), std::back_inserter(warnings_));
+  std::ranges::move(records::worst_starts(worst), std::back_inserter(warnings_));
   for (std::size_t i = 0; i < order.size(); ++i) errors_.push_back(sums[i].comparison(order[i]));
 }
 

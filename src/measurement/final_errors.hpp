@@ -27,17 +27,17 @@ class FinalErrors {
   /// set is refused at once. Reveals nothing else about the runs.
   static void require_fits_model(const data::SealedRuns& runs, const replay::DeclaredModel& declared,
                                  const actuator::Model& nominal);
-  /// Throws RecordSlip as require_no_slip() does of other runs. Reveals nothing else.
+  /// Throws RecordSlip as records::require_no_slip() does of other runs. Reveals nothing else.
   static void require_no_slip(const data::SealedRuns& runs, const replay::DeclaredModel& declared);
-  /// What unanswered_runs() says of other runs.
+  /// What records::unanswered_runs() says of other runs.
   [[nodiscard]] static std::vector<data::Warning> unanswered_runs(const data::SealedRuns& runs,
                                                                   const replay::DeclaredModel& declared);
   /// Errors on the validate runs. Throws std::invalid_argument naming the run if one does not fit the model. A run on
   /// which one of the models cannot be simulated is left out with a warning, and outliers are left out, too. The
   /// clocks, edges and hum of each run are fitted to it for each model, their priors weighed by the model error of the
-  /// fit of `after`. `still` are the records of the noise.
+  /// fit of `after`. `still` are the records of the noise. `simulations` counts what is simulated.
   FinalErrors(const data::SealedRuns& runs, const replay::DeclaredModel& declared, const ThreeModels& models,
-              std::span<const data::Run> still);
+              std::span<const data::Run> still, const replay::SimulationCount& simulations = {});
   /// Errors on the fit runs, likewise, without the samples that the fits had set aside, and with the noise that they
   /// weighed them by.
   FinalErrors(std::vector<replay::PreparedRun> runs, const ThreeModels& models);
@@ -47,10 +47,8 @@ class FinalErrors {
   [[nodiscard]] const std::vector<Outliers>& outliers() const noexcept { return outliers_; }
   [[nodiscard]] const std::vector<Replay>& replays() const noexcept { return replays_; }
   [[nodiscard]] const std::vector<data::Warning>& warnings() const noexcept { return warnings_; }
-  [[nodiscard]] long simulated_runs() const noexcept { return simulated_runs_; }
 
  private:
-  void set_outliers_aside(replay::PreparedRun& prepared, const compare::FittedHypothesis& model);
   void list_outliers(const replay::PreparedRun& prepared, bool validate);
   void take(std::vector<replay::PreparedRun> runs, const ThreeModels& models, bool validate);
 
@@ -58,7 +56,6 @@ class FinalErrors {
   std::vector<Replay> replays_;
   std::vector<Outliers> outliers_;
   std::vector<data::Warning> warnings_;
-  long simulated_runs_ = 0;
 };
 
 }  // namespace coilwright::measurement

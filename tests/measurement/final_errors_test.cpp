@@ -20,8 +20,8 @@ compare::FittedHypothesis fitted_to(const replay::DeclaredModel& declared, const
   fit::Hypothesis hypothesis(declared, {});
   const std::vector runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
   auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-  EXPECT_TRUE(found.value);
-  return compare::score(runs, std::move(hypothesis), std::move(*found.value));
+  EXPECT_TRUE(found);
+  return compare::score(runs, std::move(hypothesis), std::move(*found));
 }
 
 ThreeModels same_models(const compare::FittedHypothesis& model) {

@@ -17,7 +17,6 @@ struct Attribution {
   std::vector<const actuator::EffectKind*> kinds{};  ///< that were compared: those that fit this rig
   actuator::RigScale scale{};                        ///< from which they derive their initial guesses
   double overdispersion{1.0};                        ///< of the residual of the best hypothesis; 1 for white noise
-  long simulated_runs{};                             ///< in the whole comparison
   [[nodiscard]] const FittedHypothesis& before() const { return steps.front(); }
   [[nodiscard]] const FittedHypothesis& after() const { return steps.back(); }
 };

@@ -44,7 +44,7 @@ StepWithout step_without(const FittedHypothesis& fitted, std::size_t run) {
 }
 
 // Whether the derivatives have told what the step does to the run left out: to half of its rise, or to what noise does.
-bool is_as_told(const StepWithout& step, const fit::RunFit& at_fit, double chi_square) {
+bool linearisation_holds(const StepWithout& step, const fit::RunFit& at_fit, double chi_square) {
   const double noise = std::sqrt(2.0 * static_cast<double>(at_fit.residuals.size()));
   const double rise = std::max(0.0, step.chi_square - at_fit.residuals.squaredNorm());
   return std::abs(chi_square - step.chi_square) <= 0.5 * rise + noise;
@@ -52,23 +52,21 @@ bool is_as_told(const StepWithout& step, const fit::RunFit& at_fit, double chi_s
 
 // Chi-square of a run at parameters on which it had no influence. One step leads there where the fit hardly depends on
 // one run. Where it depends on it, with few runs or numbers that the others hardly tell, the others are fitted.
-fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
-                                         std::size_t run) {
+double held_out_chi_square(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted, std::size_t run) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  fit::Counted<double> out{.value = infinity};
+  double out = infinity;
   const auto chi_square_at = [&](const Eigen::VectorXd& values) {
     const auto there =
         fit::evaluate_at({.hypothesis = &fitted.hypothesis, .runs = runs.subspan(run, 1), .start = values});
-    out.simulated_runs += there.simulated_runs;
-    return there.value ? there.value->chi_square : infinity;
+    return there ? there->chi_square : infinity;
   };
   if (fitted.fit.values.size() == 0) {
-    out.value = chi_square_at(fitted.fit.values);
+    out = chi_square_at(fitted.fit.values);
     return out;
   }
   const StepWithout step = step_without(fitted, run);
-  out.value = chi_square_at(step.values);
-  if (step.is_whole && is_as_told(step, fitted.fit.runs[run], out.value)) return out;
+  out = chi_square_at(step.values);
+  if (step.is_whole && linearisation_holds(step, fitted.fit.runs[run], out)) return out;
   const fit::PartOfFit others = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r != run; });
   FitInTurns refitted(others.runs,
                       {.hypothesis = fitted.hypothesis,
@@ -77,8 +75,7 @@ fit::Counted<double> held_out_chi_square(std::span<const replay::PreparedRun> ru
                        .derivatives_from = &others.fit},
                       search_effort.converged);
   refitted.finish();
-  out.simulated_runs += refitted.simulated_runs();
-  if (refitted.reached() != nullptr) out.value = chi_square_at(refitted.reached()->values);
+  if (refitted.reached() != nullptr) out = chi_square_at(refitted.reached()->values);
   return out;
 }
 
@@ -97,7 +94,8 @@ double left_open(const FittedHypothesis& fitted, std::size_t run) {
 }
 
 // Whether the others tell enough of a run to predict it.
-bool is_told(const FittedHypothesis& without, const FittedHypothesis& with, std::size_t run, double overdispersion) {
+bool predictable_from_others(const FittedHypothesis& without, const FittedHypothesis& with, std::size_t run,
+                             double overdispersion) {
   const fit::RunFit& here = with.fit.runs[run];
   const double taken_away = without.fit.runs[run].residuals.squaredNorm() - here.residuals.squaredNorm();
   const double scatter = overdispersion * std::sqrt(2.0 * static_cast<double>(here.residuals.size()));
@@ -106,16 +104,15 @@ bool is_told(const FittedHypothesis& without, const FittedHypothesis& with, std:
 
 }  // namespace
 
-fit::Counted<CrossValidation> cross_validated(std::span<const replay::PreparedRun> runs,
-                                              const FittedHypothesis& without, const FittedHypothesis& with,
-                                              double overdispersion) {
-  fit::Counted<CrossValidation> out;
+CrossValidation cross_validated(std::span<const replay::PreparedRun> runs, const FittedHypothesis& without,
+                                const FittedHypothesis& with, double overdispersion) {
+  CrossValidation out;
   if (runs.size() < 2) return out;
   std::vector<std::size_t> counted;
   for (std::size_t r = 0; r < runs.size(); ++r)
-    (is_told(without, with, r, overdispersion) ? counted : out.value.untold_runs).push_back(r);
-  std::vector<fit::Counted<double>> chi_square_with(counted.size());
-  std::vector<fit::Counted<double>> chi_square_without(counted.size());
+    (predictable_from_others(without, with, r, overdispersion) ? counted : out.unpredictable_runs).push_back(r);
+  std::vector<double> chi_square_with(counted.size());
+  std::vector<double> chi_square_without(counted.size());
   tbb::parallel_for(std::size_t{0}, counted.size(), [&](std::size_t i) {
     chi_square_without[i] = held_out_chi_square(runs, without, counted[i]);
     chi_square_with[i] = held_out_chi_square(runs, with, counted[i]);
@@ -125,14 +122,13 @@ fit::Counted<CrossValidation> cross_validated(std::span<const replay::PreparedRu
   double values = 0.0;
   for (std::size_t i = 0; i < counted.size(); ++i) {
     const auto noise = static_cast<double>(without.fit.runs[counted[i]].residuals.size());
-    fall += chi_square_without[i].value - chi_square_with[i].value;
-    above_noise += chi_square_without[i].value - noise;
+    fall += chi_square_without[i] - chi_square_with[i];
+    above_noise += chi_square_without[i] - noise;
     values += noise;
-    out.simulated_runs += chi_square_with[i].simulated_runs + chi_square_without[i].simulated_runs;
   }
   // Of a model that nearly reaches the noise, what is above it may be less than nothing: its standard deviation is the
   // least that a share can be taken of.
-  if (!counted.empty()) out.value.gain = fall / std::max(above_noise, std::sqrt(2.0 * values));
+  if (!counted.empty()) out.gain = fall / std::max(above_noise, std::sqrt(2.0 * values));
   return out;
 }
 

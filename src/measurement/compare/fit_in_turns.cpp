@@ -56,8 +56,7 @@ bool FitInTurns::whole_fit() {
   fit::FitRequest request = fit_request_of(runs_, plan_);
   request.effort = effort_;
   auto fitted = fit::fit(request);
-  simulated_runs_ += fitted.simulated_runs;
-  reached_ = std::move(fitted.value);
+  reached_ = std::move(fitted);
   return false;
 }
 
@@ -70,18 +69,16 @@ bool FitInTurns::turn_with_kept_derivatives() {
     request.local_numbers_from = request.derivatives_from = &*reached_;
   }
   const auto fitted = fit::fit(request);
-  simulated_runs_ += fitted.simulated_runs;
-  if (!fitted.value) return false;
+  if (!fitted) return false;
   auto anew = fit::evaluate_with_jacobian({.hypothesis = &plan_.hypothesis,
                                            .runs = runs_,
-                                           .start = fitted.value->values,
-                                           .local_numbers_from = &*fitted.value,
+                                           .start = fitted->values,
+                                           .local_numbers_from = &*fitted,
                                            .effort = {.iterations = 0}});
-  simulated_runs_ += anew.simulated_runs;
-  if (!anew.value) return false;
-  const double notable = effort_.tolerance * anew.value->objective();
-  const bool has_stalled = reached_ && reached_->objective() - anew.value->objective() <= notable;
-  reached_ = std::move(anew.value);
+  if (!anew) return false;
+  const double notable = effort_.tolerance * anew->objective();
+  const bool has_stalled = reached_ && reached_->objective() - anew->objective() <= notable;
+  reached_ = std::move(anew);
   return !has_stalled && predicted_fall(*reached_) > notable && turns_ < search_effort.most_turns;
 }
 

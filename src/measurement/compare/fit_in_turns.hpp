@@ -38,8 +38,6 @@ class FitInTurns {
   void finish();
   /// The fit as far as it has come, with the derivatives of there; null before the first turn, and if there is none.
   [[nodiscard]] const fit::Fit* reached() const { return reached_ ? &*reached_ : nullptr; }
-  /// In all turns.
-  [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
   /// Ends the fit where it is; nothing if the model could not be simulated.
   [[nodiscard]] std::optional<FittedHypothesis> result() &&;
 
@@ -51,7 +49,6 @@ class FitInTurns {
   PlannedFit plan_;
   fit::FitEffort effort_;
   std::optional<fit::Fit> reached_{};
-  long simulated_runs_ = 0;
   int turns_ = 0;
 };
 

@@ -22,8 +22,8 @@
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/select_hypothesis.hpp"
 #include "measurement/compare/settled_model_error.hpp"
-#include "measurement/compare/some_windows.hpp"
 #include "measurement/compare/staged_fit.hpp"
+#include "measurement/compare/window_subsample.hpp"
 #include "measurement/fit/outliers.hpp"
 
 namespace coilwright::measurement::compare {
@@ -32,12 +32,10 @@ namespace {
 using actuator::Effect;
 using actuator::EffectKind;
 using actuator::Model;
-using fit::Counted;
 
-using CountedFit = Counted<std::optional<FittedHypothesis>>;
 using Screened = std::vector<ScreenedEffect>;
 
-const FittedHypothesis& nearest_or(const Level& level, const FittedHypothesis& fallback) {
+const FittedHypothesis& nearest_or(const HypothesesOfSize& level, const FittedHypothesis& fallback) {
   const FittedHypothesis* best = nearest(level);
   return best == nullptr ? fallback : *best;
 }
@@ -87,10 +85,9 @@ class HypothesisSearch {
         may_weigh_priors_(may_weigh_priors) {}
 
   // Nothing if more outliers were set aside.
-  Counted<std::optional<Attribution>> run() {
-    const FittedHypothesis before =
-        counted(may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
-                                  : recalibrated(request_.runs, *request_.declared));
+  std::optional<Attribution> run() {
+    const FittedHypothesis before = may_weigh_priors_ ? recalibrated_at_its_error(request_.runs, *request_.declared)
+                                                      : recalibrated(request_.runs, *request_.declared);
     const Model nominal = before.hypothesis.model_at(before.fit.values);
     scale_ = rig_scale(runs_, nominal);
     ApplicableKinds applicable = applicable_kinds(request_.effects, nominal);
@@ -98,16 +95,16 @@ class HypothesisSearch {
     recalibrated_ = &before;
     if (request_.known) request_.known(before, so_far_);
     report(fmt::format("recalibrated: rms residual {:.3g} times the noise", before.whiteness.level));
-    const std::optional<FittedHypothesis> on_some = on_some_windows_if_far(before);
+    const std::optional<FittedHypothesis> on_some = on_subsample_if_far(before);
     compared_with_ = on_some ? &*on_some : &before;
 
     std::vector<FittedHypothesis> all = compare_levels(on_some ? *on_some : before);
-    if (found_outliers_) return {.value = std::nullopt, .simulated_runs = simulated_runs_};
+    if (found_outliers_) return std::nullopt;
     std::vector<ComparedHypothesis> on_some_only;
     if (on_some) {
       const std::vector<FittedHypothesis> best = split_off_the_best(all, overdispersion_);
       const std::vector<FittedHypothesis> others = std::exchange(all, back_on_all_windows(best));
-      on_some_only = some_windows_->compared(*on_some, others, overdispersion_);
+      on_some_only = subsample_->compared(*on_some, others, overdispersion_);
     }
     Selection selection = select_hypothesis(runs_, before, std::move(all), overdispersion_);
     Attribution out{.steps = {before}, .overdispersion = overdispersion_};
@@ -118,25 +115,18 @@ class HypothesisSearch {
     out.indistinguishable = std::move(selection.indistinguishable);
     for (auto* part : {&selection.ranked, &on_some_only, &applicable.inapplicable, &failed_, &selection.ruled_out})
       std::ranges::move(*part, std::back_inserter(out.compared));
-    return {.value = std::move(out), .simulated_runs = simulated_runs_ + selection.simulated_runs};
+    return out;
   }
 
  private:
-  // Takes the value of a result and adds its simulated runs to those of the search.
-  template <typename Value>
-  Value counted(Counted<Value> result) {
-    simulated_runs_ += result.simulated_runs;
-    return std::move(result.value);
-  }
-
   void report(const std::string& line) const {
     if (request_.progress) request_.progress(line);
   }
 
   // All hypotheses of one effect, two, ..., until one leaves white noise or another effect is not worth its runs.
   std::vector<FittedHypothesis> compare_levels(const FittedHypothesis& before) {
-    const Screened screened = counted(screen(before));
-    Level level = counted(single_effects(before, screened));
+    const Screened screened = screen(before);
+    HypothesesOfSize level = single_effects(before, screened);
     std::vector<FittedHypothesis> all;
     overdispersion_ = overdispersion_of(runs_, nearest_or(level, before));
     double above_noise = before.chi_square_above_noise();
@@ -174,7 +164,8 @@ class HypothesisSearch {
                  search_effort.worth_another_effect * left;
         });
       above_noise = left;
-      Level next = counted(larger_hypotheses(before, worth_extending ? level : Level{}, of_the_size_before, combined));
+      HypothesesOfSize next =
+          larger_hypotheses(before, worth_extending ? level : HypothesesOfSize{}, of_the_size_before, combined);
       if (next.empty()) break;
       of_the_size_before = nearest_or(level, before).fit.objective();
       level = std::move(next);
@@ -182,26 +173,26 @@ class HypothesisSearch {
     return all;
   }
 
-  void sort(Level& level) const {
+  void sort(HypothesesOfSize& level) const {
     std::ranges::stable_sort(level, {},
                              [this](const FittedHypothesis& each) { return quasi_bic(each, overdispersion_); });
   }
 
   // See with_better_optima; sorted again.
-  [[nodiscard]] Level at_better_optima(Level level, double of_the_size_before, std::size_t size) {
-    level = counted(with_better_optima(
+  [[nodiscard]] HypothesesOfSize at_better_optima(HypothesesOfSize level, double of_the_size_before, std::size_t size) {
+    level = with_better_optima(
         runs_, std::move(level), of_the_size_before, scale_, request_.seed, [&](std::size_t place, std::size_t of) {
           report(fmt::format("other starts of the best with {}: {} of {}", effects_text(size), place, of));
-        }));
+        });
     sort(level);
     return level;
   }
 
-  // Of a level of which some leave noise. These are the answer, alone or with one effect more: neither other hypotheses
-  // of their size nor combinations without them are nearer to one. Where only further numbers leave noise (`is_last`),
-  // two effects may do what these do: a friction and a drag, what a friction that falls with the speed does. They
-  // compete, and end the search.
-  void keep_what_more_may_improve(Level& level, bool is_last) const {
+  // Keeps hypotheses with white residuals, if any. These are the answer, alone or with one effect more: neither other
+  // hypotheses of their size nor combinations without them are nearer to one. Where only further numbers leave noise
+  // (`is_last`), two effects may do what these do: a friction and a drag, what a friction that falls with the speed
+  // does. They compete, and end the search.
+  void keep_what_more_may_improve(HypothesesOfSize& level, bool is_last) const {
     std::erase_if(level, [&](const FittedHypothesis& each) {
       return is_last ? has_further_numbers(each) : !each.whiteness.is_white();
     });
@@ -214,7 +205,7 @@ class HypothesisSearch {
   }
 
   // What leaves noise needs them for that.
-  [[nodiscard]] bool leaves_noise_by_further_numbers_only(const Level& level) const {
+  [[nodiscard]] bool leaves_noise_by_further_numbers_only(const HypothesesOfSize& level) const {
     return std::ranges::none_of(level, [this](const FittedHypothesis& each) {
       return each.whiteness.is_white() && !has_further_numbers(each);
     });
@@ -223,7 +214,7 @@ class HypothesisSearch {
   // Where the model without effects leaves noise and the best of a level (sorted) is not decisively better, other
   // optima of it would only fit the noise. Where it leaves much and no hypothesis of the level explains more than next
   // to nothing of that, effects were tried from starts of their own already.
-  [[nodiscard]] bool is_worth_other_starts(const FittedHypothesis& before, const Level& level,
+  [[nodiscard]] bool is_worth_other_starts(const FittedHypothesis& before, const HypothesesOfSize& level,
                                            double of_the_size_before) const {
     if (level.empty()) return false;
     if (before.whiteness.is_white()) return is_decisive(before, level.front());
@@ -238,61 +229,60 @@ class HypothesisSearch {
   // Whether the best of a level (sorted) shows samples that no motion can show, and enough of them to begin anew; they
   // are set aside then. Outliers hide others: what they pulled away is fitted again without them until it shows no
   // more, as a whole comparison for each such step would take minutes and find the same samples.
-  [[nodiscard]] bool shows_more_outliers(const Level& level) {
+  [[nodiscard]] bool shows_more_outliers(const HypothesesOfSize& level) {
     constexpr int most_steps = 4;
     if (!may_find_outliers_ || level.empty() || leaves_noise(level)) return false;
     FittedHypothesis best = level.front();
     for (int step = 0; step < most_steps; ++step) {
       if (!fit::set_outliers_aside_if_much(runs_, best.fit)) break;
       found_outliers_ = true;
-      CountedFit anew = fit_exactly(
+      auto anew = fit_exactly(
           runs_, {.hypothesis = best.hypothesis, .start = best.fit.values, .local_numbers_from = &best.fit});
-      simulated_runs_ += anew.simulated_runs;
-      if (!anew.value) break;
-      best = std::move(*anew.value);
+      if (!anew) break;
+      best = std::move(*anew);
     }
-    if (some_windows_) some_windows_->hand_on_outliers();
+    if (subsample_) subsample_->hand_on_outliers();
     return found_outliers_;
   }
 
   // Where the recalibrated model is far from the noise on long records, the search goes on with some of their windows.
   // Returns the recalibrated model fitted to them; nothing where all windows stay.
-  [[nodiscard]] std::optional<FittedHypothesis> on_some_windows_if_far(const FittedHypothesis& before) {
+  [[nodiscard]] std::optional<FittedHypothesis> on_subsample_if_far(const FittedHypothesis& before) {
     // Begun anew, because the answer leaves far less, it looks for what all samples show.
     if (!may_weigh_priors_ || before.whiteness.level < search_effort.weighs_model_error) return std::nullopt;
-    std::unique_ptr<SomeWindows> some = SomeWindows::of(request_.runs);
+    std::unique_ptr<WindowSubsample> some = WindowSubsample::of(request_.runs);
     if (!some) return std::nullopt;
     std::optional<FittedHypothesis> there =
-        counted(fit_exactly(some->runs(), {.hypothesis = before.hypothesis, .start = before.fit.values}));
+        fit_exactly(some->runs(), {.hypothesis = before.hypothesis, .start = before.fit.values});
     if (!there) return std::nullopt;
-    some_windows_ = std::move(some);
-    runs_ = some_windows_->runs();
-    report(fmt::format("hypotheses are compared on {}, and judged on all", some_windows_->text()));
+    subsample_ = std::move(some);
+    runs_ = subsample_->runs();
+    report(fmt::format("hypotheses are compared on {}, and judged on all", subsample_->text()));
     return there;
   }
 
   [[nodiscard]] std::vector<FittedHypothesis> back_on_all_windows(const std::vector<FittedHypothesis>& best) {
     runs_ = request_.runs;
     report(fmt::format("the best {} hypotheses are fitted to all windows", best.size()));
-    std::vector<FittedHypothesis> all = counted(some_windows_->on_all(best));
+    std::vector<FittedHypothesis> all = subsample_->on_all(best);
     if (const FittedHypothesis* nearest_of_all = nearest(all))
       overdispersion_ = overdispersion_of(runs_, *nearest_of_all);
     return all;
   }
 
-  [[nodiscard]] Counted<Screened> screen(const FittedHypothesis& base) const {
+  [[nodiscard]] Screened screen(const FittedHypothesis& base) const {
     return screen_effects(runs_, base, {.kinds = kinds_, .scale = scale_});
   }
 
   // Whether the best of a level (sorted) is decisively better than the model without effects, and one more effect would
   // be decisive again, and worth its name, by its screening. A residual may pass as white because few samples tell
   // little of the noise; what an effect takes away from it does not depend on that.
-  [[nodiscard]] bool another_is_decisive(const FittedHypothesis& before, const Level& level) {
+  [[nodiscard]] bool another_is_decisive(const FittedHypothesis& before, const HypothesesOfSize& level) {
     if (level.empty()) return false;
     const FittedHypothesis& best = level.front();
     if (!is_decisive(before, best)) return false;
     const double per_number = penalty_per_number(best, overdispersion_);
-    const Screened more = counted(screen(best));
+    const Screened more = screen(best);
     return std::ranges::any_of(more, [&](const ScreenedEffect& each) {
       const auto numbers = static_cast<double>(std::max<std::size_t>(1, each.guess.values.size()));
       if (each.predicted_chi_square_fall < decision_thresholds.least_of_noise * best.fit.chi_square) return false;
@@ -302,7 +292,7 @@ class HypothesisSearch {
   }
 
   // Every effect alone.
-  [[nodiscard]] Counted<Level> single_effects(const FittedHypothesis& base, const Screened& screened) {
+  [[nodiscard]] HypothesesOfSize single_effects(const FittedHypothesis& base, const Screened& screened) {
     std::vector<PlannedExtension> planned;
     for (const EffectKind* kind : kinds_) {
       planned.push_back(one_more(base, starts_for_short_fit(kind, screened)));
@@ -314,37 +304,33 @@ class HypothesisSearch {
   }
 
   // Hypotheses with one effect more than those of `level` (sorted, best first), and `combined` effects added to `base`.
-  [[nodiscard]] Counted<Level> larger_hypotheses(const FittedHypothesis& base, const Level& level,
-                                                 double of_the_size_before,
-                                                 const std::vector<ScreenedCombination>& combined) {
+  [[nodiscard]] HypothesesOfSize larger_hypotheses(const FittedHypothesis& base, const HypothesesOfSize& level,
+                                                   double of_the_size_before,
+                                                   const std::vector<ScreenedCombination>& combined) {
     std::vector<PlannedExtension> planned;
-    long simulated_runs = 0;
     for (const std::size_t i : contenders(level, of_the_size_before, search_effort.beam)) {
-      const Counted<Screened> more = screen(level[i]);
-      simulated_runs += more.simulated_runs;
-      for (const EffectKind* kind : kinds_by_predicted_fall(more.value, search_effort.extensions))
-        planned.push_back(one_more(level[i], starts_for_short_fit(kind, more.value)));
+      const Screened more = screen(level[i]);
+      for (const EffectKind* kind : kinds_by_predicted_fall(more, search_effort.extensions))
+        planned.push_back(one_more(level[i], starts_for_short_fit(kind, more)));
     }
     for (const ScreenedCombination& each : combined) planned.push_back({.base = &base, .starts = {each.effects}});
-    Counted<Level> out = best_of(without_repetitions(std::move(planned)), search_effort.refined_extensions);
-    out.simulated_runs += simulated_runs;
-    return out;
+    return best_of(without_repetitions(std::move(planned)), search_effort.refined_extensions);
   }
 
   // See fit_level.
-  [[nodiscard]] Counted<Level> best_of(const std::vector<PlannedExtension>& planned, std::size_t refined) {
+  [[nodiscard]] HypothesesOfSize best_of(const std::vector<PlannedExtension>& planned, std::size_t refined) {
     std::size_t reported = 0;
-    Counted<LevelFits> fits = fit_level(runs_, planned, refined, [&](std::size_t done, const ShortFit* latest) {
+    LevelFits fits = fit_level(runs_, planned, refined, [&](std::size_t done, const ShortFit* latest) {
       if (latest != nullptr && request_.known) make_known(*latest);
       if (done % 8 == 0 && done != reported) report(fmt::format("{} of {} hypotheses compared", done, planned.size()));
       reported = done;
     });
-    for (const EffectKind* kind : fits.value.failed) {
+    for (const EffectKind* kind : fits.failed) {
       ComparedHypothesis& out = failed_.emplace_back();
       out.effects = {kind};
       out.remark = "leaves the model from every start that was tried";
     }
-    return {.value = std::move(fits.value.level), .simulated_runs = fits.simulated_runs};
+    return std::move(fits.level);
   }
 
   // Of starts with several discrete choices the best one stands for the hypothesis.
@@ -369,7 +355,7 @@ class HypothesisSearch {
   const FittedHypothesis* recalibrated_ = nullptr;
   const FittedHypothesis* compared_with_ = nullptr;  // the same on the windows of the search
   std::vector<ComparedHypothesis> so_far_;           // by short fits
-  std::unique_ptr<SomeWindows> some_windows_;        // null where the search uses all
+  std::unique_ptr<WindowSubsample> subsample_;       // null where the search uses all
   std::span<replay::PreparedRun> runs_;              // with all windows, or some
   actuator::RigScale scale_;
   std::vector<const EffectKind*> kinds_;
@@ -378,7 +364,6 @@ class HypothesisSearch {
   bool may_weigh_priors_;
   bool found_outliers_ = false;
   double overdispersion_ = 1.0;
-  long simulated_runs_ = 0;
 };
 
 }  // namespace
@@ -388,30 +373,25 @@ Attribution attribute(const AttributionRequest& request) {
   const auto say = [&](const char* line) {
     if (request.progress) request.progress(line);
   };
-  long simulated_runs = 0;
   int restarts = 0;
   bool may_weigh_priors = true;
   while (true) {
-    Counted<std::optional<Attribution>> found =
-        HypothesisSearch(request, restarts < most_restarts, may_weigh_priors).run();
-    simulated_runs += found.simulated_runs;
-    if (!found.value) {
+    std::optional<Attribution> found = HypothesisSearch(request, restarts < most_restarts, may_weigh_priors).run();
+    if (!found) {
       say("more outliers are certain now: the comparison begins anew without them");
       ++restarts;
       continue;
     }
     const double searched = replay::model_error_of(request.runs);
-    const double left = model_error_of(request.runs, found.value->after());
+    const double left = model_error_of(request.runs, found->after());
     if (may_weigh_priors && left < search_effort.much_less_model_error * searched) {
       say("far less is left over than without effects: the comparison begins anew, weighed by what is left");
       set_model_error(request.runs, left);
       may_weigh_priors = false;
       continue;
     }
-    const std::size_t samples = found.value->after().fit.samples();
-    Counted<Attribution> settled = with_settled_model_error(request.runs, std::move(*found.value));
-    Attribution out = std::move(settled.value);
-    out.simulated_runs = simulated_runs + settled.simulated_runs;
+    const std::size_t samples = found->after().fit.samples();
+    Attribution out = with_settled_model_error(request.runs, std::move(*found));
     // What is reported of the answer is what it is now; its rivals in the table stay as they were compared.
     if (replay::model_error_of(request.runs) != searched || out.after().fit.samples() != samples ||
         replay::weighs_input_errors(request.runs))

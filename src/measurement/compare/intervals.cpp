@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "measurement/compare/curvature.hpp"
-#include "measurement/compare/many_valleys.hpp"
+#include "measurement/compare/local_optima.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
@@ -22,12 +22,11 @@ struct IntervalPass {
   std::vector<Estimate> estimates{};
   double best_chi_square{};
   Eigen::VectorXd best_values{};
-  long simulated_runs{};
 };
 
-// A number with many valleys has no profile: its interval is what was found along it.
+// A number with many local optima has no profile: its interval is what was found along it.
 IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted,
-                                  double overdispersion, const ManyValleys& valleys,
+                                  double overdispersion, const OptimaAlongNumbers& optima,
                                   const std::function<void(const std::string&)>& progress) {
   const Eigen::VectorXd deviations = standard_deviations(fitted, overdispersion);
   IntervalPass out{.estimates = {}, .best_chi_square = fitted.fit.objective(), .best_values = fitted.fit.values};
@@ -38,7 +37,7 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
   std::vector<std::size_t> profiled;     // numbers of effects
   std::vector<ProfileLikelihood> sides;  // below and above each of them
   for (std::size_t i = calibrated; i < out.estimates.size(); ++i) {
-    if (valleys.are_along(static_cast<Eigen::Index>(i))) continue;
+    if (optima.are_along(static_cast<Eigen::Index>(i))) continue;
     profiled.push_back(i);
     for (int side = 0; side < 2; ++side) sides.emplace_back(runs, fitted, static_cast<Eigen::Index>(i), overdispersion);
   }
@@ -53,7 +52,6 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
     if (++done % 2 == 0 && progress) progress(fmt::format("{} of {} ends of intervals known", done, sides.size()));
   });
   for (const ProfileLikelihood& profile : sides) {
-    out.simulated_runs += profile.simulated_runs();
     if (profile.best_chi_square() >= out.best_chi_square) continue;
     out.best_chi_square = profile.best_chi_square();
     out.best_values = profile.best_values();
@@ -65,39 +63,34 @@ IntervalPass intervals_at_optimum(std::span<const replay::PreparedRun> runs, con
 
 }  // namespace
 
-fit::Counted<FittedHypothesis> refitted(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted) {
-  fit::Counted<FittedHypothesis> out{.value = std::move(fitted)};
-  if (out.value.hypothesis.effects().empty()) return out;
+FittedHypothesis refitted(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted) {
+  if (fitted.hypothesis.effects().empty()) return fitted;
   auto anew = fit_exactly(
-      runs, {.hypothesis = out.value.hypothesis, .start = out.value.fit.values, .local_numbers_from = &out.value.fit});
-  out.simulated_runs = anew.simulated_runs;
-  if (anew.value && anew.value->fit.objective() <= out.value.fit.objective() * (1.0 + 1e-6))
-    out.value = std::move(*anew.value);
-  return out;
+      runs, {.hypothesis = fitted.hypothesis, .start = fitted.fit.values, .local_numbers_from = &fitted.fit});
+  if (anew && anew->fit.objective() <= fitted.fit.objective() * (1.0 + 1e-6)) return std::move(*anew);
+  return fitted;
 }
 
 EstimatedHypothesis estimated(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted, double overdispersion,
                               const std::function<void(const std::string&)>& progress) {
   EstimatedHypothesis out{.fitted = std::move(fitted)};
-  ManyValleys valleys;
+  OptimaAlongNumbers optima;
   for (int moves = 0;; ++moves) {
-    IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, valleys, progress);
-    const auto beside = valleys.look_for(runs, out.fitted, pass.estimates, overdispersion);
-    out.simulated_runs += pass.simulated_runs + beside.simulated_runs;
-    if (beside.value && beside.value->fit.objective() < pass.best_chi_square) {
-      pass.best_chi_square = beside.value->fit.objective();
-      pass.best_values = beside.value->fit.values;
+    IntervalPass pass = intervals_at_optimum(runs, out.fitted, overdispersion, optima, progress);
+    const auto beside = optima.look_for(runs, out.fitted, pass.estimates, overdispersion);
+    if (beside && beside->fit.objective() < pass.best_chi_square) {
+      pass.best_chi_square = beside->fit.objective();
+      pass.best_values = beside->fit.values;
     }
     out.estimates = std::move(pass.estimates);
-    valleys.set_intervals(out.estimates);
+    optima.set_intervals(out.estimates);
     if (moves == search_effort.largest_number_of_moves ||
         out.fitted.fit.objective() - pass.best_chi_square < search_effort.better_optimum * overdispersion)
       return out;
     auto better = fit_exactly(
         runs, {.hypothesis = out.fitted.hypothesis, .start = pass.best_values, .local_numbers_from = &out.fitted.fit});
-    out.simulated_runs += better.simulated_runs;
-    if (!better.value || better.value->fit.objective() >= out.fitted.fit.objective()) return out;
-    out.fitted = std::move(*better.value);
+    if (!better || better->fit.objective() >= out.fitted.fit.objective()) return out;
+    out.fitted = std::move(*better);
   }
 }
 

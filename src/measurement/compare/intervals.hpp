@@ -15,13 +15,11 @@ namespace coilwright::measurement::compare {
 struct EstimatedHypothesis {
   FittedHypothesis fitted;
   std::vector<Estimate> estimates{};
-  long simulated_runs{};
 };
 
 /// The hypothesis, fitted on from where it is with derivatives of there: the search took those with respect to declared
 /// and local numbers where it began to converge. As it is if it has no effects.
-[[nodiscard]] fit::Counted<FittedHypothesis> refitted(std::span<const replay::PreparedRun> runs,
-                                                      FittedHypothesis fitted);
+[[nodiscard]] FittedHypothesis refitted(std::span<const replay::PreparedRun> runs, FittedHypothesis fitted);
 
 /// 95 % intervals of all parameters: of the calibration from the curvature at the optimum, of the numbers of effects
 /// from the profile likelihood. Where declared numbers are off, all together, by more than chance has it (1 %), the

@@ -20,8 +20,7 @@ namespace coilwright::measurement::compare {
 namespace {
 
 using actuator::Effect;
-using fit::Counted;
-using CountedFit = Counted<std::optional<FittedHypothesis>>;
+using MaybeFit = std::optional<FittedHypothesis>;
 
 const fit::Fit* pointer_to(const std::optional<fit::Fit>& fit) {
   return fit ? &*fit : nullptr;
@@ -44,8 +43,8 @@ void race(std::vector<FitInTurns>& fits) {
 }
 
 // The best of several fits that start for `known`, continued to convergence; nothing if there is none.
-CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<PlannedFit> plans,
-                    const FittedHypothesis& known) {
+MaybeFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<PlannedFit> plans,
+                  const FittedHypothesis& known) {
   std::vector<FitInTurns> fits;
   for (PlannedFit& plan : plans) fits.emplace_back(runs, std::move(plan), search_effort.converged);
   // Whatever start is the best there leads to an answer that is wrong: what is fitted only has to be near enough to its
@@ -54,25 +53,21 @@ CountedFit best_fit(std::span<const replay::PreparedRun> runs, std::vector<Plann
     race(fits);
   else
     tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t i) { fits[i].finish(); });
-  CountedFit out;
   FitInTurns* best = nullptr;
   for (FitInTurns& each : fits) {
-    out.simulated_runs += each.simulated_runs();
     if (each.reached() == nullptr) continue;
     if (best == nullptr || each.reached()->objective() < best->reached()->objective()) best = &each;
   }
-  if (best != nullptr) out.value = std::move(*best).result();
-  return out;
+  return best != nullptr ? std::move(*best).result() : std::nullopt;
 }
 
 // The plans whose short fits end lowest, from where these end; all are for the hypothesis of `known`, or a larger one.
 // Those that bring no derivatives take those of the declared numbers.
-Counted<std::vector<PlannedFit>> most_promising(std::span<const replay::PreparedRun> runs,
-                                                const FittedHypothesis& known, std::vector<PlannedFit> plans,
-                                                const fit::Fit* at_declared) {
+std::vector<PlannedFit> most_promising(std::span<const replay::PreparedRun> runs, const FittedHypothesis& known,
+                                       std::vector<PlannedFit> plans, const fit::Fit* at_declared) {
   constexpr std::size_t most = 2;
-  Counted<std::vector<PlannedFit>> out;
-  std::vector<Counted<std::optional<fit::Fit>>> fits(plans.size());
+  std::vector<PlannedFit> out;
+  std::vector<std::optional<fit::Fit>> fits(plans.size());
   tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
     fit::FitRequest request = fit_request_of(runs, plans[i]);
     if (request.derivatives_from == nullptr) request.derivatives_from = at_declared;
@@ -81,14 +76,13 @@ Counted<std::vector<PlannedFit>> most_promising(std::span<const replay::Prepared
   });
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    out.simulated_runs += fits[i].simulated_runs;
-    if (fits[i].value) order.emplace_back(fits[i].value->objective(), i);
+    if (fits[i]) order.emplace_back(fits[i]->objective(), i);
   }
   std::ranges::sort(order);
   for (std::size_t k = 0; k < std::min(most, order.size()); ++k) {
     PlannedFit& plan = plans[order[k].second];
-    plan.start = fits[order[k].second].value->values;
-    out.value.push_back(std::move(plan));
+    plan.start = fits[order[k].second]->values;
+    out.push_back(std::move(plan));
   }
   return out;
 }
@@ -141,13 +135,13 @@ std::vector<std::vector<std::vector<Effect>>> by_choices(const std::vector<std::
 // A level whose hypotheses are moved to better optima one by one.
 class OtherOptima {
  public:
-  OtherOptima(std::span<const replay::PreparedRun> runs, Level level, const actuator::RigScale& scale,
+  OtherOptima(std::span<const replay::PreparedRun> runs, HypothesesOfSize level, const actuator::RigScale& scale,
               std::uint64_t seed)
       : runs_(runs), scale_(scale), seed_(seed), level_(std::move(level)) {
-    at_declared_ = counted(at_declared_numbers(runs_, level_.front().hypothesis.declared()));
+    at_declared_ = at_declared_numbers(runs_, level_.front().hypothesis.declared());
   }
 
-  [[nodiscard]] const Level& level() const { return level_; }
+  [[nodiscard]] const HypothesesOfSize& level() const { return level_; }
 
   // With one of its discrete choices the other way.
   void try_other_choices(std::size_t i) {
@@ -161,10 +155,9 @@ class OtherOptima {
     const FittedHypothesis as_found = best;
     take_better(with_other_starts(as_found, seed_), best);
     const FittedHypothesis restarted = best;
-    take_better(counted(from_reached_limits(runs_, restarted)), best);
+    take_better(from_reached_limits(runs_, restarted), best);
     if (is_far_from_noise(as_found)) return;
-    take_better(counted(most_promising(runs_, as_found, from_own_starts(as_found, scale_), declared_derivatives())),
-                best);
+    take_better(most_promising(runs_, as_found, from_own_starts(as_found, scale_), declared_derivatives()), best);
   }
 
   // Adds the same with further numbers of its effects, and tries where these lead without them.
@@ -172,26 +165,18 @@ class OtherOptima {
     const FittedHypothesis smaller = level_[i];
     std::vector<PlannedFit> plans = with_further_numbers(smaller, scale_);
     // Far from the noise they race instead.
-    if (!is_far_from_noise(smaller))
-      plans = counted(most_promising(runs_, smaller, std::move(plans), declared_derivatives()));
-    std::optional<FittedHypothesis> larger = counted(best_fit(runs_, std::move(plans), smaller));
+    if (!is_far_from_noise(smaller)) plans = most_promising(runs_, smaller, std::move(plans), declared_derivatives());
+    MaybeFit larger = best_fit(runs_, std::move(plans), smaller);
     if (!larger) return;
     take_better({from_further_numbers(smaller, *larger)}, level_[i]);
     level_.push_back(std::move(*larger));
   }
 
-  [[nodiscard]] Counted<Level> result() && { return {.value = std::move(level_), .simulated_runs = simulated_runs_}; }
+  [[nodiscard]] HypothesesOfSize result() && { return std::move(level_); }
 
  private:
-  // Takes the value of a result and adds its simulated runs.
-  template <typename Value>
-  Value counted(Counted<Value> result) {
-    simulated_runs_ += result.simulated_runs;
-    return std::move(result.value);
-  }
-
   void take_better(std::vector<PlannedFit> plans, FittedHypothesis& best) {
-    std::optional<FittedHypothesis> other = counted(best_fit(runs_, std::move(plans), best));
+    MaybeFit other = best_fit(runs_, std::move(plans), best);
     if (other && other->fit.objective() < best.fit.objective()) best = std::move(*other);
   }
 
@@ -200,25 +185,24 @@ class OtherOptima {
   std::span<const replay::PreparedRun> runs_;
   const actuator::RigScale& scale_;
   std::uint64_t seed_;
-  Level level_;
+  HypothesesOfSize level_;
   std::optional<fit::Fit> at_declared_{};
-  long simulated_runs_ = 0;
 };
 
 }  // namespace
 
-bool leaves_noise(const Level& level) {
+bool leaves_noise(const HypothesesOfSize& level) {
   return std::ranges::any_of(level, [](const FittedHypothesis& each) { return each.whiteness.is_white(); });
 }
 
-const FittedHypothesis* nearest(const Level& level) {
+const FittedHypothesis* nearest(const HypothesesOfSize& level) {
   const auto best =
       std::ranges::min_element(level, {}, [](const FittedHypothesis& each) { return each.fit.objective(); });
   return best == level.end() ? nullptr : &*best;
 }
 
-Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const std::vector<PlannedExtension>& planned,
-                             std::size_t refined, const std::function<void(std::size_t, const ShortFit*)>& progress) {
+LevelFits fit_level(std::span<const replay::PreparedRun> runs, const std::vector<PlannedExtension>& planned,
+                    std::size_t refined, const std::function<void(std::size_t, const ShortFit*)>& progress) {
   std::vector<std::size_t> places;  // among `planned`, of each set of starts
   std::vector<std::vector<std::vector<Effect>>> starts;
   std::vector<std::vector<std::vector<Effect>>> further;
@@ -232,33 +216,30 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
     }
   if (starts.empty()) return {};
   // Of all fits that start there, which are many: taken once.
-  const Counted<std::optional<fit::Fit>> at_declared =
-      at_declared_numbers(runs, planned.front().base->hypothesis.declared());
-  std::vector<Counted<std::optional<ShortFit>>> short_fits(starts.size());
+  const std::optional<fit::Fit> at_declared = at_declared_numbers(runs, planned.front().base->hypothesis.declared());
+  std::vector<std::optional<ShortFit>> short_fits(starts.size());
   std::mutex reporting;
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
-    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i], pointer_to(at_declared.value));
+    short_fits[i] = short_fit(runs, *planned[places[i]].base, starts[i], further[i], pointer_to(at_declared));
     const std::scoped_lock lock(reporting);
     if (--left[places[i]] == 0) ++done;
-    progress(done, short_fits[i].value ? &*short_fits[i].value : nullptr);
+    progress(done, short_fits[i] ? &*short_fits[i] : nullptr);
   });
   struct Found {
     std::size_t place{};
     ShortFit fit;
   };
-  Counted<LevelFits> out{.simulated_runs = at_declared.simulated_runs};
+  LevelFits out;
   std::vector<Found> found;
   std::vector<char> failed(planned.size(), 1);
   for (std::size_t i = 0; i < short_fits.size(); ++i) {
-    out.simulated_runs += short_fits[i].simulated_runs;
-    if (!short_fits[i].value) continue;
+    if (!short_fits[i]) continue;
     failed[places[i]] = 0;
-    found.push_back({.place = places[i], .fit = std::move(*short_fits[i].value)});
+    found.push_back({.place = places[i], .fit = std::move(*short_fits[i])});
   }
   for (std::size_t place = 0; place < planned.size(); ++place)
-    if (failed[place] != 0 && planned[place].kinds().size() == 1)
-      out.value.failed.push_back(planned[place].kinds().front());
+    if (failed[place] != 0 && planned[place].kinds().size() == 1) out.failed.push_back(planned[place].kinds().front());
   std::ranges::stable_sort(found, {}, [](const Found& each) { return each.fit.fitted.objective(); });
 
   // A planned hypothesis stands where its best discrete choices do; what becomes of its other ones is known only once
@@ -273,28 +254,27 @@ Counted<LevelFits> fit_level(std::span<const replay::PreparedRun> runs, const st
   double before = std::numeric_limits<double>::infinity();
   for (const PlannedExtension& each : planned) before = std::min(before, each.base->fit.objective());
   const std::vector<char> worth = worth_more_runs(objectives, before);
-  std::vector<CountedFit> fits(found.size());
+  std::vector<MaybeFit> fits(found.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
     ShortFit& from = found[i].fit;
     const auto rank = static_cast<std::size_t>(std::ranges::find(order, found[i].place) - order.begin());
     if (rank < refined && worth[rank] != 0)
       fits[i] = refine(runs, from);
     else
-      fits[i].value = score(runs, std::move(from.plan.hypothesis), std::move(from.fitted));
+      fits[i] = score(runs, std::move(from.plan.hypothesis), std::move(from.fitted));
   });
-  for (const CountedFit& each : fits) out.simulated_runs += each.simulated_runs;
   for (const std::size_t place : order) {
     std::optional<FittedHypothesis> best;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      if (found[i].place != place || !fits[i].value) continue;
-      if (!best || fits[i].value->fit.objective() < best->fit.objective()) best = std::move(*fits[i].value);
+      if (found[i].place != place || !fits[i]) continue;
+      if (!best || fits[i]->fit.objective() < best->fit.objective()) best = std::move(*fits[i]);
     }
-    if (best) out.value.level.push_back(std::move(*best));
+    if (best) out.level.push_back(std::move(*best));
   }
   return out;
 }
 
-std::vector<std::size_t> contenders(const Level& level, double of_the_size_before, std::size_t most) {
+std::vector<std::size_t> contenders(const HypothesesOfSize& level, double of_the_size_before, std::size_t most) {
   std::vector<double> objectives;
   for (const FittedHypothesis& each : level) objectives.push_back(each.fit.objective());
   const std::vector<char> worth = worth_more_runs(objectives, of_the_size_before);
@@ -304,9 +284,9 @@ std::vector<std::size_t> contenders(const Level& level, double of_the_size_befor
   return out;
 }
 
-Counted<Level> with_better_optima(std::span<const replay::PreparedRun> runs, Level level, double of_the_size_before,
-                                  const actuator::RigScale& scale, std::uint64_t seed,
-                                  const std::function<void(std::size_t, std::size_t)>& progress) {
+HypothesesOfSize with_better_optima(std::span<const replay::PreparedRun> runs, HypothesesOfSize level,
+                                    double of_the_size_before, const actuator::RigScale& scale, std::uint64_t seed,
+                                    const std::function<void(std::size_t, std::size_t)>& progress) {
   if (level.empty()) return {};
   OtherOptima optima(runs, std::move(level), scale, seed);
   const std::vector<std::size_t> tried = contenders(optima.level(), of_the_size_before, search_effort.reconsidered);

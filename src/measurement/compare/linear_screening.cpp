@@ -25,27 +25,25 @@ struct Direction {
 
 // The change of the residuals of `base` to those of `request` (the same runs, a larger hypothesis at its start). Rows
 // as base.stacked_residuals.
-fit::Counted<std::optional<Direction>> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
+std::optional<Direction> residual_direction(const fit::FitRequest& request, const fit::Fit& base) {
   fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
-  if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
+  if (!there) return std::nullopt;
   // The rows of the prior at the end do not change: the effect is added at the declared numbers of the base.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(base.stacked_residuals.size());
   Eigen::Index row = 0;
   for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
     const Eigen::Index rows = blocks.blocks()[b].rows;
-    Eigen::VectorXd change = there.value->blocks[b].residuals - base.stacked_residuals.segment(row, rows);
+    Eigen::VectorXd change = there->blocks[b].residuals - base.stacked_residuals.segment(row, rows);
     const Eigen::MatrixXd& basis = base.local_bases[b];
     change -= basis * (basis.transpose() * change);
     out.segment(row, rows) = change;
     row += rows;
   }
-  if (base.jacobian.cols() == 0)
-    return {.value = Direction{.residuals = std::move(out)}, .simulated_runs = there.simulated_runs};
+  if (base.jacobian.cols() == 0) return Direction{.residuals = std::move(out)};
   Eigen::VectorXd absorbed = algebra::minimum_norm(base.normal_matrix, base.jacobian.transpose() * out);
   out -= base.jacobian * absorbed;
-  return {.value = Direction{.residuals = std::move(out), .absorbed = std::move(absorbed)},
-          .simulated_runs = there.simulated_runs};
+  return Direction{.residuals = std::move(out), .absorbed = std::move(absorbed)};
 }
 
 std::vector<const ScreenedEffect*> best_first(std::span<const ScreenedEffect> screened) {
@@ -77,18 +75,15 @@ Effect at_predicted_strength(Effect guess, double share) {
   return scaled_from_absent(std::move(guess), std::copysign(size, share));
 }
 
-fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay::PreparedRun> runs,
-                                                         const FittedHypothesis& base,
-                                                         const ScreeningRequest& request) {
+std::vector<ScreenedEffect> screen_effects(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                           const ScreeningRequest& request) {
   std::vector<ScreenedEffect> out = guesses_of(base, request);
-  std::vector<long> simulated_runs(out.size(), 0);
   tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
     const PlannedFit plan = with_added_effects(base, std::span(&out[i].guess, 1));
     auto direction = residual_direction(fit_request_of(runs, plan), base.fit);
-    simulated_runs[i] = direction.simulated_runs;
-    if (!direction.value) return;
-    out[i].residual_direction = std::move(direction.value->residuals);
-    out[i].absorbed = std::move(direction.value->absorbed);
+    if (!direction) return;
+    out[i].residual_direction = std::move(direction->residuals);
+    out[i].absorbed = std::move(direction->absorbed);
     const double along = -out[i].residual_direction.dot(base.fit.stacked_residuals);
     const double square = out[i].residual_direction.squaredNorm();
     if (square <= 0.0 || (along < 0.0 && !may_be_negative(*out[i].guess.kind))) return;
@@ -96,9 +91,7 @@ fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay:
     out[i].predicted_share = along / square;
     out[i].effect = at_predicted_strength(out[i].guess, along / square);
   });
-  long total = 0;
-  for (const long each : simulated_runs) total += each;
-  return {.value = std::move(out), .simulated_runs = total};
+  return out;
 }
 
 std::vector<Effect> starts_for_short_fit(const EffectKind* kind, std::span<const ScreenedEffect> screened) {

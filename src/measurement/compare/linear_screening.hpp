@@ -30,9 +30,8 @@ struct ScreeningRequest {
 
 /// Screens every initial guess of every kind that `base` does not have yet. Simulates all runs once per guess, in
 /// parallel.
-[[nodiscard]] fit::Counted<std::vector<ScreenedEffect>> screen_effects(std::span<const replay::PreparedRun> runs,
-                                                                       const FittedHypothesis& base,
-                                                                       const ScreeningRequest& request);
+[[nodiscard]] std::vector<ScreenedEffect> screen_effects(std::span<const replay::PreparedRun> runs,
+                                                         const FittedHypothesis& base, const ScreeningRequest& request);
 
 /// Initial guesses of one kind to try in a short fit: the best of each discrete choice, and beside it the runner-up of
 /// the same choice if it predicts more than 70 % as much (SearchEffort). The best of all first.

@@ -15,9 +15,9 @@ namespace coilwright::measurement::compare {
 /// effect alone may not be better in combination. Refers to `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_other_choices(const FittedHypothesis& fitted);
 
-/// The same hypothesis from other starts, since the sum of squares has other valleys: from the declared numbers and the
-/// priors of the local numbers, with the effects as they are, weaker, and (those of several numbers) scattered at
-/// random; and with each declared number that has another start there (CalibrationParameter::other_start). Refers to
+/// The same hypothesis from other starts, since the sum of squares has other local optima: from the declared numbers
+/// and the priors of the local numbers, with the effects as they are, weaker, and (those of several numbers) scattered
+/// at random; and with each declared number that has another start there (CalibrationParameter::other_start). Refers to
 /// `fitted`.
 [[nodiscard]] std::vector<PlannedFit> with_other_starts(const FittedHypothesis& fitted, std::uint64_t seed);
 
@@ -34,7 +34,7 @@ namespace coilwright::measurement::compare {
                                                            const actuator::RigScale& scale);
 
 /// `fitted` from where `larger`, the same with further numbers of one of its effects, has ended: these may have shown
-/// the way into another valley in which the data do not need them. Refers to `larger`.
+/// the way into another local optimum in which the data do not need them. Refers to `larger`.
 [[nodiscard]] PlannedFit from_further_numbers(const FittedHypothesis& fitted, const FittedHypothesis& larger);
 
 }  // namespace coilwright::measurement::compare

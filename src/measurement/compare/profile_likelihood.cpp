@@ -22,7 +22,7 @@ bool is_magnitude(const fit::FitParameter& parameter, double value) {
 }
 
 // How the other parameters follow one that is held, by the curvature at the optimum.
-Eigen::VectorXd valley(const FittedHypothesis& fitted, Eigen::Index parameter) {
+Eigen::VectorXd change_of_others(const FittedHypothesis& fitted, Eigen::Index parameter) {
   const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
   const Eigen::MatrixXd normal = scales.asDiagonal() * fitted.fit.normal_matrix * scales.asDiagonal();
   const Eigen::VectorXd column = algebra::minimum_norm(normal, Eigen::VectorXd::Unit(scales.size(), parameter));
@@ -50,7 +50,7 @@ ProfileLikelihood::ProfileLikelihood(std::span<const replay::PreparedRun> runs, 
   upper_ = number.upper;
   scale_ = number.scale;
   logarithmic_ = is_magnitude(number, fitted.fit.values[parameter]);
-  along_ = valley(fitted, parameter);
+  along_ = change_of_others(fitted, parameter);
 }
 
 double ProfileLikelihood::crossing(double direction, double deviation) {
@@ -101,8 +101,7 @@ double ProfileLikelihood::above_limit(double coordinate) {
                           .held_parameter = parameter_,
                           .effort = search_effort.profile};
   auto refitted = fit::fit(request);
-  simulated_runs_ += refitted.simulated_runs;
-  if (!refitted.value) return chi_square_95;  // a model that cannot be simulated is no explanation
+  if (!refitted) return chi_square_95;  // a model that cannot be simulated is no explanation
   const auto above = [&](const fit::Fit& at) {
     return (at.objective() - fitted_.fit.objective()) / overdispersion_ - chi_square_95;
   };
@@ -110,23 +109,22 @@ double ProfileLikelihood::above_limit(double coordinate) {
   // them would end the interval: they are taken anew as long as that helps. Not of a model that is far from the noise,
   // whose error no interval within it contains: on long records in windows that took minutes.
   const int turns = is_far_from_noise(fitted_) ? 0 : search_effort.most_profile_turns;
-  for (int turn = 0; turn < turns && above(*refitted.value) >= 0.0; ++turn) {
-    request.start = refitted.value->values;
-    request.local_numbers_from = &*refitted.value;
+  for (int turn = 0; turn < turns && above(*refitted) >= 0.0; ++turn) {
+    request.start = refitted->values;
+    request.local_numbers_from = &*refitted;
     request.derivatives_from = nullptr;
     auto anew = fit::fit(request);
-    simulated_runs_ += anew.simulated_runs;
-    if (!anew.value || anew.value->objective() >= refitted.value->objective()) break;
-    const double gained = above(*refitted.value) - above(*anew.value);
+    if (!anew || anew->objective() >= refitted->objective()) break;
+    const double gained = above(*refitted) - above(*anew);
     refitted = std::move(anew);
     if (gained < search_effort.better_optimum) break;
   }
-  last_values_ = refitted.value->values;
-  if (refitted.value->objective() < best_chi_square_) {
-    best_chi_square_ = refitted.value->objective();
-    best_values_ = refitted.value->values;
+  last_values_ = refitted->values;
+  if (refitted->objective() < best_chi_square_) {
+    best_chi_square_ = refitted->objective();
+    best_values_ = refitted->values;
   }
-  return above(*refitted.value);
+  return above(*refitted);
 }
 
 double ProfileLikelihood::root(double inside, double inside_value, double outside, double outside_value,

@@ -26,7 +26,6 @@ class ProfileLikelihood {
   /// The smallest chi-square along the profile so far, and its parameters: those of the fit if none was smaller.
   [[nodiscard]] double best_chi_square() const { return best_chi_square_; }
   [[nodiscard]] const Eigen::VectorXd& best_values() const { return best_values_; }
-  [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
 
  private:
   [[nodiscard]] double coordinate(double value) const;
@@ -41,11 +40,10 @@ class ProfileLikelihood {
   double overdispersion_;
   double lower_{}, upper_{}, scale_{};
   bool logarithmic_{};
-  Eigen::VectorXd along_;        // change of all parameters by that of this one, along the valley at the optimum
+  Eigen::VectorXd along_;        // change of all parameters by that of this one, by the curvature at the optimum
   Eigen::VectorXd last_values_;  // parameters of the last fit, from which the next one starts
   Eigen::VectorXd best_values_;
   double best_chi_square_{};
-  long simulated_runs_ = 0;
 };
 
 }  // namespace coilwright::measurement::compare

@@ -21,15 +21,14 @@ namespace coilwright::measurement::compare {
 namespace {
 
 // What a step of an attribution explains.
-fit::Counted<Evidence> evidence_of_step(std::span<const replay::PreparedRun> runs, const Attribution& attribution,
-                                        std::size_t step) {
+Evidence evidence_of_step(std::span<const replay::PreparedRun> runs, const Attribution& attribution, std::size_t step) {
   const FittedHypothesis& without = attribution.steps[step - 1];
   const FittedHypothesis& with = attribution.steps[step];
   Evidence out = evidence_between(runs, without, with, attribution.overdispersion);
-  const fit::Counted<CrossValidation> left_out = cross_validated(runs, without, with, attribution.overdispersion);
-  out.cross_validated_gain = left_out.value.gain;
-  for (const std::size_t run : left_out.value.untold_runs) out.untold_runs.push_back(runs[run].run->name);
-  return {.value = std::move(out), .simulated_runs = left_out.simulated_runs};
+  const CrossValidation left_out = cross_validated(runs, without, with, attribution.overdispersion);
+  out.cross_validated_gain = left_out.gain;
+  for (const std::size_t run : left_out.unpredictable_runs) out.untold_runs.push_back(runs[run].run->name);
+  return out;
 }
 
 // The fraction of the squared residual above the noise that a step removes.
@@ -102,20 +101,13 @@ class Pruning {
   }
 
  private:
-  // Takes the value of a result and adds its simulated runs.
-  template <typename Value>
-  Value counted(fit::Counted<Value> result) {
-    out_.simulated_runs += result.simulated_runs;
-    return std::move(result.value);
-  }
-
   [[nodiscard]] const FittedHypothesis& without() const { return found_.steps[found_.steps.size() - 2]; }
 
-  void refit_last_step() { found_.steps.back() = counted(refitted(runs_, std::move(found_.steps.back()))); }
+  void refit_last_step() { found_.steps.back() = refitted(runs_, std::move(found_.steps.back())); }
 
   Evidence evidence_of(std::size_t step) {
     if (progress_) progress_(fmt::format("effect {} of {}: runs left out in turn", step, found_.steps.size() - 1));
-    return counted(evidence_of_step(runs_, found_, step));
+    return evidence_of_step(runs_, found_, step);
   }
 
   // Whether a profile has moved it to a better optimum.
@@ -124,7 +116,6 @@ class Pruning {
     EstimatedHypothesis last = estimated(runs_, std::move(found_.steps.back()), out_.overdispersion, progress_);
     found_.steps.back() = std::move(last.fitted);
     out_.estimates = std::move(last.estimates);
-    out_.simulated_runs += last.simulated_runs;
     return found_.after().fit.objective() != objective;
   }
 
@@ -147,12 +138,11 @@ class Pruning {
       // It may be the name of the one number that is off; where others are too, a list of numbers says it all.
       if (probability_of_declared_numbers(found_.after()) < decision_thresholds.least_probability)
         return "is not the only declared number that is off";
-    } else if (counted(gain_with_wide_tolerances(runs_, without(), found_.after(), out_.overdispersion)) <
+    } else if (gain_with_wide_tolerances(runs_, without(), found_.after(), out_.overdispersion) <
                decision_thresholds.decisive_gain) {
       return "explains the data no better than declared numbers that are off";
     }
-    const GainOverFreeNumber over =
-        counted(gain_over_a_free_number(runs_, without(), found_.after(), out_.overdispersion));
+    const GainOverFreeNumber over = gain_over_a_free_number(runs_, without(), found_.after(), out_.overdispersion);
     if (over.gain < decision_thresholds.decisive_gain)
       return fmt::format("explains the data no better than {} does, if that is off", over.number);
     return std::nullopt;
@@ -163,7 +153,7 @@ class Pruning {
     out_.evidence.pop_back();
     found_.rivals.clear();
     found_.indistinguishable.clear();
-    found_ = counted(with_settled_model_error(runs_, std::move(found_)));
+    found_ = with_settled_model_error(runs_, std::move(found_));
     out_.overdispersion = overdispersion_of(runs_, found_.after());
     refit_last_step();
     if (!out_.evidence.empty()) out_.evidence.back() = evidence_of(found_.steps.size() - 1);

@@ -16,7 +16,6 @@ struct PrunedAttribution {
   std::vector<Evidence> evidence{};   ///< of each step after the first
   std::vector<Estimate> estimates{};  ///< of the last step, as estimated() has them
   double overdispersion{};            ///< of the last step
-  long simulated_runs{};              ///< for estimates and evidence
 };
 
 /// Removes effects, the last first, that gain or explain too little (DecisionThresholds), make runs worse that were

@@ -28,7 +28,7 @@ std::vector<double> places_of(const replay::CalibrationParameter& number) {
 }
 
 // Where values have a least one between their neighbours that is below `limit`: the lowest few, the lowest first.
-std::vector<std::size_t> lowest_valleys(const std::vector<double>& values, double limit) {
+std::vector<std::size_t> lowest_minima(const std::vector<double>& values, double limit) {
   constexpr std::size_t most = 3;
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -43,9 +43,8 @@ std::vector<std::size_t> lowest_valleys(const std::vector<double>& values, doubl
 
 }  // namespace
 
-fit::Counted<std::vector<PlannedFit>> from_reached_limits(std::span<const replay::PreparedRun> runs,
-                                                          const FittedHypothesis& fitted) {
-  fit::Counted<std::vector<PlannedFit>> out;
+std::vector<PlannedFit> from_reached_limits(std::span<const replay::PreparedRun> runs, const FittedHypothesis& fitted) {
+  std::vector<PlannedFit> out;
   const auto& numbers = fitted.hypothesis.declared().calibration;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!numbers[i].other_start || !numbers[i].tolerance) continue;
@@ -58,7 +57,6 @@ fit::Counted<std::vector<PlannedFit>> from_reached_limits(std::span<const replay
       return plan;
     };
     std::vector<double> objectives(places.size(), std::numeric_limits<double>::infinity());
-    std::vector<long> simulated_runs(places.size(), 0);
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t k) {
       const PlannedFit plan = at(places[k]);
       // Local numbers follow by the derivatives of the fit: a place that is chosen is fitted with its own.
@@ -66,11 +64,9 @@ fit::Counted<std::vector<PlannedFit>> from_reached_limits(std::span<const replay
       request.derivatives_from = &fitted.fit;
       request.updates_derivatives = true;
       const auto there = fit::evaluate_at(request);
-      simulated_runs[k] = there.simulated_runs;
-      if (there.value) objectives[k] = there.value->objective();
+      if (there) objectives[k] = there->objective();
     });
-    for (const long each : simulated_runs) out.simulated_runs += each;
-    for (const std::size_t k : lowest_valleys(objectives, fitted.fit.objective())) out.value.push_back(at(places[k]));
+    for (const std::size_t k : lowest_minima(objectives, fitted.fit.objective())) out.push_back(at(places[k]));
   }
   return out;
 }

@@ -100,17 +100,17 @@ struct SearchEffort {
   /// Fall of chi-square, in units of the overdispersion, that counts as a better optimum than that of the fit; smaller
   /// differences are within the tolerance of fits.
   double better_optimum = 0.2;
-  /// An interval with an end nearer to the estimate than this fraction of it may be that of one valley among many: fits
-  /// start along the number (valleys_along), up to so many on each side, each so far from the next, as a fraction, and
-  /// the best are refined; at a better optimum that is done once more. Towards the effect's absence as far as so many
-  /// steps, in larger ones, where all valleys until there fit as well.
+  /// An interval with an end nearer to the estimate than this fraction of it may be that of one local optimum among
+  /// many: fits start along the number (local_optima_along), up to so many on each side, each so far from the next, as
+  /// a fraction, and the best are refined; at a better optimum that is done once more. Towards the effect's absence as
+  /// far as so many steps, in larger ones, where all local optima until there fit as well.
   double too_narrow = 0.005;
-  int valley_starts = 11;
-  int farthest_valley = 76;
-  int far_valley_steps = 5;
-  double valley_step = 0.04;
-  std::size_t refined_valleys = 2;
-  int valley_searches = 2;
+  int scan_starts = 11;
+  int farthest_scan = 76;
+  int far_scan_steps = 5;
+  double scan_step = 0.04;
+  std::size_t refined_optima = 2;
+  int optima_searches = 2;
   /// Number of times that the intervals are taken anew at a better optimum.
   int largest_number_of_moves = 8;
 };

@@ -28,11 +28,6 @@ bool has_an_absent_effect(const FittedHypothesis& fitted) {
   return std::ranges::any_of(fitted.hypothesis.effects_at(fitted.fit.values), is_absent);
 }
 
-struct Steps {
-  std::vector<FittedHypothesis> steps{};
-  long simulated_runs{};
-};
-
 // Whether a hypothesis has just these effects, perhaps with fewer or further numbers.
 bool has_just(const FittedHypothesis& fitted, const std::vector<Effect>& effects) {
   const Kinds kinds = fitted.kinds();
@@ -49,10 +44,10 @@ bool is_with_fewer_numbers(const FittedHypothesis& smaller, const FittedHypothes
 // From the declared model to the selected hypothesis: each step adds the effect that by itself explains most of the
 // remainder. A step that the search has fitted better than can be done from here, from whatever start, is that fit:
 // what comes after it must not be credited with what a poor fit leaves over.
-Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> runs, const FittedHypothesis& declared,
-               const std::vector<FittedHypothesis>& all) {
-  Steps out;
-  const auto last_step = [&]() -> const FittedHypothesis& { return out.steps.empty() ? declared : out.steps.back(); };
+std::vector<FittedHypothesis> steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> runs,
+                                       const FittedHypothesis& declared, const std::vector<FittedHypothesis>& all) {
+  std::vector<FittedHypothesis> out;
+  const auto last_step = [&]() -> const FittedHypothesis& { return out.empty() ? declared : out.back(); };
   std::vector<Effect> left = selected.hypothesis.effects_at(selected.fit.values);
   std::vector<Effect> taken;
   while (left.size() > 1) {
@@ -63,13 +58,12 @@ Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> r
       best = one;
       index = i;
     };
-    std::vector<fit::Counted<std::optional<FittedHypothesis>>> alone(left.size());
+    std::vector<std::optional<FittedHypothesis>> alone(left.size());
     tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
       alone[i] = fit_to_convergence(runs, with_added_effects(last_step(), std::span(&left[i], 1)));
     });
     for (std::size_t i = 0; i < left.size(); ++i) {
-      out.simulated_runs += alone[i].simulated_runs;
-      if (alone[i].value) consider(*alone[i].value, i);
+      if (alone[i]) consider(*alone[i], i);
       std::vector<Effect> these = taken;
       these.push_back(left[i]);
       for (const FittedHypothesis& known : all)
@@ -78,18 +72,17 @@ Steps steps_to(FittedHypothesis selected, std::span<const replay::PreparedRun> r
     if (!best) break;
     taken.push_back(left[index]);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(index));
-    out.steps.push_back(std::move(*best));
+    out.push_back(std::move(*best));
   }
   // The last step is the selected hypothesis itself, with its effects in the order of the steps.
-  if (left.size() == 1 && !out.steps.empty()) {
+  if (left.size() == 1 && !out.empty()) {
     auto last = fit_to_convergence(runs, with_added_effects(last_step(), left));
-    out.simulated_runs += last.simulated_runs;
-    if (last.value && last.value->fit.objective() <= selected.fit.objective() * (1 + 1e-6)) {
-      out.steps.push_back(std::move(*last.value));
+    if (last && last->fit.objective() <= selected.fit.objective() * (1 + 1e-6)) {
+      out.push_back(std::move(*last));
       return out;
     }
   }
-  out.steps.push_back(std::move(selected));
+  out.push_back(std::move(selected));
   return out;
 }
 
@@ -167,9 +160,7 @@ Selection select_hypothesis(std::span<const replay::PreparedRun> runs, const Fit
       return std::ranges::any_of(others, [&](const EffectKind* other) { return other->id() == kind->id(); });
     });
   });
-  Steps steps = steps_to(std::move(selected), runs, declared, all);
-  out.steps = std::move(steps.steps);
-  out.simulated_runs = steps.simulated_runs;
+  out.steps = steps_to(std::move(selected), runs, declared, all);
   out.rivals = std::move(rivals);
   out.indistinguishable = indistinguishable_sets(out.steps.back().kinds(), out.rivals);
   return out;

@@ -15,7 +15,6 @@ struct Selection {
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};  ///< as Attribution has them
   std::vector<ComparedHypothesis> ranked{};                                   ///< best first
   std::vector<ComparedHypothesis> ruled_out{};
-  long simulated_runs{};
 };
 
 /// Ranks all fitted hypotheses by their quasi-BIC. If the best one gains decisively on `declared`, the recalibrated

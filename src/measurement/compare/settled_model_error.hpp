@@ -3,7 +3,6 @@
 #include <span>
 
 #include "measurement/compare/attribution.hpp"
-#include "measurement/fit/counted.hpp"
 
 namespace coilwright::measurement::compare {
 
@@ -12,7 +11,6 @@ namespace coilwright::measurement::compare {
 /// fits its steps and their rivals anew. Changes nothing where both errors are the same, all inputs exact and no sample
 /// is taken back. The errors of the steps are comparable then, and
 /// their numbers stay as near to what is declared as the last step's own error allows.
-[[nodiscard]] fit::Counted<Attribution> with_settled_model_error(std::span<replay::PreparedRun> runs,
-                                                                 Attribution found);
+[[nodiscard]] Attribution with_settled_model_error(std::span<replay::PreparedRun> runs, Attribution found);
 
 }  // namespace coilwright::measurement::compare

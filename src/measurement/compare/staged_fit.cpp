@@ -15,12 +15,11 @@ using actuator::Effect;
 
 namespace {
 
-fit::Counted<std::optional<FittedHypothesis>> fit_to_its_end(std::span<const replay::PreparedRun> runs,
-                                                             const PlannedFit& plan, const fit::FitEffort& effort) {
+std::optional<FittedHypothesis> fit_to_its_end(std::span<const replay::PreparedRun> runs, const PlannedFit& plan,
+                                               const fit::FitEffort& effort) {
   FitInTurns fit(runs, plan, effort);
   fit.finish();
-  const long simulated_runs = fit.simulated_runs();
-  return {.value = std::move(fit).result(), .simulated_runs = simulated_runs};
+  return std::move(fit).result();
 }
 
 // Whether what is missing may have pulled declared numbers far away: those with tolerances are, all together, hardly
@@ -46,13 +45,11 @@ bool ends_at_a_bound(const ShortFit& found) {
 
 }  // namespace
 
-fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
-                                                          const PlannedFit& plan) {
+std::optional<FittedHypothesis> fit_exactly(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
   return fit_to_its_end(runs, plan, search_effort.exact);
 }
 
-fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(std::span<const replay::PreparedRun> runs,
-                                                                 const PlannedFit& plan) {
+std::optional<FittedHypothesis> fit_to_convergence(std::span<const replay::PreparedRun> runs, const PlannedFit& plan) {
   return fit_to_its_end(runs, plan, search_effort.converged);
 }
 
@@ -67,8 +64,8 @@ PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const Effe
   return plan;
 }
 
-fit::Counted<std::optional<fit::Fit>> at_declared_numbers(std::span<const replay::PreparedRun> runs,
-                                                          const replay::DeclaredModel& declared) {
+std::optional<fit::Fit> at_declared_numbers(std::span<const replay::PreparedRun> runs,
+                                            const replay::DeclaredModel& declared) {
   if (!has_slow_derivatives(runs, declared)) return {};
   const fit::Hypothesis hypothesis(declared, {});
   return fit::evaluate_with_jacobian(
@@ -82,12 +79,10 @@ fit::FitEffort ends_by_what_is_left(fit::FitEffort effort, const FittedHypothesi
   return effort;
 }
 
-fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
-                                                std::span<const std::vector<Effect>> guesses,
-                                                std::span<const std::vector<Effect>> further,
-                                                const fit::Fit* at_declared) {
+std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                  std::span<const std::vector<Effect>> guesses,
+                                  std::span<const std::vector<Effect>> further, const fit::Fit* at_declared) {
   std::optional<ShortFit> best;
-  long simulated_runs = 0;
   const auto try_from = [&](const std::vector<Effect>& guess, bool declared = false,
                             const fit::FitEffort& effort = search_effort.short_fit) {
     PlannedFit plan = with_added_effects(base, guess);
@@ -101,9 +96,8 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
     if (declared) request.derivatives_from = at_declared;
     request.effort = ends_by_what_is_left(effort, base);
     auto fitted = fit::fit(request);
-    simulated_runs += fitted.simulated_runs;
-    if (!fitted.value || (best && fitted.value->objective() >= best->fitted.objective())) return;
-    best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted.value)});
+    if (!fitted || (best && fitted->objective() >= best->fitted.objective())) return;
+    best.emplace(ShortFit{.plan = std::move(plan), .fitted = std::move(*fitted)});
   };
   for (const std::vector<Effect>& guess : guesses) try_from(guess);
   // Where a missing effect has pulled declared numbers far away, the way back leads through worse models.
@@ -123,10 +117,10 @@ fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::Prepared
       for (Effect& effect : guess) effect = scaled_from_absent(std::move(effect), search_effort.retry_strength);
       try_from(guess);
     }
-  return {.value = std::move(best), .simulated_runs = simulated_runs};
+  return best;
 }
 
-fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
+std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from) {
   return fit_to_convergence(runs, {.hypothesis = from.plan.hypothesis,
                                    .start = from.fitted.values,
                                    .local_numbers_from = &from.fitted,

@@ -8,11 +8,11 @@
 namespace coilwright::measurement::compare {
 
 /// The best fit from there; its derivatives are those of where it ended. Nothing if the model cannot be simulated.
-[[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_to_convergence(
-    std::span<const replay::PreparedRun> runs, const PlannedFit& plan);
+[[nodiscard]] std::optional<FittedHypothesis> fit_to_convergence(std::span<const replay::PreparedRun> runs,
+                                                                 const PlannedFit& plan);
 /// The same to a tenth of its tolerance: for a hypothesis whose numbers are reported.
-[[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> fit_exactly(std::span<const replay::PreparedRun> runs,
-                                                                        const PlannedFit& plan);
+[[nodiscard]] std::optional<FittedHypothesis> fit_exactly(std::span<const replay::PreparedRun> runs,
+                                                          const PlannedFit& plan);
 
 /// `base` at its fit with additional effects, each with the given numbers. Refers to `base`.
 [[nodiscard]] PlannedFit with_added_effects(const FittedHypothesis& base, std::span<const actuator::Effect> added);
@@ -20,8 +20,8 @@ namespace coilwright::measurement::compare {
 /// The declared model at its declared numbers, for PlannedFit::derivatives_from of fits that start there: with an
 /// effect as weak as it starts they are much the same. Nothing where derivatives cost little, and where there is no
 /// motion.
-[[nodiscard]] fit::Counted<std::optional<fit::Fit>> at_declared_numbers(std::span<const replay::PreparedRun> runs,
-                                                                        const replay::DeclaredModel& declared);
+[[nodiscard]] std::optional<fit::Fit> at_declared_numbers(std::span<const replay::PreparedRun> runs,
+                                                          const replay::DeclaredModel& declared);
 
 /// `effort` for hypotheses that add to `known`, its tolerance taken as a fraction of what `known` leaves above the
 /// noise, not of the whole of chi-square: near the noise a hundredth of that is a hundred times what decides. A step
@@ -39,13 +39,11 @@ struct ShortFit {
 /// declared numbers with each of `further` too, unless `base` leaves noise or is very far from it (SearchEffort).
 /// `at_declared` has derivatives for fits from there; null: they take their own. Nothing if none of them can be
 /// simulated. Refers to `base`.
-[[nodiscard]] fit::Counted<std::optional<ShortFit>> short_fit(std::span<const replay::PreparedRun> runs,
-                                                              const FittedHypothesis& base,
-                                                              std::span<const std::vector<actuator::Effect>> guesses,
-                                                              std::span<const std::vector<actuator::Effect>> further,
-                                                              const fit::Fit* at_declared);
+[[nodiscard]] std::optional<ShortFit> short_fit(std::span<const replay::PreparedRun> runs, const FittedHypothesis& base,
+                                                std::span<const std::vector<actuator::Effect>> guesses,
+                                                std::span<const std::vector<actuator::Effect>> further,
+                                                const fit::Fit* at_declared);
 /// Continues a short fit to convergence.
-[[nodiscard]] fit::Counted<std::optional<FittedHypothesis>> refine(std::span<const replay::PreparedRun> runs,
-                                                                   const ShortFit& from);
+[[nodiscard]] std::optional<FittedHypothesis> refine(std::span<const replay::PreparedRun> runs, const ShortFit& from);
 
 }  // namespace coilwright::measurement::compare

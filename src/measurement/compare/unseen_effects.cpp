@@ -62,8 +62,8 @@ double widened(const Estimate& estimate, double beyond) {
   return std::isfinite(width) && width > 0.0 ? std::hypot(width, 2.0 * normal_95 * std::sqrt(beyond)) / width : 1.0;
 }
 
-// By a variance that is added to its own, whatever that is from (the curvature, a profile, a row of valleys). Ends that
-// pass a physical bound are open, as those are that the data do not set.
+// By a variance that is added to its own, whatever that is from (the curvature, a profile, a scan of local optima).
+// Ends that pass a physical bound are open, as those are that the data do not set.
 void widen(Estimate& estimate, const fit::FitParameter& number, double beyond) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double reach = normal_95 * std::sqrt(beyond);
@@ -76,15 +76,14 @@ void widen(Estimate& estimate, const fit::FitParameter& number, double beyond) {
 
 }  // namespace
 
-fit::Counted<std::vector<HintedEffect>> widen_by_unseen_effects(std::vector<Estimate>& estimates,
-                                                                std::span<const replay::PreparedRun> runs,
-                                                                const Attribution& attribution, double overdispersion) {
-  fit::Counted<std::vector<HintedEffect>> out;
+std::vector<HintedEffect> widen_by_unseen_effects(std::vector<Estimate>& estimates,
+                                                  std::span<const replay::PreparedRun> runs,
+                                                  const Attribution& attribution, double overdispersion) {
+  std::vector<HintedEffect> out;
   const FittedHypothesis& fitted = attribution.after();
   if (is_far_from_noise(fitted)) return out;
   const auto screened = screen_effects(runs, fitted, {.kinds = attribution.kinds, .scale = attribution.scale});
-  out.simulated_runs = screened.simulated_runs;
-  const std::vector<Addition> more = additions(fitted, screened.value, overdispersion);
+  const std::vector<Addition> more = additions(fitted, screened, overdispersion);
   double weights = 1.0;
   for (const Addition& each : more) weights += each.weight;
   const Eigen::Index numbers = fitted.hypothesis.size();
@@ -95,9 +94,9 @@ fit::Counted<std::vector<HintedEffect>> widen_by_unseen_effects(std::vector<Esti
       const double wider = widened(estimate, each.weight / weights * each.squares[i]);
       if (wider > hint.wider) hint = {each.kind, each.gain, estimate.key, wider};
     }
-    if (hint.wider >= notably_wider) out.value.push_back(std::move(hint));
+    if (hint.wider >= notably_wider) out.push_back(std::move(hint));
   }
-  std::ranges::stable_sort(out.value, std::ranges::greater{}, &HintedEffect::wider);
+  std::ranges::stable_sort(out, std::ranges::greater{}, &HintedEffect::wider);
   for (Eigen::Index i = 0; i < numbers; ++i) {
     double beyond = 0.0;
     for (const Addition& each : more) beyond += each.weight / weights * each.squares[i];

@@ -6,7 +6,6 @@
 #include "coilwright/measurement/compare/estimate.hpp"
 #include "coilwright/measurement/compare/hinted_effect.hpp"
 #include "measurement/compare/attribution.hpp"
-#include "measurement/fit/counted.hpp"
 
 namespace coilwright::measurement::compare {
 
@@ -19,8 +18,8 @@ namespace coilwright::measurement::compare {
 /// the data cannot show at all is not in it: that is among the assumptions. `estimates` are those of estimated(); the
 /// values stay, and the further variance adds to that of an interval on both sides. Does nothing where the last step is
 /// far from the noise. Returns the effects that widen an interval by a fifth or more, the one that widens most first.
-fit::Counted<std::vector<HintedEffect>> widen_by_unseen_effects(std::vector<Estimate>& estimates,
-                                                                std::span<const replay::PreparedRun> runs,
-                                                                const Attribution& attribution, double overdispersion);
+std::vector<HintedEffect> widen_by_unseen_effects(std::vector<Estimate>& estimates,
+                                                  std::span<const replay::PreparedRun> runs,
+                                                  const Attribution& attribution, double overdispersion);
 
 }  // namespace coilwright::measurement::compare

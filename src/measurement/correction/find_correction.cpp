@@ -92,12 +92,9 @@ class Search {
     asked.effort = effort;
     asked.updates_derivatives = true;
     auto found = fit::fit(asked);
-    simulated_runs_ += found.simulated_runs;
-    if (!found.value) return std::nullopt;
-    return compare::score(runs_, plan.hypothesis, std::move(*found.value));
+    if (!found) return std::nullopt;
+    return compare::score(runs_, plan.hypothesis, std::move(*found));
   }
-
-  [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
 
  private:
   [[nodiscard]] std::optional<Candidate> candidate(const CorrectionShape& shape, std::span<const JointSample> samples) {
@@ -106,9 +103,8 @@ class Search {
     const CorrectionKind kind(*basis, torque_, 1.0);
     const compare::PlannedFit plan = with(kind);
     const auto at_zero = fit::evaluate_with_jacobian(request(plan));
-    simulated_runs_ += at_zero.simulated_runs;
-    if (!at_zero.value) return std::nullopt;
-    LinearGain promise = linear_gain(plan.hypothesis, *at_zero.value, basis->size());
+    if (!at_zero) return std::nullopt;
+    LinearGain promise = linear_gain(plan.hypothesis, *at_zero, basis->size());
     if (!(promise.fall > least_promise * base_.chi_square_above_noise())) return std::nullopt;
     auto chosen = std::make_shared<const CorrectionKind>(std::move(*basis), torque_, promise.deviation);
     return Candidate{.kind = std::move(chosen), .promise = std::move(promise)};
@@ -130,8 +126,7 @@ class Search {
       compare::PlannedFit there = plan;
       there.start = plan.hypothesis.clamped(plan.start + share * step);
       const auto found = fit::evaluate_at(request(there));
-      simulated_runs_ += found.simulated_runs;
-      if (found.value && found.value->objective() < base_.fit.objective()) return there.start;
+      if (found && found->objective() < base_.fit.objective()) return there.start;
     }
     return plan.start;
   }
@@ -139,7 +134,6 @@ class Search {
   std::span<const replay::PreparedRun> runs_;
   const FittedHypothesis& base_;
   double torque_;
-  long simulated_runs_ = 0;
 };
 
 // Why there can be none, whatever the data say.
@@ -166,11 +160,7 @@ FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const
   // Effects that explain a part may be in the way of a correction that explains the whole.
   std::vector<Base> bases{{.model = &after}};
   if (attribution.steps.size() > 1) bases.push_back({.model = &attribution.before()});
-  for (Base& base : bases) {
-    auto held_out = held_out_squares(runs, *base.model);
-    out.simulated_runs += held_out.simulated_runs;
-    base.held_out = std::move(held_out.value);
-  }
+  for (Base& base : bases) base.held_out = held_out_squares(runs, *base.model);
   const VisitedStates visited = visited_states(runs, after);
   std::vector<Fitted> found;
   std::size_t tried = 0;
@@ -182,12 +172,10 @@ FoundCorrection find_correction(std::span<const replay::PreparedRun> runs, const
       auto fitted = search.fitted(candidate);
       if (!fitted) continue;
       const auto held_out = held_out_squares(runs, *fitted);
-      out.simulated_runs += held_out.simulated_runs;
       double gain = 1.0;
-      for (const Base& other : bases) gain = std::min(gain, mean_gain(runs, other.held_out, held_out.value));
+      for (const Base& other : bases) gain = std::min(gain, mean_gain(runs, other.held_out, held_out));
       found.push_back({.kind = candidate.kind, .hypothesis = std::move(*fitted), .gain = gain});
     }
-    out.simulated_runs += search.simulated_runs();
   }
   std::ranges::stable_sort(found, std::greater(), &Fitted::gain);
   const actuator::Model without(spec);

@@ -18,7 +18,6 @@ struct FoundCorrection {
   CorrectionOutcome outcome{};
   std::shared_ptr<const CorrectionKind> kind{};       ///< to which `fitted` refers
   std::optional<compare::FittedHypothesis> fitted{};  ///< the last step with the correction, everything refitted
-  long simulated_runs{};
 };
 
 /// Looks for a smooth torque over one or two of angle, rate and current that lets `attribution`'s last step predict

@@ -15,10 +15,9 @@ constexpr fit::FitEffort short_effort{.iterations = 2, .tolerance = 1e-2};
 
 }  // namespace
 
-fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::PreparedRun> runs,
-                                                   const compare::FittedHypothesis& fitted) {
-  fit::Counted<std::vector<double>> out{.value =
-                                            std::vector<double>(runs.size(), std::numeric_limits<double>::infinity())};
+std::vector<double> held_out_squares(std::span<const replay::PreparedRun> runs,
+                                     const compare::FittedHypothesis& fitted) {
+  std::vector<double> out(runs.size(), std::numeric_limits<double>::infinity());
   const std::size_t groups = std::min(most_groups, runs.size());
   for (std::size_t group = 0; group < groups; ++group) {
     const fit::PartOfFit others = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups != group; });
@@ -29,18 +28,15 @@ fit::Counted<std::vector<double>> held_out_squares(std::span<const replay::Prepa
                                     .derivatives_from = &others.fit,
                                     .updates_derivatives = true,
                                     .effort = short_effort});
-    out.simulated_runs += refitted.simulated_runs;
-    if (!refitted.value) continue;
+    if (!refitted) continue;
     const fit::PartOfFit left_out = fit::part_of(runs, fitted.fit, [&](std::size_t r) { return r % groups == group; });
     const auto there = fit::evaluate_at({.hypothesis = &fitted.hypothesis,
                                          .runs = left_out.runs,
-                                         .start = refitted.value->values,
+                                         .start = refitted->values,
                                          .local_numbers_from = &left_out.fit});
-    out.simulated_runs += there.simulated_runs;
-    if (!there.value) continue;
+    if (!there) continue;
     std::size_t at = 0;
-    for (std::size_t r = group; r < runs.size(); r += groups)
-      out.value[r] = there.value->runs[at++].residuals.squaredNorm();
+    for (std::size_t r = group; r < runs.size(); r += groups) out[r] = there->runs[at++].residuals.squaredNorm();
   }
   return out;
 }

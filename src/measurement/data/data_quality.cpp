@@ -13,7 +13,7 @@
 
 #include "coilwright/units/angle.hpp"
 #include "measurement/data/equal_stretches.hpp"
-#include "measurement/data/usual_interval.hpp"
+#include "measurement/data/median_interval.hpp"
 
 namespace coilwright::measurement::data {
 namespace {
@@ -116,7 +116,7 @@ std::optional<std::string> stuck_sensor(const Channel& channel) {
 
 std::optional<std::string> implausible_clock(const Run& run) {
   if (run.kind != RunKind::transient || run.times.size() < 3) return std::nullopt;
-  const double interval = usual_interval(run);
+  const double interval = median_interval(run);
   if (interval <= longest_interval) return std::nullopt;
   return fmt::format(
       "a sample every {:.3g} s for {:.6g} s shows no motion of such a finger and is long to simulate: is "
@@ -130,7 +130,7 @@ std::optional<std::string> gap_in_clock(const Run& run) {
   for (std::size_t i = 2; i < run.times.size(); ++i)
     if (run.times[i] - run.times[i - 1] > run.times[at] - run.times[at - 1]) at = i;
   const double gap = run.times[at] - run.times[at - 1];
-  const double usual = usual_interval(run);
+  const double usual = median_interval(run);
   if (gap <= largest_gap * usual) return std::nullopt;
   return fmt::format(
       "the clock jumps by {:.6g} s after {:.6g} s, {:.3g} times the usual interval; the input is held "

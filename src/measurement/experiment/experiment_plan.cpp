@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -85,7 +86,7 @@ void require_noise(const Experiment& experiment) {
 class Planning {
  public:
   Planning(const Experiment& experiment, const replay::DeclaredModel& rig, const PlanOptions& options)
-      : experiment_(experiment), rig_(rig), options_(options), records_(experiment, rig, options.seed) {}
+      : experiment_(experiment), rig_(rig), options_(options), records_(experiment, rig, options.seed, simulations_) {}
 
   ExperimentPlan run() {
     const compare::FittedHypothesis& base = records_.base();
@@ -93,12 +94,11 @@ class Planning {
     plan_.samples = base.fit.samples();
     plan_.overdispersion = compare::overdispersion_of(records_.runs(), base);
     plan_.held_exact = rig_.held_exact;
-    plan_.simulated_runs = records_.simulated_runs();
     find_strengths(applicable_kinds(options_.effects, nominal, plan_.left_out),
                    compare::rig_scale(records_.runs(), nominal));
     const ProjectedChanges changes(records_, compared_);
-    plan_.simulated_runs += changes.simulated_runs();
     plan_.pairs = inseparable_pairs(changes, compared_, limit_of(changes));
+    plan_.simulated_runs = *simulations_;
     weigh_added_runs(changes, candidate_runs(experiment_, nominal, "added_"));
     return std::move(plan_);
   }
@@ -114,7 +114,6 @@ class Planning {
     tbb::parallel_for(std::size_t{0}, kinds.size(),
                       [&](std::size_t i) { found[i] = smallest_strength(records_, *kinds[i], scale, limit); });
     for (SmallestStrength& each : found) {
-      plan_.simulated_runs += each.simulated_runs;
       compared_.push_back(
           {.effect = each.effect, .visible = each.visible, .numbers = records_.numbers_of(each.effect)});
       plan_.effects.push_back({.effect = std::move(each.effect),
@@ -132,9 +131,10 @@ class Planning {
                          .why = std::move(each.why),
                          .run = std::move(each.run)};
       try {
-        const LinearisedRecords more(only_with(experiment_, candidate.run), rig_, options_.seed);
+        const auto simulations = std::make_shared<std::atomic<long>>();
+        const LinearisedRecords more(only_with(experiment_, candidate.run), rig_, options_.seed, simulations);
         const ProjectedChanges alone(more, compared_);
-        plan_.simulated_runs += more.simulated_runs() + alone.simulated_runs();
+        plan_.simulated_runs += *simulations;
         weigh(candidate, without, without.with(alone));
         plan_.added_runs.push_back(std::move(candidate));
       } catch (const std::runtime_error&) {
@@ -172,6 +172,7 @@ class Planning {
   const Experiment& experiment_;
   const replay::DeclaredModel& rig_;
   const PlanOptions& options_;
+  replay::SimulationCount simulations_ = std::make_shared<std::atomic<long>>();
   LinearisedRecords records_;
   std::vector<ComparedEffect> compared_;
   ExperimentPlan plan_;

@@ -14,8 +14,8 @@
 
 namespace coilwright::measurement::experiment {
 
-LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay::DeclaredModel& rig,
-                                     std::uint64_t seed) {
+LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay::DeclaredModel& rig, std::uint64_t seed,
+                                     replay::SimulationCount simulations) {
   const fit::Hypothesis as_declared(rig, {});
   const actuator::Model nominal = as_declared.model_at(as_declared.start());
   for (const PlannedRun& planned : experiment.runs) replay::require_fits_model(planned.plan, rig, nominal);
@@ -33,14 +33,14 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
   for (const data::Run& run : recorded_) {
     prepared_.push_back(replay::prepare_run(run, rig, nominal));
     replay::give_recorded_noise(prepared_.back(), still, recorded_);
+    prepared_.back().simulations = simulations;
   }
   fit::weigh_input_errors(prepared_, as_declared, as_declared.start(), nullptr);
   const compare::PlannedFit plan{.hypothesis = as_declared, .start = as_declared.start()};
   const auto evaluate = [&] {
     auto fitted_locally = fit::evaluate_with_jacobian(compare::fit_request_of(prepared_, plan));
-    simulated_runs_ += fitted_locally.simulated_runs;
-    if (!fitted_locally.value) throw std::runtime_error("the declared model cannot be simulated in these runs");
-    return std::move(*fitted_locally.value);
+    if (!fitted_locally) throw std::runtime_error("the declared model cannot be simulated in these runs");
+    return std::move(*fitted_locally);
   };
   fit::Fit at_truth = evaluate();
   // It also takes the noise anew that a run's own record told; residuals over two different noises would differ by
@@ -51,13 +51,13 @@ LinearisedRecords::LinearisedRecords(const Experiment& experiment, const replay:
   base_ = compare::score(prepared_, as_declared, std::move(at_truth));
 }
 
-fit::Counted<std::optional<Eigen::VectorXd>> LinearisedRecords::change_by(const actuator::Effect& effect) const {
+std::optional<Eigen::VectorXd> LinearisedRecords::change_by(const actuator::Effect& effect) const {
   const compare::PlannedFit plan = compare::with_added_effects(*base_, std::span(&effect, 1));
   const fit::FitRequest request = compare::fit_request_of(prepared_, plan);
   fit::ResidualBlocks blocks(request);
   const auto there = blocks.evaluate(request.start, fit::Derivatives::none);
-  if (!there.value) return {.value = std::nullopt, .simulated_runs = there.simulated_runs};
-  return {.value = projected_change(*there.value), .simulated_runs = there.simulated_runs};
+  if (!there) return std::nullopt;
+  return projected_change(*there);
 }
 
 Eigen::VectorXd LinearisedRecords::projected_change(const fit::ResidualValues& there) const {
@@ -81,12 +81,12 @@ Eigen::VectorXd LinearisedRecords::beyond_declared(const Eigen::VectorXd& change
   return change - base.jacobian * absorbed;
 }
 
-fit::Counted<double> LinearisedRecords::length_after_refit(const Eigen::VectorXd& change) const {
+double LinearisedRecords::length_after_refit(const Eigen::VectorXd& change) const {
   constexpr int most_steps = 12;
   constexpr double shortest_step = 0.05;
   constexpr double notable = 0.01;  // fall of the length
   const fit::Fit& base = base_->fit;
-  fit::Counted<double> out{.value = change.norm()};
+  double out = change.norm();
   if (base.jacobian.cols() == 0) return out;
   const compare::PlannedFit plan{.hypothesis = base_->hypothesis, .start = base.values, .local_numbers_from = &base};
   const fit::FitRequest request = compare::fit_request_of(prepared_, plan);
@@ -103,23 +103,22 @@ fit::Counted<double> LinearisedRecords::length_after_refit(const Eigen::VectorXd
         algebra::minimum_norm(jacobian.transpose() * jacobian, jacobian.transpose() * left);
     const Eigen::VectorXd moved = base_->hypothesis.clamped(values - share * scales.cwiseProduct(direction));
     const auto there = blocks.evaluate(moved, fit::Derivatives::none);
-    out.simulated_runs += there.simulated_runs;
-    if (!there.value) {
+    if (!there) {
       share *= 0.3;
       continue;
     }
-    Eigen::VectorXd left_there = projected_change(*there.value) - change;
+    Eigen::VectorXd left_there = projected_change(*there) - change;
     const Eigen::VectorXd prior = base_->hypothesis.prior_residuals(moved);
     left_there.tail(prior.size()) = prior - base.stacked_residuals.tail(prior.size());
     const Eigen::VectorXd way = (moved - values).cwiseQuotient(scales);
     if (way.squaredNorm() == 0.0) break;
     jacobian += (left_there - left - jacobian * way) * way.transpose() / way.squaredNorm();
-    if (left_there.norm() >= out.value) {
+    if (left_there.norm() >= out) {
       share *= 0.5;
       continue;
     }
-    const bool is_end = left_there.norm() > (1.0 - notable) * out.value;
-    out.value = left_there.norm();
+    const bool is_end = left_there.norm() > (1.0 - notable) * out;
+    out = left_there.norm();
     left = std::move(left_there);
     values = moved;
     share = std::min(1.0, 2.0 * share);

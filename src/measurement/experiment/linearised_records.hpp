@@ -8,7 +8,6 @@
 
 #include "coilwright/measurement/experiment/experiment.hpp"
 #include "measurement/compare/fitted_hypothesis.hpp"
-#include "measurement/fit/counted.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 #include "measurement/replay/prepared_run.hpp"
 
@@ -19,25 +18,26 @@ namespace coilwright::measurement::experiment {
 class LinearisedRecords {
  public:
   /// Simulates the fit runs of `experiment`, and its still runs to learn the noise from. Throws as
-  /// simulate_experiment() does, and std::invalid_argument if no run can be fitted.
-  LinearisedRecords(const Experiment& experiment, const replay::DeclaredModel& rig, std::uint64_t seed);
+  /// simulate_experiment() does, and std::invalid_argument if no run can be fitted. `simulations` counts what is
+  /// simulated in them.
+  LinearisedRecords(const Experiment& experiment, const replay::DeclaredModel& rig, std::uint64_t seed,
+                    replay::SimulationCount simulations = {});
   LinearisedRecords(const LinearisedRecords&) = delete;
   LinearisedRecords& operator=(const LinearisedRecords&) = delete;
 
   [[nodiscard]] std::span<const replay::PreparedRun> runs() const noexcept { return prepared_; }
   [[nodiscard]] const compare::FittedHypothesis& base() const noexcept { return *base_; }
-  [[nodiscard]] long simulated_runs() const noexcept { return simulated_runs_; }
 
   /// What an effect changes in the residuals, projected on what the local numbers cannot absorb; rows as
   /// fit::Fit::stacked_residuals. Nothing if the motion cannot be simulated with it.
-  [[nodiscard]] fit::Counted<std::optional<Eigen::VectorXd>> change_by(const actuator::Effect& effect) const;
+  [[nodiscard]] std::optional<Eigen::VectorXd> change_by(const actuator::Effect& effect) const;
   /// A change, projected on what the numbers of the declared model cannot absorb either.
   [[nodiscard]] Eigen::VectorXd beyond_declared(const Eigen::VectorXd& change) const;
   /// The length of what is left of a change after the numbers of the declared model have been fitted to it, tolerances
   /// included: less than that of beyond_declared() where numbers imitate the change beyond their tangents (an added
   /// mass that shifts a long ringing). Gauss-Newton steps from the derivatives at the declared numbers, each one
   /// simulation.
-  [[nodiscard]] fit::Counted<double> length_after_refit(const Eigen::VectorXd& change) const;
+  [[nodiscard]] double length_after_refit(const Eigen::VectorXd& change) const;
   /// How many numbers a fit of this effect would have.
   [[nodiscard]] Eigen::Index numbers_of(const actuator::Effect& effect) const;
 
@@ -48,7 +48,6 @@ class LinearisedRecords {
   std::vector<data::Run> recorded_;
   std::vector<replay::PreparedRun> prepared_;
   std::optional<compare::FittedHypothesis> base_;
-  long simulated_runs_ = 0;
 };
 
 }  // namespace coilwright::measurement::experiment

@@ -46,19 +46,16 @@ ProjectedChanges::ProjectedChanges(const LinearisedRecords& records, const std::
   first_.push_back(static_cast<Eigen::Index>(columns.size()));
   const fit::Fit& base = records.base().fit;
   Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(base.stacked_residuals.size(), first_.back());
-  std::vector<long> simulated(columns.size(), 0);
   std::vector<char> known(columns.size(), 0);
   tbb::parallel_for(std::size_t{0}, columns.size(), [&](std::size_t i) {
     const auto change = records.change_by(columns[i]);
-    simulated[i] = change.simulated_runs;
-    if (!change.value || !change.value->allFinite()) return;
-    changes.col(static_cast<Eigen::Index>(i)) = *change.value;
+    if (!change || !change->allFinite()) return;
+    changes.col(static_cast<Eigen::Index>(i)) = *change;
     known[i] = 1;
   });
   for (std::size_t e = 0; e < effects.size(); ++e)
     for (Eigen::Index i = first_[e] + 1; i < first_[e + 1]; ++i)
       if (known[static_cast<std::size_t>(i)] != 0) changes.col(i) -= changes.col(first_[e]);
-  for (const long each : simulated) simulated_runs_ += each;
   products_ = changes.transpose() * changes;
   on_declared_ = base.jacobian.transpose() * changes;
   normal_matrix_ = base.normal_matrix;

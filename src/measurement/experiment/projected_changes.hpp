@@ -27,7 +27,6 @@ class ProjectedChanges {
   [[nodiscard]] ProjectedChanges with(const ProjectedChanges& more) const;
 
   [[nodiscard]] double samples() const noexcept { return samples_; }
-  [[nodiscard]] long simulated_runs() const noexcept { return simulated_runs_; }
   /// Length of what an effect changes beyond the declared numbers.
   [[nodiscard]] double length(std::size_t effect) const;
   /// The part of that which another effect, at any strength and shape nearby, cannot imitate.
@@ -45,7 +44,6 @@ class ProjectedChanges {
   Eigen::MatrixXd prior_;            // share of the priors in it
   Eigen::MatrixXd projected_;        // of changes beyond the declared numbers: (columns, columns)
   double samples_ = 0.0;
-  long simulated_runs_ = 0;
 };
 
 }  // namespace coilwright::measurement::experiment

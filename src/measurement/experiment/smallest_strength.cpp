@@ -49,11 +49,10 @@ class Scaling {
   [[nodiscard]] Tried at(double share) {
     Tried out{.share = share, .over_limit = std::numeric_limits<double>::quiet_NaN(), .effect = scaled(start_, share)};
     auto change = records_.change_by(out.effect);
-    simulated_runs_ += change.simulated_runs;
-    if (!change.value || !change.value->allFinite()) return out;
-    out.over_limit = records_.beyond_declared(*change.value).norm() / limit_;
-    if (refits_ && out.over_limit > 0.5) refit(out, *change.value);
-    out.change = std::move(*change.value);
+    if (!change || !change->allFinite()) return out;
+    out.over_limit = records_.beyond_declared(*change).norm() / limit_;
+    if (refits_ && out.over_limit > 0.5) refit(out, *change);
+    out.change = std::move(*change);
     return out;
   }
 
@@ -69,20 +68,16 @@ class Scaling {
   [[nodiscard]] bool at_bound(double share) const {
     return scaled(start_, share).values == scaled(start_, share * 1.01).values;
   }
-  [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
 
  private:
   void refit(Tried& tried, const Eigen::VectorXd& change) {
-    const auto left = records_.length_after_refit(change);
-    simulated_runs_ += left.simulated_runs;
-    tried.over_limit = std::min(tried.over_limit, left.value / limit_);
+    tried.over_limit = std::min(tried.over_limit, records_.length_after_refit(change) / limit_);
   }
 
   const LinearisedRecords& records_;
   Effect start_;
   double limit_;
   bool refits_ = false;
-  long simulated_runs_ = 0;
 };
 
 // Between a strength that is not found and one that is (or that cannot be simulated): where the length, a power of the
@@ -96,13 +91,12 @@ double between(const Tried& below, const Tried& above) {
   return below.share * std::pow(above.share / below.share, place);
 }
 
-SmallestStrength result_of(Tried tried, bool visible, std::string remark, long simulated_runs) {
+SmallestStrength result_of(Tried tried, bool visible, std::string remark) {
   return {.effect = std::move(tried.effect),
           .change = std::move(tried.change),
           .over_limit = tried.simulated() ? tried.over_limit : 0.0,
           .visible = visible,
-          .remark = std::move(remark),
-          .simulated_runs = simulated_runs};
+          .remark = std::move(remark)};
 }
 
 // From `now` on, whose strength is that of a start.
@@ -116,7 +110,7 @@ SmallestStrength scale_to_limit(Scaling& scaling, Tried now) {
       now = scaling.judged_by_refits(std::move(now));
       if (above && above->simulated()) above.reset();  // judged along tangents
     }
-    if (is_at_limit()) return result_of(std::move(now), true, "", scaling.simulated_runs());
+    if (is_at_limit()) return result_of(std::move(now), true, "");
     const bool is_below = now.simulated() && now.over_limit < 1.0;
     (is_below ? below : above) = now;
     double next = 0.0;
@@ -135,10 +129,10 @@ SmallestStrength scale_to_limit(Scaling& scaling, Tried now) {
     }
     now = scaling.at(next);
   }
-  if (above && above->simulated()) return result_of(std::move(*above), true, "", scaling.simulated_runs());
+  if (above && above->simulated()) return result_of(std::move(*above), true, "");
   if (below && above) remark = "the motion leaves the model before it would be found";
-  if (!below) return result_of(std::move(*above), false, "the motion leaves the model", scaling.simulated_runs());
-  return result_of(std::move(*below), false, std::move(remark), scaling.simulated_runs());
+  if (!below) return result_of(std::move(*above), false, "the motion leaves the model");
+  return result_of(std::move(*below), false, std::move(remark));
 }
 
 // The start whose smallest strength is likely to be the smallest.
@@ -171,23 +165,19 @@ SmallestStrength smallest_strength(const LinearisedRecords& records, const Effec
   const auto main = main_number(kind);
   std::optional<Scaling> best_scaling;
   std::optional<Tried> best;
-  long simulated_runs = 0;
   for (std::vector<double>& values : kind.starts(scale)) {
     Effect start{.kind = &kind, .values = std::move(values)};
     Scaling scaling(records, start, limit.length(records.numbers_of(start)));
     Tried tried = scaling.at(1.0);
-    simulated_runs += scaling.simulated_runs();
     if (best && !(predicted(tried, main) < predicted(*best, main))) continue;
     best = std::move(tried);
     best_scaling.emplace(records, std::move(start), limit.length(records.numbers_of(best->effect)));
   }
   if (!main) {
     const bool visible = best->simulated() && best->over_limit >= 1.0;
-    return result_of(std::move(*best), visible, visible ? "" : "changes too little", simulated_runs);
+    return result_of(std::move(*best), visible, visible ? "" : "changes too little");
   }
-  SmallestStrength out = scale_to_limit(*best_scaling, std::move(*best));
-  out.simulated_runs += simulated_runs;
-  return out;
+  return scale_to_limit(*best_scaling, std::move(*best));
 }
 
 }  // namespace coilwright::measurement::experiment

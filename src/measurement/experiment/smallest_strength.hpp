@@ -25,7 +25,6 @@ struct SmallestStrength {
   double over_limit{};       ///< length of the change beyond the declared numbers, over the limit
   bool visible{};
   std::string remark{};  ///< why it is not visible
-  long simulated_runs{};
 };
 
 /// The number of an effect that is its strength: the first whose value says whether it is there. Nothing if none does.

@@ -34,7 +34,7 @@ double robust_cost(const Eigen::VectorXd& residuals, double deviations) {
 
 }  // namespace
 
-long ResidualBlocks::start_clock_rates(const Eigen::VectorXd& parameters) {
+void ResidualBlocks::start_clock_rates(const Eigen::VectorXd& parameters) {
   std::vector<std::size_t> far;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const replay::PreparedRun& prepared = request_.runs[blocks_[b].run];
@@ -42,9 +42,9 @@ long ResidualBlocks::start_clock_rates(const Eigen::VectorXd& parameters) {
     if (prepared.run->clock.rate_sigma * duration_of(prepared, prepared.windows[blocks_[b].window]) > near)
       far.push_back(b);
   }
-  if (far.empty()) return 0;
-  const long simulated_runs = is_here(parameters) ? 0 : move_to(parameters);
-  if (!here_) return simulated_runs;
+  if (far.empty()) return;
+  if (!is_here(parameters)) move_to(parameters);
+  if (!here_) return;
   tbb::parallel_for(std::size_t{0}, far.size(), [&](std::size_t k) {
     const ResidualBlock& block = blocks_[far[k]];
     const replay::PreparedRun& prepared = request_.runs[block.run];
@@ -73,7 +73,6 @@ long ResidualBlocks::start_clock_rates(const Eigen::VectorXd& parameters) {
     }
     block.local[number] = best;
   });
-  return simulated_runs;
 }
 
 }  // namespace coilwright::measurement::fit

@@ -71,26 +71,25 @@ Fit fit_at(const FitRequest& request, std::span<const ResidualBlock> blocks, con
   return out;
 }
 
-Counted<std::optional<Fit>> solve(const FitRequest& request, Unknowns unknowns) {
+std::optional<Fit> solve(const FitRequest& request, Unknowns unknowns) {
   ResidualBlocks blocks(request);
-  const long to_start = request.local_numbers_from == nullptr ? blocks.start_clock_rates(request.start) : 0;
+  if (request.local_numbers_from == nullptr) blocks.start_clock_rates(request.start);
   const auto optimum = least_squares(request, blocks, unknowns);
-  const long simulated_runs = to_start + optimum.simulated_runs;
-  if (!optimum.value) return {.value = std::nullopt, .simulated_runs = simulated_runs};
-  return {.value = fit_at(request, blocks.blocks(), *optimum.value), .simulated_runs = simulated_runs};
+  if (!optimum) return std::nullopt;
+  return fit_at(request, blocks.blocks(), *optimum);
 }
 
 }  // namespace
 
-Counted<std::optional<Fit>> fit(const FitRequest& request) {
+std::optional<Fit> fit(const FitRequest& request) {
   return solve(request, Unknowns::all);
 }
 
-Counted<std::optional<Fit>> evaluate_at(const FitRequest& request) {
+std::optional<Fit> evaluate_at(const FitRequest& request) {
   return solve(request, Unknowns::local_numbers);
 }
 
-Counted<std::optional<Fit>> evaluate_with_jacobian(const FitRequest& request) {
+std::optional<Fit> evaluate_with_jacobian(const FitRequest& request) {
   return solve(request, Unknowns::local_numbers_with_jacobian);
 }
 

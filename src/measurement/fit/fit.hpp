@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coilwright/measurement/whiteness/scaled_residual.hpp"
-#include "measurement/fit/counted.hpp"
 #include "measurement/fit/fit_request.hpp"
 #include "measurement/fit/hypothesis.hpp"
 #include "measurement/replay/prepared_run.hpp"
@@ -55,14 +54,14 @@ struct Fit {
 /// Bounded least squares of a hypothesis over all runs by Ceres; local numbers of windows are fitted along.
 /// Derivatives by forward differences, in parallel; the result does not depend on the number of threads. Nothing if the
 /// model at the start cannot be simulated.
-[[nodiscard]] Counted<std::optional<Fit>> fit(const FitRequest& request);
+[[nodiscard]] std::optional<Fit> fit(const FitRequest& request);
 
 /// Residuals at the given parameters, only the local numbers being fitted; derivatives with respect to the parameters
 /// are zero. Nothing if the model cannot be simulated.
-[[nodiscard]] Counted<std::optional<Fit>> evaluate_at(const FitRequest& request);
+[[nodiscard]] std::optional<Fit> evaluate_at(const FitRequest& request);
 
 /// As evaluate_at(), with the derivatives with respect to the parameters.
-[[nodiscard]] Counted<std::optional<Fit>> evaluate_with_jacobian(const FitRequest& request);
+[[nodiscard]] std::optional<Fit> evaluate_with_jacobian(const FitRequest& request);
 
 /// The residuals of a fit as whiteness tests take them: one series per channel of each run.
 [[nodiscard]] std::vector<whiteness::ScaledResidual> scaled_residuals(std::span<const replay::PreparedRun> runs,

@@ -30,7 +30,6 @@ class Coordinator : public ceres::EvaluationCallback {
   }
   // What the cost functions copy.
   [[nodiscard]] const ResidualValues* values() const { return current_->values ? &*current_->values : nullptr; }
-  [[nodiscard]] long simulated_runs() const { return simulated_runs_; }
 
  private:
   [[nodiscard]] bool is_here(const ResidualPoint& point) const {
@@ -46,10 +45,9 @@ class Coordinator : public ceres::EvaluationCallback {
     const bool carries = derivatives && updates_ && with_derivatives_.values;
     const std::span<const double> local_numbers = blocks_.local_numbers();
     auto found = blocks_.evaluate(parameters_, derivatives && !carries ? derivatives_ : Derivatives::none);
-    simulated_runs_ += found.simulated_runs;
     ResidualPoint here{.parameters = parameters_,
                        .local_numbers = {local_numbers.begin(), local_numbers.end()},
-                       .values = std::move(found.value)};
+                       .values = std::move(found)};
     if (carries && here.values) blocks_.carry_derivatives(with_derivatives_, here);
     current_ = derivatives ? &with_derivatives_ : &without_derivatives_;
     *current_ = std::move(here);
@@ -61,7 +59,6 @@ class Coordinator : public ceres::EvaluationCallback {
   bool updates_;
   ResidualPoint with_derivatives_, without_derivatives_;
   ResidualPoint* current_ = &without_derivatives_;
-  long simulated_runs_ = 0;
 };
 
 class BlockCost : public ceres::CostFunction {
@@ -179,8 +176,8 @@ bool minimise(const FitRequest& request, const ResidualBlocks& blocks, bool para
 // Numbers that change no residual where the values are, and that their priors pull elsewhere: the closing angle of
 // faces that do not touch. Nothing tells a solver that a wall lies on their way; each of its steps would run into the
 // wall and be refused, and the steps of all numbers would become as short as this one's.
-std::vector<int> idle_numbers(const FitRequest& request, const ResidualValues& here,
-                              const Eigen::VectorXd& parameters) {
+std::vector<int> insensitive_to_residuals(const FitRequest& request, const ResidualValues& here,
+                                          const Eigen::VectorXd& parameters) {
   constexpr double least_way = 0.1;  // tolerances: a nearer prior hardly pulls
   std::vector<int> out;
   for (Eigen::Index i = 0; i < parameters.size(); ++i) {
@@ -194,8 +191,7 @@ std::vector<int> idle_numbers(const FitRequest& request, const ResidualValues& h
 }
 
 // Moves an idle number towards its declared value as far as the sum of squares falls. True if it moved notably.
-bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen::VectorXd& parameters,
-           long& simulated_runs) {
+bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen::VectorXd& parameters) {
   constexpr double notable = 0.1;  // of chi-square
   constexpr int bits = 10;         // of the way
   const FitParameter& parameter = request.hypothesis->parameters()[static_cast<std::size_t>(number)];
@@ -203,10 +199,9 @@ bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen:
   const auto squares = [&](double share) {
     parameters[number] = from + share * (parameter.declared - from);
     const auto there = blocks.evaluate(parameters, Derivatives::none);
-    simulated_runs += there.simulated_runs;
-    if (!there.value) return std::numeric_limits<double>::max();
+    if (!there) return std::numeric_limits<double>::max();
     double sum = request.hypothesis->prior_residuals(parameters, replay::model_error_of(request.runs)).squaredNorm();
-    for (const ResidualValues::Block& block : there.value->blocks) sum += block.residuals.squaredNorm();
+    for (const ResidualValues::Block& block : there->blocks) sum += block.residuals.squaredNorm();
     return sum;
   };
   const double here = squares(0.0);
@@ -223,35 +218,29 @@ bool slide(const FitRequest& request, ResidualBlocks& blocks, int number, Eigen:
 
 }  // namespace
 
-Counted<std::optional<Optimum>> least_squares(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns) {
+std::optional<Optimum> least_squares(const FitRequest& request, ResidualBlocks& blocks, Unknowns unknowns) {
   Eigen::VectorXd parameters = request.hypothesis->clamped(request.start);
   const Derivatives derivatives =
       unknowns == Unknowns::local_numbers ? Derivatives::by_local_numbers : Derivatives::all;
   Coordinator coordinator(blocks, parameters, derivatives, request.updates_derivatives);
-  long simulated_runs = 0;
-  const auto none = [&] {
-    return Counted<std::optional<Optimum>>{.value = std::nullopt,
-                                           .simulated_runs = simulated_runs + coordinator.simulated_runs()};
-  };
   const int most_rounds = request.effort.iterations > 0 ? 3 : 0;
   for (int round = 0; round < most_rounds; ++round) {
     // A solver cannot start where there is no model.
     const ResidualValues* here = coordinator.here();
-    if (here == nullptr) return none();
+    if (here == nullptr) return std::nullopt;
     std::vector<int> held;
-    if (unknowns == Unknowns::all) held = idle_numbers(request, *here, parameters);
+    if (unknowns == Unknowns::all) held = insensitive_to_residuals(request, *here, parameters);
     bool moved = round == 0;
-    for (const int number : held) moved = slide(request, blocks, number, parameters, simulated_runs) || moved;
+    for (const int number : held) moved = slide(request, blocks, number, parameters) || moved;
     if (!moved) break;
     const bool any_idle = !held.empty();
     if (request.held_parameter) held.push_back(static_cast<int>(*request.held_parameter));
-    if (!minimise(request, blocks, unknowns == Unknowns::all, held, coordinator, parameters)) return none();
+    if (!minimise(request, blocks, unknowns == Unknowns::all, held, coordinator, parameters)) return std::nullopt;
     if (!any_idle) break;
   }
   ResidualValues* found = coordinator.here();
-  if (found == nullptr) return none();
-  return {.value = Optimum{.parameters = parameters, .values = std::move(*found)},
-          .simulated_runs = simulated_runs + coordinator.simulated_runs()};
+  if (found == nullptr) return std::nullopt;
+  return Optimum{.parameters = parameters, .values = std::move(*found)};
 }
 
 }  // namespace coilwright::measurement::fit

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "measurement/fit/counted.hpp"
 #include "measurement/fit/residual_blocks.hpp"
 
 namespace coilwright::measurement::fit {
@@ -24,7 +23,7 @@ struct Optimum {
 /// Minimises the sum of squared residuals of `blocks`, which were built for `request`, and of the prior of the
 /// hypothesis, by Ceres. Nothing if the model
 /// at the start cannot be simulated or the solver finds no step.
-[[nodiscard]] Counted<std::optional<Optimum>> least_squares(const FitRequest& request, ResidualBlocks& blocks,
-                                                            Unknowns unknowns);
+[[nodiscard]] std::optional<Optimum> least_squares(const FitRequest& request, ResidualBlocks& blocks,
+                                                   Unknowns unknowns);
 
 }  // namespace coilwright::measurement::fit

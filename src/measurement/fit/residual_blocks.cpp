@@ -76,11 +76,11 @@ bool ResidualBlocks::is_here(const Eigen::VectorXd& parameters) const {
   return here_ && here_->parameters == parameters && here_->local_numbers == local_numbers_;
 }
 
-// Simulates all runs; returns their number. here_ is null if one of them cannot be.
-long ResidualBlocks::move_to(const Eigen::VectorXd& parameters) {
+// Simulates all runs. here_ is null if one of them cannot be.
+void ResidualBlocks::move_to(const Eigen::VectorXd& parameters) {
   here_ = nullptr;
   std::optional<Models> models = models_at(parameters);
-  if (!models) return 0;
+  if (!models) return;
   const std::size_t runs = request_.runs.size();
   std::vector<std::optional<RunValues>> evaluated(runs);
   tbb::parallel_for(std::size_t{0}, runs, [&](std::size_t r) { evaluated[r] = evaluate_run(*models, r); });
@@ -89,32 +89,28 @@ long ResidualBlocks::move_to(const Eigen::VectorXd& parameters) {
         Place{.parameters = parameters, .local_numbers = local_numbers_, .models = std::move(*models)});
     for (std::optional<RunValues>& run : evaluated) here_->runs.push_back(std::move(*run));
   }
-  return static_cast<long>(runs);
+  for (const replay::PreparedRun& prepared : request_.runs) prepared.count_simulations(1);
 }
 
-Counted<std::optional<ResidualValues>> ResidualBlocks::evaluate(const Eigen::VectorXd& parameters,
-                                                                Derivatives derivatives) {
-  long simulated_runs = is_here(parameters) ? 0 : move_to(parameters);
-  const auto no_model = [&] {
-    return Counted<std::optional<ResidualValues>>{.value = std::nullopt, .simulated_runs = simulated_runs};
-  };
-  if (!here_) return no_model();
+std::optional<ResidualValues> ResidualBlocks::evaluate(const Eigen::VectorXd& parameters, Derivatives derivatives) {
+  if (!is_here(parameters)) move_to(parameters);
+  if (!here_) return std::nullopt;
   ResidualValues out;
   for (const RunValues& run : here_->runs) {
     for (const Eigen::VectorXd& residuals : run.residuals) out.blocks.push_back({.residuals = residuals});
     out.predictions.push_back(run.predictions);
   }
-  if (derivatives == Derivatives::none) return {.value = std::move(out), .simulated_runs = simulated_runs};
+  if (derivatives == Derivatives::none) return out;
   for (std::size_t b = 0; b < blocks_.size(); ++b) out.blocks[b].jacobian.setZero(blocks_[b].rows, parameters.size());
   if (derivatives == Derivatives::all) {
     const auto displaced = displaced_models(parameters);
-    if (!displaced) return no_model();
-    simulated_runs += static_cast<long>(displaced->size() * request_.runs.size());
+    if (!displaced) return std::nullopt;
+    for (const replay::PreparedRun& prepared : request_.runs) prepared.count_simulations(displaced->size());
     add_jacobian(parameters, *displaced, out);
     add_known_columns(out);
   }
-  if (!add_local_jacobian(here_->models, here_->runs, out)) return no_model();
-  return {.value = std::move(out), .simulated_runs = simulated_runs};
+  if (!add_local_jacobian(here_->models, here_->runs, out)) return std::nullopt;
+  return out;
 }
 
 std::optional<ResidualBlocks::Models> ResidualBlocks::models_at(const Eigen::VectorXd& parameters) const {

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "measurement/fit/counted.hpp"
 #include "measurement/fit/fit_request.hpp"
 #include "measurement/replay/local_numbers.hpp"
 #include "measurement/replay/prediction.hpp"
@@ -61,12 +60,11 @@ class ResidualBlocks {
   /// The local numbers of all blocks, one after the other; `evaluate` uses the values that are written here.
   [[nodiscard]] std::span<double> local_numbers() noexcept { return local_numbers_; }
   /// Writes rates of clocks with which the motions of `parameters` lie nearest to the records, robustly, where clocks
-  /// may be so far apart at the end of a window that a fit could begin on another swing. Returns the simulated runs.
-  long start_clock_rates(const Eigen::VectorXd& parameters);
+  /// may be so far apart at the end of a window that a fit could begin on another swing.
+  void start_clock_rates(const Eigen::VectorXd& parameters);
   /// Evaluates all blocks in parallel, with derivatives by forward differences. Nothing if a model cannot be simulated.
   /// Derivatives where the last call was take its motions over.
-  [[nodiscard]] Counted<std::optional<ResidualValues>> evaluate(const Eigen::VectorXd& parameters,
-                                                                Derivatives derivatives);
+  [[nodiscard]] std::optional<ResidualValues> evaluate(const Eigen::VectorXd& parameters, Derivatives derivatives);
   /// The derivatives at `to` from those at `from`, without a simulated run: see update_derivatives().
   void carry_derivatives(const ResidualPoint& from, ResidualPoint& to) const;
 
@@ -77,7 +75,7 @@ class ResidualBlocks {
   class Models;
   void add_blocks(std::size_t run);
   [[nodiscard]] bool is_here(const Eigen::VectorXd& parameters) const;
-  long move_to(const Eigen::VectorXd& parameters);
+  void move_to(const Eigen::VectorXd& parameters);
   [[nodiscard]] std::optional<RunValues> evaluate_run(const Models& models, std::size_t run) const;
   [[nodiscard]] std::optional<RunValues> evaluate_bench(const actuator::Model& model, std::size_t run) const;
   [[nodiscard]] std::optional<RunValues> evaluate_windows(const actuator::Model& model, std::size_t run) const;

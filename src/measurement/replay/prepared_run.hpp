@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -54,6 +55,10 @@ struct InputRowErrors {
   std::vector<mechanics::JointVector> joint_torques{};  ///< N m, likewise; empty where the input has none
 };
 
+/// How many runs were simulated: one run of a set, with all its windows, at one set of parameters. Simulations for the
+/// derivatives with respect to the initial states of windows are not counted.
+using SimulationCount = std::shared_ptr<std::atomic<long>>;
+
 class InputWhitener;
 
 /// A part of a motion that is simulated from one initial state.
@@ -87,7 +92,11 @@ struct PreparedRun {
   /// this run tells, hold so much more than against noise alone. The same in all runs of a fit.
   double model_error = 1.0;
   std::vector<Window> windows{};  ///< of a transient; empty on a bench
+  SimulationCount simulations{};  ///< counts those of all copies; null: nobody asks
 
+  void count_simulations(std::size_t more) const {
+    if (simulations) *simulations += static_cast<long>(more);
+  }
   /// The ranges of its predictions and residuals: its windows, or all samples of a bench. Predictions are ordered range
   /// after range, and channel after channel within a range.
   [[nodiscard]] std::vector<SampleRange> sample_ranges() const;

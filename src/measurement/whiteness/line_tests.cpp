@@ -8,8 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "measurement/whiteness/energy_limits.hpp"
-#include "measurement/whiteness/false_alarms.hpp"
+#include "measurement/whiteness/test_limits.hpp"
 
 namespace coilwright::measurement::whiteness {
 namespace {

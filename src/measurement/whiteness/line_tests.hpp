@@ -6,7 +6,7 @@
 
 #include "measurement/noise/spectrum.hpp"
 #include "measurement/whiteness/normalised_run.hpp"
-#include "measurement/whiteness/worst_test.hpp"
+#include "measurement/whiteness/test_limits.hpp"
 
 namespace coilwright::measurement::whiteness {
 

@@ -35,8 +35,8 @@ struct Slides {
   }
   [[nodiscard]] FittedHypothesis fitted(const fit::Hypothesis& hypothesis) const {
     auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-    EXPECT_TRUE(found.value.has_value());
-    return score(runs, hypothesis, std::move(*found.value));
+    EXPECT_TRUE(found.has_value());
+    return score(runs, hypothesis, std::move(*found));
   }
   // Chi-square of both runs, each at the fit of the other one alone.
   [[nodiscard]] double each_by_the_other(const fit::Hypothesis& hypothesis) const {
@@ -45,11 +45,11 @@ struct Slides {
       const std::span<const replay::PreparedRun> all(runs);
       const auto other =
           fit::fit({.hypothesis = &hypothesis, .runs = all.subspan(1 - r, 1), .start = hypothesis.start()});
-      EXPECT_TRUE(other.value.has_value());
+      EXPECT_TRUE(other.has_value());
       const auto here =
-          fit::evaluate_at({.hypothesis = &hypothesis, .runs = all.subspan(r, 1), .start = other.value->values});
-      EXPECT_TRUE(here.value.has_value());
-      sum += here.value->chi_square;
+          fit::evaluate_at({.hypothesis = &hypothesis, .runs = all.subspan(r, 1), .start = other->values});
+      EXPECT_TRUE(here.has_value());
+      sum += here->chi_square;
     }
     return sum;
   }
@@ -67,7 +67,7 @@ void expect_gain_of_whole_fits(double factor) {
   const fit::Hypothesis with(slides.declared, {friction});
   const double left_without = slides.each_by_the_other(without);
   const double gain = (left_without - slides.each_by_the_other(with)) / (left_without - 600.0);
-  const double found = cross_validated(slides.runs, slides.fitted(without), slides.fitted(with), 1.0).value.gain;
+  const double found = cross_validated(slides.runs, slides.fitted(without), slides.fitted(with), 1.0).gain;
   EXPECT_NEAR(found, gain, 0.05) << "for slides whose masses differ by a factor of " << factor;
 }
 
@@ -109,8 +109,8 @@ TEST(CrossValidation, DoesNotCountARunThatTheOthersCannotPredict) {
   const fit::Hypothesis without(slides.declared, {});
   const actuator::Effect stop{.kind = actuator::standard_effects().find("end_stop"), .values = {wall, stiffness, 1.0}};
   const fit::Hypothesis with(slides.declared, {stop});
-  const CrossValidation found = cross_validated(slides.runs, slides.fitted(without), slides.fitted(with), 1.0).value;
-  EXPECT_EQ(found.untold_runs, std::vector<std::size_t>{1});
+  const CrossValidation found = cross_validated(slides.runs, slides.fitted(without), slides.fitted(with), 1.0);
+  EXPECT_EQ(found.unpredictable_runs, std::vector<std::size_t>{1});
   EXPECT_GT(found.gain, 0.0);
 }
 

@@ -58,8 +58,8 @@ struct Stopped {
                            .runs = runs,
                            .start = hypothesis.start(),
                            .effort = {.iterations = iterations, .tolerance = 1e-5}});
-    EXPECT_TRUE(found.value);
-    fitted = score(runs, std::move(hypothesis), std::move(*found.value));
+    EXPECT_TRUE(found);
+    fitted = score(runs, std::move(hypothesis), std::move(*found));
   }
   replay::DeclaredModel declared;
   data::Run run;
@@ -77,8 +77,8 @@ TEST(Intervals, AreThoseOfANumberThatIsDeclaredAsNextToNothing) {
     fit::Hypothesis hypothesis(declared, {});
     const std::vector runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
     auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-    ASSERT_TRUE(found.value);
-    const FittedHypothesis fitted = score(runs, std::move(hypothesis), std::move(*found.value));
+    ASSERT_TRUE(found);
+    const FittedHypothesis fitted = score(runs, std::move(hypothesis), std::move(*found));
     of_damping.push_back(estimated(runs, fitted, 1.0).estimates[1]);
   }
   EXPECT_TRUE(of_damping[0].determined);
@@ -113,9 +113,8 @@ TEST(Intervals, CoverTheTrueValuesAtTheirNominalRate) {
     const fit::Hypothesis plain(declared, {});
     const std::vector runs{replay::prepare_run(run, declared, plain.model_at(plain.start()))};
     auto found = fit::fit({.hypothesis = &plain, .runs = runs, .start = plain.start()});
-    ASSERT_TRUE(found.value);
-    const std::vector<Estimate> all =
-        estimated(runs, {.hypothesis = plain, .fit = std::move(*found.value)}, 1.0).estimates;
+    ASSERT_TRUE(found);
+    const std::vector<Estimate> all = estimated(runs, {.hypothesis = plain, .fit = std::move(*found)}, 1.0).estimates;
     ASSERT_EQ(all.size(), 2u);
     mass += all[0].lower <= true_mass && true_mass <= all[0].upper ? 1 : 0;
     damping += all[1].lower <= true_damping && true_damping <= all[1].upper ? 1 : 0;
@@ -130,10 +129,9 @@ TEST(Intervals, AreTakenAtABetterOptimumThatAProfileReaches) {
   const Stopped poor({0.7 * stop, 0.1 * stop_stiffness, 1.0}, 1);
   const Stopped good({stop, stop_stiffness, 1.0}, 25);
   ASSERT_GT(poor.fitted->fit.chi_square, good.fitted->fit.chi_square + 10.0);
-  const auto [moved, all, simulated_runs] = estimated(poor.runs, *poor.fitted, 1.0);
+  const auto [moved, all] = estimated(poor.runs, *poor.fitted, 1.0);
   EXPECT_NEAR(moved.fit.chi_square, good.fitted->fit.chi_square, 0.5);
   EXPECT_EQ(all[2].value, moved.fit.values[2]);
-  EXPECT_GT(simulated_runs, 0);
   EXPECT_LT(all[2].lower, stop);
   EXPECT_GT(all[2].upper, stop);
 }
@@ -160,8 +158,8 @@ TEST(Intervals, TakeTolerancesForTooSmallWhereANumberIsFarOff) {
     const fit::Hypothesis plain(declared, {});
     const std::vector runs{replay::prepare_run(run, declared, plain.model_at(plain.start()))};
     auto found = fit::fit({.hypothesis = &plain, .runs = runs, .start = plain.start()});
-    EXPECT_TRUE(found.value);
-    const FittedHypothesis fitted{.hypothesis = plain, .fit = std::move(*found.value)};
+    EXPECT_TRUE(found);
+    const FittedHypothesis fitted{.hypothesis = plain, .fit = std::move(*found)};
     return estimated(runs, fitted, 1.0).estimates[2];
   };
   const Estimate near = interval_of_the_unseen(true_mass + tolerance);
@@ -180,8 +178,8 @@ TEST(Intervals, ContainThoseOfRivals) {
     const auto run = slide_run(200, {}, [&] { return noise_sigma * normal(); });
     std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, plain.model_at(plain.start()))};
     auto found = fit::fit({.hypothesis = &plain, .runs = runs, .start = plain.start()});
-    EXPECT_TRUE(found.value);
-    FittedHypothesis out{.hypothesis = plain, .fit = std::move(*found.value)};
+    EXPECT_TRUE(found);
+    FittedHypothesis out{.hypothesis = plain, .fit = std::move(*found)};
     out.fit.values *= scale;
     return out;
   };

@@ -47,8 +47,8 @@ FittedHypothesis fitted(std::span<const replay::PreparedRun> runs, const replay:
   PlannedFit plan{.hypothesis = fit::Hypothesis(declared, {})};
   plan.start = plan.hypothesis.start();
   auto found = fit_exactly(runs, plan);
-  EXPECT_TRUE(found.value.has_value());
-  return std::move(*found.value);
+  EXPECT_TRUE(found.has_value());
+  return std::move(*found);
 }
 
 double tolerances_moved(const FittedHypothesis& found) {

@@ -24,13 +24,13 @@ struct Recorded {
     for (std::vector<double>& input : run.inputs) input[0] = -input[0];
     std::vector<replay::PreparedRun> plain{replay::prepare_run(run, truth, as_is.model_at(as_is.start()))};
     const auto motion = fit::evaluate_at({.hypothesis = &as_is, .runs = plain, .start = as_is.start()});
-    EXPECT_TRUE(motion.value.has_value());
+    EXPECT_TRUE(motion.has_value());
     Normal normal(23);
     for (std::size_t i = 0; i < run.samples(); ++i)
-      run.channels[0].values[i] =
-          motion.value->runs[0].predictions[static_cast<Eigen::Index>(i)] + noise_sigma * normal();
+      run.channels[0].values[i] = motion->runs[0].predictions[static_cast<Eigen::Index>(i)] + noise_sigma * normal();
     const fit::Hypothesis hypothesis(declared, {});
     runs.push_back(replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start())));
+    runs.back().simulations = std::make_shared<std::atomic<long>>();
   }
   // Fitted with the wall held there.
   [[nodiscard]] FittedHypothesis fitted_at(double wall) const {
@@ -38,8 +38,8 @@ struct Recorded {
     Eigen::VectorXd start = hypothesis.start();
     start[2] = wall;
     auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = start, .held_parameter = 2});
-    EXPECT_TRUE(found.value.has_value());
-    return score(runs, hypothesis, std::move(*found.value));
+    EXPECT_TRUE(found.has_value());
+    return score(runs, hypothesis, std::move(*found));
   }
 
   replay::DeclaredModel truth;
@@ -53,35 +53,38 @@ TEST(ReachedLimits, LeadBackFromAWallThatIsNowhere) {
   const FittedHypothesis nowhere = recorded.fitted_at(-1.0);
   EXPECT_EQ(nowhere.fit.values[2], -1.0);
   EXPECT_GT(nowhere.whiteness.level, 3.0);
+  recorded.runs.front().simulations->store(0);
   const auto plans = from_reached_limits(recorded.runs, nowhere);
-  ASSERT_FALSE(plans.value.empty());
-  ASSERT_LE(plans.value.size(), 3u);
-  EXPECT_GT(plans.simulated_runs, 20);
-  const PlannedFit& lowest = plans.value.front();
+  ASSERT_FALSE(plans.empty());
+  ASSERT_LE(plans.size(), 3u);
+  EXPECT_GT(recorded.runs.front().simulations->load(), 20);
+  const PlannedFit& lowest = plans.front();
   EXPECT_NE(lowest.start[2], -1.0);
   EXPECT_EQ(lowest.start.head(2), nowhere.fit.values.head(2));
   // Wherever that is, with the other numbers bent by the wall that is missing: it is found from there.
   const auto again = fit_exactly(recorded.runs, lowest);
-  ASSERT_TRUE(again.value.has_value());
-  EXPECT_NEAR(again.value->fit.values[2], -0.05, 0.002);
-  EXPECT_NEAR(again.value->whiteness.level, 1.0, 0.15);
-  EXPECT_TRUE(from_reached_limits(recorded.runs, *again.value).value.empty());
+  ASSERT_TRUE(again.has_value());
+  EXPECT_NEAR(again->fit.values[2], -0.05, 0.002);
+  EXPECT_NEAR(again->whiteness.level, 1.0, 0.15);
+  EXPECT_TRUE(from_reached_limits(recorded.runs, *again).empty());
 }
 
 TEST(ReachedLimits, AreThoseOfNumbersWithAnotherStartOnly) {
   Recorded recorded(-0.05, -0.2);
   recorded.declared.calibration.back().other_start.reset();
-  const auto plans = from_reached_limits(recorded.runs, recorded.fitted_at(-0.3));
-  EXPECT_TRUE(plans.value.empty());
-  EXPECT_EQ(plans.simulated_runs, 0);
+  const FittedHypothesis fitted = recorded.fitted_at(-0.3);
+  recorded.runs.front().simulations->store(0);
+  const auto plans = from_reached_limits(recorded.runs, fitted);
+  EXPECT_TRUE(plans.empty());
+  EXPECT_EQ(recorded.runs.front().simulations->load(), 0);
 }
 
 TEST(Recalibration, FindsAWallThatIsFarFromWhereItIsDeclared) {
   for (const double declared_wall : {-0.3, 0.1}) {
     const Recorded recorded(-0.05, declared_wall);
     const auto found = recalibrated(recorded.runs, recorded.declared);
-    EXPECT_NEAR(found.value.fit.values[2], -0.05, 0.002) << declared_wall;
-    EXPECT_NEAR(found.value.whiteness.level, 1.0, 0.15) << declared_wall;
+    EXPECT_NEAR(found.fit.values[2], -0.05, 0.002) << declared_wall;
+    EXPECT_NEAR(found.whiteness.level, 1.0, 0.15) << declared_wall;
   }
 }
 

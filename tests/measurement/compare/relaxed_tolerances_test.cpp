@@ -48,7 +48,7 @@ struct Compared {
     return fitted_to(runs, under, std::move(effects));
   }
   [[nodiscard]] double gain() const { return quasi_bic(without, 1.0) - quasi_bic(with, 1.0); }
-  [[nodiscard]] GainOverFreeNumber over_free() const { return gain_over_a_free_number(runs, without, with, 1.0).value; }
+  [[nodiscard]] GainOverFreeNumber over_free() const { return gain_over_a_free_number(runs, without, with, 1.0); }
   [[nodiscard]] double gain_over_free() const { return over_free().gain; }
 
   data::Run run;
@@ -104,7 +104,7 @@ TEST(FreeNumber, DoesNotExplainAnEffectThatIsThere) {
 // Free, the mass is what nobody has weighed would be; its gain is that over the model that holds it, less one number.
 TEST(NumbersOff, HaveTheOneOfWhichSomebodyWasTooSure) {
   const Compared compared(sharp_run(0.0), weighed_slide(true_mass + 0.05, 2e-4));
-  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
+  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0);
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off.front().name, "mass");
   const FittedHypothesis free = compared.fitted(slide(true_mass, true_damping), {});
@@ -119,7 +119,7 @@ TEST(NumbersOff, HaveNoValueWhereTheyAreAFunction) {
   replay::DeclaredModel declared = weighed_slide(true_mass + 0.05, 2e-4);
   declared.calibration.front().function = "path";
   const Compared compared(sharp_run(0.0), declared);
-  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
+  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0);
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off.front().name, "path");
   EXPECT_FALSE(off.front().estimate.has_value());
@@ -132,7 +132,7 @@ TEST(NumbersOff, HaveNoneThatExplainsDecisivelyLess) {
   damping.declared = 1.5 * true_damping;
   hold(damping, 0.05 * true_damping);
   const Compared compared(sharp_run(0.0), declared);
-  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0).value;
+  const auto off = numbers_that_may_be_off(compared.runs, compared.without, 1.0);
   ASSERT_EQ(off.size(), 1u);
   EXPECT_EQ(off.front().name, "damping");
   EXPECT_NEAR(off.front().estimate.value().value, true_damping, 0.02 * true_damping);
@@ -143,7 +143,7 @@ TEST(NumbersOff, AreNoneThatChanceMayHaveMovedSoFar) {
   const auto any = [](double tolerances) {
     constexpr double tolerance = 5e-3;
     const Compared compared(sharp_run(0.0), weighed_slide(true_mass + tolerances * tolerance, tolerance));
-    return !numbers_that_may_be_off(compared.runs, compared.without, 1.0).value.empty();
+    return !numbers_that_may_be_off(compared.runs, compared.without, 1.0).empty();
   };
   EXPECT_FALSE(any(0.5));
   EXPECT_FALSE(any(2.5));

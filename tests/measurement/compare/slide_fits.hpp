@@ -23,8 +23,8 @@ inline FittedHypothesis fitted_to(std::span<const replay::PreparedRun> runs, con
   PlannedFit plan{.hypothesis = fit::Hypothesis(declared, std::move(effects))};
   plan.start = plan.hypothesis.start();
   auto found = fit_exactly(runs, plan);
-  EXPECT_TRUE(found.value.has_value());
-  return std::move(*found.value);
+  EXPECT_TRUE(found.has_value());
+  return std::move(*found);
 }
 
 }  // namespace coilwright::measurement::compare

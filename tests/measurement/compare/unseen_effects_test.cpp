@@ -78,13 +78,12 @@ TEST(UnseenEffects, WidenAnIntervalToThatOfTheModelsWithAndWithoutThem) {
     EXPECT_EQ(estimates[index].value, narrow[index].value);
     widest = std::max(widest, expected);
   }
-  ASSERT_EQ(hints.value.size(), 1u);
-  EXPECT_EQ(hints.value.front().kind, &slid.drag_kind);
-  EXPECT_EQ(hints.value.front().number, "damping");
-  EXPECT_NEAR(hints.value.front().gain, gain, 0.5);
-  EXPECT_NEAR(hints.value.front().wider, widest, first_order * widest);
-  EXPECT_GT(hints.value.front().wider, 1.5);
-  EXPECT_GT(hints.simulated_runs, 0);
+  ASSERT_EQ(hints.size(), 1u);
+  EXPECT_EQ(hints.front().kind, &slid.drag_kind);
+  EXPECT_EQ(hints.front().number, "damping");
+  EXPECT_NEAR(hints.front().gain, gain, 0.5);
+  EXPECT_NEAR(hints.front().wider, widest, first_order * widest);
+  EXPECT_GT(hints.front().wider, 1.5);
 }
 
 // With and without a drag that most records hint at and few decide: the interval of the damping holds the truth.
@@ -108,7 +107,7 @@ TEST(UnseenEffects, ChangeNothingWhereNoneIsHintedAt) {
   const Slid slid(0.0, 5);
   std::vector<Estimate> estimates = slid.estimates();
   const std::vector<Estimate> narrow = estimates;
-  EXPECT_TRUE(widen_by_unseen_effects(estimates, slid.runs, slid.found, 1.0).value.empty());
+  EXPECT_TRUE(widen_by_unseen_effects(estimates, slid.runs, slid.found, 1.0).empty());
   for (std::size_t i = 0; i < narrow.size(); ++i) {
     EXPECT_EQ(estimates[i].lower, narrow[i].lower);
     EXPECT_EQ(estimates[i].upper, narrow[i].upper);

@@ -51,8 +51,8 @@ TEST(LinearisedRecords, TakeResidualsOverTheNoiseThatTheyEndWith) {
   // So that what is absent changes nothing.
   const actuator::EffectKind* kind = actuator::standard_effects().find("measurement_delay");
   const auto nothing = records.change_by({.kind = kind, .values = {0.0}});
-  ASSERT_TRUE(nothing.value);
-  EXPECT_LT(nothing.value->norm(), 1e-3);
+  ASSERT_TRUE(nothing);
+  EXPECT_LT(nothing->norm(), 1e-3);
 }
 
 // Two steps that ring for long: a heavier tip rings more slowly, and so do declared numbers that are off.
@@ -77,9 +77,9 @@ TEST(LinearisedRecords, FitDeclaredNumbersToAChangeAsAFitOfItsRecordsDoes) {
   const std::vector<actuator::Effect> effects{{.kind = kind, .values = {3e-3}}};
   const LinearisedRecords records(ringing(), finger().model, 1);
   const auto change = records.change_by(effects.front());
-  ASSERT_TRUE(change.value);
-  const double along_tangents = records.beyond_declared(*change.value).norm();
-  const double refitted = records.length_after_refit(*change.value).value;
+  ASSERT_TRUE(change);
+  const double along_tangents = records.beyond_declared(*change).norm();
+  const double refitted = records.length_after_refit(*change);
   EXPECT_LT(refitted, 0.8 * along_tangents);
 
   // Ceres, with derivatives of its own at each step, on records with the effect.
@@ -93,10 +93,10 @@ TEST(LinearisedRecords, FitDeclaredNumbersToAChangeAsAFitOfItsRecordsDoes) {
   }
   const auto fitted = fit::fit({.hypothesis = &declared, .runs = runs, .start = declared.start()});
   const auto truth = fit::evaluate_at({.hypothesis = &true_one, .runs = runs, .start = true_one.start()});
-  ASSERT_TRUE(fitted.value && truth.value);
+  ASSERT_TRUE(fitted && truth);
   // What the fit leaves more than the truth does: the square of the length, but for the noise along it and what the
   // declared numbers take from the noise.
-  const double square = fitted.value->objective() - truth.value->objective();
+  const double square = fitted->objective() - truth->objective();
   EXPECT_NEAR(square, refitted * refitted, 4.0 * refitted + 20.0);
   EXPECT_GT(along_tangents * along_tangents - square, 4.0 * along_tangents);
 }

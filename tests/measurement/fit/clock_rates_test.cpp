@@ -67,10 +67,10 @@ TEST(ClockRates, AreFoundOnTheRightSwing) {
     const std::vector<replay::PreparedRun> runs{
         replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
     const auto found = fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-    ASSERT_TRUE(found.value.has_value());
-    EXPECT_NEAR(found.value->runs.front().local_numbers.front().back(), rate, 1e-4) << rate;
-    EXPECT_NEAR(found.value->values[0] / stiffness, 1.0, 0.01) << rate;
-    EXPECT_NEAR(found.value->values[1] / damping, 1.0, 0.1) << rate;
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(found->runs.front().local_numbers.front().back(), rate, 1e-4) << rate;
+    EXPECT_NEAR(found->values[0] / stiffness, 1.0, 0.01) << rate;
+    EXPECT_NEAR(found->values[1] / damping, 1.0, 0.1) << rate;
   }
 }
 

@@ -39,8 +39,8 @@ TEST(OutliersOfARoundedRecord, AreNoStepsToTheNextValue) {
   const Hypothesis hypothesis(declared, {});
   std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
   const auto there = evaluate_at({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-  ASSERT_TRUE(there.value.has_value());
-  EXPECT_TRUE(set_outliers_aside(runs, *there.value));
+  ASSERT_TRUE(there.has_value());
+  EXPECT_TRUE(set_outliers_aside(runs, *there));
   for (std::size_t i = 0; i < run.times.size(); ++i)
     EXPECT_EQ(runs.front().is_set_aside(0, i), i == misread) << i << ": " << run.channels.front().values[i];
 }
@@ -52,10 +52,10 @@ TEST(OutliersOfARoundedRecord, LeaveNoLessNoiseThanRoundingMakes) {
   std::vector<replay::PreparedRun> runs{replay::prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
   // Predictions that move smoothly between the counts: what they leave has no counts any more.
   auto there = evaluate_at({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-  ASSERT_TRUE(there.value.has_value());
-  Eigen::VectorXd& predictions = there.value->runs.front().predictions;
+  ASSERT_TRUE(there.has_value());
+  Eigen::VectorXd& predictions = there->runs.front().predictions;
   for (Eigen::Index i = 0; i < predictions.size(); ++i) predictions[i] = 1e-6 * std::sin(0.01 * static_cast<double>(i));
-  (void)set_outliers_aside(runs, *there.value);
+  (void)set_outliers_aside(runs, *there);
   EXPECT_GE(runs.front().noise.front().sigma, count / std::sqrt(12.0) * (1.0 - 1e-9));
 }
 
@@ -70,8 +70,8 @@ struct MisreadRecord {
   }
   [[nodiscard]] Fit fitted(std::span<const replay::PreparedRun> to) const {
     auto out = fit({.hypothesis = &hypothesis, .runs = to, .start = hypothesis.start()});
-    EXPECT_TRUE(out.value.has_value());
-    return std::move(*out.value);
+    EXPECT_TRUE(out.has_value());
+    return std::move(*out);
   }
   [[nodiscard]] std::vector<std::size_t> set_aside() const {
     std::vector<std::size_t> out;

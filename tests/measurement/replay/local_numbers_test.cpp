@@ -46,8 +46,8 @@ Fitted fitted(const data::Run& run, double mass = true_mass, double damping = tr
   const fit::Hypothesis hypothesis(declared, {});
   const std::vector<PreparedRun> runs{prepare_run(run, declared, hypothesis.model_at(hypothesis.start()))};
   auto found = fit::fit({.hypothesis = &hypothesis, .runs = runs, .start = hypothesis.start()});
-  EXPECT_TRUE(found.value.has_value());
-  Fitted out{.numbers = LocalNumbers(runs.front(), runs.front().windows.front()), .fit = found.value.value()};
+  EXPECT_TRUE(found.has_value());
+  Fitted out{.numbers = LocalNumbers(runs.front(), runs.front().windows.front()), .fit = found.value()};
   out.values = out.fit.runs.front().local_numbers.front();
   return out;
 }
@@ -133,19 +133,19 @@ TEST(LocalNumbers, HaveDerivativesByTheirPlaceWhereAnEdgeIsNextToASample) {
   const Eigen::VectorXd start = hypothesis.start();
   fit::FitRequest request{.hypothesis = &hypothesis, .runs = runs, .start = start};
   const auto known = fit::evaluate_with_jacobian(request);
-  ASSERT_TRUE(known.value.has_value());
+  ASSERT_TRUE(known.has_value());
   for (const bool taken_over : {false, true}) {
-    request.derivatives_from = taken_over ? &*known.value : nullptr;
+    request.derivatives_from = taken_over ? &*known : nullptr;
     fit::ResidualBlocks blocks(request);
     for (const double number : {-5.0, -0.8, 0.8, 5.0}) {
       std::ranges::fill(blocks.local_numbers(), 0.1);
       blocks.local_numbers()[1] = number;
       const Eigen::VectorXd column =
-          blocks.evaluate(start, fit::Derivatives::by_local_numbers).value.value().blocks[0].local_jacobian.col(1);
+          blocks.evaluate(start, fit::Derivatives::by_local_numbers).value().blocks[0].local_jacobian.col(1);
       const double step = 1e-2 * (1.0 + number * number);
       const auto residuals_at = [&](double displaced) -> Eigen::VectorXd {
         blocks.local_numbers()[1] = displaced;
-        return blocks.evaluate(start, fit::Derivatives::none).value.value().blocks[0].residuals;
+        return blocks.evaluate(start, fit::Derivatives::none).value().blocks[0].residuals;
       };
       const Eigen::VectorXd expected = (residuals_at(number + step) - residuals_at(number - step)) / (2.0 * step);
       EXPECT_LT((column - expected).norm(), (taken_over ? 0.15 : 0.01) * expected.norm()) << number << taken_over;

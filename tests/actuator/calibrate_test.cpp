@@ -13,7 +13,7 @@
 namespace coilwright::actuator {
 namespace {
 
-constexpr double rounding = 1e-14;  // relative: a product and a quotient more than the derived value
+constexpr double rounding_of_products = 1e-14;  // relative: a product and a quotient more than the derived value
 
 Measured everything() {
   Measured measured = paper_measured();
@@ -23,25 +23,25 @@ Measured everything() {
   return measured;
 }
 
-void expect_relative(double value, double expected, const char* what) {
-  EXPECT_NEAR(value, expected, rounding * std::abs(expected)) << what;
+void expect_product(double value, double expected, const char* what) {
+  EXPECT_NEAR(value, expected, rounding_of_products * std::abs(expected)) << what;
 }
 
 TEST(Calibrate, ReproducesEveryMeasuredValueAtItsGeometry) {
   Design design = paper_geometry();
   design.calibration = calibrate(design, everything());
   const Assembly a = assemble_or_throw(design);
-  expect_relative(a.dimensions.coil_outer_radius, 9.8e-3, "R_c");
-  expect_relative(a.dimensions.coil_length, 12.7e-3, "l_c");
-  expect_relative(a.dimensions.axis_offset, 11.5e-3, "h");
+  expect_product(a.dimensions.coil_outer_radius, 9.8e-3, "R_c");
+  expect_product(a.dimensions.coil_length, 12.7e-3, "l_c");
+  expect_product(a.dimensions.axis_offset, 11.5e-3, "h");
   for (const Hinge& hinge : a.model.hinges()) {
-    expect_relative(hinge.stiffness, 12.5e-3, "k");
-    expect_relative(hinge.damping, 1.29e-4, "b");
+    expect_product(hinge.stiffness, 12.5e-3, "k");
+    expect_product(hinge.damping, 1.29e-4, "b");
   }
-  expect_relative(a.segments[1].mass, 16.5e-3, "m_1");
-  expect_relative(a.segments[2].mass, 22.5e-3, "m_2");
-  expect_relative(a.segments[2].com_along, 9.1e-3, "l_2");
-  expect_relative(a.coil.resistance, 4.0, "R");
+  expect_product(a.segments[1].mass, 16.5e-3, "m_1");
+  expect_product(a.segments[2].mass, 22.5e-3, "m_2");
+  expect_product(a.segments[2].com_along, 9.1e-3, "l_2");
+  expect_product(a.coil.resistance, 4.0, "R");
   const double current = thermal::continuous_current(heat_network(design, a), thermal::LimitedParts::coils).current;
   EXPECT_NEAR(current, 1.1, 1e-9);  // a root of a root: both brackets end below 1e-12 relative
 }
@@ -62,12 +62,12 @@ TEST(Calibrate, GivesTheSiliconeAllOfADampingThatLeavesNoRest) {
   design.body.loss_time = 10.3e-3;
   design.body.constant_damping = 0.0;
   design.calibration = calibrate(design, {.joint_stiffness = 12.5e-3, .joint_damping = 1.29e-4});
-  expect_relative(design.calibration.joint_damping / design.calibration.joint_stiffness, 1.29e-4 / 12.5e-3 / 10.3e-3,
-                  "factor");
+  expect_product(design.calibration.joint_damping / design.calibration.joint_stiffness, 1.29e-4 / 12.5e-3 / 10.3e-3,
+                 "factor");
   design.body.constant_damping = 0.08e-3;
   design.calibration = calibrate(design, {.joint_stiffness = 12.5e-3, .joint_damping = 0.9e-4});
   EXPECT_EQ(design.calibration.constant_damping, 0.0);
-  expect_relative(assemble_or_throw(design).model.hinges()[0].damping, 0.9e-4, "b");
+  expect_product(assemble_or_throw(design).model.hinges()[0].damping, 0.9e-4, "b");
   design.body.loss_time = 0.0;
   design.body.constant_damping = 0.0;
   EXPECT_EQ(error_text([&] { (void)calibrate(design, {.joint_damping = 1.29e-4}); }),
@@ -77,10 +77,10 @@ TEST(Calibrate, GivesTheSiliconeAllOfADampingThatLeavesNoRest) {
 TEST(Calibrate, NotesTheJointThatWasMeasured) {
   EXPECT_FALSE(calibrate(paper_geometry(), {.axis_offset = 11.6e-3}).hinge.has_value());
   const HingeReference joint = calibrate(paper_geometry(), paper_measured()).hinge.value();
-  expect_relative(joint.width, 22e-3, "width");
-  expect_relative(joint.bottom_layer, 2.5e-3, "bottom layer");
-  expect_relative(joint.stiffness, 12.5e-3, "k");
-  expect_relative(joint.damping, 1.29e-4, "b");
+  expect_product(joint.width, 22e-3, "width");
+  expect_product(joint.bottom_layer, 2.5e-3, "bottom layer");
+  expect_product(joint.stiffness, 12.5e-3, "k");
+  expect_product(joint.damping, 1.29e-4, "b");
 }
 
 TEST(Calibrate, IgnoresTheCalibrationItFinds) {
@@ -98,11 +98,11 @@ TEST(Calibrate, KeepsItsFactorsWhenAVariableMoves) {
   const Assembly before = assemble_or_throw(design);
   design.body.bottom_layer *= 1.2;
   const Assembly after = assemble_or_throw(design);
-  expect_relative(after.model.hinges()[0].stiffness, 1.2 * 1.2 * before.model.hinges()[0].stiffness, "k");
+  expect_product(after.model.hinges()[0].stiffness, 1.2 * 1.2 * before.model.hinges()[0].stiffness, "k");
   EXPECT_GT(after.model.hinges()[1].damping, before.model.hinges()[1].damping);
   EXPECT_LT(after.model.hinges()[1].damping, 1.2 * 1.2 * before.model.hinges()[1].damping);
   // h = R_m + 0.25 mm + h_b / 2, times a factor that is 1 to rounding here: 11.75 mm.
-  expect_relative(after.dimensions.axis_offset, 11.75e-3, "h");
+  expect_product(after.dimensions.axis_offset, 11.75e-3, "h");
 }
 
 // Sunk into each other's grooves, fifteen layers are fourteen pitches and one whole wire thick, and half a turn longer.
@@ -110,8 +110,8 @@ TEST(Calibrate, MeetsACoilWhoseLayersNest) {
   Design design = paper_geometry();
   design.calibration = calibrate(design, {.coil_outer_radius = 8.05e-3, .coil_length = 11.6e-3});
   const Dimensions size = dimensions(design);
-  expect_relative(size.coil_outer_radius, 8.05e-3, "R_c");
-  expect_relative(size.coil_length, 11.6e-3, "l_c");
+  expect_product(size.coil_outer_radius, 8.05e-3, "R_c");
+  expect_product(size.coil_length, 11.6e-3, "l_c");
   EXPECT_TRUE(winding_of(design).spec().packing.nested());
 }
 

@@ -4,17 +4,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/thermal/steady_state.hpp"
+#include "degree.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(HeatNetwork, HasItsComponentsFirst) {
   Design design = paper_finger();

@@ -11,7 +11,7 @@
 namespace coilwright::actuator {
 namespace {
 
-constexpr double rounding = 1e-13;  // relative: a dozen products and quotients
+constexpr double rounding_of_formulas = 1e-13;  // relative: a dozen products and quotients
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 Hinge first_hinge(const Design& design) {
@@ -26,7 +26,7 @@ Design thinner_and_wider(Design design) {
   return design;
 }
 
-void expect_relative(double value, double expected, double tolerance = rounding) {
+void expect_relative(double value, double expected, double tolerance = rounding_of_formulas) {
   EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
 }
 

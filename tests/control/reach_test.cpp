@@ -3,21 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/control/input_shaping.hpp"
 #include "coilwright/simulation/step_response.hpp"
 #include "coilwright/validation/paper_finger.hpp"
+#include "degree.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::control {
 namespace {
 
 using actuator::Model;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 const Model& finger() {
   static const Model model = actuator::assemble_or_throw(validation::paper_finger()).model;

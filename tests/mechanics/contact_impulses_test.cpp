@@ -9,20 +9,14 @@
 #include <vector>
 
 #include "error_text.hpp"
+#include "mechanics/coordinates.hpp"
 
 namespace coilwright::mechanics {
 namespace {
 
-CoordinateVector vector(std::initializer_list<double> values) {
-  CoordinateVector out(static_cast<Eigen::Index>(values.size()));
-  int i = 0;
-  for (const double value : values) out[i++] = value;
-  return out;
-}
-
 // A point of mass m above the ground: x, y.
 Contact ground(double along, double against) {
-  return {.normal = vector({0.0, 1.0}), .tangent = vector({1.0, 0.0}), .friction = {along, against}};
+  return {.normal = coordinates({0.0, 1.0}), .tangent = coordinates({1.0, 0.0}), .friction = {along, against}};
 }
 
 TEST(ContactImpulses, StopASlowPointAndBrakeAFastOneByWhatFrictionGives) {
@@ -35,7 +29,7 @@ TEST(ContactImpulses, StopASlowPointAndBrakeAFastOneByWhatFrictionGives) {
   };
   for (const Case& each :
        {Case{0.01, 0.0}, Case{0.21, 0.21 - 0.3 * fall}, Case{-0.03, 0.0}, Case{-0.21, -0.21 + 0.7 * fall}}) {
-    const ContactStep step = contact_impulses(mass, vector({each.before, -fall}), contacts);
+    const ContactStep step = contact_impulses(mass, coordinates({each.before, -fall}), contacts);
     EXPECT_NEAR(step.velocities[0], each.after, 1e-15) << each.before;  // rounding of one division
     EXPECT_NEAR(step.velocities[1], 0.0, 1e-16);
     EXPECT_NEAR(step.impulses[0].normal, m * fall, 1e-16);
@@ -45,8 +39,8 @@ TEST(ContactImpulses, StopASlowPointAndBrakeAFastOneByWhatFrictionGives) {
 
 TEST(ContactImpulses, LeaveAloneWhatSeparates) {
   const CoordinateMatrix mass = 0.4 * CoordinateMatrix::Identity(2, 2);
-  const ContactStep step = contact_impulses(mass, vector({0.2, 0.1}), std::vector<Contact>{ground(0.3, 0.3)});
-  EXPECT_EQ(step.velocities, vector({0.2, 0.1}));
+  const ContactStep step = contact_impulses(mass, coordinates({0.2, 0.1}), std::vector<Contact>{ground(0.3, 0.3)});
+  EXPECT_EQ(step.velocities, coordinates({0.2, 0.1}));
   EXPECT_EQ(step.impulses[0].normal, 0.0);
 }
 
@@ -54,11 +48,12 @@ TEST(ContactImpulses, OfALandingKeepHorizontalMomentumWithoutFriction) {
   // A rod that lands on one end: x, y, angle. Impulse by hand: m v / (1 + (l/2)^2 m / J cos^2).
   const double m = 0.08, inertia = 3e-5, half = 0.03, angle = 0.4;
   CoordinateMatrix mass = CoordinateMatrix::Zero(3, 3);
-  mass.diagonal() = vector({m, m, inertia});
+  mass.diagonal() = coordinates({m, m, inertia});
   const double arm = half * std::cos(angle);
-  const Contact end{
-      .normal = vector({0.0, 1.0, arm}), .tangent = vector({1.0, 0.0, -half * std::sin(angle)}), .friction = {}};
-  const ContactStep step = contact_impulses(mass, vector({0.6, -1.1, 0.0}), std::vector<Contact>{end});
+  const Contact end{.normal = coordinates({0.0, 1.0, arm}),
+                    .tangent = coordinates({1.0, 0.0, -half * std::sin(angle)}),
+                    .friction = {}};
+  const ContactStep step = contact_impulses(mass, coordinates({0.6, -1.1, 0.0}), std::vector<Contact>{end});
   EXPECT_DOUBLE_EQ(step.velocities[0], 0.6);
   EXPECT_NEAR(step.impulses[0].normal, m * 1.1 / (1.0 + arm * arm * m / inertia), 1e-15);
 }
@@ -126,11 +121,12 @@ TEST(ContactImpulses, KeepEveryConditionOnRandomProblems) {
 TEST(ContactImpulses, HoldABodyThatStandsOnMoreThanItNeeds) {
   const double weight = 0.9;
   CoordinateMatrix mass = CoordinateMatrix::Zero(3, 3);
-  mass.diagonal() = vector({0.5, 0.5, 2e-3});
+  mass.diagonal() = coordinates({0.5, 0.5, 2e-3});
   std::vector<Contact> contacts;
   for (const double x : {-0.03, -0.01, 0.02, 0.05})
-    contacts.push_back({.normal = vector({0.0, 1.0, x}), .tangent = vector({1.0, 0.0, 0.0}), .friction = {0.4, 0.4}});
-  const ContactStep step = contact_impulses(mass, vector({0.1, -weight, 0.0}), contacts);
+    contacts.push_back(
+        {.normal = coordinates({0.0, 1.0, x}), .tangent = coordinates({1.0, 0.0, 0.0}), .friction = {0.4, 0.4}});
+  const ContactStep step = contact_impulses(mass, coordinates({0.1, -weight, 0.0}), contacts);
   EXPECT_LT(step.velocities.norm(), 1e-14);
   double sum = 0.0, moment = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -145,15 +141,15 @@ TEST(ContactImpulses, HoldABodyThatStandsOnMoreThanItNeeds) {
 // there.
 TEST(ContactImpulses, TellContactsApartThatAreAlmostAlike) {
   CoordinateMatrix mass = CoordinateMatrix::Zero(4, 4);
-  mass.diagonal() = vector({0.09, 0.09, 6e-5, 7e-6});
+  mass.diagonal() = coordinates({0.09, 0.09, 6e-5, 7e-6});
   for (const double tilt : {1e-3, 1e-5, 1e-7, 1e-9}) {
     std::vector<Contact> contacts;
     for (const double x : {-0.04, -0.01, 0.004, 0.03})
-      contacts.push_back({.normal = vector({0.0, 1.0, x, x > 0.0 ? x : 0.0}),
-                          .tangent = vector({1.0, 0.0, 1e-3 + tilt * x, x > 0.0 ? 1e-3 - tilt * x : 0.0}),
+      contacts.push_back({.normal = coordinates({0.0, 1.0, x, x > 0.0 ? x : 0.0}),
+                          .tangent = coordinates({1.0, 0.0, 1e-3 + tilt * x, x > 0.0 ? 1e-3 - tilt * x : 0.0}),
                           .friction = {.along = 0.6, .against = 0.062}});
     for (const double sliding : {-0.024, 1e-4, 0.0}) {
-      const ContactStep step = contact_impulses(mass, vector({sliding, -1e-3, 2e-4, -1e-4}), contacts);
+      const ContactStep step = contact_impulses(mass, coordinates({sliding, -1e-3, 2e-4, -1e-4}), contacts);
       for (int i = 0; i < 4; ++i) {
         EXPECT_GE(step.impulses[i].normal, 0.0);
         EXPECT_GT(step.impulses[i].normal_speed, -1e-9);  // 1e-8 of the largest speed, and a tenth of that
@@ -174,7 +170,7 @@ TEST(ContactImpulses, PressABodyOntoASmoothTable) {
       0.349220975319, -0.0766354186703, -0.431975771868, 0.626513166473, 1.46755102656, 0.753589205275,            //
       -0.431983333401, 0.431975771868, 0.0, 0.753637673596, 0.753589205275, 1.41684331528;
   const CoordinateVector speeds =
-      vector({-0.175177481898, -0.174851018774, -0.747314598974, -1.0, 0.999906725452, -2.22238870682e-05});
+      coordinates({-0.175177481898, -0.174851018774, -0.747314598974, -1.0, 0.999906725452, -2.22238870682e-05});
   // Rows whose products are that response, with a mass of one; velocities that give these speeds.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(response);
   const Eigen::MatrixXd rows =
@@ -190,13 +186,13 @@ TEST(ContactImpulses, PressABodyOntoASmoothTable) {
 
 TEST(ContactImpulses, RefuseWhatIsNoContact) {
   const CoordinateMatrix mass = CoordinateMatrix::Identity(2, 2);
-  const CoordinateVector still = vector({0.0, 0.0});
+  const CoordinateVector still = coordinates({0.0, 0.0});
   const auto refuse = [&](const Contact& contact, const std::string& text) {
     EXPECT_EQ(error_text([&] { (void)contact_impulses(mass, still, std::vector<Contact>{contact}); }), text);
   };
   refuse(ground(-0.1, 0.2), "contact 0: friction.along must be finite and >= 0; got -0.1");
   refuse(ground(0.1, std::nan("")), "contact 0: friction.against must be finite and >= 0; got nan");
-  refuse({.normal = vector({1.0}), .tangent = vector({0.0, 1.0}), .friction = {}},
+  refuse({.normal = coordinates({1.0}), .tangent = coordinates({0.0, 1.0}), .friction = {}},
          "contact 0: rows must have 2 entries; got 1 and 2");
 }
 

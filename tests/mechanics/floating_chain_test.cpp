@@ -9,30 +9,24 @@
 
 #include "coilwright/mechanics/moreau_step.hpp"
 #include "error_text.hpp"
+#include "mechanics/coordinates.hpp"
 
 namespace coilwright::mechanics {
 namespace {
 
-std::vector<Link> uneven_links() {
+std::vector<Link> floating_links() {
   return {{.length = 0.031, .com_along = 0.013, .com_offset = 0.007, .mass = 0.041, .inertia = 6.1e-6},
           {.length = 0.011, .com_along = 0.004, .com_offset = 0.009, .mass = 0.017, .inertia = 2.1e-7},
           {.length = 0.014, .com_along = 0.006, .com_offset = -0.003, .mass = 0.023, .inertia = 3.3e-7}};
 }
 
-CoordinateVector vector(std::initializer_list<double> values) {
-  CoordinateVector out(static_cast<Eigen::Index>(values.size()));
-  int i = 0;
-  for (const double value : values) out[i++] = value;
-  return out;
-}
-
-const CoordinateVector pose = vector({0.013, -0.021, -1.2, 0.43, -0.71});
-const CoordinateVector rates = vector({0.31, -0.17, 2.3, -5.1, 7.7});
+const CoordinateVector pose = coordinates({0.013, -0.021, -1.2, 0.43, -0.71});
+const CoordinateVector rates = coordinates({0.31, -0.17, 2.3, -5.1, 7.7});
 
 // With the base held as PlanarChain holds it (base angle 0, the first joint at its front end) the joints' part of every
 // term is PlanarChain's, which works in absolute angles.
 TEST(FloatingChain, IsThePlanarChainWhereItsBaseIsHeld) {
-  const std::vector<Link> links = uneven_links();
+  const std::vector<Link> links = floating_links();
   const FloatingChain floating(links, 9.79);
   const PlanarChain held(std::span<const Link>(links).subspan(1), 9.79);
   const JointVector angles = pose.tail(2), speeds = rates.tail(2);
@@ -52,7 +46,7 @@ TEST(FloatingChain, IsThePlanarChainWhereItsBaseIsHeld) {
 }
 
 TEST(FloatingChain, HasTheSlopesOfItsPositionsAndOfItsPotentialEnergy) {
-  const FloatingChain chain(uneven_links(), 9.79);
+  const FloatingChain chain(floating_links(), 9.79);
   const LinkPoint point{.link = 2, .along = 0.021, .offset = 0.004};
   const FloatingJacobian slope = chain.jacobian(chain.frames(pose), point);
   const CoordinateVector gravity = chain.gravity_forces(chain.frames(pose));
@@ -68,7 +62,7 @@ TEST(FloatingChain, HasTheSlopesOfItsPositionsAndOfItsPotentialEnergy) {
 
 // Lagrange: c = dM/dt v - dT/dq, by differences of the mass matrix.
 TEST(FloatingChain, HasTheVelocityForcesOfItsKineticEnergy) {
-  const FloatingChain chain(uneven_links(), 9.79);
+  const FloatingChain chain(floating_links(), 9.79);
   const double step = 1e-5;
   const auto mass = [&](const CoordinateVector& at) { return chain.mass_matrix(chain.frames(at)); };
   CoordinateVector expected = (mass(pose + step * rates) - mass(pose - step * rates)) * rates / (2 * step);
@@ -84,7 +78,7 @@ TEST(FloatingChain, HasTheVelocityForcesOfItsKineticEnergy) {
 // In free flight momentum and angular momentum about the centre of mass stay, and energy does: checked from positions
 // of the centres of mass alone. The midpoint rule's errors shrink with the square of the step.
 TEST(FloatingChain, ConservesWhatAFreeFlightConserves) {
-  const std::vector<Link> links = uneven_links();
+  const std::vector<Link> links = floating_links();
   const FloatingChain chain(links, 9.79);
   struct Kept {
     double energy, horizontal, vertical, spin;
@@ -141,7 +135,7 @@ TEST(FloatingChain, SwingsAsAPendulumWhenItsJointIsHeld) {
   const FloatingChain chain(
       std::vector<Link>{{.length = 0.1, .com_along = l, .com_offset = 0.0, .mass = m, .inertia = inertia}}, g);
   const double period = 2.0 * 3.14159265358979323846 * std::sqrt((m * l * l + inertia) / (m * g * l));
-  CoordinateVector at = vector({0.0, 0.0, 1e-3}), moving = CoordinateVector::Zero(3);
+  CoordinateVector at = coordinates({0.0, 0.0, 1e-3}), moving = CoordinateVector::Zero(3);
   const int steps = 2000;
   for (int k = 0; k < steps; ++k) {
     const FloatingFrames frames = chain.frames(at + 0.5 * period / steps * moving);
@@ -155,7 +149,7 @@ TEST(FloatingChain, SwingsAsAPendulumWhenItsJointIsHeld) {
 
 TEST(FloatingChain, RefusesWhatIsNoChain) {
   EXPECT_EQ(error_text([] { FloatingChain chain{std::vector<Link>{}}; }), "links: 1 to 17 are supported; got 0");
-  std::vector<Link> links = uneven_links();
+  std::vector<Link> links = floating_links();
   links[1].mass = 0.0;
   EXPECT_EQ(error_text([&] { FloatingChain chain(links); }), "link 1: mass must be finite and > 0; got 0");
 }

@@ -220,8 +220,8 @@ ModelSpec driven_rotor() {
 }
 constexpr double gap = 0.7 / 57.29577951308232;
 constexpr double firm_gap = 0.01 / 57.29577951308232;
-constexpr double share = gap / (gap + firm_gap);  // of the magnet that is free
-constexpr double magnet = 0.3 * body;
+constexpr double free_share = gap / (gap + firm_gap);  // of the magnet that is free
+constexpr double magnet_mass = 0.3 * body;
 
 // A torque on a magnet that flies moves no joint; the joint starts when the gap is crossed, sqrt(gap J / q) later.
 TEST(Backlash, HoldsTheTorqueBackUntilTheGapIsCrossed) {
@@ -229,15 +229,15 @@ TEST(Backlash, HoldsTheTorqueBackUntilTheGapIsCrossed) {
   constexpr double torque = 4e-3;
   Motion at{.angles = JointVector::Zero(1), .rates = JointVector::Zero(1), .internal = {0.0, 0.0}};
   const double flying = slope_of(model, at, 1.0).rates[0];
-  EXPECT_NEAR(flying, (1.0 - share) * torque / (body - share * magnet), 1e-9 * torque / body);
+  EXPECT_NEAR(flying, (1.0 - free_share) * torque / (body - free_share * magnet_mass), 1e-9 * torque / body);
   double crossed = 0.0;
   constexpr double step = 1e-7;
   while (std::abs(at.internal[0]) < 0.5 * gap) at = moved(at, slope_of(model, at, 1.0), step), crossed += step;
-  EXPECT_NEAR(crossed, std::sqrt(gap * magnet / torque), 0.01 * crossed);  // Euler, and the firm 1.4 %
+  EXPECT_NEAR(crossed, std::sqrt(gap * magnet_mass / torque), 0.01 * crossed);  // Euler, and the firm 1.4 %
   const double together = 0.02;
   for (double time = 0.0; time < together; time += step) at = moved(at, slope_of(model, at, 1.0), step);
   // Momentum: the whole torque has acted on both bodies since the start.
-  const double spin = body * at.rates[0] + share * magnet * at.internal[1];
+  const double spin = body * at.rates[0] + free_share * magnet_mass * at.internal[1];
   EXPECT_NEAR(spin, torque * (crossed + together), 1e-4 * spin);
   EXPECT_NEAR(slope_of(model, at, 1.0).rates[0], torque / body, 0.01 * torque / body);
 }
@@ -248,8 +248,8 @@ TEST(Backlash, IsPassiveAtEveryInstant) {
   const Model model = with("backlash", {gap}, driven_rotor());
   const auto energy = [&](const Motion& m) {
     const double depth = std::max(0.0, std::abs(m.internal[0]) - 0.5 * gap);
-    return 0.5 * body * m.rates[0] * m.rates[0] + share * magnet * m.rates[0] * m.internal[1] +
-           0.5 * share * magnet * (m.internal[1] * m.internal[1] + 1500.0 * 1500.0 * depth * depth);
+    return 0.5 * body * m.rates[0] * m.rates[0] + free_share * magnet_mass * m.rates[0] * m.internal[1] +
+           0.5 * free_share * magnet_mass * (m.internal[1] * m.internal[1] + 1500.0 * 1500.0 * depth * depth);
   };
   int flew = 0;
   for (int i = 0; i < 400; ++i) {
@@ -277,7 +277,7 @@ TEST(Backlash, RestsPressedIntoItsSeat) {
   // The seat gives the joint the whole torque, but the magnet's inertia stays behind until the seat presses harder.
   const mechanics::JointMatrix mass = model.chain().mass_matrix(angles);
   mechanics::JointMatrix without = mass;
-  without.diagonal() -= share * 0.3 / 2.0 * model.chain().joint_mobility().cwiseInverse();
+  without.diagonal() -= free_share * 0.3 / 2.0 * model.chain().joint_mobility().cwiseInverse();
   EXPECT_LT((without * slope.rates - mass * firm.rates).norm(), 1e-9 * (mass * firm.rates).norm());
   EXPECT_GT(std::abs(states[0]), 0.5 * gap);
   EXPECT_EQ(model.static_residual(angles, model.all_coils(0.8)),

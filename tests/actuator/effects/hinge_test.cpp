@@ -9,7 +9,7 @@
 namespace coilwright::actuator {
 namespace {
 
-constexpr double inertia = 6.7e-6;
+constexpr double segment_inertia = 6.7e-6;
 constexpr double stiffness = 12.5e-3;
 
 TEST(JointAsymmetry, ScalesEverySecondSpringOnly) {
@@ -25,7 +25,7 @@ TEST(JointAsymmetry, ScalesEverySecondSpringOnly) {
 
 TEST(RestAngle, IsWhereAJointStaysByItself) {
   constexpr double angle = 0.061;
-  const Model model(with_effect("rest_angle", {angle}, rotor(inertia, stiffness)).spec);
+  const Model model(with_effect("rest_angle", {angle}, rotor(segment_inertia, stiffness)).spec);
   const auto residual = [&](double at) {
     return model.static_residual(JointVector::Constant(1, at), CoilCurrents::Zero(0))[0];
   };
@@ -36,11 +36,11 @@ TEST(RestAngle, IsWhereAJointStaysByItself) {
 // Duffing's period in closed form: 4 K(m) / sqrt(w0^2 (1 + beta A^2)), m = beta A^2 / (2 (1 + beta A^2)).
 TEST(StiffnessHardening, ShortensTheSwingWithItsAmplitude) {
   constexpr double beta = 1.3;
-  const WithEffect rig = with_effect("stiffness_hardening", {beta}, rotor(inertia, stiffness));
+  const WithEffect rig = with_effect("stiffness_hardening", {beta}, rotor(segment_inertia, stiffness));
   for (const double amplitude : {0.2, 0.9}) {
     const double square = beta * amplitude * amplitude;
     const double modulus = std::sqrt(square / (2.0 * (1.0 + square)));
-    const double period = 4.0 * std::comp_ellint_1(modulus) / std::sqrt(stiffness / inertia * (1.0 + square));
+    const double period = 4.0 * std::comp_ellint_1(modulus) / std::sqrt(stiffness / segment_inertia * (1.0 + square));
     Numbers y = {amplitude, 0.0};
     follow_rotor(rig, 0.0, y, 3.0 * period);
     EXPECT_NEAR(y[0], amplitude, 1e-6);
@@ -50,7 +50,7 @@ TEST(StiffnessHardening, ShortensTheSwingWithItsAmplitude) {
 
 TEST(StiffnessHardening, NeverLetsGoWhereItSoftens) {
   constexpr double beta = -0.3;
-  const WithEffect rig = with_effect("stiffness_hardening", {beta}, rotor(inertia, stiffness));
+  const WithEffect rig = with_effect("stiffness_hardening", {beta}, rotor(segment_inertia, stiffness));
   const auto whole = [&](double angle) { return torque_of(rig, angle, 0.0) - stiffness * angle; };
   EXPECT_NEAR(whole(0.6), -stiffness * 0.6 * (1.0 - 0.3 * 0.36), 1e-17);
   const double turn = 1.0 / std::sqrt(0.9);
@@ -65,7 +65,7 @@ TEST(ViscoelasticCreep, RelaxesAfterAStepWithItsTimeConstant) {
   constexpr double ratio = 0.35;
   constexpr double time_constant = 0.7;
   constexpr double step = 0.4;
-  const WithEffect rig = with_effect("viscoelastic_creep", {ratio, time_constant}, rotor(inertia, stiffness));
+  const WithEffect rig = with_effect("viscoelastic_creep", {ratio, time_constant}, rotor(segment_inertia, stiffness));
   const JointVector before = JointVector::Constant(1, 0.15);
   const JointVector still = JointVector::Zero(1);
   Numbers y(1);
@@ -83,7 +83,7 @@ TEST(ViscoelasticCreep, TakesTheWorkOfItsLossModulusFromACycle) {
   constexpr double ratio = 0.35;
   constexpr double time_constant = 0.05;
   constexpr double amplitude = 0.3;
-  const WithEffect rig = with_effect("viscoelastic_creep", {ratio, time_constant}, rotor(inertia, stiffness));
+  const WithEffect rig = with_effect("viscoelastic_creep", {ratio, time_constant}, rotor(segment_inertia, stiffness));
   for (const double omega : {4.0, 20.0, 90.0}) {
     const auto slope = [&](const Numbers& at, Numbers& dy, double time) {
       const double rate = amplitude * omega * std::cos(omega * time);
@@ -101,24 +101,24 @@ TEST(ViscoelasticCreep, TakesTheWorkOfItsLossModulusFromACycle) {
 }
 
 TEST(ViscoelasticCreep, IsSlowWhereAStepIsOverBefore) {
-  EXPECT_TRUE(with_effect("viscoelastic_creep", {0.3, 15.0}, rotor(inertia, stiffness)).term->slow());
-  EXPECT_FALSE(with_effect("viscoelastic_creep", {0.3, 0.2}, rotor(inertia, stiffness)).term->slow());
+  EXPECT_TRUE(with_effect("viscoelastic_creep", {0.3, 15.0}, rotor(segment_inertia, stiffness)).term->slow());
+  EXPECT_FALSE(with_effect("viscoelastic_creep", {0.3, 0.2}, rotor(segment_inertia, stiffness)).term->slow());
 }
 
 // J w' = -c w^2 from w0: w0 / (1 + c w0 t / J).
 TEST(QuadraticDrag, SlowsAFreeRotorHyperbolically) {
   constexpr double drag = 3e-7;
-  const WithEffect rig = with_effect("quadratic_drag", {drag}, rotor(inertia));
+  const WithEffect rig = with_effect("quadratic_drag", {drag}, rotor(segment_inertia));
   for (const double start : {20.0, -4.0}) {
     Numbers y = {0.0, start};
     follow_rotor(rig, 0.0, y, 2.5);
-    EXPECT_NEAR(y[1], start / (1.0 + drag * std::abs(start) * 2.5 / inertia), 1e-7);
+    EXPECT_NEAR(y[1], start / (1.0 + drag * std::abs(start) * 2.5 / segment_inertia), 1e-7);
   }
 }
 
 TEST(EndStop, PushesOnlyBeyondItsAngleAndAwayFromIt) {
   for (const double side : {-1.0, 1.0}) {
-    const WithEffect rig = with_effect("end_stop", {0.4, 0.9, side}, rotor(inertia));
+    const WithEffect rig = with_effect("end_stop", {0.4, 0.9, side}, rotor(segment_inertia));
     EXPECT_EQ(torque_of(rig, 0.4 - side * 1e-9, side * 5.0), 0.0);
     EXPECT_NEAR(torque_of(rig, 0.4 + side * 0.01, 0.0), -side * 0.9 * 0.01, 1e-16);
     EXPECT_EQ(torque_of(rig, 0.4 + side * 0.01, -side * 50.0), 0.0);  // leaves faster than the stop can follow
@@ -133,7 +133,7 @@ TEST(EndStop, ReboundsWithTheSpeedOfItsDampingRatio) {
   const double root = std::sqrt(1.0 - zeta * zeta);
   const double expected = std::exp(-zeta / root * (M_PI - std::asin(2.0 * zeta * root)));
   for (const double side : {-1.0, 1.0}) {
-    const WithEffect rig = with_effect("end_stop", {0.1, 0.9, side}, rotor(inertia));
+    const WithEffect rig = with_effect("end_stop", {0.1, 0.9, side}, rotor(segment_inertia));
     Numbers y = {0.1 - side * 0.05, side * 3.0};
     follow_rotor(rig, 0.0, y, 0.1);
     EXPECT_NEAR(y[1], -side * 3.0 * expected, 1e-5);
@@ -142,7 +142,7 @@ TEST(EndStop, ReboundsWithTheSpeedOfItsDampingRatio) {
 }
 
 TEST(EndStop, DampsSmallMotionsWhereItIsPressed) {
-  const WithEffect rig = with_effect("end_stop", {0.4, 0.9, 1.0}, rotor(inertia));
+  const WithEffect rig = with_effect("end_stop", {0.4, 0.9, 1.0}, rotor(segment_inertia));
   const auto damping = [&](double angle) {
     mechanics::JointMatrix out = mechanics::JointMatrix::Zero(1, 1);
     const JointVector angles = JointVector::Constant(1, angle);
@@ -151,12 +151,12 @@ TEST(EndStop, DampsSmallMotionsWhereItIsPressed) {
     return out(0, 0);
   };
   EXPECT_EQ(damping(0.39), 0.0);
-  EXPECT_DOUBLE_EQ(damping(0.41), 2.0 * 0.3 * std::sqrt(0.9 * inertia));
+  EXPECT_DOUBLE_EQ(damping(0.41), 2.0 * 0.3 * std::sqrt(0.9 * segment_inertia));
 }
 
 TEST(EndStop, IsNoStifferThanAnyCameraCouldTell) {
-  const double cap = 5e3 * 5e3 * inertia;
-  const WithEffect rig = with_effect("end_stop", {0.4, 1e9, 1.0}, rotor(inertia));
+  const double cap = 5e3 * 5e3 * segment_inertia;
+  const WithEffect rig = with_effect("end_stop", {0.4, 1e9, 1.0}, rotor(segment_inertia));
   EXPECT_NEAR(torque_of(rig, 0.41, 0.0), -0.01 * cap, 1e-12 * cap);
 }
 

@@ -14,7 +14,7 @@
 namespace coilwright::actuator {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 // measured-data/1, "Effect ids".
 const std::set<std::string> ids_of_the_format = {
@@ -344,23 +344,23 @@ TEST(StandardEffects, IsInAModelOnceWhateverItsNumbers) {
   EXPECT_EQ(error_text([&] { (void)Model(spec); }), "effect dry_friction: may be in a model once; given twice");
 }
 
-std::string refusal(std::string_view id, Numbers values) {
+std::string effect_refusal(std::string_view id, Numbers values) {
   return error_text([&] { validate_effect({.kind = standard_effects().find(id), .values = std::move(values)}); });
 }
 
 TEST(Effect, SaysWhichValueBreaksWhichRule) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal("dry_friction", {0.6e-3}), "");
-  EXPECT_EQ(refusal("no_such_effect", {}), "effect: must be one of the catalogue; got none");
-  EXPECT_EQ(refusal("dry_friction", {}), "effect dry_friction: must have 1 value; got 0");
-  EXPECT_EQ(refusal("hysteresis", {1e-3}), "effect hysteresis: must have 2 values; got 1");
-  EXPECT_EQ(refusal("dry_friction", {-0.6e-3}), "effect dry_friction: torque_Nmm must be >= 0; got -0.6");
-  EXPECT_EQ(refusal("dry_friction", {nan}), "effect dry_friction: torque_Nmm must be >= 0; got nan");
-  EXPECT_EQ(refusal("dry_friction", {infinity}), "effect dry_friction: torque_Nmm must be >= 0; got inf");
-  EXPECT_EQ(refusal("static_attraction", {nan, 1.0, 1.0}),
+  EXPECT_EQ(effect_refusal("dry_friction", {0.6e-3}), "");
+  EXPECT_EQ(effect_refusal("no_such_effect", {}), "effect: must be one of the catalogue; got none");
+  EXPECT_EQ(effect_refusal("dry_friction", {}), "effect dry_friction: must have 1 value; got 0");
+  EXPECT_EQ(effect_refusal("hysteresis", {1e-3}), "effect hysteresis: must have 2 values; got 1");
+  EXPECT_EQ(effect_refusal("dry_friction", {-0.6e-3}), "effect dry_friction: torque_Nmm must be >= 0; got -0.6");
+  EXPECT_EQ(effect_refusal("dry_friction", {nan}), "effect dry_friction: torque_Nmm must be >= 0; got nan");
+  EXPECT_EQ(effect_refusal("dry_friction", {no_bound}), "effect dry_friction: torque_Nmm must be >= 0; got inf");
+  EXPECT_EQ(effect_refusal("static_attraction", {nan, 1.0, 1.0}),
             "effect static_attraction: torque_Nmm must be finite; got nan");
-  EXPECT_EQ(refusal("rest_angle", {1.0}), "effect rest_angle: angle_deg must be from -45 to 45; got 57.2958");
-  EXPECT_EQ(refusal("end_stop", {0.3, 0.1, 0.5}), "effect end_stop: side must be -1 or 1; got 0.5");
+  EXPECT_EQ(effect_refusal("rest_angle", {1.0}), "effect rest_angle: angle_deg must be from -45 to 45; got 57.2958");
+  EXPECT_EQ(effect_refusal("end_stop", {0.3, 0.1, 0.5}), "effect end_stop: side must be -1 or 1; got 0.5");
 }
 
 std::string inapplicable(std::string_view id, const ModelSpec& spec) {

@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
+#include "degree.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-Design finger(magnetics::Fidelity fidelity) {
+Design finger_of(magnetics::Fidelity fidelity) {
   Design design;
   design.choices.torque = fidelity;
   return design;
@@ -50,7 +48,7 @@ TEST(TorqueCurveError, GoesOnSmoothlyAndBoundedBeyondItsRange) {
 
 TEST(TorqueCurveError, MultipliesTheCurveToAMillionth) {
   for (const auto fidelity : {magnetics::Fidelity::line_of_centres, magnetics::Fidelity::exact}) {
-    const Assembly drawn = assemble_or_throw(finger(fidelity));
+    const Assembly drawn = assemble_or_throw(finger_of(fidelity));
     const auto& curve = drawn.model.magnetics().hinge_pairs()[0].torque_per_ampere;
     const auto product = with_error(curve, error);
     for (double angle = curve->lower(); angle <= curve->upper(); angle += 0.003)
@@ -62,7 +60,7 @@ TEST(TorqueCurveError, MultipliesTheCurveToAMillionth) {
 }
 
 TEST(AsBuilt, ChangesJointsInTurn) {
-  Design design = finger(magnetics::Fidelity::line_of_centres);
+  Design design = finger_of(magnetics::Fidelity::line_of_centres);
   const Assembly drawn = assemble_or_throw(design);
   design.as_built = {.force_curve = error,
                      .joint_stiffness_ratio = 0.08,
@@ -84,18 +82,18 @@ TEST(AsBuilt, ChangesJointsInTurn) {
 
 // The exact force of a pair has the error of the approximated one: off_axis_force takes its curve from the parts.
 TEST(AsBuilt, KeepsItsErrorWhereTheForceBecomesExact) {
-  Design design = finger(magnetics::Fidelity::line_of_centres);
+  Design design = finger_of(magnetics::Fidelity::line_of_centres);
   design.as_built.force_curve = error;
   const Assembly built = assemble_or_throw(design);
   const HingePair& pair = built.model.magnetics().hinge_pairs()[0];
-  const Assembly exact = assemble_or_throw(finger(magnetics::Fidelity::exact));
+  const Assembly exact = assemble_or_throw(finger_of(magnetics::Fidelity::exact));
   const HingePair& exact_pair = exact.model.magnetics().hinge_pairs()[0];
   EXPECT_NEAR(pair.parts->exact_torque()->value(0.4), exact_pair.torque_per_ampere->value(0.4) * error.factor(0.4),
               2e-6 * exact_pair.torque_per_ampere->scale());
 }
 
 TEST(AsBuilt, RefusesJointsWithLessThanNothing) {
-  Design design = finger(magnetics::Fidelity::line_of_centres);
+  Design design = finger_of(magnetics::Fidelity::line_of_centres);
   design.as_built.joint_stiffness_ratio = 2.1;
   EXPECT_NE(
       error_text([&] { (void)assemble_or_throw(design); }).find("joint_stiffness_ratio must be from -2 to 2; got 2.1"),

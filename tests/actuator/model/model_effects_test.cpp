@@ -15,7 +15,7 @@ namespace {
 
 using mechanics::JointVector;
 
-Model finger() {
+Model paper_model() {
   return assemble_or_throw(paper_finger()).model;
 }
 
@@ -26,7 +26,7 @@ JointVector pose(double first, double second) {
 }
 
 TEST(ModelEffects, KeepsWhatItWasMadeOf) {
-  const Model bare = finger();
+  const Model bare = paper_model();
   const Model tilted = sample::with_effects(bare, {{&sample::tilt, {0.2}}});
   EXPECT_EQ(tilted.chain().base_tilt(), 0.2);
   EXPECT_EQ(tilted.nominal_spec().chain.base_tilt(), 0.0);
@@ -39,7 +39,7 @@ TEST(ModelEffects, KeepsWhatItWasMadeOf) {
 }
 
 TEST(ModelEffects, SaysWhatCannotBeBuiltIn) {
-  const Model bare = finger();
+  const Model bare = paper_model();
   const auto text = [&](std::vector<Effect> effects) {
     return error_text([&] { (void)sample::with_effects(bare, std::move(effects)); });
   };
@@ -57,10 +57,10 @@ TEST(ModelEffects, SaysWhatCannotBeBuiltIn) {
 
 // Whatever their order in the spec, effects act by stage.
 TEST(ModelEffects, ActStageByStage) {
-  const Model model = sample::with_effects(finger(), {{&sample::camera, {2.0, 0.1, 0.03}},
-                                                      {&sample::creep, {1e-3, 1.0, 0.0}},
-                                                      {&sample::force_gain, {0.5}},
-                                                      {&sample::lag, {0.1}}});
+  const Model model = sample::with_effects(paper_model(), {{&sample::camera, {2.0, 0.1, 0.03}},
+                                                           {&sample::creep, {1e-3, 1.0, 0.0}},
+                                                           {&sample::force_gain, {0.5}},
+                                                           {&sample::lag, {0.1}}});
   ASSERT_EQ(model.internal_states(), 4);
   EXPECT_EQ(model.drive_states(), 2);
   const InternalStates states = model.settled(pose(0.3, 0.2), model.all_coils(1.2));
@@ -74,7 +74,7 @@ TEST(ModelEffects, ActStageByStage) {
 
 TEST(ModelEffects, StandStillOnceSettled) {
   const Model model = sample::with_effects(
-      finger(), {{&sample::lag, {0.1}}, {&sample::creep, {1e-3, 1.0, 0.0}}, {&sample::friction, {1e-4, 1e-3}}});
+      paper_model(), {{&sample::lag, {0.1}}, {&sample::creep, {1e-3, 1.0, 0.0}}, {&sample::friction, {1e-4, 1e-3}}});
   const JointVector angles = pose(0.4, 0.5);
   const CoilCurrents command = model.all_coils(0.9);
   const InternalStates states = model.settled(angles, command);
@@ -90,7 +90,7 @@ TEST(ModelEffects, StandStillOnceSettled) {
 
 // Stiffness against differences of the residual, wide ones: of a spring that an effect adds, with creep relaxed.
 TEST(ModelEffects, StiffenThePose) {
-  const Model bare = finger();
+  const Model bare = paper_model();
   const Model model = sample::with_effects(
       bare, {{&sample::spring_damper, {7e-3, 3e-5}}, {&sample::creep, {1e-3, 1.0, 0.0}}, {&sample::force_gain, {0.5}}});
   const JointVector angles = pose(0.4, 0.5);
@@ -104,7 +104,8 @@ TEST(ModelEffects, StiffenThePose) {
 
 TEST(ModelEffects, HoldsWhatIsSlow) {
   const double branch = 2e-3;
-  const Model model = sample::with_effects(finger(), {{&sample::lag, {0.1}}, {&sample::creep, {branch, 30.0, 1.0}}});
+  const Model model =
+      sample::with_effects(paper_model(), {{&sample::lag, {0.1}}, {&sample::creep, {branch, 30.0, 1.0}}});
   const InternalStates rest = model.settled(pose(0.2, 0.1), model.all_coils(0.0));
   const Model cold = model.with_slow_states_held(rest);
   EXPECT_TRUE(model.has_slow_states());

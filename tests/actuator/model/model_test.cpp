@@ -14,7 +14,8 @@ namespace {
 using mechanics::JointMatrix;
 using mechanics::JointVector;
 
-Assembly finger(Configuration configuration, magnetics::Fidelity torque = magnetics::Fidelity::line_of_centres) {
+Assembly assembled_finger(Configuration configuration,
+                          magnetics::Fidelity torque = magnetics::Fidelity::line_of_centres) {
   Design design = paper_finger();
   design.layout = layout_of(configuration);
   design.choices.torque = torque;
@@ -39,8 +40,8 @@ TEST(Model, HasTheStiffnessThatItsResidualShows) {
   oriented.layout = layout_of(Configuration::D);
   oriented.choices.winding = magnetics::CurrentDistribution::uniform;
   oriented.choices.torque = magnetics::Fidelity::exact;
-  for (const Assembly& a :
-       {finger(Configuration::B), finger(Configuration::C), finger(Configuration::D), assemble_or_throw(oriented)}) {
+  for (const Assembly& a : {assembled_finger(Configuration::B), assembled_finger(Configuration::C),
+                            assembled_finger(Configuration::D), assemble_or_throw(oriented)}) {
     const int n = a.model.joints();
     const CoilCurrents currents = uneven_currents(a.coils);
     JointVector angles = uneven(n);
@@ -62,7 +63,7 @@ TEST(Model, HasTheStiffnessThatItsResidualShows) {
 
 // Everything but damping comes from an energy.
 TEST(Model, HasASymmetricStiffness) {
-  const Assembly a = finger(Configuration::D);
+  const Assembly a = assembled_finger(Configuration::D);
   const JointMatrix stiffness = a.model.tangent_stiffness(uneven(5), uneven_currents(4));
   EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-5 * stiffness.norm());  // curves of 1e-6
 }
@@ -82,7 +83,7 @@ TEST(Model, ReversesMagneticsWithPolarityAndCurrent) {
 }
 
 TEST(Model, AcceleratesByTorquesAndWhatIsApplied) {
-  const Assembly a = finger(Configuration::B);
+  const Assembly a = assembled_finger(Configuration::B);
   const JointVector angles = uneven(2);
   const JointVector rates = JointVector::Constant(2, -3.1);
   const CoilCurrents currents = uneven_currents(2);
@@ -97,7 +98,7 @@ TEST(Model, AcceleratesByTorquesAndWhatIsApplied) {
 }
 
 TEST(Model, TellsMagneticsAndHingesApartAsBenchesDo) {
-  const Assembly a = finger(Configuration::B);
+  const Assembly a = assembled_finger(Configuration::B);
   const JointVector angles = uneven(2);
   const CoilCurrents currents = uneven_currents(2);
   const JointVector still = JointVector::Zero(2);
@@ -109,7 +110,7 @@ TEST(Model, TellsMagneticsAndHingesApartAsBenchesDo) {
 }
 
 TEST(Model, DampsMoreWhereAStopIsPressed) {
-  const Assembly a = finger(Configuration::B);
+  const Assembly a = assembled_finger(Configuration::B);
   const Hinge& hinge = a.model.hinges()[1];
   JointVector angles = uneven(2);
   EXPECT_EQ(a.model.damping(angles)[1], hinge.damping);
@@ -119,7 +120,7 @@ TEST(Model, DampsMoreWhereAStopIsPressed) {
 }
 
 Model::Spec lumped() {
-  const Assembly a = finger(Configuration::C);
+  const Assembly a = assembled_finger(Configuration::C);
   return {.chain = a.model.chain(),
           .hinges = a.model.hinges(),
           .magnetics = a.model.magnetics(),
@@ -128,7 +129,7 @@ Model::Spec lumped() {
 }
 
 template <typename Change>
-std::string refusal(Change&& change) {
+std::string spec_refusal(Change&& change) {
   Model::Spec spec = lumped();
   change(spec);
   return error_text([&] { (void)Model(spec); });
@@ -140,19 +141,19 @@ void replace_pairs(Model::Spec& spec, const HingePair& hinge, const DistantPair&
 
 TEST(Model, SaysWhichHingeBreaksWhichRule) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal([](Model::Spec& s) { s.hinges.pop_back(); }), "hinges: one per joint, 4 here; got 3");
-  EXPECT_EQ(refusal([](Model::Spec& s) { s.coils = -2; }), "coils must be >= 0; got -2");
-  EXPECT_EQ(refusal([](Model::Spec& s) { s.hinges[2].stiffness = -1.0; }),
+  EXPECT_EQ(spec_refusal([](Model::Spec& s) { s.hinges.pop_back(); }), "hinges: one per joint, 4 here; got 3");
+  EXPECT_EQ(spec_refusal([](Model::Spec& s) { s.coils = -2; }), "coils must be >= 0; got -2");
+  EXPECT_EQ(spec_refusal([](Model::Spec& s) { s.hinges[2].stiffness = -1.0; }),
             "joint 2: stiffness must be finite and >= 0; got -1");
-  EXPECT_EQ(refusal([&](Model::Spec& s) { s.hinges[1].damping = nan; }),
+  EXPECT_EQ(spec_refusal([&](Model::Spec& s) { s.hinges[1].damping = nan; }),
             "joint 1: damping must be finite and >= 0; got nan");
-  EXPECT_EQ(refusal([](Model::Spec& s) { s.hinges[0].contact.stiffness = -4.0; }),
+  EXPECT_EQ(spec_refusal([](Model::Spec& s) { s.hinges[0].contact.stiffness = -4.0; }),
             "joint 0: contact stiffness must be finite and >= 0; got -4");
-  EXPECT_EQ(refusal([](Model::Spec& s) { s.hinges[0].contact.damping = -4.0; }),
+  EXPECT_EQ(spec_refusal([](Model::Spec& s) { s.hinges[0].contact.damping = -4.0; }),
             "joint 0: contact damping must be finite and >= 0; got -4");
-  EXPECT_EQ(refusal([&](Model::Spec& s) { s.hinges[3].torque_offset = nan; }),
+  EXPECT_EQ(spec_refusal([&](Model::Spec& s) { s.hinges[3].torque_offset = nan; }),
             "joint 3: torque_offset must be finite; got nan");
-  EXPECT_EQ(refusal([](Model::Spec& s) { s.tip.link = 4; }), "tip: link must be -1 to 3; got 4");
+  EXPECT_EQ(spec_refusal([](Model::Spec& s) { s.tip.link = 4; }), "tip: link must be -1 to 3; got 4");
 }
 
 TEST(Model, SaysWhichPairBreaksWhichRule) {
@@ -163,7 +164,7 @@ TEST(Model, SaysWhichPairBreaksWhichRule) {
     HingePair h = hinge;
     DistantPair d = distant;
     change(h, d);
-    return refusal([&](Model::Spec& s) { replace_pairs(s, h, d); });
+    return spec_refusal([&](Model::Spec& s) { replace_pairs(s, h, d); });
   };
   EXPECT_EQ(after([](HingePair&, DistantPair&) {}), "");
   EXPECT_EQ(after([](HingePair& h, DistantPair&) { h.joint = 4; }), "magnetics: joint 4 and coil 0 must exist");

@@ -102,34 +102,34 @@ TEST(TorqueSurface, NeverExceedsItsLargestTorqueByMuchWhereItFades) {
   EXPECT_LE(largest, 1.35e-3);
 }
 
-std::string refusal(const TorqueCorrection& correction) {
+std::string correction_refusal(const TorqueCorrection& correction) {
   return error_text([&] { validate(correction); });
 }
 
 TEST(TorqueCorrection, SaysWhatIsWrongWithIt) {
   TorqueCorrection good = over_angle_and_rate();
-  EXPECT_EQ(refusal(good), "");
+  EXPECT_EQ(correction_refusal(good), "");
   TorqueCorrection wrong = good;
   wrong.axes.clear();
-  EXPECT_EQ(refusal(wrong), "torque_correction: must be over one or two variables; got 0");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: must be over one or two variables; got 0");
   wrong = good;
   wrong.axes[0].nodes = {0.1, 0.2};
-  EXPECT_EQ(refusal(wrong), "torque_correction: angle must have at least 3 nodes; got 2");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: angle must have at least 3 nodes; got 2");
   wrong = good;
   wrong.axes[1].nodes[2] = -2.0;
-  EXPECT_EQ(refusal(wrong), "torque_correction: nodes of rate must increase; got -2 after -1.5");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: nodes of rate must increase; got -2 after -1.5");
   wrong = good;
   wrong.axes[1].linear_below = 0.0;
-  EXPECT_EQ(refusal(wrong), "torque_correction: rate must be linear below a finite value > 0; got 0");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: rate must be linear below a finite value > 0; got 0");
   wrong = good;
   wrong.axes[1].variable = angle;
-  EXPECT_EQ(refusal(wrong), "torque_correction: its variables must differ; got angle twice");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: its variables must differ; got angle twice");
   wrong = good;
   wrong.torques.pop_back();
-  EXPECT_EQ(refusal(wrong), "torque_correction: must have one torque per node, 20 here; got 19");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: must have one torque per node, 20 here; got 19");
   wrong = good;
   wrong.torques[3] = NAN;
-  EXPECT_EQ(refusal(wrong), "torque_correction: torques must be finite; got nan");
+  EXPECT_EQ(correction_refusal(wrong), "torque_correction: torques must be finite; got nan");
 }
 
 // Two joints without gravity, coils or springs.

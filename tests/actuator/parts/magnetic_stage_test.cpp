@@ -14,6 +14,7 @@
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/magnetics/pair_curve.hpp"
 #include "coilwright/magnetics/wrench.hpp"
+#include "degree.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -24,8 +25,6 @@ using mechanics::JointVector;
 using mechanics::LinkPoint;
 using mechanics::PlanarChain;
 using Orientation = DistantPair::Orientation;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // A configuration C of prototype parts, with the distant pairs of either kind.
 Assembly c_finger(Orientation orientation) {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/wrench.hpp"
+#include "degree.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::actuator {
@@ -21,16 +21,14 @@ namespace {
 
 using mechanics::JointVector;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-ModelSpec finger(Configuration configuration) {
+ModelSpec finger_spec(Configuration configuration) {
   Design design = paper_finger();
   design.layout = layout_of(configuration);
   return assemble_or_throw(design).model.nominal_spec();
 }
 
 TEST(HingePairParts, GiveTheExactTorqueOfAPairTakenByItsLineOfCentres) {
-  const HingePair pair = finger(Configuration::B).magnetics.hinge_pairs().front();
+  const HingePair pair = finger_spec(Configuration::B).magnetics.hinge_pairs().front();
   ASSERT_NE(pair.parts, nullptr);
   const HingePairParts::Spec& spec = pair.parts->spec();
   EXPECT_EQ(spec.fidelity, magnetics::Fidelity::line_of_centres);
@@ -45,7 +43,7 @@ TEST(HingePairParts, GiveTheExactTorqueOfAPairTakenByItsLineOfCentres) {
 }
 
 TEST(HingePairParts, BuildTheExactCurveOnceForAllThreads) {
-  const HingePair pair = finger(Configuration::B).magnetics.hinge_pairs().front();
+  const HingePair pair = finger_spec(Configuration::B).magnetics.hinge_pairs().front();
   std::vector<std::shared_ptr<const magnetics::Curve>> seen(4);
   {
     std::vector<std::jthread> threads;
@@ -79,7 +77,7 @@ JointVector exact_torques(const ModelSpec& spec, const PlacedCoil& first, const 
 
 // The source paper: 0.024 N at 1.4 A in both, two gaps and a magnet's length apart.
 TEST(CoilRow, PullsAsThePaperSays) {
-  const ModelSpec spec = finger(Configuration::B);
+  const ModelSpec spec = finger_spec(Configuration::B);
   ASSERT_NE(spec.coil_row, nullptr);
   const std::vector<DistantPair> pairs = spec.coil_row->pairs();
   ASSERT_EQ(pairs.size(), 1U);
@@ -92,7 +90,7 @@ TEST(CoilRow, PullsAsThePaperSays) {
 
 // Against the exact wrench, which knows no axis: on the axis to the curve's 1e-6, off it as well as dipoles are.
 TEST(CoilRow, TurnsTheJointsAsTheExactWrenchDoes) {
-  ModelSpec spec = finger(Configuration::B);
+  ModelSpec spec = finger_spec(Configuration::B);
   const std::vector<PlacedCoil>& coils = spec.coil_row->coils();
   const CoilRow dipoles(spec.chain, coils, DistantPair::Orientation::dipoles);
   const MagneticStage stage({}, dipoles.pairs());
@@ -113,7 +111,7 @@ TEST(CoilRow, TurnsTheJointsAsTheExactWrenchDoes) {
 
 // Magnets between them do not matter: every coil of C pulls at every other, with one curve.
 TEST(CoilRow, PairsEveryCoilWithEveryOther) {
-  const ModelSpec spec = finger(Configuration::C);
+  const ModelSpec spec = finger_spec(Configuration::C);
   const std::vector<DistantPair> pairs = spec.coil_row->pairs();
   ASSERT_EQ(pairs.size(), 3U);
   EXPECT_EQ(pairs[0].axial_force, pairs[2].axial_force);
@@ -125,7 +123,7 @@ TEST(CoilRow, PairsEveryCoilWithEveryOther) {
 }
 
 TEST(CoilRow, NeedsTwoCoilsOnRisingLinks) {
-  const ModelSpec spec = finger(Configuration::B);
+  const ModelSpec spec = finger_spec(Configuration::B);
   std::vector<PlacedCoil> coils = spec.coil_row->coils();
   std::swap(coils[0], coils[1]);
   const auto text = [&] {
@@ -134,7 +132,7 @@ TEST(CoilRow, NeedsTwoCoilsOnRisingLinks) {
   EXPECT_EQ(text(), "coils: links must rise; got -1 after 1");
   coils.pop_back();
   EXPECT_EQ(text(), "coils: at least two; got 1");
-  EXPECT_EQ(finger(Configuration::A).coil_row, nullptr);
+  EXPECT_EQ(finger_spec(Configuration::A).coil_row, nullptr);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 using Point = std::span<const double>;
 
-Variable real(std::string name, double lower, double upper) {
+Variable real_variable(std::string name, double lower, double upper) {
   return {.name = std::move(name), .kind = VariableKind::continuous, .lower = lower, .upper = upper, .step = 0};
 }
 
@@ -45,7 +45,8 @@ double square(double value) {
 
 Problem re21() {
   const double root2 = std::numbers::sqrt2;
-  return {.variables = {real("x1", 1, 3), real("x2", root2, 3), real("x3", root2, 3), real("x4", 1, 3)},
+  return {.variables = {real_variable("x1", 1, 3), real_variable("x2", root2, 3), real_variable("x3", root2, 3),
+                        real_variable("x4", 1, 3)},
           .objectives = two_minimised(),
           .constraints = {},
           .evaluate = [root2](Point x) {
@@ -57,7 +58,7 @@ Problem re21() {
 }
 
 Problem bnh() {
-  return {.variables = {real("x1", 0, 5), real("x2", 0, 3)},
+  return {.variables = {real_variable("x1", 0, 5), real_variable("x2", 0, 3)},
           .objectives = two_minimised(),
           .constraints = {"inside", "outside"},
           .evaluate = [](Point x) {
@@ -68,7 +69,7 @@ Problem bnh() {
 }
 
 Problem srn() {
-  return {.variables = {real("x1", -20, 20), real("x2", -20, 20)},
+  return {.variables = {real_variable("x1", -20, 20), real_variable("x2", -20, 20)},
           .objectives = two_minimised(),
           .constraints = {"circle", "line"},
           .evaluate = [](Point x) {
@@ -78,7 +79,7 @@ Problem srn() {
 }
 
 Problem tnk() {
-  return {.variables = {real("x1", 0, std::numbers::pi), real("x2", 0, std::numbers::pi)},
+  return {.variables = {real_variable("x1", 0, std::numbers::pi), real_variable("x2", 0, std::numbers::pi)},
           .objectives = two_minimised(),
           .constraints = {"wave", "disc"},
           .evaluate = [](Point x) {
@@ -95,7 +96,8 @@ Problem zdt1() {
                     const double g = 1 + 9 * sum / static_cast<double>(x.size() - 1);
                     return evaluated({x[0], g * (1 - std::sqrt(x[0] / g))}, {});
                   }};
-  for (int i = 1; i <= 30; ++i) problem.variables.push_back(real(std::string{"x"}.append(std::to_string(i)), 0, 1));
+  for (int i = 1; i <= 30; ++i)
+    problem.variables.push_back(real_variable(std::string{"x"}.append(std::to_string(i)), 0, 1));
   return problem;
 }
 
@@ -105,7 +107,7 @@ namespace {
 Problem in_unit_cube(int dimension, std::function<Evaluation(Point)> evaluate) {
   Problem problem{.variables = {}, .objectives = two_minimised(), .constraints = {}, .evaluate = std::move(evaluate)};
   for (int i = 1; i <= dimension; ++i)
-    problem.variables.push_back(real(std::string{"x"}.append(std::to_string(i)), 0, 1));
+    problem.variables.push_back(real_variable(std::string{"x"}.append(std::to_string(i)), 0, 1));
   return problem;
 }
 
@@ -160,8 +162,8 @@ Problem cre25() {
 
 Problem osy() {
   return {
-      .variables = {real("x1", 0, 10), real("x2", 0, 10), real("x3", 1, 5), real("x4", 0, 6), real("x5", 1, 5),
-                    real("x6", 0, 10)},
+      .variables = {real_variable("x1", 0, 10), real_variable("x2", 0, 10), real_variable("x3", 1, 5),
+                    real_variable("x4", 0, 6), real_variable("x5", 1, 5), real_variable("x6", 0, 10)},
       .objectives = two_minimised(),
       .constraints = {"g1", "g2", "g3", "g4", "g5", "g6"},
       .evaluate = [](Point x) {

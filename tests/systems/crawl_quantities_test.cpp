@@ -23,12 +23,12 @@ simulation::QuantityTable table_of(const CrawlTask& task, std::atomic<int>* call
   }));
 }
 
-simulation::EvaluatedDesign finger() {
+simulation::EvaluatedDesign finger_at_one_ampere() {
   return simulation::evaluate(validation::paper_finger(), {.current = 1.0});
 }
 
 TEST(CrawlQuantities, AreThoseOfTheCrawl) {
-  const auto design = finger();
+  const auto design = finger_at_one_ampere();
   const CrawlTask task = short_crawl();
   const Crawl found = crawl(Crawler(design.design, design.assembly, task.parts), task.timing);
   const simulation::QuantityTable table = table_of(task);
@@ -44,7 +44,7 @@ TEST(CrawlQuantities, AreThoseOfTheCrawl) {
 }
 
 TEST(CrawlQuantities, LetTheRobotCrawlOnce) {
-  const auto design = finger();
+  const auto design = finger_at_one_ampere();
   std::atomic<int> calls = 0;
   const simulation::QuantityTable table = table_of(short_crawl(), &calls);
   for (const char* name : {"crawl_speed_mm_s", "crawl_power_W", "crawl_distance_per_charge_m"})
@@ -53,7 +53,7 @@ TEST(CrawlQuantities, LetTheRobotCrawlOnce) {
 }
 
 TEST(CrawlQuantities, SayWhatACellCannotSupply) {
-  const auto design = finger();
+  const auto design = finger_at_one_ampere();
   CrawlTask task = short_crawl();
   task.parts.cell.current_limit = 1.5;
   const simulation::QuantityTable table = table_of(task);

@@ -23,26 +23,29 @@ DrivenActuator driven(const DriveQuestion& question) {
   return drive_actuator(finger(), assembly(), question);
 }
 
-drive::HBridge bridge(double voltage) {
+drive::HBridge ideal_bridge(double voltage) {
   return {.supply_voltage = voltage};
 }
 
 TEST(DrivenActuator, FitsFourCoilsInSeriesTo24VoltsAtThePapersCurrent) {
   // Two fingers: four coils of 3.76 ohm and a bridge of 0.565 ohm carry 24 / 15.6 A, full on.
   const DrivenActuator full =
-      driven({.driver = bridge(24.0), .wiring = BankWiring::series, .actuators = 2, .duty = 1.0});
+      driven({.driver = ideal_bridge(24.0), .wiring = BankWiring::series, .actuators = 2, .duty = 1.0});
   EXPECT_NEAR(full.coil.mean, 24.0 / (4.0 * assembly().coil.resistance + 0.565), 1e-12);
   const DrivenActuator wanted =
-      driven({.driver = bridge(24.0), .wiring = BankWiring::series, .actuators = 2, .mean = 1.4});
+      driven({.driver = ideal_bridge(24.0), .wiring = BankWiring::series, .actuators = 2, .mean = 1.4});
   EXPECT_NEAR(wanted.coil.mean, 1.4, 1e-9);  // the bisection's 1e-12 of a period
   EXPECT_GT(wanted.duty, 0.9);
-  const DrivenActuator hot = driven(
-      {.driver = bridge(24.0), .wiring = BankWiring::series, .actuators = 2, .mean = 1.4, .coil_temperature = 60.0});
+  const DrivenActuator hot = driven({.driver = ideal_bridge(24.0),
+                                     .wiring = BankWiring::series,
+                                     .actuators = 2,
+                                     .mean = 1.4,
+                                     .coil_temperature = 60.0});
   EXPECT_THAT(hot.warnings, Contains(DriveWarning::out_of_reach));
 }
 
 TEST(DrivenActuator, HasMoreHeatThanItsMeanCurrentSuggests) {
-  const DrivenActuator slow = driven({.driver = bridge(24.0), .duty = 0.3});
+  const DrivenActuator slow = driven({.driver = ideal_bridge(24.0), .duty = 0.3});
   EXPECT_GT(slow.coil.rms, slow.coil.mean);
   EXPECT_NEAR(slow.driver.powers.coils / slow.heat_by_mean, std::pow(slow.coil.rms / slow.coil.mean, 2), 1e-12);
   // Two like coils share evenly.
@@ -51,9 +54,9 @@ TEST(DrivenActuator, HasMoreHeatThanItsMeanCurrentSuggests) {
 }
 
 TEST(DrivenActuator, FindsTheVoltageAtADuty) {
-  const DrivenActuator found = driven({.driver = bridge(24.0), .duty = 0.8, .mean = 0.9});
+  const DrivenActuator found = driven({.driver = ideal_bridge(24.0), .duty = 0.8, .mean = 0.9});
   EXPECT_NEAR(found.coil.mean, 0.9, 1e-9);
-  const DrivenActuator again = driven({.driver = bridge(found.supply_voltage), .duty = 0.8});
+  const DrivenActuator again = driven({.driver = ideal_bridge(found.supply_voltage), .duty = 0.8});
   EXPECT_EQ(again.coil.mean, found.coil.mean);
 }
 
@@ -72,7 +75,7 @@ TEST(DrivenActuator, RunsOnACellAsLongAsItsChargeLasts) {
 
 TEST(DrivenActuator, DampsItsMotionAsTheEffectDoes) {
   // Without resistance in the driver each coil is its own loop: the effect back_emf with 1 / R.
-  drive::HBridge ideal = bridge(24.0);
+  drive::HBridge ideal = ideal_bridge(24.0);
   ideal.high_resistance = ideal.low_resistance = 0.0;
   const DrivenActuator parallel = driven({.driver = ideal, .duty = 0.5});
   actuator::ModelSpec spec = assembly().model.nominal_spec();
@@ -87,7 +90,7 @@ TEST(DrivenActuator, DampsItsMotionAsTheEffectDoes) {
   const DrivenActuator series = driven({.driver = ideal, .wiring = BankWiring::series, .duty = 0.5});
   EXPECT_NEAR(series.motion.damping / added, 1.0, 1e-9);
   EXPECT_NEAR(series.motion.emf_per_rate / parallel.motion.emf_per_rate, 2.0, 1e-9);
-  EXPECT_LT(driven({.driver = bridge(24.0), .duty = 0.5}).motion.damping, parallel.motion.damping);
+  EXPECT_LT(driven({.driver = ideal_bridge(24.0), .duty = 0.5}).motion.damping, parallel.motion.damping);
 }
 
 TEST(DrivenActuator, IsInBalanceWithItsOwnHeat) {
@@ -96,19 +99,20 @@ TEST(DrivenActuator, IsInBalanceWithItsOwnHeat) {
   const thermal::Network network = heat_network(finger(), assembly());
   for (const double voltage : {9.0, 24.0}) {
     const DrivenActuator warm = driven(
-        {.driver = bridge(voltage), .wiring = BankWiring::series, .duty = 0.5, .coil_temperature = std::nullopt});
+        {.driver = ideal_bridge(voltage), .wiring = BankWiring::series, .duty = 0.5, .coil_temperature = std::nullopt});
     const thermal::SteadyState heat = steady_state(network, same_in_every_coil(network, warm.coil.rms * warm.coil.rms));
     ASSERT_EQ(heat.outcome, thermal::Outcome::settles);
     EXPECT_NEAR(heat.temperatures[0], warm.coil_temperatures[0], 1e-6);
     EXPECT_NEAR(heat.temperatures[2], warm.coil_temperatures[1], 1e-6);
     EXPECT_GT(*warm.steady_hot_spot, warm.coil_temperatures.maxCoeff());
-    EXPECT_LT(warm.coil.rms, driven({.driver = bridge(voltage), .wiring = BankWiring::series, .duty = 0.5}).coil.rms);
+    EXPECT_LT(warm.coil.rms,
+              driven({.driver = ideal_bridge(voltage), .wiring = BankWiring::series, .duty = 0.5}).coil.rms);
   }
 }
 
 TEST(DrivenActuator, CoolsAVoltageThatARunningAwayCurrentWouldNot) {
   // Held at the current of the cold coils they would have no steady temperature; a voltage loses current as they warm.
-  const DriveQuestion cold{.driver = bridge(10.5), .duty = 1.0};
+  const DriveQuestion cold{.driver = ideal_bridge(10.5), .duty = 1.0};
   DriveQuestion own = cold;
   own.coil_temperature = std::nullopt;
   EXPECT_THAT(driven(cold).warnings, Contains(DriveWarning::runaway));
@@ -119,42 +123,45 @@ TEST(DrivenActuator, CoolsAVoltageThatARunningAwayCurrentWouldNot) {
 }
 
 TEST(DrivenActuator, WarnsOfWhatMatters) {
-  EXPECT_THAT(driven({.driver = bridge(24.0), .frequency = 20e3, .mean = 0.5}).warnings, IsEmpty());
-  EXPECT_THAT(driven({.driver = bridge(24.0), .frequency = 20e3, .mean = 1.3}).warnings,
+  EXPECT_THAT(driven({.driver = ideal_bridge(24.0), .frequency = 20e3, .mean = 0.5}).warnings, IsEmpty());
+  EXPECT_THAT(driven({.driver = ideal_bridge(24.0), .frequency = 20e3, .mean = 1.3}).warnings,
               Contains(DriveWarning::above_continuous));
-  EXPECT_THAT(driven({.driver = bridge(24.0), .frequency = 20e3, .mean = 1.5}).warnings,
+  EXPECT_THAT(driven({.driver = ideal_bridge(24.0), .frequency = 20e3, .mean = 1.5}).warnings,
               Contains(DriveWarning::above_ampacity));
-  drive::HBridge limited = bridge(24.0);
+  drive::HBridge limited = ideal_bridge(24.0);
   limited.trip = 2.0;
   EXPECT_THAT(driven({.driver = limited, .duty = 1.0}).warnings, Contains(DriveWarning::limited));
-  EXPECT_THAT(driven({.driver = bridge(24.0), .duty = 0.2}).warnings, Contains(DriveWarning::ripple));
-  drive::HBridge fast = bridge(24.0);
+  EXPECT_THAT(driven({.driver = ideal_bridge(24.0), .duty = 0.2}).warnings, Contains(DriveWarning::ripple));
+  drive::HBridge fast = ideal_bridge(24.0);
   fast.decay = drive::Decay::fast;
   EXPECT_THAT(driven({.driver = fast, .duty = 0.2}).warnings, Contains(DriveWarning::discontinuous));
-  EXPECT_THAT(driven({.driver = bridge(24.0), .duty = 1e-5}).warnings, Contains(DriveWarning::dead_time));
-  EXPECT_THAT(driven({.driver = bridge(24.0), .duty = 1.0}).warnings, Contains(DriveWarning::runaway));
+  EXPECT_THAT(driven({.driver = ideal_bridge(24.0), .duty = 1e-5}).warnings, Contains(DriveWarning::dead_time));
+  EXPECT_THAT(driven({.driver = ideal_bridge(24.0), .duty = 1.0}).warnings, Contains(DriveWarning::runaway));
 }
 
 TEST(DrivenActuator, RejectsEffectsOnTheCurrent) {
   actuator::Design lagging = finger();
   lagging.effects.push_back({.kind = actuator::standard_effects().find("driver_saturation"), .values = {0.5}});
   const Assembly built = actuator::assemble_or_throw(lagging);
-  EXPECT_EQ(error_text([&] { (void)drive_actuator(lagging, built, {.driver = bridge(24.0), .duty = 0.5}); }),
+  EXPECT_EQ(error_text([&] { (void)drive_actuator(lagging, built, {.driver = ideal_bridge(24.0), .duty = 0.5}); }),
             "effect driver_saturation: acts on the currents, which follow from the driver here");
 }
 
 TEST(DrivenActuator, RejectsWhatIsNone) {
-  EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(24.0)}); }), "duty or mean must be given; got neither");
-  EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(24.0), .actuators = 0, .duty = 0.5}); }),
+  EXPECT_EQ(error_text([] { (void)driven({.driver = ideal_bridge(24.0)}); }),
+            "duty or mean must be given; got neither");
+  EXPECT_EQ(error_text([] { (void)driven({.driver = ideal_bridge(24.0), .actuators = 0, .duty = 0.5}); }),
             "actuators must be >= 1; got 0");
-  EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(24.0), .mean = -0.4}); }), "mean must be > 0; got -0.4 A");
-  EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(0.0), .duty = 0.5}); }),
+  EXPECT_EQ(error_text([] { (void)driven({.driver = ideal_bridge(24.0), .mean = -0.4}); }),
+            "mean must be > 0; got -0.4 A");
+  EXPECT_EQ(error_text([] { (void)driven({.driver = ideal_bridge(0.0), .duty = 0.5}); }),
             "supply_voltage: must be finite and > 0; got 0");
   EXPECT_EQ(error_text([] { (void)driven({.driver = CellDrive{.circuit = {.emf = 4.2}}, .duty = 0.5}); }),
             "capacity must be > 0; got 0 A s");
-  EXPECT_EQ(error_text([] { (void)driven({.driver = bridge(200.0), .mean = 5.0, .coil_temperature = std::nullopt}); }),
-            "coil temperature must be given: held for good, this drive heats the coils beyond 1085 degC, where copper "
-            "melts");
+  EXPECT_EQ(
+      error_text([] { (void)driven({.driver = ideal_bridge(200.0), .mean = 5.0, .coil_temperature = std::nullopt}); }),
+      "coil temperature must be given: held for good, this drive heats the coils beyond 1085 degC, where copper "
+      "melts");
 }
 
 }  // namespace

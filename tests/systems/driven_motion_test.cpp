@@ -21,13 +21,13 @@ using drive::Decay;
 using mechanics::JointVector;
 using simulation::State;
 
-const Assembly& finger() {
+const Assembly& built_finger() {
   static const Assembly built = actuator::assemble_or_throw(actuator::paper_finger());
   return built;
 }
 
 drive::CoilBank bank(BankWiring wiring) {
-  return coil_bank(actuator::paper_finger(), finger(), wiring, Eigen::Vector2d::Constant(20.0));
+  return coil_bank(actuator::paper_finger(), built_finger(), wiring, Eigen::Vector2d::Constant(20.0));
 }
 
 drive::Driver bridge(double voltage, Decay decay = Decay::slow) {
@@ -101,7 +101,7 @@ TEST(DrivenMotion, KeepsItsEnergyBook) {
   design.layout.back().polarity = -1;
   const Assembly closing = actuator::assemble_or_throw(design);
   for (const DrivenCase& c : cases) {
-    for (const Assembly* assembly : {&finger(), &closing}) {
+    for (const Assembly* assembly : {&built_finger(), &closing}) {
       SCOPED_TRACE(c.name);
       const Model& model = assembly->model;
       const MotionDrive drive{.bank = coil_bank(design, *assembly, c.wiring, Eigen::Vector2d(20.0, 45.0)),
@@ -109,8 +109,8 @@ TEST(DrivenMotion, KeepsItsEnergyBook) {
                               .pulses = c.pulses,
                               .actuators = c.actuators};
       const std::vector<MotionSample> motion =
-          drive_motion(model, drive, {.duration = 0.12, .interval = assembly == &finger() ? 1e-5 : 2e-6}, rest(model),
-                       {.relative = 1e-9});
+          drive_motion(model, drive, {.duration = 0.12, .interval = assembly == &built_finger() ? 1e-5 : 2e-6},
+                       rest(model), {.relative = 1e-9});
       const MotionEnergies& e = motion.back().energies;
       EXPECT_NEAR((e.coils + e.switches + e.diodes + e.supply + e.work + e.field) / e.source, 1.0, 1e-8);
       const double stored = energy_of(model, motion.back().state) - energy_of(model, motion.front().state);
@@ -121,16 +121,17 @@ TEST(DrivenMotion, KeepsItsEnergyBook) {
                           lost_by_faces(model, motion);
       // Simpson's rule where all is smooth; faces that meet bend the powers within an interval, which leaves 2e-4 at 10
       // us and a tenth of it at 2 us.
-      EXPECT_NEAR(e.work / c.actuators, stored + lost, (assembly == &finger() ? 1e-7 : 5e-5) * (stored + lost));
+      EXPECT_NEAR(e.work / c.actuators, stored + lost, (assembly == &built_finger() ? 1e-7 : 5e-5) * (stored + lost));
     }
   }
 }
 
 TEST(DrivenMotion, HasTheClosedFormsCurrentInAStalledFinger) {
   // So heavy that nothing moves, and without gravity.
-  std::vector<mechanics::Link> links(finger().model.chain().links().begin(), finger().model.chain().links().end());
+  std::vector<mechanics::Link> links(built_finger().model.chain().links().begin(),
+                                     built_finger().model.chain().links().end());
   for (mechanics::Link& link : links) link.mass *= 1e10;
-  actuator::ModelSpec spec = finger().model.nominal_spec();
+  actuator::ModelSpec spec = built_finger().model.nominal_spec();
   spec.chain = mechanics::PlanarChain(links, 0.0);
   const Model stalled(spec);
   const State start{.angles = JointVector::Constant(2, 0.3), .rates = JointVector::Zero(2)};
@@ -178,10 +179,10 @@ MotionDrive constant_voltage(double resistances, double inductances, double curr
 }
 
 std::vector<State> with_effects(std::vector<actuator::Effect> effects, double current, double duration) {
-  actuator::ModelSpec spec = finger().model.nominal_spec();
+  actuator::ModelSpec spec = built_finger().model.nominal_spec();
   spec.effects = std::move(effects);
   const Model model(spec);
-  State start = rest(finger().model);
+  State start = rest(built_finger().model);
   start.internal = model.settled(start.angles, model.all_coils(0.0));
   return simulation::simulate(
       model, simulation::step_input(model, {.current = current, .duration = duration, .interval = 1e-3}), start,
@@ -201,9 +202,10 @@ const actuator::EffectKind* effect(const char* id) {
 
 TEST(DrivenMotion, IsACurrentThatLagsWhereVoltageAndResistanceAreLarge) {
   // A million times R, L and voltage: the same L / R and current, and nothing that motion could induce.
-  const State start = rest(finger().model);
-  const std::vector<MotionSample> motion = drive_motion(
-      finger().model, constant_voltage(1e6, 1e6, 0.9), {.duration = 0.3, .interval = 1e-3}, start, {.relative = 1e-10});
+  const State start = rest(built_finger().model);
+  const std::vector<MotionSample> motion =
+      drive_motion(built_finger().model, constant_voltage(1e6, 1e6, 0.9), {.duration = 0.3, .interval = 1e-3}, start,
+                   {.relative = 1e-10});
   const double lag = bank(BankWiring::parallel).inductances(0, 0) / bank(BankWiring::parallel).resistances[0];
   const std::vector<State> lagging = with_effects({{effect("coil_lag"), {lag}}}, 0.9, 0.3);
   ASSERT_EQ(motion.size(), lagging.size());
@@ -213,14 +215,14 @@ TEST(DrivenMotion, IsACurrentThatLagsWhereVoltageAndResistanceAreLarge) {
 
 TEST(DrivenMotion, TendsToTheEffectBackEmfAsTheInductanceVanishes) {
   // The effect has the induced current at once: what is left is of first order in L / R.
-  const State start = rest(finger().model);
+  const State start = rest(built_finger().model);
   const double resistance = bank(BankWiring::parallel).resistances[0];
   const double lag = bank(BankWiring::parallel).inductances(0, 0) / resistance;
   std::vector<double> differences;
   for (const double share : {0.4, 0.2, 0.1}) {
     const std::vector<MotionSample> motion =
-        drive_motion(finger().model, constant_voltage(1.0, share, 0.9), {.duration = 0.3, .interval = 1e-3}, start,
-                     {.relative = 1e-10});
+        drive_motion(built_finger().model, constant_voltage(1.0, share, 0.9), {.duration = 0.3, .interval = 1e-3},
+                     start, {.relative = 1e-10});
     differences.push_back(largest_difference(
         motion,
         with_effects({{effect("back_emf"), {1.0 / resistance}}, {effect("coil_lag"), {share * lag}}}, 0.9, 0.3)));
@@ -300,14 +302,14 @@ TEST(DrivenMotion, AgreesWithAnIntegratorOfItsOwnSteps) {
   const drive::HBridge bridge{.supply_voltage = 6.0};
   const drive::Pulses pulses{.frequency = 490.0, .duty = 0.5};
   const drive::CoilBank coils = bank(BankWiring::parallel);
-  const State start = rest(finger().model);
+  const State start = rest(built_finger().model);
   const auto followed = [&](double relative) {
-    return drive_motion(finger().model, {.bank = coils, .driver = driver_of(bridge), .pulses = pulses},
+    return drive_motion(built_finger().model, {.bank = coils, .driver = driver_of(bridge), .pulses = pulses},
                         {.duration = 40.0 / 490.0, .interval = 40.0 / 490.0}, start, {.relative = relative})
         .back();
   };
   const MotionSample motion = followed(1e-7);
-  Bench bench(finger().model, bridge, coils);
+  Bench bench(built_finger().model, bridge, coils);
   const Eigen::VectorXd other = bench.run(pulses, 40, 5e-6);
   // 1e-7 a step over 40 periods, with a swing of a radian and 10 rad/s.
   EXPECT_NEAR((motion.state.angles - JointVector(other.head(2))).norm(), 0.0, 1e-6);
@@ -320,9 +322,9 @@ TEST(DrivenMotion, AgreesWithAnIntegratorOfItsOwnSteps) {
 
 TEST(DrivenMotion, IsLessBrakedByACurrentSourceThanByAVoltage) {
   // What the closed circuit takes from the swing is what drive_actuator() calls motional damping.
-  const State start = rest(finger().model);
+  const State start = rest(built_finger().model);
   const std::vector<MotionSample> motion =
-      drive_motion(finger().model, constant_voltage(1.0, 1.0, 0.9), {.duration = 0.3, .interval = 1e-3}, start);
+      drive_motion(built_finger().model, constant_voltage(1.0, 1.0, 0.9), {.duration = 0.3, .interval = 1e-3}, start);
   const std::vector<State> imposed = with_effects({}, 0.9, 0.3);
   double fastest = 0.0, imposed_fastest = 0.0;
   for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -333,25 +335,25 @@ TEST(DrivenMotion, IsLessBrakedByACurrentSourceThanByAVoltage) {
 }
 
 TEST(DrivenMotion, RejectsWhatItCannotFollow) {
-  const State start = rest(finger().model);
+  const State start = rest(built_finger().model);
   const MotionDrive drive{.bank = bank(BankWiring::parallel), .driver = bridge(6.0), .pulses = {490.0, 0.5}};
   const auto text = [&](const Model& model, const MotionDrive& by, const MotionTiming& timing) {
     return error_text([&] { (void)drive_motion(model, by, timing, start); });
   };
-  EXPECT_EQ(text(finger().model, drive, {.duration = 0.0, .interval = 1e-3}), "duration must be > 0; got 0 s");
-  EXPECT_EQ(text(finger().model, drive, {.duration = 0.1, .interval = 0.2}),
+  EXPECT_EQ(text(built_finger().model, drive, {.duration = 0.0, .interval = 1e-3}), "duration must be > 0; got 0 s");
+  EXPECT_EQ(text(built_finger().model, drive, {.duration = 0.1, .interval = 0.2}),
             "interval must be > 0 and at most the duration, 0.1 s; got 0.2 s");
-  EXPECT_EQ(text(finger().model, drive, {.duration = 300.0, .interval = 0.1}),
+  EXPECT_EQ(text(built_finger().model, drive, {.duration = 300.0, .interval = 0.1}),
             "duration must be at most 204.082 s, the time of 100000 pulses; got 300 s");
-  EXPECT_EQ(text(finger().model, drive, {.duration = 1.0, .interval = 1e-6}),
+  EXPECT_EQ(text(built_finger().model, drive, {.duration = 1.0, .interval = 1e-6}),
             "interval must be at least 1e-05 s, for 100000 samples; got 1e-06 s");
-  actuator::ModelSpec spec = finger().model.nominal_spec();
+  actuator::ModelSpec spec = built_finger().model.nominal_spec();
   spec.effects = {{effect("back_emf"), {0.1}}};
   EXPECT_EQ(text(Model(spec), drive, {.duration = 0.1, .interval = 1e-3}),
             "effect back_emf: acts on currents or magnetics, which follow from the driver here");
   MotionDrive one = drive;
   one.bank.resistances = Eigen::VectorXd::Ones(1);
-  EXPECT_EQ(text(finger().model, one, {.duration = 0.1, .interval = 1e-3}),
+  EXPECT_EQ(text(built_finger().model, one, {.duration = 0.1, .interval = 1e-3}),
             "bank.resistances must be one a coil, 2 and at least one here; got 1");
 }
 

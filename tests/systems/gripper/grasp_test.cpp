@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "coilwright/simulation/blocked_grasp.hpp"
+#include "degree.hpp"
 
 namespace coilwright::systems::gripper {
 namespace {
@@ -16,20 +16,18 @@ namespace {
 using Eigen::Vector2d;
 using mechanics::JointVector;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 Gripper paper_gripper(double angle = 30.0 * degree, double spacing = 0.07) {
   return {actuator::Design{}, {.angle = angle, .spacing = spacing}};
 }
 
-Object ball(double friction = 0.8) {
+Object ball_of_friction(double friction = 0.8) {
   return {.shape = ObjectShape::sphere, .width = 0.06, .mass = 0.05, .friction = friction, .centre = {0.0, -0.016}};
 }
 
 // Statics of what the time stepping ends in, by sums written here.
 TEST(Grasp, BalancesTheObjectAndEveryJoint) {
   const Gripper gripper = paper_gripper();
-  const Grasp held = grasp(gripper, ball(), {.current = 1.4, .acceleration = 2.0, .find_capacity = false});
+  const Grasp held = grasp(gripper, ball_of_friction(), {.current = 1.4, .acceleration = 2.0, .find_capacity = false});
   ASSERT_TRUE(held.holds);
   ASSERT_EQ(held.contacts.size(), 2U);
   EXPECT_NEAR(held.load, 0.05 * (9.81 + 2.0), 1e-12);
@@ -125,27 +123,27 @@ TEST(GripperMagnets, DoNoWorkRoundALoop) {
 
 TEST(Grasp, TakesMoreBetweenFingersThatWereOpenedBefore) {
   const Gripper gripper = paper_gripper(30.0 * degree, 0.06);
-  EXPECT_THROW((void)grasp(gripper, ball(), {.current = 1.4}), std::invalid_argument);
-  const Grasp opened = grasp(gripper, ball(), {.current = 1.4, .open_current = -1.4});
+  EXPECT_THROW((void)grasp(gripper, ball_of_friction(), {.current = 1.4}), std::invalid_argument);
+  const Grasp opened = grasp(gripper, ball_of_friction(), {.current = 1.4, .open_current = -1.4});
   EXPECT_TRUE(opened.holds);
-  EXPECT_GT(opened.capacity, 1.5 * grasp(paper_gripper(), ball(), {.current = 1.4}).capacity);
+  EXPECT_GT(opened.capacity, 1.5 * grasp(paper_gripper(), ball_of_friction(), {.current = 1.4}).capacity);
 }
 
 TEST(Grasp, HoldsMoreWithMoreFrictionAndWithMoreCurrent) {
   const Gripper gripper = paper_gripper();
-  const double rough = grasp(gripper, ball(1.0), {.current = 1.4}).capacity;
-  const double smooth = grasp(gripper, ball(0.6), {.current = 1.4}).capacity;
-  const double weak = grasp(gripper, ball(1.0), {.current = 1.0}).capacity;
+  const double rough = grasp(gripper, ball_of_friction(1.0), {.current = 1.4}).capacity;
+  const double smooth = grasp(gripper, ball_of_friction(0.6), {.current = 1.4}).capacity;
+  const double weak = grasp(gripper, ball_of_friction(1.0), {.current = 1.0}).capacity;
   EXPECT_GT(rough, smooth);
   EXPECT_GT(rough, weak);
-  EXPECT_FALSE(grasp(gripper, ball(0.01), {.current = 1.4}).holds);
+  EXPECT_FALSE(grasp(gripper, ball_of_friction(0.01), {.current = 1.4}).holds);
 }
 
 // What the fingers can carry does not depend on what they are given to carry.
 TEST(Grasp, CarriesTheSameOfAnyWeight) {
   const Gripper gripper = paper_gripper();
   const auto capacity = [&](double mass) {
-    Object object = ball();
+    Object object = ball_of_friction();
     object.mass = mass;
     return grasp(gripper, object, {.current = 1.4}).capacity;
   };
@@ -186,9 +184,9 @@ TEST(Grasp, TouchesRoundObjectsOnTheirSurfaceWhereverTheyAre) {
 // more than the 10 um that a landing may take.
 TEST(Grasp, ConvergesWithTheStep) {
   const Gripper gripper = paper_gripper();
-  const Grasp fine = grasp(gripper, ball(), {.current = 1.4, .step = 2e-5});
+  const Grasp fine = grasp(gripper, ball_of_friction(), {.current = 1.4, .step = 2e-5});
   for (const double step : {2e-3, 1.7e-3, 1e-3, 9e-4, 2e-4, 5e-5}) {
-    const Grasp coarse = grasp(gripper, ball(), {.current = 1.4, .step = step});
+    const Grasp coarse = grasp(gripper, ball_of_friction(), {.current = 1.4, .step = step});
     EXPECT_NEAR(coarse.closing_time, fine.closing_time, 4e-4);
     EXPECT_NEAR(coarse.capacity, fine.capacity, 0.003 * fine.capacity) << step;
     ASSERT_EQ(coarse.contacts.size(), 2U);
@@ -247,14 +245,14 @@ TEST(Grasp, PressesNearAJointAsShorterStepsSay) {
 
 TEST(Grasp, FindsTheLeastCurrentAndTheLeastFriction) {
   const Gripper gripper = paper_gripper();
-  const auto current = least_current(gripper, ball(), {}, 1.4);
+  const auto current = least_current(gripper, ball_of_friction(), {}, 1.4);
   ASSERT_TRUE(current);
-  EXPECT_TRUE(grasp(gripper, ball(), {.current = *current}).holds);
-  EXPECT_FALSE(grasp(gripper, ball(), {.current = 0.98 * *current}).holds);
-  const auto friction = least_friction(gripper, ball(), {.current = 1.4}, 2.0);
+  EXPECT_TRUE(grasp(gripper, ball_of_friction(), {.current = *current}).holds);
+  EXPECT_FALSE(grasp(gripper, ball_of_friction(), {.current = 0.98 * *current}).holds);
+  const auto friction = least_friction(gripper, ball_of_friction(), {.current = 1.4}, 2.0);
   ASSERT_TRUE(friction);
-  EXPECT_FALSE(grasp(gripper, ball(0.98 * *friction), {.current = 1.4}).holds);
-  EXPECT_FALSE(least_friction(gripper, ball(), {.current = 0.1}, 0.5));
+  EXPECT_FALSE(grasp(gripper, ball_of_friction(0.98 * *friction), {.current = 1.4}).holds);
+  EXPECT_FALSE(least_friction(gripper, ball_of_friction(), {.current = 0.1}, 0.5));
 }
 
 TEST(Grasp, SaysWhatItCannotTake) {
@@ -271,15 +269,15 @@ TEST(Grasp, SaysWhatItCannotTake) {
   EXPECT_EQ(message([] { Gripper({}, {.angle = 0.0, .spacing = 0.0}); }),
             "mounting.spacing must be finite and > 0; got 0 m");
   const Gripper gripper = paper_gripper();
-  Object object = ball();
+  Object object = ball_of_friction();
   object.mass = 0.0;
   EXPECT_EQ(message([&] { (void)grasp(gripper, object, {.current = 1.0}); }),
             "object.mass must be finite and > 0; got 0 kg");
-  object = ball();
+  object = ball_of_friction();
   object.width = 0.09;
   EXPECT_THAT(message([&] { (void)grasp(gripper, object, {.current = 1.0}); }),
               testing::StartsWith("object must leave the open fingers free; got "));
-  EXPECT_EQ(message([&] { (void)grasp(gripper, ball(), {.current = 1.0, .step = 1e-2}); }),
+  EXPECT_EQ(message([&] { (void)grasp(gripper, ball_of_friction(), {.current = 1.0, .step = 1e-2}); }),
             "step must be > 0 and <= 2 ms; got 0.01");
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coilwright/systems/gripper/grasp.hpp"
+#include "degree.hpp"
 
 namespace coilwright::systems::gripper {
 namespace {
@@ -16,13 +17,11 @@ namespace {
 using Eigen::Vector3d;
 using mechanics::JointVector;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 Gripper gripper_of(int fingers, Polarity polarity = Polarity::same, double spacing = 0.07) {
   return {actuator::Design{}, {.angle = 30.0 * degree, .spacing = spacing, .polarity = polarity, .fingers = fingers}};
 }
 
-Object ball(double mass) {
+Object ball_of_mass(double mass) {
   return {.shape = ObjectShape::sphere, .width = 0.06, .mass = mass, .friction = 0.8, .centre = {0.0, -0.016}};
 }
 
@@ -90,7 +89,7 @@ TEST(SeveralFingers, FeelTheMagnetsOfAllOthers) {
 
 // 140 mm apart the magnets hardly count: each finger of three carries as each of two does.
 TEST(SeveralFingers, CarryAShareEach) {
-  Object wide = ball(0.02);
+  Object wide = ball_of_mass(0.02);
   wide.width = 0.12;
   const GraspTask task{.current = 1.4};
   const Grasp two = grasp(gripper_of(2, Polarity::same, 0.14), wide, task);
@@ -106,7 +105,7 @@ TEST(SeveralFingers, CarryAShareEach) {
 }
 
 TEST(SeveralFingers, HoldACupAsTwoHoldABoxOfItsWidth) {
-  Object cup = ball(0.02);
+  Object cup = ball_of_mass(0.02);
   cup.shape = ObjectShape::upright_cylinder;
   cup.width = 0.05;
   cup.height = 0.06;
@@ -135,13 +134,13 @@ TEST(SeveralFingers, SayWhatTheyCannotDo) {
       error_text([] { gripper_of(8, Polarity::same, 0.05); }),
       testing::MatchesRegex("mounting.spacing must leave 8 straight fingers, 22 mm wide, beside each other; got "
                             "50 mm, where neighbours overlap by .* mm"));
-  Object beside = ball(0.05);
+  Object beside = ball_of_mass(0.05);
   beside.centre.x() = 0.003;
   EXPECT_EQ(error_text([&] { (void)grasp(gripper_of(3), beside, {.current = 1.4}); }),
             "object must be a sphere or an upright_cylinder with its centre on the gripper's axis for more than two "
             "fingers; got a sphere with its centre at 3 mm");
   // Round a small ball six fingers that hang straight have no room.
-  Object small = ball(0.002);
+  Object small = ball_of_mass(0.002);
   small.width = 0.03;
   const Gripper six(actuator::Design{}, {.angle = 0.0, .spacing = 0.055, .fingers = 6});
   EXPECT_THAT(error_text([&] { (void)grasp(six, small, {.current = 1.4}); }),

@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <stdexcept>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
+#include "degree.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
@@ -17,7 +17,6 @@ namespace {
 using actuator::Design;
 using testing::ThrowsMessage;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr auto centres = magnetics::Fidelity::line_of_centres;
 
 // The errata's own computation (tests/data/actuator_SOURCES.md): at rest 21.07 degrees, steady 38.29, 48.98, 57.04 and

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "degree.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
@@ -16,8 +16,7 @@ namespace {
 using actuator::Design;
 using testing::ThrowsMessage;
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr auto centres = magnetics::Fidelity::line_of_centres;
+constexpr auto line_of_centres = magnetics::Fidelity::line_of_centres;
 
 Design finger_with_stiffness(double stiffness) {
   Design design = actuator::paper_geometry();
@@ -33,7 +32,7 @@ TEST(StiffnessGauge, RecoversTheStiffnessThatWasPutIn) {
     ASSERT_EQ(all.points.size(), 6U);
     // The paper's finger: 21.2 mm from joint 2 to its tip.
     EXPECT_NEAR(all.arm, 21.2e-3, 1e-12);
-    const StiffnessSpread level = spread(all, &StiffnessPoint::level, centres);
+    const StiffnessSpread level = spread(all, &StiffnessPoint::level, line_of_centres);
     EXPECT_NEAR(level.mean, stiffness, 1e-12 * stiffness);
     EXPECT_NEAR(level.deviation, 0.0, 1e-14);
     for (const StiffnessPoint& point : all.points)

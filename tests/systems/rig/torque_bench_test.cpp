@@ -3,20 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <stdexcept>
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
+#include "degree.hpp"
 
 namespace coilwright::systems::rig {
 namespace {
 
 using actuator::Design;
 using testing::ThrowsMessage;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(TorqueBench, HasThePaperSettings) {
   const TorqueBench bench = paper_torque_bench(actuator::paper_finger());

@@ -75,7 +75,7 @@ struct Cut {
 Cut cut(const std::vector<Line>& lines, char separator) {
   struct Rows {
     std::vector<std::vector<std::string>> fields;  // of those that have a number
-    std::size_t votes = 0;  // one a line, and one more where it has a number
+    std::size_t votes = 0;                         // one a line, and one more where it has a number
   };
   std::map<std::size_t, Rows> by_width;
   const std::size_t first = lines.size() > searched_lines ? lines.size() - searched_lines : 0;

@@ -1,12 +1,13 @@
-# coilwright_pack(<target> <function> <folder> <file>...): gives <target> the source of a function of
-# src/cli/packed_files.hpp that returns these files of <folder>. It is made anew when one of them changes.
+# coilwright_pack(<target> <function> <folder> <file>...): gives <target>, coilwright_<room>, the source of a function of
+# src/<room>/packed_files.hpp that returns these files of <folder>. It is made anew when one of them changes.
 function(coilwright_pack target function folder)
+  string(REPLACE coilwright_ "" room ${target})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/packed_${function}.cpp)
   set(paths ${ARGN})
   list(TRANSFORM paths PREPEND ${folder}/)
   string(REPLACE ";" "|" files "${ARGN}")
   add_custom_command(OUTPUT ${source}
-    COMMAND ${CMAKE_COMMAND} -Dfunction=${function} -Dfolder=${folder} -Dfiles=${files} -Doutput=${source}
+    COMMAND ${CMAKE_COMMAND} -Droom=${room} -Dfunction=${function} -Dfolder=${folder} -Dfiles=${files} -Doutput=${source}
       -P ${PROJECT_SOURCE_DIR}/cmake/PackFiles.cmake
     DEPENDS ${paths} ${PROJECT_SOURCE_DIR}/cmake/PackFiles.cmake
     VERBATIM)

@@ -1,4 +1,4 @@
-# cmake -Dfunction=... -Dfolder=... "-Dfiles=a.json|b/c.csv" -Doutput=... -P PackFiles.cmake
+# cmake -Droom=... -Dfunction=... -Dfolder=... "-Dfiles=a.json|b/c.csv" -Doutput=... -P PackFiles.cmake
 #
 # Writes a source with the text of each file, for the program that is installed without the folder.
 string(REPLACE "|" ";" files "${files}")
@@ -11,22 +11,22 @@ endforeach()
 list(LENGTH files count)
 file(WRITE "${output}" "#include <array>
 
-#include \"cli/packed_files.hpp\"
+#include \"${room}/packed_files.hpp\"
 
-namespace coilwright::cli {
+namespace coilwright::${room} {
 namespace {
 
 // A literal that knows its length: nobody counts the letters of half a megabyte at compile time.
 using namespace std::string_view_literals;
 
-constexpr std::array<PackedFile, ${count}> files = {{
+constexpr std::array<text::PackedFile, ${count}> files = {{
 ${rows}}};
 
 }  // namespace
 
-std::span<const PackedFile> ${function}() {
+std::span<const text::PackedFile> ${function}() {
   return files;
 }
 
-}  // namespace coilwright::cli
+}  // namespace coilwright::${room}
 ")

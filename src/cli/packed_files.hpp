@@ -1,21 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
-#include <string_view>
+
+#include "coilwright/text/packed_file.hpp"
 
 namespace coilwright::cli {
 
-/// A file of the repository that the program carries with it.
-struct PackedFile {
-  std::string_view name;  ///< "study.schema.json", "dataset/step.csv"
-  std::string_view text;
-};
-
-/// The text of `name` among `files`, which have it.
-[[nodiscard]] inline std::string_view packed_text(std::span<const PackedFile> files, std::string_view name) {
-  return std::ranges::find(files, name, &PackedFile::name)->text;
-}
+using text::packed_text;
+using text::PackedFile;
 
 /// The JSON Schemas of configs/schemas, by name.
 [[nodiscard]] std::span<const PackedFile> schemas();

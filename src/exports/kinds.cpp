@@ -6,14 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "coilwright/exports/drawing.hpp"
-#include "coilwright/exports/femm.hpp"
-#include "coilwright/exports/getdp.hpp"
-#include "coilwright/exports/lumped.hpp"
-#include "coilwright/exports/mjcf.hpp"
-#include "coilwright/exports/mould.hpp"
-#include "coilwright/exports/urdf.hpp"
-#include "coilwright/exports/workshop.hpp"
+#include "coilwright/exports/subject.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -89,6 +82,30 @@ struct Writing {
   }
 };
 
+constexpr std::array setting_table = {
+    ExportSetting{.name = "lead_mm",
+                  .text = "Length of each of the two leads of a coil, mm (default 150)",
+                  .lowest = 0.0,
+                  .highest = 10'000.0,
+                  .value = &ExportSettings::lead_length},
+    ExportSetting{.name = "waste",
+                  .text = "Silicone that stays in cups and on tools, over the silicone in the actuator (default 0.25)",
+                  .lowest = 0.0,
+                  .highest = 10.0,
+                  .value = &ExportSettings::waste},
+    ExportSetting{.name = "base_per_hardener",
+                  .text = "Mass of part A of the silicone over that of part B, by its data sheet (default: not known)",
+                  .lowest = 0.01,
+                  .highest = 1000.0,
+                  .value = &ExportSettings::base_per_hardener},
+    ExportSetting{
+        .name = "current_A",
+        .text = "Current in the coil of the pair whose field is computed, A; positive repels the magnet (default 1)",
+        .lowest = -1000.0,
+        .highest = 1000.0,
+        .value = &ExportSettings::current},
+};
+
 }  // namespace
 
 std::span<const ExportKind> export_kinds() noexcept {
@@ -102,6 +119,10 @@ const ExportKind* find_export_kind(std::string_view name) noexcept {
 
 std::vector<ExportedFile> export_files(const ExportKind& kind, const Subject& subject, const ExportSettings& settings) {
   return std::visit(Writing{kind, settings}, kind.write_text, subject);
+}
+
+std::span<const ExportSetting> export_settings() noexcept {
+  return setting_table;
 }
 
 }  // namespace coilwright::exports

@@ -10,7 +10,7 @@
 
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/exports/body_plan.hpp"
-#include "coilwright/exports/drawing.hpp"
+#include "coilwright/exports/kinds.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/page/chart.hpp"
 #include "coilwright/page/poses.hpp"

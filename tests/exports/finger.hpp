@@ -3,7 +3,6 @@
 #include <string>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/exports/exported_file.hpp"
 #include "coilwright/exports/subject.hpp"
 
 namespace coilwright::exports {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/exports/lumped.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 namespace coilwright::exports {
 namespace {

@@ -1,4 +1,4 @@
-#include "coilwright/exports/workshop.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

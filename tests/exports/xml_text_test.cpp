@@ -1,4 +1,4 @@
-#include "exports/chain/xml_text.hpp"
+#include "exports/chain/bodies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coilwright/exports/lumped.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/lumped_model_json.hpp"
 #include "exports/chain/plain_model.hpp"
-#include "exports/chain/torque_table.hpp"
 
 namespace coilwright::exports {
 namespace {

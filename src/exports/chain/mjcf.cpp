@@ -1,4 +1,4 @@
-#include "coilwright/exports/mjcf.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "coilwright/text/one_line.hpp"
+#include "exports/chain/bodies.hpp"
 #include "exports/chain/plain_model.hpp"
-#include "exports/chain/rigid_links.hpp"
-#include "exports/chain/torque_table.hpp"
-#include "exports/chain/xml_text.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -63,8 +60,7 @@ void add_joint(xml_node body, int joint, const actuator::Model& model, const std
   set(node, "stiffness", hinge.stiffness);
   set(node, "damping", hinge.damping);
   if (const double rotor = model.chain().link(joint).rotor_inertia; rotor > 0.0) set(node, "armature", rotor);
-  if (hinge.torque_offset != 0.0 && hinge.stiffness > 0.0)
-    set(node, "springref", hinge.torque_offset / hinge.stiffness);
+  if (hinge.torque_offset != 0.0 && hinge.stiffness > 0.0) set(node, "springref", rest_angle(hinge));
   if (hinge.contact.stiffness <= 0.0) {
     set(node, "limited", "false");
     return;
@@ -118,43 +114,30 @@ void add_tables(xml_node custom, const std::vector<TorqueTable>& tables) {
   }
 }
 
-std::string header(const Origin& origin, const std::vector<TorqueTable>& tables,
-                   const std::vector<std::string>& left_out) {
-  std::string text = fmt::format(
-      "\n  {}{}\n  SI units. Hangs along -z where all joints are 0; a positive angle bends it towards +x.\n"
+// How to drive the joints.
+std::string use_of_motors(const std::vector<TorqueTable>& tables) {
+  std::string text =
       "  The motor of a joint takes the torque in N m: for each pair, the current of its coil (A, positive opens) "
       "times\n"
-      "  pairN_torque_Nm_A over pairN_angle_rad at the angle of the joint; torque.csv has the same numbers.\n",
-      origin.name.empty() ? "Actuator" : text::one_line(origin.name),
-      origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".");
+      "  pairN_torque_Nm_A over pairN_angle_rad at the angle of the joint; torque.csv has the same numbers.\n";
   double miss = 0.0;
   for (const TorqueTable& table : tables) miss = std::max(miss, table.linear_error / largest_torque(table));
   if (!tables.empty())
     text += fmt::format("  Straight lines between the rows miss by at most {:.2g} of the largest torque.\n", miss);
-  text +=
-      "  The lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and "
-      "no\n"
-      "  stop of the actuator.\n";
-  for (const std::string& line : left_out) text += fmt::format("  Left out: {}.\n", line);
   return text;
 }
 
 }  // namespace
 
 std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings&) {
-  PlainModel plain = plain_model(subject.model);
-  const actuator::Model& model = plain.model;
-  for (const actuator::Hinge& hinge : model.hinges())
-    if (hinge.torque_offset != 0.0 && hinge.stiffness == 0.0)
-      throw std::invalid_argument("mjcf: a joint with a torque offset needs a stiffness, for its rest angle");
-  plain.left_out.push_back(planar_inertia_remark());
-  const std::vector<TorqueTable> tables = torque_tables(model);
-  const std::vector<RigidLink> links = rigid_links(model.chain());
-
+  SimulatorModel made = simulator_model(subject, "mjcf");
+  const actuator::Model& model = made.plain.model;
+  const std::vector<TorqueTable>& tables = made.tables;
   pugi::xml_document document;
   xml_node root = document.append_child("mujoco");
-  set(root, "model", subject.origin.name.empty() ? "actuator" : text::one_line(subject.origin.name));
-  root.append_child(pugi::node_comment).set_value(comment_text(header(subject.origin, tables, plain.left_out)).c_str());
+  set(root, "model", model_name(subject.origin));
+  root.append_child(pugi::node_comment)
+      .set_value(head_comment(subject.origin, use_of_motors(tables), "", made.plain.left_out).c_str());
   xml_node compiler = root.append_child("compiler");
   set(compiler, "angle", "radian");
   set(compiler, "inertiafromgeom", "false");
@@ -166,7 +149,7 @@ std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings
   xml_node base = root.append_child("worldbody").append_child("body");
   set(base, "name", "base");
   if (model.chain().base_tilt() != 0.0) set(base, "axisangle", words({0.0, -1.0, 0.0, model.chain().base_tilt()}));
-  add_body(base, 0, model, links, tables);
+  add_body(base, 0, model, made.links, tables);
   xml_node motors = root.append_child("actuator");
   xml_node sensors = root.append_child("sensor");
   for (int j = 0; j < model.joints(); ++j) {
@@ -177,12 +160,7 @@ std::vector<ExportedFile> mjcf(const ModelSubject& subject, const ExportSettings
     set(sensor, "name", joint_name(j) + "_angle");
     set(sensor, "joint", joint_name(j));
   }
-  std::vector<ExportedFile> files{{.name = "actuator.xml",
-                                   .text = text_of(document),
-                                   .left_out = std::move(plain.left_out),
-                                   .too_much = std::move(plain.too_much)}};
-  if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
-  return files;
+  return with_torques("actuator.xml", document, std::move(made));
 }
 
 }  // namespace coilwright::exports

@@ -1,4 +1,4 @@
-#include "coilwright/exports/urdf.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,8 @@
 #include <utility>
 
 #include "coilwright/text/csv/csv_writer.hpp"
-#include "coilwright/text/one_line.hpp"
+#include "exports/chain/bodies.hpp"
 #include "exports/chain/plain_model.hpp"
-#include "exports/chain/rigid_links.hpp"
-#include "exports/chain/torque_table.hpp"
-#include "exports/chain/xml_text.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -28,10 +25,6 @@ constexpr double no_bound = 1000.0;
 
 std::string link_name(int link) {
   return link < 0 ? "base" : fmt::format("link{}", link + 1);
-}
-
-double rest_angle(const actuator::Hinge& hinge) {
-  return hinge.torque_offset == 0.0 ? 0.0 : hinge.torque_offset / hinge.stiffness;
 }
 
 void add_link(xml_node robot, int link, const RigidLink& body) {
@@ -87,23 +80,6 @@ void add_base(xml_node robot, double tilt) {
   set(origin, "rpy", words({0.0, 0.0 - tilt, 0.0}));
 }
 
-std::string header(const Origin& origin, double gravity, const std::vector<std::string>& left_out) {
-  std::string text = fmt::format(
-      "\n  {}{}\n  SI units. Hangs along -z where all joints are 0; a positive angle bends it towards +x.\n"
-      "  Gravity is {:.6g} m/s2 along -z. URDF has no springs: joints.csv has them, and so have the elements for "
-      "Gazebo.\n"
-      "  A joint's torque in N m: for each of its rows of one coil in torque.csv, the current of that coil (A, "
-      "positive\n"
-      "  opens) times torque_Nm_A at the angle of the joint.\n"
-      "  The lower limit of a joint is where its faces meet; the upper one is where its torque ceases to be known, and "
-      "no\n"
-      "  stop of the actuator. Effort and velocity of {} are no bounds of the actuator: URDF wants some.\n",
-      origin.name.empty() ? "Actuator" : text::one_line(origin.name),
-      origin.made_by.empty() ? "." : ". Made by " + origin.made_by + ".", gravity, no_bound);
-  for (const std::string& line : left_out) text += fmt::format("  Left out: {}.\n", line);
-  return text;
-}
-
 std::string joints_csv(const actuator::Model& model) {
   std::ostringstream out;
   text::CsvWriter csv(out, {"joint", "stiffness_Nm_rad", "rest_angle_rad", "damping_Nms_rad", "closing_angle_rad",
@@ -123,35 +99,34 @@ std::string joints_csv(const actuator::Model& model) {
 }  // namespace
 
 std::vector<ExportedFile> urdf(const ModelSubject& subject, const ExportSettings&) {
-  PlainModel plain = plain_model(subject.model);
-  const actuator::Model& model = plain.model;
-  for (const actuator::Hinge& hinge : model.hinges())
-    if (hinge.torque_offset != 0.0 && hinge.stiffness == 0.0)
-      throw std::invalid_argument("urdf: a joint with a torque offset needs a stiffness, for its rest angle");
-  plain.left_out.push_back(planar_inertia_remark());
+  SimulatorModel made = simulator_model(subject, "urdf");
+  const actuator::Model& model = made.plain.model;
   for (int j = 0; j < model.joints(); ++j)
     if (const double rotor = model.chain().link(j).rotor_inertia; rotor > 0.0)
-      plain.left_out.push_back(fmt::format("the rotor of {}, {:.4g} kg m2: URDF has none", joint_name(j), rotor));
-  const std::vector<TorqueTable> tables = torque_tables(model);
-  const std::vector<RigidLink> links = rigid_links(model.chain());
-
+      made.plain.left_out.push_back(fmt::format("the rotor of {}, {:.4g} kg m2: URDF has none", joint_name(j), rotor));
   pugi::xml_document document;
   xml_node robot = document.append_child("robot");
-  set(robot, "name", subject.origin.name.empty() ? "actuator" : text::one_line(subject.origin.name));
+  set(robot, "name", model_name(subject.origin));
+  const std::string use = fmt::format(
+      "  Gravity is {:.6g} m/s2 along -z. URDF has no springs: joints.csv has them, and so have the elements for "
+      "Gazebo.\n"
+      "  A joint's torque in N m: for each of its rows of one coil in torque.csv, the current of that coil (A, "
+      "positive\n"
+      "  opens) times torque_Nm_A at the angle of the joint.\n",
+      model.chain().gravity());
+  const std::string remark =
+      fmt::format(" Effort and velocity of {} are no bounds of the actuator: URDF wants some.", no_bound);
   robot.append_child(pugi::node_comment)
-      .set_value(comment_text(header(subject.origin, model.chain().gravity(), plain.left_out)).c_str());
+      .set_value(head_comment(subject.origin, use, remark, made.plain.left_out).c_str());
   add_base(robot, model.chain().base_tilt());
   for (int j = 0; j < model.joints(); ++j) {
-    const RigidLink& body = links[static_cast<std::size_t>(j)];
-    add_joint(robot, j, body, model.hinges()[j], last_angle(j, tables));
+    const RigidLink& body = made.links[static_cast<std::size_t>(j)];
+    add_joint(robot, j, body, model.hinges()[j], last_angle(j, made.tables));
     add_link(robot, j, body);
   }
-  std::vector<ExportedFile> files{{.name = "actuator.urdf",
-                                   .text = text_of(document),
-                                   .left_out = std::move(plain.left_out),
-                                   .too_much = std::move(plain.too_much)},
-                                  {.name = "joints.csv", .text = joints_csv(model)}};
-  if (!tables.empty()) files.push_back({.name = "torque.csv", .text = torque_csv(tables)});
+  const std::string joints = joints_csv(model);
+  std::vector<ExportedFile> files = with_torques("actuator.urdf", document, std::move(made));
+  files.insert(files.begin() + 1, {.name = "joints.csv", .text = joints});
   return files;
 }
 

@@ -11,7 +11,6 @@
 #include "coilwright/magnetics/field.hpp"
 #include "coilwright/units/unit.hpp"
 #include "exports/drawing/sketch.hpp"
-#include "exports/drawing/svg.hpp"
 
 namespace coilwright::exports {
 namespace {

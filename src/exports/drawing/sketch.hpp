@@ -2,8 +2,11 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "coilwright/exports/body_plan.hpp"
 
 namespace coilwright::exports {
 
@@ -114,5 +117,38 @@ class Sketch {
 
 /// Width of a text, m: an estimate.
 [[nodiscard]] double width_of(const SketchText& text);
+
+/// What an SVG says about itself.
+struct SvgText {
+  std::string_view title;
+  std::string_view description;
+};
+
+/// A complete SVG of a sketch, `scale` times as large as the part where it is printed as it is. Its user unit is a
+/// millimetre of the part.
+[[nodiscard]] std::string svg_of(const Sketch& sketch, double scale, const SvgText& text);
+
+/// A complete DXF file of a sketch, in the ASCII form of release 12, which every program that knows DXF reads: lines,
+/// circles and texts on a layer each for body, windings, magnets, slits, axes, dimensions and notes, at the size of the
+/// part in mm. Letters beyond ASCII, which release 12 does not have, are question marks, but for the sign of a
+/// diameter.
+[[nodiscard]] std::string dxf_of(const Sketch& sketch);
+
+/// The actuator straight: longitudinal section, and cross-sections through its first coil and its first magnet, all
+/// with dimensions in mm. The rear end of the underside is at (0, 0). `text_height`: m in the world of the actuator.
+[[nodiscard]] Sketch sketch_of(const BodyPlan& plan, double text_height);
+
+/// A sketch at the scale at which it is printed.
+struct ScaledSketch {
+  Sketch sketch;
+  double scale{};  ///< paper over part
+};
+
+/// The drawing of a body on a sheet of `width` by `height`, m, at the largest scale of ISO 5455 that fits, with letters
+/// of 2.5 mm. The smallest of its scales (1 to 100) where none fits.
+[[nodiscard]] ScaledSketch drawing_on(const BodyPlan& plan, double width, double height);
+
+/// "2:1", "1:5".
+[[nodiscard]] std::string scale_text(double scale);
 
 }  // namespace coilwright::exports

@@ -1,6 +1,10 @@
-#include "exports/drawing/svg.hpp"
+#include "exports/drawing/sketch.hpp"
 
 #include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
 
 #include "coilwright/text/markup.hpp"
 
@@ -13,28 +17,12 @@ constexpr double cap_height = 0.72;
 // In heights of a letter.
 constexpr double margin = 1.0;
 
+// In the order of Layer.
+constexpr std::array<std::string_view, 9> layer_classes = {"body",      "winding", "magnet", "slit",   "axis",
+                                                           "dimension", "note",    "field",  "outline"};
+
 std::string_view class_of(Layer layer) {
-  switch (layer) {
-    case Layer::body:
-      return "body";
-    case Layer::winding:
-      return "winding";
-    case Layer::magnet:
-      return "magnet";
-    case Layer::slit:
-      return "slit";
-    case Layer::axis:
-      return "axis";
-    case Layer::dimension:
-      return "dimension";
-    case Layer::note:
-      return "note";
-    case Layer::field:
-      return "field";
-    case Layer::outline:
-      return "outline";
-  }
-  return "";
+  return layer_classes[static_cast<std::size_t>(layer)];
 }
 
 // Line widths in heights of a letter of 2.5 mm: 0.5, 0.35 and 0.18 mm on paper.

@@ -1,12 +1,16 @@
-#include "exports/drawing/views.hpp"
+#include "exports/drawing/sketch.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "coilwright/exports/kinds.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -124,6 +128,19 @@ const PlacedPart& first_of(const BodyPlan& plan, ComponentKind kind) {
   return *std::ranges::find_if(plan.parts, [kind](const PlacedPart& part) { return part.component.kind == kind; });
 }
 
+constexpr std::array scales = {10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01};  // ISO 5455
+constexpr double letter_on_paper = 2.5e-3;
+
+// A4 across, less its margins and a line for the title.
+constexpr double sheet_width = 277e-3;
+constexpr double sheet_height = 180e-3;
+
+Sketch titled(Sketch sketch, std::string title) {
+  const Point corner = sketch.bounds().low;
+  sketch.text(Layer::note, {corner.x, corner.y - 2.0 * sketch.text_height()}, std::move(title));
+  return sketch;
+}
+
 }  // namespace
 
 Sketch sketch_of(const BodyPlan& plan, double text_height) {
@@ -137,6 +154,34 @@ Sketch sketch_of(const BodyPlan& plan, double text_height) {
   const double next = cross_section(sketch, plan, first_of(plan, ComponentKind::coil), {0.0, corner});
   static_cast<void>(cross_section(sketch, plan, first_of(plan, ComponentKind::magnet), {next, corner}));
   return sketch;
+}
+
+ScaledSketch drawing_on(const BodyPlan& plan, double width, double height) {
+  for (const double scale : scales) {
+    ScaledSketch out{.sketch = sketch_of(plan, letter_on_paper / scale), .scale = scale};
+    const Bounds bounds = out.sketch.bounds();
+    const double edges = 2.0 * letter_on_paper;
+    if (scale * (bounds.high.x - bounds.low.x) + edges <= width &&
+        scale * (bounds.high.y - bounds.low.y) + edges <= height)
+      return out;
+  }
+  return {.sketch = sketch_of(plan, letter_on_paper / scales.back()), .scale = scales.back()};
+}
+
+std::string scale_text(double scale) {
+  return scale >= 1.0 ? fmt::format("{:.4g}:1", scale) : fmt::format("1:{:.4g}", 1.0 / scale);
+}
+
+std::vector<ExportedFile> drawing(const DesignSubject& subject, const ExportSettings&) {
+  const ScaledSketch scaled = drawing_on(body_plan(subject), sheet_width, sheet_height);
+  const std::string title = subject.origin.name.empty() ? "Actuator" : subject.origin.name;
+  const std::string scale = scale_text(scaled.scale);
+  const std::string description = fmt::format("Longitudinal section and cross-sections, lengths in mm, scale {}. {}",
+                                              scale, subject.origin.made_by);
+  return {{.name = "drawing.svg",
+           .text = svg_of(titled(scaled.sketch, fmt::format("{}. Scale {}, lengths in mm.", title, scale)),
+                          scaled.scale, {title, description})},
+          {.name = "drawing.dxf", .text = dxf_of(titled(scaled.sketch, fmt::format("{}. Lengths in mm.", title)))}};
 }
 
 }  // namespace coilwright::exports

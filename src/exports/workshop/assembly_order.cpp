@@ -1,4 +1,4 @@
-#include "exports/workshop/assembly_order.hpp"
+#include "exports/workshop/sheets.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/units/unit.hpp"
-#include "exports/workshop/rounded.hpp"
 
 namespace coilwright::exports {
 namespace {

@@ -1,14 +1,14 @@
-#include "exports/workshop/sections.hpp"
+#include "exports/workshop/sheets.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 
-#include "exports/html.hpp"
-
 namespace coilwright::exports {
 namespace {
+
+using text::html_table;
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -71,6 +71,13 @@ std::string layers(const WindingSheet& sheet) {
                     fmt::format("{}", row.layer * sheet.turns_in_layer), fmt::format("{:.2f}", row.wire_so_far),
                     fmt::format("{:.3f}", row.resistance)});
   return html_table({"layer", "diameter, mm", "turns so far", "wire so far, m", "resistance so far, Ω"}, rows);
+}
+
+// An ordered list of escaped texts.
+std::string html_list(const std::vector<std::string>& items) {
+  std::string out = "<ol>\n";
+  for (const std::string& item : items) out += fmt::format("<li>{}</li>\n", text::escaped(item));
+  return out + "</ol>\n";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "exports/workshop/winding_sheet.hpp"
+#include "exports/workshop/sheets.hpp"
 
 #include <numbers>
 #include <sstream>
@@ -7,7 +7,6 @@
 #include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/copper.hpp"
-#include "exports/workshop/rounded.hpp"
 
 namespace coilwright::exports {
 namespace {

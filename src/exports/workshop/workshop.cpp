@@ -1,20 +1,14 @@
-#include "coilwright/exports/workshop.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 #include <fmt/format.h>
 
 #include "coilwright/text/markup.hpp"
 #include "exports/cast.hpp"
-#include "exports/drawing/drawing.hpp"
-#include "exports/drawing/svg.hpp"
-#include "exports/html.hpp"
-#include "exports/workshop/assembly_order.hpp"
-#include "exports/workshop/bill.hpp"
-#include "exports/workshop/recipe.hpp"
-#include "exports/workshop/sections.hpp"
-#include "exports/workshop/winding_sheet.hpp"
+#include "exports/drawing/sketch.hpp"
+#include "exports/packed_files.hpp"
+#include "exports/workshop/sheets.hpp"
 
 namespace coilwright::exports {
-
 namespace {
 
 // What fits on a page of A4 beside its text, m.
@@ -28,6 +22,14 @@ std::string figure(const BodyPlan& plan) {
       svg_of(scaled.sketch, scaled.scale,
              {.title = "Sections", .description = "Longitudinal section and cross-sections, lengths in mm"}),
       scale_text(scaled.scale));
+}
+
+// A complete page for A4 paper, without scripts and without anything from outside. `body` is HTML.
+std::string html_page(std::string_view title, std::string_view body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      text::escaped(title), text::packed_text(assets(), "workshop.css"), body);
 }
 
 }  // namespace

@@ -1,9 +1,4 @@
-#include "exports/field/getdp_texts.hpp"
-
-namespace coilwright::exports {
-
-const std::string_view getdp_geometry =
-    R"(// Coil and magnet on one axis: the half plane r >= 0 that axial symmetry leaves.
+// Coil and magnet on one axis: the half plane r >= 0 that axial symmetry leaves.
 // gmsh -2 -format msh22 pair.geo -o pair.msh, then pair.pro.
 //
 // x is the radius and y the axis, in mm; the mesh is saved in m. The coil's centre is the origin, the magnet follows in
@@ -94,6 +89,3 @@ Physical Surface("layer", 4) = layer();
 Physical Surface("air", 5) = air();
 Physical Surface("shell of space", 6) = shell_of_space();
 Physical Curve("axis and outermost circle", 11) = CombinedBoundary{ Surface{all()}; };
-)";
-
-}  // namespace coilwright::exports

@@ -1,13 +1,3 @@
-#include "exports/mould/modules.hpp"
-
-namespace coilwright::exports {
-
-const std::string_view how_to_render = R"(// To print: openscad -D 'part="mould_lower"' -o mould_lower.stl mould.scad
-// and so for mould_upper, bobbin, bobbin_flange and cutting_box. To look at: body (as it is cast), bottom_layer,
-// filling (what is cast round the parts), coils, magnets, cavity (what the closed mould leaves free), assembly.
-)";
-
-const std::string_view scad_modules = R"(
 // What whoever prints the mould may choose.
 part = "assembly";
 mould_wall = 3;
@@ -170,6 +160,3 @@ if (part == "assembly") {
   color("Peru") solids("coil");
   color("SlateGray") solids("magnet");
 }
-)";
-
-}  // namespace coilwright::exports

@@ -1,4 +1,4 @@
-#include "coilwright/exports/mould.hpp"
+#include "coilwright/exports/kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "coilwright/text/one_line.hpp"
 #include "exports/cast.hpp"
-#include "exports/mould/modules.hpp"
+#include "exports/packed_files.hpp"
 
 namespace coilwright::exports {
 namespace {
@@ -51,6 +51,13 @@ std::string variables(const DesignSubject& subject, const Cast& cast) {
          parts_text(cast) + joints_text(plan);
 }
 
+constexpr const char* how_to_render =
+    "// To print: openscad -D 'part=\"mould_lower\"' -o mould_lower.stl mould.scad\n"
+    "// and so for mould_upper, bobbin, bobbin_flange and cutting_box. To look at: body (as it is cast), "
+    "bottom_layer,\n"
+    "// filling (what is cast round the parts), coils, magnets, cavity (what the closed mould leaves free), "
+    "assembly.\n";
+
 std::string head(const Origin& origin) {
   const std::string name = origin.name.empty() ? "actuator" : text::one_line(origin.name, 200);
   return fmt::format("// Parts and casting mould of an actuator: {}\n// {}\n// Lengths in mm.\n", name,
@@ -62,8 +69,8 @@ std::string head(const Origin& origin) {
 std::vector<ExportedFile> mould(const DesignSubject& subject, const ExportSettings&) {
   const Cast cast = cast_of(subject);
   return {{.name = "mould.scad",
-           .text = head(subject.origin) + std::string(how_to_render) + "\n// What the design says.\n" +
-                   variables(subject, cast) + std::string(scad_modules)}};
+           .text = head(subject.origin) + how_to_render + "\n// What the design says.\n" + variables(subject, cast) +
+                   "\n" + std::string(text::packed_text(assets(), "mould.scad"))}};
 }
 
 }  // namespace coilwright::exports

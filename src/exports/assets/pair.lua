@@ -1,8 +1,3 @@
-#include "exports/field/femm_text.hpp"
-
-namespace coilwright::exports {
-
-const std::string_view femm_script = R"(
 -- Axial symmetry: r to the right, z up. The coil's centre is the origin, the magnet follows in +z.
 bottom = coil_length / 2 + gap
 top = bottom + magnet_length
@@ -84,6 +79,3 @@ by_lorentz = -mo_blockintegral(12)
 mo_clearblock()
 showconsole()
 print("force on the magnet, N, away from the coil: by stress " .. by_stress .. ", by J x B " .. by_lorentz)
-)";
-
-}  // namespace coilwright::exports

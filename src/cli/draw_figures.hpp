@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/page/figure_files.hpp"
+#include "coilwright/page/page_html.hpp"
 
 namespace coilwright::cli {
 

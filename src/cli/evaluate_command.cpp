@@ -15,7 +15,7 @@
 #include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
-#include "coilwright/page/evaluation_page.hpp"
+#include "coilwright/page/pages.hpp"
 #include "coilwright/report/coil_currents_text.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"

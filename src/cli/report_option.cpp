@@ -13,9 +13,8 @@
 
 #include "build_info.hpp"
 #include "coilwright/formats/study/study_file.hpp"
-#include "coilwright/page/figure_files.hpp"
-#include "coilwright/page/folder_page.hpp"
 #include "coilwright/page/page_html.hpp"
+#include "coilwright/page/pages.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/output/output_file.hpp"

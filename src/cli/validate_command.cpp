@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coilwright/page/comparison_page.hpp"
+#include "coilwright/page/pages.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/validation/paper_comparison.hpp"
 #include "commands.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -17,22 +18,11 @@ constexpr std::size_t most_table_rows = 400;
 // Room for the words beside bars, by the width that there is.
 constexpr const char* wide_labels = "containerSize()[0] > 700 ? 420 : 170";
 
+// In the order of Mark.
+constexpr std::array<std::string_view, 6> mark_kinds = {"line", "steps", "points", "dots", "faint", "level"};
+
 std::string_view kind_of(Mark mark) {
-  switch (mark) {
-    case Mark::line:
-      return "line";
-    case Mark::steps:
-      return "steps";
-    case Mark::points:
-      return "points";
-    case Mark::dots:
-      return "dots";
-    case Mark::faint:
-      return "faint";
-    case Mark::level:
-      return "level";
-  }
-  return "";
+  return mark_kinds[static_cast<std::size_t>(mark)];
 }
 
 bool has_name(const Series& series, std::optional<Mark> mark) {
@@ -149,7 +139,7 @@ Json data_of(const Chart& chart) {
 }
 
 Table table_of(const Chart& chart) {
-  Table table{.header = {"series", chart.x_title, chart.y_title}, .rows = {}};
+  Table table{.header = {"series", chart.x_title, chart.y_title}};
   std::size_t count = 0;
   for (const Series& each : chart.series) count += each.y.size();
   const std::size_t every = (count + most_table_rows - 1) / most_table_rows;
@@ -205,7 +195,7 @@ Figure figure_of(const Chart& chart) {
 
 Figure figure_of(const BarChart& chart) {
   Json rows = Json::array();
-  Table table{.header = {chart.label_title, chart.value_title, ""}, .rows = {}};
+  Table table{.header = {chart.label_title, chart.value_title, ""}};
   Json groups = Json::array();
   std::vector<std::string> seen;
   std::set<std::string> labels;

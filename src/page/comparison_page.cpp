@@ -1,4 +1,4 @@
-#include "coilwright/page/comparison_page.hpp"
+#include "coilwright/page/pages.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,6 @@ Figure differences_figure(std::span<const Comparison> rows) {
                      "between the two ends of the band in which it must lie.",
                  .value_title = "difference, % of the reference",
                  .label_title = "figure",
-                 .bars = {},
                  .symbols = true};
   for (const Comparison& row : rows) {
     chart.bars.push_back({.label = row.quantity, .value = percent(row.band_low), .group = "end of its band"});
@@ -52,8 +51,7 @@ Figure differences_figure(std::span<const Comparison> rows) {
 
 TableBlock rows_table(std::span<const Comparison> rows) {
   Table table{.header = {"figure", "reference", "model", "difference, %", "band, %", "holds", "reference from",
-                         "where the difference comes from"},
-              .rows = {}};
+                         "where the difference comes from"}};
   for (const Comparison& row : rows)
     table.rows.push_back({row.quantity, short_number(row.reference), short_number(row.model),
                           fmt::format("{:+.2f}", percent(row.ratio())),
@@ -65,7 +63,7 @@ TableBlock rows_table(std::span<const Comparison> rows) {
 }  // namespace
 
 Page comparison_page(std::span<const Comparison> rows, std::string_view made_by) {
-  Section section{.id = "comparison", .title = "The model beside the paper", .blocks = {}};
+  Section section{.id = "comparison", .title = "The model beside the paper"};
   section.blocks.emplace_back(differences_figure(rows));
   section.blocks.emplace_back(rows_table(rows));
   return {.title = "The model beside the figures of the paper",

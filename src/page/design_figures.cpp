@@ -73,8 +73,7 @@ Figure section_figure(const EvaluatedDesign& evaluated, const exports::Origin& o
   return {.id = "section",
           .title = "Dimensions of the straight body",
           .description = "Longitudinal section and cross-sections through a coil and a magnet, lengths in mm.",
-          .content = Image{exports::drawing(subject, {}).front().text},
-          .table = {}};
+          .content = Image{exports::drawing(subject, {}).front().text}};
 }
 
 std::vector<Figure> pose_figures_of(const EvaluatedDesign& evaluated, const std::optional<StepMotion>& motion) {
@@ -101,14 +100,13 @@ Figure response_figure(const EvaluatedDesign& evaluated, const StepMotion& motio
               .y_title = "angle, deg",
               .series = {{.name = "bending angle", .x = motion.times, .y = bending_angles(motion)}}};
   for (Eigen::Index joint = 0; joint < motion.states.front().angles.size(); ++joint) {
-    Series series{.name = fmt::format("joint {}", joint + 1), .x = motion.times, .y = {}};
+    Series series{.name = fmt::format("joint {}", joint + 1), .x = motion.times};
     for (const simulation::State& state : motion.states)
       series.y.push_back(state.angles[joint] * units::degrees_per_radian);
     chart.series.push_back(std::move(series));
   }
   const simulation::FreeMotion& free = motion_of(evaluated);
   chart.series.push_back({.name = "bending angle in the end",
-                          .x = {},
                           .y = {free.steady_angles.sum() * units::degrees_per_radian},
                           .mark = Mark::level});
   chart.description = fmt::format(
@@ -120,7 +118,7 @@ Figure response_figure(const EvaluatedDesign& evaluated, const StepMotion& motio
 }
 
 Figure speed_figure(const StepMotion& motion) {
-  Series series{.name = "rate of the bending angle", .x = motion.times, .y = {}};
+  Series series{.name = "rate of the bending angle", .x = motion.times};
   double fastest = 0.0;
   for (const simulation::State& state : motion.states) {
     series.y.push_back(state.rates.sum() * units::degrees_per_radian);
@@ -171,8 +169,7 @@ Figure torque_figure(const EvaluatedDesign& evaluated) {
           "holds against it. Gravity and magnets further along add to both.",
           evaluated.point.current),
       .x_title = "angle of the joint, deg",
-      .y_title = "torque, N mm",
-      .series = {}};
+      .y_title = "torque, N mm"};
   add_joint_series(chart, "coil and magnet", angles, drive);
   add_joint_series(chart, "silicone", angles, hold);
   return figure_of(chart);
@@ -193,7 +190,7 @@ Figure force_figure(const EvaluatedDesign& evaluated) {
   // The force at the rest gap is known with its sense: which way the pair is built in is not looked at twice.
   const auto rest = static_cast<std::size_t>(std::ranges::find(gaps, rest_gap) - gaps.begin());
   const double sense = std::copysign(1.0, evaluated.assembly.rest_force_per_ampere * forces[rest]);
-  Series series{.name = "coil on magnet", .x = {}, .y = {}};
+  Series series{.name = "coil on magnet"};
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     series.x.push_back(1e3 * gaps[i]);
     series.y.push_back(sense * evaluated.point.current * forces[i]);
@@ -224,10 +221,9 @@ Figure temperature_figure(const EvaluatedDesign& evaluated, const simulation::He
           heating.runaway ? "There is no steady state: it runs away." : ""),
       .x_title = "time, s",
       .y_title = "temperature, degC",
-      .series = {},
       .x_scale = AxisScale::logarithmic};
   for (std::size_t part = 0; part < evaluated.design.layout.size(); ++part) {
-    Series series{.name = part_name(evaluated, part), .x = {}, .y = {}};
+    Series series{.name = part_name(evaluated, part)};
     for (std::size_t i = 1; i < heating.times.size(); ++i) {
       series.x.push_back(heating.times[i]);
       series.y.push_back(heating.means[i][static_cast<Eigen::Index>(part)]);
@@ -238,16 +234,16 @@ Figure temperature_figure(const EvaluatedDesign& evaluated, const simulation::He
   Eigen::Index hottest = 0;
   for (Eigen::Index i = 0; i < components; ++i)
     if (heating.hot_spots.back()[i] > heating.hot_spots.back()[hottest]) hottest = i;
-  Series spot{.name = "hottest turn", .x = {}, .y = {}};
+  Series spot{.name = "hottest turn"};
   for (std::size_t i = 1; i < heating.times.size(); ++i) {
     spot.x.push_back(heating.times[i]);
     spot.y.push_back(heating.hot_spots[i][hottest]);
   }
   chart.series.push_back(std::move(spot));
   chart.series.push_back(
-      {.name = "limit of the enamel", .x = {}, .y = {evaluated.design.surroundings.coil_limit}, .mark = Mark::level});
+      {.name = "limit of the enamel", .y = {evaluated.design.surroundings.coil_limit}, .mark = Mark::level});
   chart.series.push_back(
-      {.name = "limit of the magnets", .x = {}, .y = {evaluated.design.magnet.temperature_limit}, .mark = Mark::level});
+      {.name = "limit of the magnets", .y = {evaluated.design.magnet.temperature_limit}, .mark = Mark::level});
   return figure_of(chart);
 }
 
@@ -259,22 +255,22 @@ double shown_duration(const EvaluatedDesign& evaluated) {
 std::vector<Section> design_sections(const EvaluatedDesign& evaluated, const exports::Origin& origin) {
   const std::optional<StepMotion> motion =
       simulation::step_motion(evaluated, shown_duration(evaluated), response_samples);
-  Section poses{.id = "design", .title = "The design", .blocks = {}};
+  Section poses{.id = "design", .title = "The design"};
   poses.blocks.push_back(Widget{"<div class=\"poses\">\n"});
   for (Figure& figure : pose_figures_of(evaluated, motion)) poses.blocks.emplace_back(std::move(figure));
   poses.blocks.push_back(Widget{"</div>\n"});
   poses.blocks.emplace_back(section_figure(evaluated, origin));
-  Section response{.id = "motion", .title = "Response over time", .blocks = {}};
+  Section response{.id = "motion", .title = "Response over time"};
   if (motion) {
     response.blocks.emplace_back(response_figure(evaluated, *motion));
     response.blocks.emplace_back(speed_figure(*motion));
   } else {
     response.blocks.emplace_back(Paragraph{"At its operating point it runs away in heat: there is no motion to show."});
   }
-  Section torque{.id = "torques", .title = "Torque and force", .blocks = {}};
+  Section torque{.id = "torques", .title = "Torque and force"};
   torque.blocks.emplace_back(torque_figure(evaluated));
   torque.blocks.emplace_back(force_figure(evaluated));
-  Section heat{.id = "heat", .title = "Temperature", .blocks = {}};
+  Section heat{.id = "heat", .title = "Temperature"};
   heat.blocks.emplace_back(temperature_figure(evaluated, simulation::heating(evaluated, heating_samples)));
   return {std::move(poses), std::move(response), std::move(torque), std::move(heat)};
 }

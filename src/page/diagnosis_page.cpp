@@ -1,4 +1,4 @@
-#include "page/diagnosis_page.hpp"
+#include "page/result_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,10 +14,8 @@
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "page/next_section.hpp"
 #include "page/result_words.hpp"
 #include "page/run_figures.hpp"
-#include "page/summary_text.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -49,14 +47,14 @@ std::string interval_text(const Node& parameter) {
 // What the fit makes of a declared number: its value, or from where on it changes nothing.
 std::string fitted_text(const Node& number) {
   const auto idle_from = number.find("idle_from");
-  if (!idle_from) return cell_of(member_of(number, "value"));
+  if (!idle_from) return cell_of(number, "value");
   const bool below = idle_from->number() < member_of(number, "declared").number();
   return fmt::format("{} {}", below ? "below" : "above", cell_of(*idle_from));
 }
 
 Section effects_section(const Node& diagnosis) {
-  Section section{.id = "effects", .title = "What the model lacks", .blocks = {}};
-  Table table{.header = {"effect", "number", "value", "95 % interval", "gain", "gain on runs left out"}, .rows = {}};
+  Section section{.id = "effects", .title = "What the model lacks"};
+  Table table{.header = {"effect", "number", "value", "95 % interval", "gain", "gain on runs left out"}};
   for (const Node& effect : member_of(diagnosis, "effects").elements()) {
     const auto evidence = effect.find("evidence");
     const auto gain = [&](const char* key) {
@@ -68,9 +66,9 @@ Section effects_section(const Node& diagnosis) {
       table.rows.push_back(
           {member_of(effect, "id").text(), "", "", "", gain("criterion_gain"), gain("cross_validated_gain")});
     for (const Node& parameter : parameters) {
-      table.rows.push_back({first ? member_of(effect, "id").text() : "", parameter.key(),
-                            cell_of(member_of(parameter, "value")), interval_text(parameter),
-                            first ? gain("criterion_gain") : "", first ? gain("cross_validated_gain") : ""});
+      table.rows.push_back({first ? member_of(effect, "id").text() : "", parameter.key(), cell_of(parameter, "value"),
+                            interval_text(parameter), first ? gain("criterion_gain") : "",
+                            first ? gain("cross_validated_gain") : ""});
       first = false;
     }
   }
@@ -78,12 +76,12 @@ Section effects_section(const Node& diagnosis) {
     section.blocks.emplace_back(Paragraph{"No effect was added to the model."});
   else
     section.blocks.emplace_back(TableBlock{.caption = "Effects, and their numbers", .table = std::move(table)});
-  Table moved{.header = {"number", "declared", "now", "95 % interval"}, .rows = {}};
+  Table moved{.header = {"number", "declared", "now", "95 % interval"}};
   for (const char* key : {"calibration", "nominal"})
     if (const auto numbers = diagnosis.find(key))
       for (const Node& each : numbers->members())
-        moved.rows.push_back({each.key(), each.find("declared") ? cell_of(member_of(each, "declared")) : "-",
-                              fitted_text(each), interval_text(each)});
+        moved.rows.push_back({each.key(), each.find("declared") ? cell_of(each, "declared") : "-", fitted_text(each),
+                              interval_text(each)});
   if (!moved.rows.empty())
     section.blocks.emplace_back(
         TableBlock{.caption = "Declared numbers as the fit has them", .table = std::move(moved)});
@@ -116,8 +114,8 @@ void add_errors(Table& table, const Node& errors, const std::string& runs) {
 }
 
 Section errors_section(const Node& diagnosis) {
-  Section section{.id = "errors", .title = "How far the models are off", .blocks = {}};
-  Table table{.header = {"runs", "model", "error", "value"}, .rows = {}};
+  Section section{.id = "errors", .title = "How far the models are off"};
+  Table table{.header = {"runs", "model", "error", "value"}};
   const Node errors = member_of(diagnosis, "error");
   if (const auto held = errors.find("validate")) add_errors(table, *held, "held out");
   if (const auto fitted = errors.find("fit")) add_errors(table, *fitted, "fitted");
@@ -143,8 +141,8 @@ void require_all_samples(const std::filesystem::path& folder, const Node& diagno
 }
 
 std::vector<Section> runs_sections(const std::filesystem::path& folder, const Node& diagnosis) {
-  Section held{.id = "held", .title = "Runs that no fit has seen", .blocks = {}};
-  Section fitted{.id = "fitted", .title = "Runs that were fitted", .blocks = {}};
+  Section held{.id = "held", .title = "Runs that no fit has seen"};
+  Section fitted{.id = "fitted", .title = "Runs that were fitted"};
   std::size_t number = 0;
   const std::vector<RunRecord> records = read_runs(folder);
   require_all_samples(folder, diagnosis, records);
@@ -165,7 +163,7 @@ std::string variable_title(const std::string& variable, const std::string& key) 
 }
 
 Section torque_section(const Node& diagnosis) {
-  Section section{.id = "leftover", .title = "What is left over, as a torque", .blocks = {}};
+  Section section{.id = "leftover", .title = "What is left over, as a torque"};
   const auto residual = diagnosis.find("residual");
   if (!residual || residual->is_null()) {
     section.blocks.emplace_back(Paragraph{"No residual torque was worked out from these records."});
@@ -175,13 +173,12 @@ Section torque_section(const Node& diagnosis) {
   section.blocks.emplace_back(Paragraph{fmt::format(
       "What the model with the effects leaves over has, as a joint torque, {} N mm rms; noise alone would give {} N "
       "mm.{}",
-      cell_of(member_of(*residual, "rms_Nmm")), cell_of(member_of(*residual, "smallest_visible_Nmm")),
+      cell_of(*residual, "rms_Nmm"), cell_of(*residual, "smallest_visible_Nmm"),
       line.is_null() ? "" : fmt::format(" The strongest line of its spectrum lies at {} Hz.", cell_of(line)))});
   std::size_t number = 0;
   for (const Node& each : member_of(*residual, "dependences").elements()) {
     const std::string variable = member_of(each, "variable").text();
-    Series series{
-        .name = "residual torque", .x = {}, .y = member_of(each, "residual_Nmm").numbers(), .mark = Mark::points};
+    Series series{.name = "residual torque", .y = member_of(each, "residual_Nmm").numbers(), .mark = Mark::points};
     std::string title = variable;
     for (const Node& member : each.members()) {
       if (!member.key().starts_with("at")) continue;
@@ -205,14 +202,14 @@ Section torque_section(const Node& diagnosis) {
 }
 
 Section assumptions_section(const std::filesystem::path& folder) {
-  Section section{.id = "assumptions", .title = "What was assumed", .blocks = {}};
+  Section section{.id = "assumptions", .title = "What was assumed"};
   section.blocks.emplace_back(Listing{fmt::format("{}", fmt::join(summary_section(folder, "What was assumed"), "\n"))});
   return section;
 }
 
 Section candidates_section(const Node& diagnosis) {
-  Section section{.id = "candidates", .title = "Hypotheses that were compared", .blocks = {}};
-  Table table{.header = {"rank", "effects", "residual", "gain", "gain on runs left out", "remark"}, .rows = {}};
+  Section section{.id = "candidates", .title = "Hypotheses that were compared"};
+  Table table{.header = {"rank", "effects", "residual", "gain", "gain on runs left out", "remark"}};
   const auto samples = static_cast<double>(samples_of(diagnosis, "fit"));
   BarChart chart{.id = "ranking",
                  .title = "The hypotheses by their gain",
@@ -220,8 +217,7 @@ Section candidates_section(const Node& diagnosis) {
                      "How much better than the declared model fitted anew, each further number charged: a "
                      "lead of 6 is odds of 20 to 1, less decides nothing. The 15 best.",
                  .value_title = "gain",
-                 .label_title = "effects",
-                 .bars = {}};
+                 .label_title = "effects"};
   std::map<std::string, int> seen;
   for (const Node& each : member_of(diagnosis, "candidates").elements()) {
     const std::string ids = ids_text(member_of(each, "effects"));
@@ -232,7 +228,7 @@ Section candidates_section(const Node& diagnosis) {
     const bool is_told = left && !left->is_null() && samples > 0.0;
     table.rows.push_back({fmt::format("{}", table.rows.size() + 1), ids,
                           is_told ? short_number(std::sqrt(left->number() / samples)) : "-", number("criterion_gain"),
-                          number("cross_validated_gain"), cell_of(member_of(each, "remark"))});
+                          number("cross_validated_gain"), cell_of(each, "remark")});
     if (!known || chart.bars.size() >= 15) continue;
     const int again = seen[ids]++;
     const double gain = member_of(*evidence, "criterion_gain").number();
@@ -254,7 +250,7 @@ Section candidates_section(const Node& diagnosis) {
 }
 
 Section warnings_section(const Node& diagnosis) {
-  Section section{.id = "warnings", .title = "Warnings", .blocks = {}};
+  Section section{.id = "warnings", .title = "Warnings"};
   for (const Node& each : member_of(diagnosis, "warnings").elements()) {
     const Node run = member_of(each, "run");
     section.blocks.emplace_back(
@@ -277,8 +273,7 @@ Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, 
             .verdict = verdict_of(folder),
             .cautions = cautions_of(folder),
             .origin = origin_text(folder, made_by),
-            .inputs = input_lines(folder),
-            .sections = {}};
+            .inputs = input_lines(folder)};
   Section warnings = warnings_section(diagnosis);
   page.sections.push_back(effects_section(diagnosis));
   page.sections.push_back(assumptions_section(folder));

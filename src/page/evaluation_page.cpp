@@ -1,4 +1,4 @@
-#include "coilwright/page/evaluation_page.hpp"
+#include "coilwright/page/pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -66,16 +66,15 @@ std::string verdict_of(const DesignView& design, const std::vector<PartLimit>& l
 }
 
 Section limits_section(const std::vector<PartLimit>& limits) {
-  Section section{.id = "limits", .title = "What the parts stand", .blocks = {}};
+  Section section{.id = "limits", .title = "What the parts stand"};
   BarChart chart{.id = "margins",
                  .title = "Margins of the parts",
                  .description =
                      "How far each part is from its limit, in per cent of the limit. A bar to the left is a "
                      "limit that is broken; it ends at -100 % where there is no steady value.",
                  .value_title = "margin, %",
-                 .label_title = "limit",
-                 .bars = {}};
-  Table table{.header = {"quantity", "value", "limit", "beyond it"}, .rows = {}};
+                 .label_title = "limit"};
+  Table table{.header = {"quantity", "value", "limit", "beyond it"}};
   for (const PartLimit& each : limits) {
     const std::string limit = fmt::format("{} {}", each.at_most ? "<=" : ">=", short_number(each.limit));
     table.rows.push_back({std::string(each.quantity), value_text(each), limit, std::string(each.consequence)});
@@ -91,8 +90,8 @@ Section limits_section(const std::vector<PartLimit>& limits) {
 }
 
 Section choices_section(const DesignView& design, std::span<const ChoiceEffect> effects) {
-  Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
-  Table table{.header = {"subject", "taken", "otherwise"}, .rows = {}};
+  Section section{.id = "assumptions", .title = "What the answer rests on"};
+  Table table{.header = {"subject", "taken", "otherwise"}};
   for (const char* name : main_figures) table.header.emplace_back(name);
   table.header.emplace_back("settled by");
   std::vector<std::string> taken{"as taken", "", ""};
@@ -112,8 +111,8 @@ Section choices_section(const DesignView& design, std::span<const ChoiceEffect> 
 }
 
 Section quantities_section(const DesignView& design) {
-  Section section{.id = "quantities", .title = "All quantities", .blocks = {}};
-  Table table{.header = {"quantity", "value", "meaning"}, .rows = {}};
+  Section section{.id = "quantities", .title = "All quantities"};
+  Table table{.header = {"quantity", "value", "meaning"}};
   for (const simulation::ResultQuantity& each : simulation::standard_quantities())
     table.rows.push_back({each.name, value_text(design, each.name), each.meaning});
   section.blocks.emplace_back(TableBlock{.caption = "Quantities of this design", .table = std::move(table)});

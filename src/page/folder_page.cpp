@@ -1,13 +1,10 @@
-#include "coilwright/page/folder_page.hpp"
+#include "coilwright/page/pages.hpp"
 
 #include <string>
 
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
-#include "page/diagnosis_page.hpp"
-#include "page/front_page.hpp"
-#include "page/sizing_page.hpp"
-#include "page/sweep_page.hpp"
+#include "page/result_pages.hpp"
 
 namespace coilwright::page {
 namespace {

@@ -1,4 +1,4 @@
-#include "page/front_designs.hpp"
+#include "page/front.hpp"
 
 #include <fmt/format.h>
 
@@ -87,13 +87,11 @@ std::optional<std::string> actuator_of(const DesignProblem& problem, const Front
   return formats::to_json(problem.design_at(*point), name, operating).text();
 }
 
-Json texts_json(const std::vector<std::string>& texts) {
-  Json out = Json::array();
-  for (const std::string& each : texts) out.add(each);
-  return out;
-}
-
 }  // namespace
+
+Json texts_json(const std::vector<std::string>& texts) {
+  return Json::array({texts.begin(), texts.end()});
+}
 
 std::optional<EvaluatedDesign> evaluated_row(const DesignProblem& problem, const FrontTable& front, std::size_t row) {
   const std::optional<std::vector<double>> point = point_of(problem.study(), front, row);

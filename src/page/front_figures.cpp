@@ -1,4 +1,4 @@
-#include "page/front_figures.hpp"
+#include "page/front.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -136,8 +136,7 @@ Figure scatter(const FrontTable& front, const OtherDesigns& others) {
                                    {"height", 420},
                                    {"autosize", Json::object({{"type", "fit"}, {"contains", "padding"}})},
                                    {"datasets", Json::object({{"front", rows_of(front)}, {"others", rows_of(others)}})},
-                                   {"layer", layers}}),
-          .table = {}};
+                                   {"layer", layers}})};
 }
 
 // A column between its least and its greatest value; a text by its place among the texts.
@@ -254,8 +253,7 @@ std::optional<Figure> parallel(const FrontTable& front) {
                          parallel_layer("selected",
                                         Json::object({{"type", "line"}, {"style", "selected-line"}, {"point", true}})),
                          end_layer("least", -0.02, "'top'", "'right'"),
-                         end_layer("greatest", 1.02, "'bottom'", "'left'")})}}),
-      .table = {}};
+                         end_layer("greatest", 1.02, "'bottom'", "'left'")})}})};
 }
 
 using Values = std::vector<double>;  // one for each objective

@@ -1,4 +1,4 @@
-#include "page/front_page.hpp"
+#include "page/result_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,11 +13,9 @@
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/markup.hpp"
-#include "page/front_designs.hpp"
-#include "page/front_figures.hpp"
-#include "page/front_table.hpp"
+#include "page/front.hpp"
+#include "page/html_parts.hpp"
 #include "page/result_words.hpp"
-#include "page/table_html.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -32,7 +30,7 @@ std::string names_text(const std::vector<std::string>& names) {
 std::string verdict_of(const Node& result, const FrontTable& front) {
   const Node counts = member_of(result, "evaluations");
   const std::string search = fmt::format("{} designs were evaluated, {} of them keep every limit",
-                                         cell_of(member_of(counts, "total")), cell_of(member_of(counts, "ok")));
+                                         cell_of(counts, "total"), cell_of(counts, "ok"));
   if (front.rows() == 0) return fmt::format("No design that was found keeps every limit ({}).", search);
   std::vector<std::string> ranges;
   for (const std::string& objective : front.objectives) {
@@ -45,12 +43,6 @@ std::string verdict_of(const Node& result, const FrontTable& front) {
       "{} designs trade {} against each other: {}. None of them is beaten in every objective by another one "
       "that was found; {}.",
       front.rows(), names_text(front.objectives), fmt::join(ranges, ", "), search);
-}
-
-Json names_json(const std::vector<std::string>& names) {
-  Json out = Json::array();
-  for (const std::string& name : names) out.add(name);
-  return out;
 }
 
 constexpr std::size_t most_with_quantities = 5000;
@@ -68,10 +60,10 @@ Json columns_json(const FrontTable& front) {
     for (const std::string& field : front.texts.column(name)) column.add(json_of(field));
     columns.set(name, std::move(column));
   }
-  return Json::object({{"variables", names_json(front.variables)},
-                       {"objectives", names_json(front.objectives)},
-                       {"margins", names_json(front.margins)},
-                       {"quantities", names_json(quantities)},
+  return Json::object({{"variables", texts_json(front.variables)},
+                       {"objectives", texts_json(front.objectives)},
+                       {"margins", texts_json(front.margins)},
+                       {"quantities", texts_json(quantities)},
                        {"columns", std::move(columns)}});
 }
 
@@ -101,7 +93,7 @@ constexpr const char* selection_html =
 constexpr std::size_t most_design_rows = 500;
 
 TableBlock front_rows(const FrontTable& front) {
-  Table table{.header = {"design"}, .rows = {}};
+  Table table{.header = {"design"}};
   const std::vector<std::string> shown = shown_columns(front);
   table.header.insert(table.header.end(), shown.begin(), shown.end());
   const std::vector<std::size_t> rows = even_choice(front.rows(), most_design_rows);
@@ -125,8 +117,8 @@ std::string table_details(const FrontTable& front) {
 }
 
 Section convergence_section(const std::filesystem::path& folder) {
-  const text::CsvTexts table = text::read_csv_texts(folder / "convergence.csv", [](std::string_view) { return true; });
-  Series series{.name = "hypervolume", .x = {}, .y = {}, .mark = Mark::steps};
+  const text::CsvTexts table = read_table(folder / "convergence.csv");
+  Series series{.name = "hypervolume", .mark = Mark::steps};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto x = table.number("evaluation", row);
     const auto y = table.number("hypervolume", row);
@@ -134,7 +126,7 @@ Section convergence_section(const std::filesystem::path& folder) {
     series.x.push_back(*x);
     series.y.push_back(*y);
   }
-  Section section{.id = "convergence", .title = "Convergence", .blocks = {}};
+  Section section{.id = "convergence", .title = "Convergence"};
   if (series.x.empty()) return section;
   section.blocks.emplace_back(figure_of(
       Chart{.id = "search",
@@ -188,10 +180,9 @@ Page front_page(const std::filesystem::path& folder, const Node& result, const P
             .verdict = verdict_of(result, front),
             .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
-            .inputs = input_lines(folder),
-            .sections = {}};
+            .inputs = input_lines(folder)};
   const OtherDesigns others = read_other_designs(folder, result, front);
-  Section trade{.id = "trade", .title = "The trade-off", .blocks = {}};
+  Section trade{.id = "trade", .title = "The trade-off"};
   if (front.rows() > 0) trade.blocks.emplace_back(Widget{controls_html(front)});
   for (Figure& figure : front_figures(front, others)) trade.blocks.emplace_back(std::move(figure));
   if (front.rows() == 0) {
@@ -204,7 +195,7 @@ Page front_page(const std::filesystem::path& folder, const Node& result, const P
   }
   trade.blocks.emplace_back(Widget{table_details(front)});
   page.sections.push_back(std::move(trade));
-  Section selection{.id = "selection", .title = "The selected design", .blocks = {}};
+  Section selection{.id = "selection", .title = "The selected design"};
   if (front.rows() > most_with_quantities)
     selection.blocks.emplace_back(Paragraph{
         fmt::format("Of {} designs the page has objectives, variables and margins; every other quantity is in "

@@ -1,4 +1,4 @@
-#include "page/front_table.hpp"
+#include "page/front.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::vector<std::string> variables_of(const text::Node& designs) {
 
 FrontTable designs_in(const std::filesystem::path& file, const text::Node& result, std::vector<std::string> variables,
                       text::Length objectives) {
-  FrontTable designs{.texts = text::read_csv_texts(file, [](std::string_view) { return true; }),
+  FrontTable designs{.texts = read_table(file),
                      .variables = std::move(variables),
                      .objectives = {},
                      .largest = {},

@@ -1,4 +1,4 @@
-#include "page/next_section.hpp"
+#include "page/result_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,8 +16,7 @@
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "page/result_words.hpp"
-#include "page/summary_text.hpp"
-#include "page/thinning.hpp"
+#include "page/run_figures.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -74,7 +73,6 @@ Figure readings_figure(const Expected& expected, const std::vector<std::string>&
                                          expected.channel, thinning.text()),
               .x_title = expected.axis,
               .y_title = expected.channel,
-              .series = {},
               .colour_order = explanations};
   for (std::size_t i = 0; i < explanations.size(); ++i)
     chart.series.push_back(
@@ -95,7 +93,6 @@ Figure difference_figure(const Expected& expected, const std::vector<std::string
                                                       : "in the channel's own unit: its noise is not known"),
       .x_title = expected.axis,
       .y_title = expected.noise > 0.0 ? "difference, times the noise" : "difference, " + expected.channel,
-      .series = {},
       .colour_order = explanations};
   for (std::size_t i = 1; i < explanations.size(); ++i) {
     std::vector<double> difference;
@@ -107,7 +104,7 @@ Figure difference_figure(const Expected& expected, const std::vector<std::string
 }
 
 std::vector<Figure> expected_figures(const std::filesystem::path& file) {
-  const text::CsvTexts table = text::read_csv_texts(file, [](std::string_view) { return true; });
+  const text::CsvTexts table = read_table(file);
   const std::vector<std::string> explanations = explanations_in(table);
   std::vector<Figure> figures;
   std::size_t number = 0;
@@ -129,7 +126,7 @@ std::vector<std::string> rivals_lines(const std::filesystem::path& folder) {
 }  // namespace
 
 Section next_section(const std::filesystem::path& folder, const Node& diagnosis) {
-  Section section{.id = "next", .title = "What to do next, and what cannot be told apart", .blocks = {}};
+  Section section{.id = "next", .title = "What to do next, and what cannot be told apart"};
   for (std::string& step : summary_lines(folder, "What to do next")) section.blocks.emplace_back(Paragraph{step});
   for (std::string& line : rivals_lines(folder)) section.blocks.emplace_back(Paragraph{std::move(line)});
   const auto next = diagnosis.find("next_experiment");
@@ -137,7 +134,7 @@ Section next_section(const std::filesystem::path& folder, const Node& diagnosis)
     section.blocks.emplace_back(Paragraph{"No run is proposed that would separate explanations."});
     return section;
   }
-  Table table{.header = {"", ""}, .rows = {}};
+  Table table{.header = {"", ""}};
   for (const Node& each : next->members())
     if (each.kind() != Node::Kind::object && each.kind() != Node::Kind::array)
       table.rows.push_back({each.key(), cell_of(each)});

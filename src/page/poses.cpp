@@ -134,11 +134,8 @@ std::vector<Figure> pose_figures(const BodyPlan& plan, const std::vector<Pose>& 
         "x=\"{3:.3f}\" "
         "y=\"{4:.3f}\">10 mm</text>\n</svg>\n",
         start, row - 1.0, bar_length, start + bar_length + 1.5, row + 1.0);
-    figures.push_back({.id = "pose-" + pose.id,
-                       .title = pose.title,
-                       .description = said,
-                       .content = Drawing{std::move(svg)},
-                       .table = {}});
+    figures.push_back(
+        {.id = "pose-" + pose.id, .title = pose.title, .description = said, .content = Drawing{std::move(svg)}});
   }
   return figures;
 }

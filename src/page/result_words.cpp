@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/simulation/quantity.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
 
 namespace coilwright::page {
@@ -22,6 +26,13 @@ std::optional<text::Document> provenance_in(const std::filesystem::path& folder)
   const std::filesystem::path file = folder / "provenance.json";
   if (!std::filesystem::is_regular_file(file)) return std::nullopt;
   return text::read_json(file);
+}
+
+std::filesystem::path summary_in(const std::filesystem::path& folder) {
+  std::filesystem::path file = folder / "summary.txt";
+  if (!std::filesystem::is_regular_file(file))
+    throw text::InputError({.file = file.string(), .rule = "must be there: diagnose writes it beside diagnosis.json"});
+  return file;
 }
 
 }  // namespace
@@ -50,10 +61,14 @@ std::string cell_of(const Node& node) {
   }
 }
 
+std::string cell_of(const Node& object, std::string_view key) {
+  return cell_of(member_of(object, key));
+}
+
 std::string limit_text(const Node& constraint) {
   const std::string quantity = member_of(constraint, "quantity").text();
   if (const auto most = constraint.find("at_most")) return fmt::format("{} <= {}", quantity, cell_of(*most));
-  return fmt::format("{} >= {}", quantity, cell_of(member_of(constraint, "at_least")));
+  return fmt::format("{} >= {}", quantity, cell_of(constraint, "at_least"));
 }
 
 double margin_percent(const Node& constraint) {
@@ -99,8 +114,8 @@ std::vector<std::string> cautions_of_parts(const Node& result) {
   std::vector<std::string> conditional;
   for (const Node& each : limits ? limits->elements() : std::vector<Node>())
     (is_conditional(each) ? conditional : broken)
-        .push_back(fmt::format("{} of them break {}: {}", cell_of(member_of(each, "designs")),
-                               cell_of(member_of(each, "quantity")), cell_of(member_of(each, "consequence"))));
+        .push_back(fmt::format("{} of them break {}: {}", cell_of(each, "designs"), cell_of(each, "quantity"),
+                               cell_of(each, "consequence")));
   std::vector<std::string> out;
   if (was_interrupted(result)) out.emplace_back(interrupted_caution);
   if (!broken.empty())
@@ -133,6 +148,10 @@ std::string origin_text(const std::filesystem::path& folder, std::string_view ma
   return out + '.';
 }
 
+text::CsvTexts read_table(const std::filesystem::path& file) {
+  return text::read_csv_texts(file, [](std::string_view) { return true; });
+}
+
 void require_rows(const text::CsvTexts& table, std::size_t counted) {
   if (table.rows() == counted) return;
   throw table.error(
@@ -153,9 +172,45 @@ std::vector<std::string> input_lines(const std::filesystem::path& folder) {
   const Node root = document->root();
   if (const auto inputs = root.find("inputs"))
     for (const Node& input : inputs->elements())
-      out.push_back(fmt::format("{}: SHA-256 {}", cell_of(member_of(input, "file")),
-                                cell_of(member_of(input, "sha256")).substr(0, 12)));
+      out.push_back(fmt::format("{}: SHA-256 {}", cell_of(input, "file"), cell_of(input, "sha256").substr(0, 12)));
   return out;
+}
+
+std::vector<std::string> summary_section(const std::filesystem::path& folder, std::string_view heading) {
+  const std::filesystem::path file = summary_in(folder);
+  std::istringstream lines(text::read_text(file, text::json_size_limit).text);
+  std::string line;
+  while (std::getline(lines, line) && !heading.empty() && line != heading) {
+  }
+  if (!lines)
+    throw text::InputError(
+        {.file = file.string(),
+         .rule = heading.empty() ? "must not be empty" : fmt::format("must have the section \"{}\"", heading)});
+  std::vector<std::string> out;
+  while (std::getline(lines, line)) {
+    if (line.empty() && !out.empty()) break;
+    if (!line.empty()) out.push_back(line);
+  }
+  if (out.empty() && heading.empty())
+    throw text::InputError({.file = file.string(), .rule = "must say the verdict below its title"});
+  return out;
+}
+
+std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
+  std::vector<std::string> out = summary_section(folder, heading);
+  for (std::string& line : out) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
+  return out;
+}
+
+void require_summary_of(const std::filesystem::path& folder, const std::string& dataset, const std::string& verdict) {
+  const std::filesystem::path file = summary_in(folder);
+  const std::string expected = fmt::format("{}: {}", dataset, verdict);
+  const std::string summary = text::read_text(file, text::json_size_limit).text;
+  // The name of a data set may have more than one line.
+  if (!summary.starts_with(expected + '\n'))
+    throw text::InputError({.file = file.string(),
+                            .rule = fmt::format("must begin with \"{}\", as diagnosis.json beside it has it", expected),
+                            .value = fmt::format("\"{}\"", summary.substr(0, summary.find('\n')))});
 }
 
 }  // namespace coilwright::page

@@ -29,6 +29,9 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> mo
 /// A number of a result with four digits, a text as it is, "-" for null.
 [[nodiscard]] std::string cell_of(const text::Node& node);
 
+/// The same of the member under `key`, which must be there.
+[[nodiscard]] std::string cell_of(const text::Node& object, std::string_view key);
+
 /// "mass_g <= 70" of a constraint with `quantity` and `at_most` or `at_least`.
 [[nodiscard]] std::string limit_text(const text::Node& constraint);
 
@@ -72,6 +75,9 @@ struct Objective {
 /// What provenance.json tells of where a result is from, as one line.
 [[nodiscard]] std::string origin_text(const std::filesystem::path& folder, std::string_view made_by);
 
+/// All columns of a table beside a result.
+[[nodiscard]] text::CsvTexts read_table(const std::filesystem::path& file);
+
 /// Throws text::InputError where a table beside a result does not have as many rows as the result counts: it was cut,
 /// or is of another run.
 void require_rows(const text::CsvTexts& table, std::size_t counted);
@@ -81,5 +87,17 @@ void require_rows(const text::CsvTexts& table, std::size_t counted);
 
 /// The files that the result was made of, as provenance.json names them, each with the first digits of its SHA-256.
 [[nodiscard]] std::vector<std::string> input_lines(const std::filesystem::path& folder);
+
+/// The lines below a heading of summary.txt in a folder of `diagnose`, up to the next empty one; below its title where
+/// `heading` is empty. Throws InputError where there is no such file or heading, and where nothing stands below the
+/// title: a page without its verdict or its doubts would say more than is known.
+[[nodiscard]] std::vector<std::string> summary_section(const std::filesystem::path& folder, std::string_view heading);
+
+/// The same without what indents them.
+[[nodiscard]] std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading);
+
+/// Throws InputError where the title of that file is not this data set and verdict: it is the summary of another
+/// diagnosis than the diagnosis.json beside it, and a page would show the words of one with the numbers of the other.
+void require_summary_of(const std::filesystem::path& folder, const std::string& dataset, const std::string& verdict);
 
 }  // namespace coilwright::page

@@ -9,14 +9,12 @@
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <utility>
-
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "page/result_words.hpp"
-#include "page/thinning.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -33,8 +31,7 @@ std::string axis_title(std::string_view axis) {
 RunRecord::Prediction& prediction_of(RunRecord& record, std::string_view name) {
   const auto found = std::ranges::find(record.predictions, name, &RunRecord::Prediction::name);
   if (found != record.predictions.end()) return *found;
-  return record.predictions.emplace_back(
-      RunRecord::Prediction{.name = std::string(name), .x = {}, .y = {}, .residual = {}});
+  return record.predictions.emplace_back(RunRecord::Prediction{.name = std::string(name)});
 }
 
 // Where no effect was added, the model with effects is the one that was fitted anew.
@@ -112,7 +109,6 @@ Figure residual_figure(const RunRecord& record, std::size_t number) {
               .description = "Measured less predicted." + outliers_text(record) + thinning.text(),
               .x_title = axis_title(record.axis),
               .y_title = "residual of " + record.channel,
-              .series = {},
               .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions)
     chart.series.push_back({.name = each.name, .x = thinning.of(each.x), .y = thinning.of(each.residual)});
@@ -127,7 +123,6 @@ std::optional<Figure> spectrum_figure(const RunRecord& record, std::size_t numbe
       .description = "Amplitude of each line of the residual's spectrum; noise alone is level." + outliers_text(record),
       .x_title = "frequency, Hz",
       .y_title = "amplitude of " + record.channel,
-      .series = {},
       .colour_order = colour_order()};
   for (const RunRecord::Prediction& each : record.predictions) {
     const std::optional<double> interval = even_interval(each.x);
@@ -140,10 +135,12 @@ std::optional<Figure> spectrum_figure(const RunRecord& record, std::size_t numbe
   return figure_of(chart);
 }
 
+constexpr std::size_t most_points = 1200;
+
 }  // namespace
 
 std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
-  const text::CsvTexts table = text::read_csv_texts(folder / "residuals.csv", [](std::string_view) { return true; });
+  const text::CsvTexts table = read_table(folder / "residuals.csv");
   std::vector<RunRecord> records;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto place = place_of(table, row);
@@ -152,14 +149,8 @@ std::vector<RunRecord> read_runs(const std::filesystem::path& folder) {
     const std::string& run = table.column("run")[row];
     const std::string& channel = table.column("channel")[row];
     if (records.empty() || records.back().run != run || records.back().channel != channel)
-      records.push_back({.run = run,
-                         .role = table.column("role")[row],
-                         .channel = channel,
-                         .axis = std::string(place->first),
-                         .x = {},
-                         .measured = {},
-                         .outliers = 0,
-                         .predictions = {}});
+      records.push_back(
+          {.run = run, .role = table.column("role")[row], .channel = channel, .axis = std::string(place->first)});
     RunRecord& record = records.back();
     record.x.push_back(place->second);
     record.measured.push_back(*measured);
@@ -206,6 +197,18 @@ Spectrum spectrum_of(const std::vector<double>& values, double interval) {
     out.amplitudes.push_back((2 * i == values.size() ? 1.0 : 2.0) * std::abs(lines[i]) / count);
   }
   return out;
+}
+
+Thinning::Thinning(std::size_t count) : stride_((count + most_points - 1) / most_points) {}
+
+std::vector<double> Thinning::of(const std::vector<double>& values) const {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < values.size(); i += stride_) out.push_back(values[i]);
+  return out;
+}
+
+std::string Thinning::text() const {
+  return stride_ > 1 ? fmt::format(" One sample in {} is drawn.", stride_) : "";
 }
 
 }  // namespace coilwright::page

@@ -15,16 +15,16 @@ struct RunRecord {
   std::string role;     ///< "fit", "validate"
   std::string channel;  ///< "bending_angle_deg"
   std::string axis;     ///< "time_s", "angle_deg" or "current_A"
-  std::vector<double> x;
-  std::vector<double> measured;
+  std::vector<double> x{};
+  std::vector<double> measured{};
   std::size_t outliers = 0;  ///< samples that were left out of fits and errors
   struct Prediction {
     std::string name;  ///< "as declared"
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> residual;  ///< measured less predicted; of outliers straight between their neighbours
+    std::vector<double> x{};
+    std::vector<double> y{};
+    std::vector<double> residual{};  ///< measured less predicted; of outliers straight between their neighbours
   };
-  std::vector<Prediction> predictions;  ///< those that have any value
+  std::vector<Prediction> predictions{};  ///< those that have any value
 };
 
 /// residuals.csv of a folder, in its order.
@@ -43,5 +43,17 @@ struct Spectrum {
 /// Of at least eight values every `interval` s; empty for fewer. A sine of amplitude a that fits the record has a at
 /// its line.
 [[nodiscard]] Spectrum spectrum_of(const std::vector<double>& values, double interval);
+
+/// Of a long record an even choice of samples that a picture can show: at most 1200.
+class Thinning {
+ public:
+  explicit Thinning(std::size_t count);
+  [[nodiscard]] std::vector<double> of(const std::vector<double>& values) const;
+  /// " One sample in 4 is drawn."; empty where all are.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::size_t stride_;
+};
 
 }  // namespace coilwright::page

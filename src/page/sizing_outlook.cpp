@@ -1,4 +1,4 @@
-#include "page/sizing_outlook.hpp"
+#include "page/result_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,19 +25,18 @@ std::string violations_text(const Node& step) {
 }  // namespace
 
 Section sensitivity_section(const Node& result) {
-  Section section{.id = "sensitivity", .title = "What a change would bring", .blocks = {}};
+  Section section{.id = "sensitivity", .title = "What a change would bring"};
   BarChart chart{.id = "steps",
                  .title = "One step of one variable",
                  .description = "Change of the objective when one variable moves by one step and all others stay.",
                  .value_title = "change of " + objective_of(result).name,
-                 .label_title = "step",
-                 .bars = {}};
-  Table table{.header = {"variable", "from", "to", "change", "breaks"}, .rows = {}};
+                 .label_title = "step"};
+  Table table{.header = {"variable", "from", "to", "change", "breaks"}};
   for (const Node& each : member_of(result, "steps").elements()) {
     const Node change = member_of(each, "objective_change");
     const std::string broken = violations_text(each);
-    table.rows.push_back({cell_of(member_of(each, "variable")), cell_of(member_of(each, "from")),
-                          cell_of(member_of(each, "to")), cell_of(change), broken});
+    table.rows.push_back(
+        {cell_of(each, "variable"), cell_of(each, "from"), cell_of(each, "to"), cell_of(change), broken});
     if (change.is_null()) continue;
     const bool improves = member_of(each, "improves").boolean();
     chart.bars.push_back(
@@ -53,11 +52,10 @@ Section sensitivity_section(const Node& result) {
         "No steps were looked at: the search was interrupted or its answer only was asked for, or nothing can vary."});
   else
     section.blocks.emplace_back(TableBlock{.caption = "Steps of the variables", .table = std::move(table)});
-  Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}, .rows = {}};
+  Table relaxed{.header = {"limit", "relaxed to", "gain at least", "by the design"}};
   for (const Node& each : member_of(result, "binding").elements()) {
     const auto design = each.find("relaxed_best");
-    relaxed.rows.push_back({cell_of(member_of(each, "constraint")), cell_of(member_of(each, "relaxed_to")),
-                            cell_of(member_of(each, "objective_change")),
+    relaxed.rows.push_back({cell_of(each, "constraint"), cell_of(each, "relaxed_to"), cell_of(each, "objective_change"),
                             design && !design->is_null() ? members_text(*design) : "-"});
   }
   if (!relaxed.rows.empty())
@@ -66,7 +64,7 @@ Section sensitivity_section(const Node& result) {
 }
 
 Section assumptions_section(const Node& result) {
-  Section section{.id = "assumptions", .title = "What the answer rests on", .blocks = {}};
+  Section section{.id = "assumptions", .title = "What the answer rests on"};
   const std::vector<Node> all = member_of(result, "assumptions").elements();
   if (all.empty()) {
     section.blocks.emplace_back(Paragraph{fmt::format("No other modelling choice was looked at: {}.",
@@ -82,25 +80,23 @@ Section assumptions_section(const Node& result) {
                      "design then still keeps its limits.",
                  .value_title = objective_of(result).name,
                  .label_title = "if it is otherwise",
-                 .bars = {},
                  .symbols = true};
   const double value = only_member_of(member_of(member_of(result, "best"), "objectives")).number();
   chart.bars.push_back({.label = "as taken", .value = value, .group = "as taken"});
   Table table{.header = {"subject", "taken", "otherwise", "objective then", "worst margin, % of its limit",
-                         "another design", "settled by"},
-              .rows = {}};
+                         "another design", "settled by"}};
   for (const Node& each : all) {
     const std::vector<Node> objectives =
         member_of(each, "objectives").is_null() ? std::vector<Node>{} : member_of(each, "objectives").members();
     const auto worst = each.find("worst_margin");
     const bool known = !objectives.empty() && !objectives.front().is_null();
-    table.rows.push_back({cell_of(member_of(each, "subject")), cell_of(member_of(each, "taken")),
-                          cell_of(member_of(each, "otherwise")), known ? cell_of(objectives.front()) : "-",
+    table.rows.push_back({cell_of(each, "subject"), cell_of(each, "taken"), cell_of(each, "otherwise"),
+                          known ? cell_of(objectives.front()) : "-",
                           worst && !worst->is_null()
-                              ? fmt::format("{} ({:.3g})", cell_of(member_of(*worst, "limit")),
+                              ? fmt::format("{} ({:.3g})", cell_of(*worst, "limit"),
                                             100.0 * member_of(*worst, "relative_margin").number())
                               : "-",
-                          cell_of(member_of(each, "changes_design")), cell_of(member_of(each, "settled_by"))});
+                          cell_of(each, "changes_design"), cell_of(each, "settled_by")});
     if (known)
       chart.bars.push_back({.label = fmt::format("{}: {}", table.rows.back()[0], table.rows.back()[2]),
                             .value = objectives.front().number(),

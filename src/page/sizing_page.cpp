@@ -1,4 +1,4 @@
-#include "page/sizing_page.hpp"
+#include "page/result_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +16,6 @@
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "page/result_words.hpp"
-#include "page/sizing_outlook.hpp"
 
 namespace coilwright::page {
 namespace {
@@ -32,9 +31,9 @@ std::vector<std::string> cautions_of_design(const Node& result) {
     if (!member_of(each, "broken").boolean()) continue;
     const char* side = each.find("at_most") ? "at_most" : "at_least";
     (is_conditional(each) ? conditional : broken)
-        .push_back(fmt::format("{} {}, {} {}: {}", cell_of(member_of(each, "quantity")),
-                               cell_of(member_of(each, "value")), each.find("at_most") ? "at most" : "at least",
-                               cell_of(member_of(each, side)), cell_of(member_of(each, "consequence"))));
+        .push_back(fmt::format("{} {}, {} {}: {}", cell_of(each, "quantity"), cell_of(each, "value"),
+                               each.find("at_most") ? "at most" : "at least", cell_of(each, side),
+                               cell_of(each, "consequence")));
   }
   std::vector<std::string> out;
   if (was_interrupted(result)) out.emplace_back(interrupted_caution);
@@ -80,7 +79,7 @@ std::string verdict_of(const Node& result) {
 }
 
 TableBlock variables_table(const Node& result) {
-  Table table{.header = {"variable", "value"}, .rows = {}};
+  Table table{.header = {"variable", "value"}};
   for (const Node& each : member_of(member_of(result, "best"), "variables").members())
     table.rows.push_back({each.key(), cell_of(each)});
   const auto ends = result.find("at_range_end");
@@ -97,34 +96,32 @@ TableBlock variables_table(const Node& result) {
 }
 
 Section limits_section(const Node& result) {
-  Section section{.id = "limits", .title = "Objective and limits", .blocks = {}};
+  Section section{.id = "limits", .title = "Objective and limits"};
   const Node best = member_of(result, "best");
   std::string line = fmt::format("{}.", only_member_text(member_of(best, "objectives")));
   const auto base = result.find("base");
   if (base && base->find("objectives"))
-    line += fmt::format(" The study's own actuator with {} A, for comparison: {}.",
-                        cell_of(member_of(*base, "current_A")), only_member_text(member_of(*base, "objectives")));
+    line += fmt::format(" The study's own actuator with {} A, for comparison: {}.", cell_of(*base, "current_A"),
+                        only_member_text(member_of(*base, "objectives")));
   else if (base && base->find("reason"))
-    line +=
-        fmt::format(" The study's own actuator, for comparison, has none: {}.", cell_of(member_of(*base, "reason")));
+    line += fmt::format(" The study's own actuator, for comparison, has none: {}.", cell_of(*base, "reason"));
   section.blocks.emplace_back(Paragraph{line});
-  Table table{.header = {"limit", "value", "margin", "margin, % of the limit", "in the way"}, .rows = {}};
+  Table table{.header = {"limit", "value", "margin", "margin, % of the limit", "in the way"}};
   BarChart chart{.id = "margins",
                  .title = "Margins",
                  .description =
                      "How far each limit is from being reached, in per cent of the limit (of an ordinary "
                      "magnitude where the limit is 0). A bar to the left is a limit that is broken.",
                  .value_title = "margin, %",
-                 .label_title = "limit",
-                 .bars = {}};
+                 .label_title = "limit"};
   for (const Node& each : member_of(best, "constraints").elements()) {
     const double percent = margin_percent(each);
     std::string way;
     for (const Node& binding : member_of(result, "binding").elements())
       if (member_of(binding, "constraint").text() == limit_text(each))
         way = member_of(binding, "at_limit").boolean() ? "at its limit" : "an improving step breaks it";
-    table.rows.push_back({limit_text(each), cell_of(member_of(each, "value")), cell_of(member_of(each, "margin")),
-                          fmt::format("{:.3g}", percent), way});
+    table.rows.push_back(
+        {limit_text(each), cell_of(each, "value"), cell_of(each, "margin"), fmt::format("{:.3g}", percent), way});
     chart.bars.push_back({.label = limit_text(each),
                           .value = percent,
                           .group = percent < 0.0 ? "broken"
@@ -141,25 +138,23 @@ Section limits_section(const Node& result) {
 }
 
 Section convergence_section(const std::filesystem::path& folder, const Node& result) {
-  Section section{.id = "convergence", .title = "Convergence", .blocks = {}};
+  Section section{.id = "convergence", .title = "Convergence"};
   const std::string objective = objective_of(result).name;
-  const text::CsvTexts best = text::read_csv_texts(folder / "convergence.csv", [](std::string_view) { return true; });
+  const text::CsvTexts best = read_table(folder / "convergence.csv");
   const text::CsvTexts all = text::read_csv_texts(folder / "evaluations.csv", [&](std::string_view name) {
     return name == "evaluation" || name == "status" || name == objective;
   });
   require_rows(all, evaluations_of(result));
-  Chart chart{
-      .id = "search",
-      .title = "Every design of the search",
-      .description = fmt::format("The best {} so far, and the value of every design that was evaluated; {} ended "
-                                 "the search after {} designs.",
-                                 objective, cell_of(member_of(result, "stop_reason")),
-                                 cell_of(member_of(member_of(result, "evaluations"), "total"))),
-      .x_title = "evaluation",
-      .y_title = objective,
-      .series = {}};
+  Chart chart{.id = "search",
+              .title = "Every design of the search",
+              .description = fmt::format(
+                  "The best {} so far, and the value of every design that was evaluated; {} ended "
+                  "the search after {} designs.",
+                  objective, cell_of(result, "stop_reason"), cell_of(member_of(result, "evaluations"), "total")),
+              .x_title = "evaluation",
+              .y_title = objective};
   for (const auto& [status, name] : {std::pair{"infeasible", "breaks a limit"}, std::pair{"ok", "keeps every limit"}}) {
-    Series series{.name = name, .x = {}, .y = {}, .mark = Mark::faint};
+    Series series{.name = name, .mark = Mark::faint};
     for (std::size_t row = 0; all.has(objective) && row < all.rows(); ++row) {
       const auto place = all.number("evaluation", row);
       const auto value = all.number(objective, row);
@@ -169,7 +164,7 @@ Section convergence_section(const std::filesystem::path& folder, const Node& res
     }
     if (!series.x.empty()) chart.series.push_back(std::move(series));
   }
-  Series so_far{.name = "best so far", .x = {}, .y = {}, .mark = Mark::steps};
+  Series so_far{.name = "best so far", .mark = Mark::steps};
   for (std::size_t row = 0; row < best.rows(); ++row) {
     const auto value = best.number("best_" + objective, row);
     if (!value) continue;
@@ -200,10 +195,10 @@ std::vector<Section> sections_of_actuator(const std::filesystem::path& file, std
 }
 
 Section quantities_section(const Node& result) {
-  Section section{.id = "quantities", .title = "All quantities", .blocks = {}};
+  Section section{.id = "quantities", .title = "All quantities"};
   const auto performance = result.find("performance");
   if (!performance || performance->is_null()) return section;
-  Table table{.header = {"quantity", "value", "meaning"}, .rows = {}};
+  Table table{.header = {"quantity", "value", "meaning"}};
   for (const Node& each : performance->members()) {
     const auto* quantity = simulation::standard_quantities().find(each.key());
     if (each.kind() != Node::Kind::number && !each.is_null()) continue;
@@ -220,14 +215,13 @@ Page sizing_page(const std::filesystem::path& folder, const Node& result, std::s
             .verdict = verdict_of(result),
             .cautions = cautions_of_design(result),
             .origin = origin_text(folder, made_by),
-            .inputs = input_lines(folder),
-            .sections = {}};
+            .inputs = input_lines(folder)};
   const Node best = member_of(result, "best");
   if (best.is_null()) return page;
   std::vector<Section> design;
   if (std::filesystem::is_regular_file(folder / "actuator.json"))
     design = sections_of_actuator(folder / "actuator.json", made_by);
-  if (design.empty()) design.push_back({.id = "design", .title = "The design", .blocks = {}});
+  if (design.empty()) design.push_back({.id = "design", .title = "The design"});
   design.front().blocks.insert(design.front().blocks.begin(), variables_table(result));
   page.sections.push_back(std::move(design.front()));
   page.sections.push_back(limits_section(result));

@@ -1,4 +1,4 @@
-#include "page/sweep_page.hpp"
+#include "page/result_pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,8 +14,7 @@
 #include "coilwright/page/design_figures.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
-#include "page/front_designs.hpp"
-#include "page/front_table.hpp"
+#include "page/front.hpp"
 #include "page/result_words.hpp"
 #include "page/sweep_table.hpp"
 
@@ -51,9 +50,9 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
 }
 
 std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
-  const std::string counts = fmt::format("{} of the {} designs of the grid were evaluated, {} of them keep every limit",
-                                         cell_of(member_of(result, "evaluated")), cell_of(member_of(result, "designs")),
-                                         cell_of(member_of(result, "ok")));
+  const std::string counts =
+      fmt::format("{} of the {} designs of the grid were evaluated, {} of them keep every limit",
+                  cell_of(result, "evaluated"), cell_of(result, "designs"), cell_of(result, "ok"));
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < leaders.objectives.size(); ++i)
     if (const auto row = best_row(leaders, i))
@@ -65,8 +64,8 @@ std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
 }
 
 Section leaders_section(const FrontTable& leaders) {
-  Section section{.id = "best", .title = "The best designs", .blocks = {}};
-  Table table{.header = {"best for", "limits"}, .rows = {}};
+  Section section{.id = "best", .title = "The best designs"};
+  Table table{.header = {"best for", "limits"}};
   const std::vector<std::string> shown = shown_columns(leaders);
   table.header.insert(table.header.end(), shown.begin(), shown.end());
   for (std::size_t row = 0; row < leaders.rows(); ++row) {
@@ -96,7 +95,7 @@ std::optional<Series> best_series(const SweepTable::Best& best, std::size_t obje
     points.emplace_back(*x, values[objective]);
   }
   std::ranges::sort(points);
-  Series out{.name = series_name(best), .x = {}, .y = {}, .mark = Mark::line};
+  Series out{.name = series_name(best), .mark = Mark::line};
   for (const auto& [x, y] : points) {
     out.x.push_back(x);
     out.y.push_back(y);
@@ -105,7 +104,7 @@ std::optional<Series> best_series(const SweepTable::Best& best, std::size_t obje
 }
 
 Series samples_series(const SweepTable& table, std::size_t variable, std::size_t objective, bool keeps_limits) {
-  Series out{.name = keeps_limits ? "keeps every limit" : "breaks a limit", .x = {}, .y = {}, .mark = Mark::faint};
+  Series out{.name = keeps_limits ? "keeps every limit" : "breaks a limit", .mark = Mark::faint};
   for (const SweepTable::Sample& each : table.samples) {
     if (each.keeps_limits != keeps_limits || !each.objectives[objective]) continue;
     const std::optional<double> x = text::number_in(each.variables[variable]);
@@ -125,7 +124,6 @@ Figure words_figure(const SweepTable& table, const FrontTable& leaders, std::siz
                                             leaders.objectives[objective], table.variables[variable]),
                  .value_title = leaders.objectives[objective],
                  .label_title = table.variables[variable],
-                 .bars = {},
                  .symbols = true};
   for (const SweepTable::Best& group : table.best[variable])
     for (const auto& [field, values] : group.rows)
@@ -150,8 +148,7 @@ std::optional<Figure> effect_figure(const SweepTable& table, const FrontTable& l
                               "the other variables are. Behind them {}.",
                               wanted, leaders.largest[objective] ? "more" : "less", name, behind_text(table)),
               .x_title = name,
-              .y_title = wanted,
-              .series = {}};
+              .y_title = wanted};
   for (const bool keeps : {false, true}) {
     Series samples = samples_series(table, variable, objective, keeps);
     if (!samples.x.empty()) chart.series.push_back(std::move(samples));
@@ -171,8 +168,7 @@ std::vector<Section> effect_sections(const SweepTable& table, const FrontTable& 
   std::vector<Section> sections;
   for (std::size_t objective = 0; objective < leaders.objectives.size(); ++objective) {
     Section section{.id = fmt::format("effects-{}", objective + 1),
-                    .title = fmt::format("What each variable does to {}", leaders.objectives[objective]),
-                    .blocks = {}};
+                    .title = fmt::format("What each variable does to {}", leaders.objectives[objective])};
     for (std::size_t variable = 0; variable < table.variables.size(); ++variable)
       if (std::optional<Figure> figure = effect_figure(table, leaders, variable, objective))
         section.blocks.emplace_back(*std::move(figure));
@@ -183,15 +179,15 @@ std::vector<Section> effect_sections(const SweepTable& table, const FrontTable& 
 }
 
 Section limits_section(const SweepTable& table) {
-  Section section{.id = "limits", .title = "Which limits decide", .blocks = {}};
+  Section section{.id = "limits", .title = "Which limits decide"};
   if (table.broken.empty()) section.blocks.emplace_back(Paragraph{"The study has no limits."});
-  Table rows{.header = {"margin below zero", "designs", "of those: the only limit broken"}, .rows = {}};
+  Table rows{.header = {"margin below zero", "designs", "of those: the only limit broken"}};
   for (const SweepTable::Broken& each : table.broken)
     rows.rows.push_back({each.margin, std::to_string(each.times), std::to_string(each.alone)});
   if (!rows.rows.empty())
     section.blocks.emplace_back(TableBlock{
         .caption = fmt::format("How many of the {} designs break each limit", table.rows), .table = std::move(rows)});
-  Table failed{.header = {"why a design could not be evaluated", "designs"}, .rows = {}};
+  Table failed{.header = {"why a design could not be evaluated", "designs"}};
   for (const auto& [reason, times] : table.failures) failed.rows.push_back({reason, std::to_string(times)});
   if (!failed.rows.empty())
     section.blocks.emplace_back(
@@ -203,7 +199,7 @@ Section limits_section(const SweepTable& table) {
 std::vector<Section> drawn_sections(const FrontTable& leaders, const PageInputs& inputs) {
   const std::optional<std::size_t> row = best_row(leaders, 0);
   if (!row) return {};
-  Section head{.id = "design", .title = fmt::format("The best design for {}", leaders.objectives[0]), .blocks = {}};
+  Section head{.id = "design", .title = fmt::format("The best design for {}", leaders.objectives[0])};
   if (!inputs.study) {
     head.blocks.emplace_back(Paragraph{fmt::format("It cannot be drawn: {}", inputs.why_no_study)});
     return {std::move(head)};
@@ -231,8 +227,7 @@ Page sweep_page(const std::filesystem::path& folder, const Node& result, const P
             .verdict = sweep_verdict(result, leaders),
             .cautions = cautions_of_parts(result),
             .origin = origin_text(folder, inputs.made_by),
-            .inputs = input_lines(folder),
-            .sections = {}};
+            .inputs = input_lines(folder)};
   const auto evaluated = member_of(result, "evaluated").integer<std::size_t>();
   if (evaluated == 0) return page;
   const SweepTable table = read_sweep(folder, leaders, evaluated);

@@ -80,7 +80,7 @@ class Summary {
     for (std::size_t v = 0; v < places_.variables.size(); ++v) {
       std::vector<SweepTable::Best>& groups = table_.best[v];
       auto found = std::ranges::find(groups, group, &SweepTable::Best::group);
-      if (found == groups.end()) found = groups.insert(found, {.group = group, .rows = {}});
+      if (found == groups.end()) found = groups.insert(found, {.group = group});
       std::vector<double>& best = found->rows[std::string(fields[places_.variables[v]])];
       for (std::size_t i = 0; i < objectives.size(); ++i) {
         if (best.size() <= i)

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "page/front_table.hpp"
+#include "page/front.hpp"
 
 namespace coilwright::page {
 
@@ -15,8 +15,8 @@ namespace coilwright::page {
 struct SweepTable {
   /// The best feasible value of each objective over the values of one variable.
   struct Best {
-    std::string group;                                ///< configuration of the designs; empty where none varies
-    std::map<std::string, std::vector<double>> rows;  ///< by the variable's value as it is written, an objective each
+    std::string group;                                  ///< configuration of the designs; empty where none varies
+    std::map<std::string, std::vector<double>> rows{};  ///< by the variable's value as it is written, an objective each
   };
   /// A design that stands for many: its values, in the order of the names.
   struct Sample {

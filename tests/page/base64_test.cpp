@@ -1,4 +1,4 @@
-#include "page/base64.hpp"
+#include "page/html_parts.hpp"
 
 #include <gtest/gtest.h>
 

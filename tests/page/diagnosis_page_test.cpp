@@ -1,4 +1,4 @@
-#include "page/diagnosis_page.hpp"
+#include "page/result_pages.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/page/folder_page.hpp"
+#include "coilwright/page/pages.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "page/next_section.hpp"
+#include "page/result_pages.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "page/summary_text.hpp"
+#include "page/result_words.hpp"
 
 #include <gmock/gmock.h>
 

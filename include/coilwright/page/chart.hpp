@@ -23,8 +23,8 @@ enum class Mark {
 /// Some numbers under one name.
 struct Series {
   std::string name;  ///< with its unit, as the legend has it; unique in its chart
-  std::vector<double> x;
-  std::vector<double> y;  ///< one for each x; finite
+  std::vector<double> x{};
+  std::vector<double> y{};  ///< one for each x; finite
   Mark mark = Mark::line;
 };
 
@@ -38,7 +38,7 @@ struct Chart {
   std::string description;
   std::string x_title;  ///< with its unit
   std::string y_title;  ///< with its unit
-  std::vector<Series> series;
+  std::vector<Series> series{};
   /// Names by whose order colours are given, where figures share series: each has its colour also where others are
   /// missing. Empty: that of the series.
   std::vector<std::string> colour_order{};
@@ -64,7 +64,7 @@ struct BarChart {
   std::string description;
   std::string value_title;  ///< with its unit
   std::string label_title;
-  std::vector<Bar> bars;  ///< in the order in which they are to be seen
+  std::vector<Bar> bars{};  ///< in the order in which they are to be seen
   /// A symbol at its value on an axis that need not begin at 0, of a shape for each group, instead of a bar.
   bool symbols{};
 };

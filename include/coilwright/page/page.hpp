@@ -12,8 +12,8 @@ namespace coilwright::page {
 /// Texts in rows and columns, as they are to be read.
 struct Table {
   std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as the header
-  std::string note{};                          ///< what is not in it; empty: nothing
+  std::vector<std::vector<std::string>> rows{};  ///< each as long as the header
+  std::string note{};                            ///< what is not in it; empty: nothing
 };
 
 /// A picture that the program has drawn itself: a complete svg element, which takes its colours from the page's
@@ -64,7 +64,7 @@ using Block = std::variant<Paragraph, Listing, TableBlock, Figure, Widget>;
 struct Section {
   std::string id;
   std::string title;
-  std::vector<Block> blocks;
+  std::vector<Block> blocks{};
 };
 
 /// JSON that the page's script reads, by the id of its element.
@@ -80,7 +80,7 @@ struct Page {
   std::vector<std::string> cautions{};  ///< what a reader must know beside it: "BEWARE: ...", each a paragraph
   std::string origin;                   ///< program, version, command: one line
   std::vector<std::string> inputs{};    ///< the files that it is made of, with their hashes, a line each
-  std::vector<Section> sections;
+  std::vector<Section> sections{};
   std::vector<DataBlock> data{};
 };
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coilwright/page/page.hpp"
 
@@ -29,5 +30,15 @@ using Digest = std::function<std::string(std::string_view)>;
 /// load but its own scripts and style, which carry the digest of the file's content as nonce. Texts are escaped; the
 /// JSON inside of it has no <.
 [[nodiscard]] std::string to_html(const Page& page, const PageAssets& assets, const Digest& digest);
+
+/// A figure of a page as a file of its own.
+struct FigureFile {
+  std::string name;  ///< "response.vl.json", "pose-rest.svg"
+  std::string text;
+};
+
+/// Every figure of a page, by its id: a chart as its Vega-Lite specification, which is yet to be drawn; a drawing as
+/// SVG with `style` (the page's CSS) inside.
+[[nodiscard]] std::vector<FigureFile> figure_files(const Page& page, std::string_view style);
 
 }  // namespace coilwright::page

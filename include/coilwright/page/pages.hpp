@@ -3,10 +3,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "coilwright/page/page.hpp"
+#include "coilwright/simulation/choice_effects.hpp"
+#include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/sizing/study/study.hpp"
+#include "coilwright/validation/paper_comparison.hpp"
 
 namespace coilwright::page {
 
@@ -24,5 +29,16 @@ struct PageInputs {
 /// is one). Throws InputError where the folder has no results of a kind that has a page, or a file of them cannot be
 /// read.
 [[nodiscard]] Page page_of(const std::filesystem::path& folder, const PageInputs& inputs);
+
+/// The page of one design at its operating point: what it does, what its parts stand, what that rests on, drawn and
+/// simulated as in the page of a `size`. `effects` are simulation::choice_effects of the design there, `name` is the
+/// actuator's, `made_by` program and version.
+[[nodiscard]] Page evaluation_page(const simulation::EvaluatedDesign& evaluated,
+                                   std::span<const simulation::ChoiceEffect> effects, std::string_view name,
+                                   std::string_view made_by);
+
+/// The page of a comparison of the model with the figures of the paper: every difference with the band in which it
+/// must lie. `made_by` is program and version.
+[[nodiscard]] Page comparison_page(std::span<const validation::Comparison> rows, std::string_view made_by);
 
 }  // namespace coilwright::page

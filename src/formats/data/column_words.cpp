@@ -89,6 +89,9 @@ constexpr std::array quantity_words = {Word{"t", Quantity::time},
                                        Word{"comment", Quantity::other},
                                        Word{"track", Quantity::other}};
 
+constexpr std::array<std::string_view, 11> setpoint_words = {
+    "set", "setpoint", "target", "command", "commanded", "cmd", "desired", "reference", "ref", "soll", "sollwert"};
+
 // As people write units, and as our names end in them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 56> unit_words = {{
     {"s", "s"},
@@ -151,11 +154,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 56> unit_wor
     {"A.", "A"},
 }};
 
-std::string_view suffix_of(std::string_view text) {
-  const auto found = std::ranges::find(unit_words, text, &std::pair<std::string_view, std::string_view>::first);
-  return found == unit_words.end() ? std::string_view{} : found->second;
-}
-
 Quantity of_dimension(std::string_view suffix) {
   constexpr std::array<std::pair<std::string_view, Quantity>, 9> table = {{{"time", Quantity::time},
                                                                            {"current", Quantity::current},
@@ -171,6 +169,24 @@ Quantity of_dimension(std::string_view suffix) {
       for (const auto& [dimension, quantity] : table)
         if (unit.dimension == dimension) return quantity;
   return Quantity::none;
+}
+
+std::string_view suffix_of(std::string_view text) {
+  const auto found = std::ranges::find(unit_words, text, &std::pair<std::string_view, std::string_view>::first);
+  if (found != unit_words.end()) return found->second;
+  const auto same = std::ranges::find(units::all_units(), text, &units::Unit::suffix);
+  return same != units::all_units().end() && of_dimension(same->suffix) != Quantity::none ? same->suffix
+                                                                                          : std::string_view{};
+}
+
+// What stands in the last brackets, if it is a short word as units are.
+std::string word_in_brackets(std::string_view name) {
+  constexpr std::size_t longest = 6;
+  const std::size_t start = name.find_last_of("[({"), end = name.find_last_of("])}");
+  if (start == std::string_view::npos || end == std::string_view::npos || end <= start + 1) return {};
+  const std::string_view word = name.substr(start + 1, end - start - 1);
+  const auto is_letter = [](char letter) { return std::isalpha(static_cast<unsigned char>(letter)) != 0; };
+  return word.size() <= longest && std::ranges::all_of(word, is_letter) ? std::string(word) : std::string();
 }
 
 // The unit in brackets, or after a slash or "in", or at the end; `name` keeps what stands before it.
@@ -222,6 +238,7 @@ ColumnWords words_of(std::string_view name) {
   ColumnWords out;
   std::string_view rest = name;
   out.unit = unit_in(rest);
+  if (out.unit.empty()) out.strange_unit = word_in_brackets(name);
   const std::vector<std::string> words = words_in(rest);
   // What instruments call the axis of time.
   if (words.size() > 1 && words[0] == "x" && (words[1] == "value" || words[1] == "axis")) out.quantity = Quantity::time;
@@ -234,6 +251,7 @@ ColumnWords words_of(std::string_view name) {
     }
     const auto found = std::ranges::find(quantity_words, word, &Word::word);
     if (found != quantity_words.end() && out.quantity == Quantity::none) out.quantity = found->quantity;
+    out.commanded = out.commanded || std::ranges::find(setpoint_words, word) != setpoint_words.end();
     if (word == "millis") out.unit = "ms";
     if (word == "micros") out.unit = "us";
   }

@@ -43,10 +43,13 @@ class Guess {
 
  private:
   SeenColumn* first_of(Quantity quantity) {
-    // A name before a unit.
-    for (const bool by_unit : {false, true})
-      for (SeenColumn& each : columns_)
-        if (!each.taken && each.words.quantity == quantity && each.words.by_unit == by_unit) return &each;
+    // A name before a unit, and what was measured before what was commanded.
+    for (const bool commanded : {false, true})
+      for (const bool by_unit : {false, true})
+        for (SeenColumn& each : columns_)
+          if (!each.taken && each.words.quantity == quantity && each.words.by_unit == by_unit &&
+              each.words.commanded == commanded)
+            return &each;
     return nullptr;
   }
 
@@ -67,6 +70,14 @@ class Guess {
   void take(SeenColumn& column, const std::string& quantity, const std::string& unit, bool certain) {
     column.taken = true;
     const bool named = !column.words.unit.empty();
+    if (certain && !named && !column.words.strange_unit.empty()) {
+      used_.insert(column.source);
+      out_.asked.push_back(
+          fmt::format("the unit \"{}\": \"columns\": {{{}: {{\"as\": \"{}_{}\", \"factor\": F}}}} with F "
+                      "the {} in one of it",
+                      column.words.strange_unit, shown(column), quantity, unit, unit));
+      return;
+    }
     const std::string name = quantity + "_" + (named ? column.words.unit : unit);
     if (!certain)
       out_.guessed.push_back(fmt::format("{} is {}: by its place or its numbers", shown(column), name));
@@ -162,6 +173,7 @@ class Guess {
     std::vector<SeenColumn*> angles;
     for (SeenColumn& each : columns_)
       if (!each.taken && each.words.quantity == Quantity::angle) angles.push_back(&each);
+    std::ranges::stable_partition(angles, [](const SeenColumn* each) { return !each->words.commanded; });
     // Joints are numbered from 1.
     bool joints = !angles.empty();
     for (std::size_t i = 0; i < angles.size(); ++i)
@@ -237,14 +249,26 @@ class Guess {
     out_.asked.emplace_back("the time: how many rows were taken a second, as \"sampling_rate_Hz\"");
   }
 
+  // Of a quantity of which another column is taken: a setpoint, a second sensor.
+  [[nodiscard]] bool is_another_reading(const SeenColumn& column) const {
+    using enum Quantity;
+    constexpr std::array readings = {current, voltage, torque, angle, force, temperature};
+    return std::ranges::find(readings, column.words.quantity) != readings.end() && !column.words.by_unit &&
+           std::ranges::any_of(columns_, [&](const SeenColumn& each) {
+             return used_.contains(each.source) && each.words.quantity == column.words.quantity;
+           });
+  }
+
   void leave_others() {
     const bool by_position = std::ranges::any_of(
         out_.layout.columns, [](const CsvColumn& each) { return position_in(each.source).has_value(); });
     std::vector<std::string> others;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const bool nameless = form_.names[i].empty();
-      if (!form_.is_empty(i) && !used_.contains(columns_[i].source) && !(nameless && by_position))
-        others.push_back(columns_[i].source);
+      if (form_.is_empty(i) || used_.contains(columns_[i].source) || (nameless && by_position)) continue;
+      others.push_back(columns_[i].source);
+      if (is_another_reading(columns_[i]))
+        out_.guessed.push_back(fmt::format("{} is left alone: another column is taken for it", shown(columns_[i])));
     }
     if (others.size() > 4)
       out_.layout.ignore_others = true;

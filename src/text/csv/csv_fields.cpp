@@ -66,12 +66,16 @@ bool is_absent(std::string_view field) noexcept {
 std::optional<double> number_of(std::string_view field, char decimal) noexcept {
   if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   std::array<char, 64> rewritten{};
+  constexpr std::string_view minus_sign = "\xe2\x88\x92";  // as editors of text write it
+  const bool negative = field.starts_with(minus_sign);
+  if (negative) field.remove_prefix(minus_sign.size() - 1);
   const std::size_t comma = decimal == '.' ? std::string_view::npos : field.find(decimal);
   const std::size_t exponent = field.find('D');
-  if (comma != std::string_view::npos || exponent != std::string_view::npos) {
+  if (negative || comma != std::string_view::npos || exponent != std::string_view::npos) {
     if (field.size() > rewritten.size()) return std::nullopt;
     if (comma != std::string_view::npos && field.find('.') != std::string_view::npos) return std::nullopt;
     std::ranges::copy(field, rewritten.begin());
+    if (negative) rewritten[0] = '-';
     if (comma != std::string_view::npos) rewritten[comma] = '.';
     if (exponent != std::string_view::npos) rewritten[exponent] = 'E';
     field = {rewritten.data(), field.size()};

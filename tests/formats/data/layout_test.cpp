@@ -170,6 +170,28 @@ TEST_F(OwnRecords, AreScaledTurnedAndShifted) {
                                                   DoubleNear(11 * degree, 1e-15)));
 }
 
+TEST_F(OwnRecords, AreToldByWhatWasMeasuredAndNotBySetpoints) {
+  const std::string error = refusal(
+      "",
+      "Time (s),Current set (A),Current (mA),Setpoint angle (deg),Measured angle (deg)\n0,2,0,30,7\n0.1,2,700,30,8\n");
+  EXPECT_THAT(error, HasSubstr("\"Current (mA)\": \"current_mA\", \"Measured angle (deg)\": \"bending_angle_deg\"}, "
+                               "\"ignore\": [\"Current set (A)\", \"Setpoint angle (deg)\"]"));
+  EXPECT_THAT(error, HasSubstr("\"Setpoint angle (deg)\" is left alone: another column is taken for it"));
+}
+
+TEST_F(OwnRecords, AreAskedForAUnitThatNobodyKnows) {
+  const std::string error = refusal("", "Time (s),Current (A),Angle (gon)\n0,0,7\n0.1,1,8\n");
+  EXPECT_THAT(error, HasSubstr("the unit \"gon\": \"columns\": {\"Angle (gon)\": {\"as\": \"bending_angle_deg\", "
+                               "\"factor\": F}} with F the deg in one of it"));
+}
+
+TEST_F(OwnRecords, MayHaveTheMinusSignOfEditors) {
+  const Record run = read("",
+                          "time_s,current_A,bending_angle_deg\n0,\xe2\x88\x92"
+                          "0.5,7\n0.1,1,8\n");
+  EXPECT_THAT(run.inputs, ElementsAre(ElementsAre(-0.5), ElementsAre(1.0)));
+}
+
 TEST_F(OwnRecords, MayHaveSettingsAsWideAsTheirRowsAboveTheNames) {
   const Record run = read(
       R"("sampling_rate_Hz": 500, "columns": {"Strom": "current_A", "Winkel": "bending_angle_deg"})",

@@ -173,7 +173,7 @@ class Guess {
     std::vector<SeenColumn*> angles;
     for (SeenColumn& each : columns_)
       if (!each.taken && each.words.quantity == Quantity::angle) angles.push_back(&each);
-    std::ranges::stable_partition(angles, [](const SeenColumn* each) { return !each->words.commanded; });
+    std::stable_partition(angles.begin(), angles.end(), [](const SeenColumn* each) { return !each->words.commanded; });
     // Joints are numbered from 1.
     bool joints = !angles.empty();
     for (std::size_t i = 0; i < angles.size(); ++i)

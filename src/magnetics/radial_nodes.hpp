@@ -50,9 +50,9 @@ class PanelRule {
   /// Enough nodes for a single rule of `needed` nodes (each of m panels then needs about needed / m), and one more; as
   /// many as there may be where `needed` is no number, as of lengths whose squares vanish.
   explicit PanelRule(double needed)
-      : panels_(static_cast<int>(std::ceil(std::min(most_nodes, needed) / largest_order))),
+      : panels_(static_cast<int>(std::ceil(bounded(needed) / largest_order))),
         rule_(gauss_legendre(
-            std::clamp(static_cast<int>(std::ceil(std::min(most_nodes, needed) / panels_)) + 1, 2, max_gauss_order))) {}
+            std::clamp(static_cast<int>(std::ceil(bounded(needed) / panels_)) + 1, 2, max_gauss_order))) {}
 
   [[nodiscard]] int count() const noexcept { return panels_ * static_cast<int>(rule_.count); }
   [[nodiscard]] double node(int i) const noexcept {
@@ -66,6 +66,9 @@ class PanelRule {
   }
 
  private:
+  // At least one: lengths whose squares vanish need none, or no number of them.
+  static double bounded(double needed) { return needed < most_nodes ? std::max(needed, 1.0) : most_nodes; }
+
   int panels_;
   QuadratureRule rule_;
 };

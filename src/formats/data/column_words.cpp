@@ -92,6 +92,10 @@ constexpr std::array quantity_words = {Word{"t", Quantity::time},
 constexpr std::array<std::string_view, 11> setpoint_words = {
     "set", "setpoint", "target", "command", "commanded", "cmd", "desired", "reference", "ref", "soll", "sollwert"};
 
+// At the end of a name: units that are not ours, and readings before any scale.
+constexpr std::array<std::string_view, 12> strange_words = {"rev", "revs", "turn",  "turns", "gon",    "cycles",
+                                                            "raw", "adc",  "ticks", "steps", "counts", "lsb"};
+
 // As people write units, and as our names end in them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 56> unit_words = {{
     {"s", "s"},
@@ -242,6 +246,8 @@ ColumnWords words_of(std::string_view name) {
   const std::vector<std::string> words = words_in(rest);
   // What instruments call the axis of time.
   if (words.size() > 1 && words[0] == "x" && (words[1] == "value" || words[1] == "axis")) out.quantity = Quantity::time;
+  if (out.unit.empty() && !words.empty() && std::ranges::find(strange_words, words.back()) != strange_words.end())
+    out.strange_unit = words.back();
   for (const std::string& word : words) {
     int number{};
     const auto [stop, status] = std::from_chars(word.data(), word.data() + word.size(), number);

@@ -183,6 +183,7 @@ TEST_F(OwnRecords, AreAskedForAUnitThatNobodyKnows) {
   const std::string error = refusal("", "Time (s),Current (A),Angle (gon)\n0,0,7\n0.1,1,8\n");
   EXPECT_THAT(error, HasSubstr("the unit \"gon\": \"columns\": {\"Angle (gon)\": {\"as\": \"bending_angle_deg\", "
                                "\"factor\": F}} with F the deg in one of it"));
+  EXPECT_THAT(refusal("", "time_s,current_A,bending_angle_rev\n0,0,0.01\n0.1,1,0.02\n"), HasSubstr("the unit \"rev\""));
 }
 
 TEST_F(OwnRecords, MayHaveTheMinusSignOfEditors) {

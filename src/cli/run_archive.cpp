@@ -49,7 +49,9 @@ void remove_parts(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     const auto is_part_of = [&](std::string_view result) { return name.starts_with(fmt::format(".{}.part-", result)); };
-    if (is_part_of(archive_name) || std::ranges::any_of(results, is_part_of)) parts.push_back(entry.path());
+    if (is_part_of(archive_name) || is_part_of(text::OutputFolder::trial_name) ||
+        std::ranges::any_of(results, is_part_of))
+      parts.push_back(entry.path());
   }
   for (const fs::path& part : parts) fs::remove(part, error);
 }

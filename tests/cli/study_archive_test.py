@@ -236,6 +236,7 @@ class Folders(ArchivedStudy):
     def test_what_a_killed_run_had_not_finished_is_cleared_away(self):
         self.killed(command="sweep", variables={"gap_mm": {"lower": 0.7, "upper": 1.6, "step": 1e-6}}, search={})
         self.assertEqual(len(list((self.folder / "out").glob(".designs.csv.part-*"))), 1)
+        self.write("out/.trial.part-4711", "")  # a kill at the moment when the folder is tried
         write_study(self, variables=GRID)
         self.run_well("sweep", "--force")
         self.assertEqual(list((self.folder / "out").glob(".*")), [])

@@ -42,7 +42,7 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
     }
   }
   try {
-    const OutputFile trial(path_ / "trial");
+    const OutputFile trial(path_ / trial_name);
   } catch (const OutputError& refusal) {
     remove_made_folders();
     // The user named the folder, not the trial.

@@ -15,6 +15,9 @@ namespace coilwright::text {
 /// file, and none of the folders that had to be made.
 class OutputFolder {
  public:
+  /// The file by which a folder is tried. One that was killed meanwhile leaves its unfinished sibling.
+  static constexpr std::string_view trial_name = "trial";
+
   /// Makes the folder if it is not there and tries that it can be written. Throws OutputError (preparing).
   explicit OutputFolder(std::filesystem::path path);
   ~OutputFolder();

@@ -36,7 +36,9 @@ std::string to_text(const formats::SweepReport& report) {
   TextTable table;
   std::vector<std::string> header;
   formats::add_variable_names(study, header);
-  formats::add_objective_names(study, header);
+  formats::DesignColumns objectives;
+  formats::add_objectives(study, objectives);
+  for (const formats::DesignColumn& each : objectives) header.push_back(each.name);
   header.emplace_back("best for");
   table.row(std::move(header));
   for (std::size_t k = 0; k < leaders.size(); ++k) {

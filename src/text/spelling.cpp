@@ -29,6 +29,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return previous[b.size()];
 }
 
+bool is_one_of(std::string_view word, std::string_view words) {
+  for (std::size_t at = 0; at <= words.size();) {
+    const std::size_t end = std::min(words.find('|', at), words.size());
+    if (words.substr(at, end - at) == word) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
 std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates) {
   constexpr std::size_t longest_word = 100;  // what is longer is no slip of ours, and the distance costs a * b
   if (word.size() > longest_word) return {};

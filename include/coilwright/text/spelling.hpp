@@ -12,6 +12,9 @@ namespace coilwright::text {
 /// string alignment distance).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
+/// Whether a word is one of `words`, which | parts.
+[[nodiscard]] bool is_one_of(std::string_view word, std::string_view words);
+
 /// The candidates that `word` was most likely meant to be, in their order: those nearest to it, at most a third of its
 /// letters (at least one) away.
 [[nodiscard]] std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates);

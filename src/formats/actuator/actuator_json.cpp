@@ -13,7 +13,7 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/as_built_format.hpp"
-#include "formats/actuator/magnetic_parts_json.hpp"
+#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/torque_correction_format.hpp"
 
 namespace coilwright::formats {
@@ -44,86 +44,36 @@ Json section_json(const Design& design, std::string_view section) {
   return out;
 }
 
-Json layout_json(const Layout& layout) {
-  Json out = Json::array();
-  for (const Component& component : layout) out.add(component.kind == ComponentKind::coil ? "coil" : "magnet");
-  return out;
-}
-
-Json polarity_json(const Layout& layout) {
-  Json out = Json::array();
-  for (const Component& component : layout) out.add(component.polarity);
-  return out;
-}
-
-std::string_view word(HingeLaw hinge) {
-  switch (hinge) {
-    case HingeLaw::slit:
-      return "slit";
-    case HingeLaw::slot:
-      return "slot";
-    case HingeLaw::beam:
-      return "beam";
-  }
-  return "";
-}
-
 Json choices_json(const ModelChoices& choices) {
-  return Json::object(
-      {{"winding", winding_word(choices.winding)},
-       {"torque", choices.torque == magnetics::Fidelity::exact ? "exact" : "line_of_centres"},
-       {"face_contact", choices.faces == ContactChoice::walls ? "walls" : "hard_parts"},
-       {"segment_mass", choices.masses == SegmentMass::rigid_bodies ? "rigid_bodies" : "on_axis_points"},
-       {"hinge", word(choices.hinge)},
-       {"damping", choices.damping == DampingLaw::loss_factor ? "loss_factor" : "proportional"},
-       {"ampacity", choices.ampacity == AmpacityChoice::law ? "law" : "table"},
-       {"film", choices.film == FilmChoice::calibrated ? "calibrated" : "still_air"}});
+  Json out = Json::object();
+  for_each_model_choice(
+      [&](const char* key, auto member, const auto& words) { out.set(key, word_for(words, choices.*member)); });
+  return out;
 }
 
 Json calibration_json(const Design& design) {
   Json out = section_json(design, "calibration");
   const std::optional<HingeReference>& hinge = design.calibration.hinge;
   if (!hinge) return out;
-  Json reference = Json::object();
-  const auto set = [&](const char* key, double value) { reference.set(key, units::from_memory(value, key)); };
-  set("width_mm", hinge->width);
-  set("bottom_layer_mm", hinge->bottom_layer);
-  set("joint_stiffness_Nmm_rad", hinge->stiffness);
-  set("joint_damping_Nmms_rad", hinge->damping);
-  set("first_mode_Hz", hinge->first_mode);
-  out.set("hinge_reference", std::move(reference));
+  out.set("hinge_reference", Json::object({Json::quantity("width_mm", hinge->width),
+                                           Json::quantity("bottom_layer_mm", hinge->bottom_layer),
+                                           Json::quantity("joint_stiffness_Nmm_rad", hinge->stiffness),
+                                           Json::quantity("joint_damping_Nmms_rad", hinge->damping),
+                                           Json::quantity("first_mode_Hz", hinge->first_mode)}));
   return out;
 }
 
-// Whole numbers as a person writes them.
-Json number_json(double value) {
-  constexpr double exact = 9007199254740992.0;  // 2^53: beyond, a double skips integers
-  const bool whole = value == std::floor(value) && std::abs(value) < exact;
-  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
-}
-
-Json copy_of(const text::Node& node) {
-  using Kind = text::Node::Kind;
-  switch (node.kind()) {
-    case Kind::null:
-      return {};
-    case Kind::boolean:
-      return node.boolean();
-    case Kind::number:
-      return number_json(node.number());
-    case Kind::text:
-      return node.text();
-    case Kind::array: {
-      Json out = Json::array();
-      for (const text::Node& element : node.elements()) out.add(copy_of(element));
-      return out;
-    }
-    case Kind::object:
-      break;
+// A value that was read, with whole numbers as a person writes them.
+Json with_whole_numbers(Json value) {
+  if (const auto* number = std::get_if<double>(&value.content())) {
+    constexpr double exact = 9007199254740992.0;  // 2^53: beyond, a double skips integers
+    if (*number == std::floor(*number) && std::abs(*number) < exact) return static_cast<std::int64_t>(*number);
+  } else if (auto* array = std::get_if<Json::Array>(&value.content())) {
+    for (Json& each : *array) each = with_whole_numbers(std::move(each));
+  } else if (auto* object = std::get_if<Json::Object>(&value.content())) {
+    for (auto& [key, each] : *object) each = with_whole_numbers(std::move(each));
   }
-  Json out = Json::object();
-  for (const text::Node& member : node.members()) out.set(member.key(), copy_of(member));
-  return out;
+  return value;
 }
 
 Json lumped_json(const UpdatedLumpedModel& lumped) {
@@ -131,7 +81,7 @@ Json lumped_json(const UpdatedLumpedModel& lumped) {
   for (const text::Node& member : lumped.document.root().members())
     if (member.key() != "effects" && member.key() != "as_built" && member.key() != torque_correction_key &&
         member.key() != text::schema_key)
-      out.set(member.key(), copy_of(member));
+      out.set(member.key(), with_whole_numbers(member.value()));
   if (!lumped.effects.empty()) out.set("effects", to_json(lumped.effects));
   set_as_built(out, lumped.as_built);
   return out;
@@ -140,23 +90,26 @@ Json lumped_json(const UpdatedLumpedModel& lumped) {
 }  // namespace
 
 Json to_json(std::span<const Effect> effects) {
-  Json out = Json::array();
-  for (const Effect& effect : effects) {
-    Json values = Json::object();
-    for (std::size_t i = 0; i < effect.values.size(); ++i) {
-      const EffectParameter& parameter = effect.kind->parameters()[i];
-      values.set(std::string(parameter.key), units::from_memory(effect.values[i], parameter.key));
-    }
-    out.add(Json::object({{"id", effect.kind->id()}, {"parameters", std::move(values)}}));
-  }
+  return Json::list(effects, [](const Effect& effect) {
+    return Json::object({{"id", effect.kind->id()}, {"parameters", parameters_json(effect)}});
+  });
+}
+
+Json parameters_json(const Effect& effect) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < effect.values.size(); ++i)
+    out.set(Json::quantity(std::string(effect.kind->parameters()[i].key), effect.values[i]));
   return out;
 }
 
 Json to_json(const Design& design, const std::string& name, const std::optional<OperatingPoint>& operating_point) {
   Json out = Json::object({{"format", "actuator/1"},
                            {"name", name},
-                           {"layout", layout_json(design.layout)},
-                           {"polarity", polarity_json(design.layout)},
+                           {"layout", Json::list(design.layout,
+                                                 [](const Component& each) {
+                                                   return each.kind == ComponentKind::coil ? "coil" : "magnet";
+                                                 })},
+                           {"polarity", Json::list(design.layout, &Component::polarity)},
                            {"coil", section_json(of_its_coils(design), "coil")},
                            {"magnet", section_json(design, "magnet")},
                            {"body", section_json(design, "body")},

@@ -54,13 +54,13 @@ void set_as_built(Json& file, const AsBuilt& differences) {
   Json out = Json::object();
   if (const auto& curve = differences.force_curve)
     out.set("force_curve",
-            Json::object({{"from_deg", units::from_memory(curve->lower, "from_deg")},
-                          {"to_deg", units::from_memory(curve->upper, "to_deg")},
+            Json::object({Json::quantity("from_deg", curve->lower),
+                          Json::quantity("to_deg", curve->upper),
                           {"coefficients", Json::numbers({curve->coefficients.begin(), curve->coefficients.end()})}}));
   if (differences.joint_stiffness_ratio != 0.0) out.set("joint_stiffness_ratio", differences.joint_stiffness_ratio);
   if (differences.joint_damping_ratio != 0.0) out.set("joint_damping_ratio", differences.joint_damping_ratio);
   if (differences.face_closing_shift != 0.0)
-    out.set("face_closing_shift_deg", units::from_memory(differences.face_closing_shift, "face_closing_shift_deg"));
+    out.set(Json::quantity("face_closing_shift_deg", differences.face_closing_shift));
   file.set("as_built", std::move(out));
 }
 

@@ -16,9 +16,10 @@
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire.hpp"
 #include "formats/actuator/as_built_format.hpp"
+#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
-#include "formats/actuator/operating_point_reader.hpp"
+#include "formats/actuator/operating_point_format.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -97,26 +98,12 @@ void read_section(ObjectReader& in, std::string_view section, Design& design) {
 }
 
 actuator::ModelChoices read_choices(const Node& node, const actuator::ModelChoices& usual) {
-  using namespace actuator;
   return read_object(node, [&usual](ObjectReader& in) {
-    return ModelChoices{
-        .winding = read_winding(in, usual.winding),
-        .torque = in.choice_or(
-            "torque", usual.torque,
-            {{"line_of_centres", magnetics::Fidelity::line_of_centres}, {"exact", magnetics::Fidelity::exact}}),
-        .faces = in.choice_or("face_contact", usual.faces,
-                              {{"hard_parts", ContactChoice::hard_parts}, {"walls", ContactChoice::walls}}),
-        .masses = in.choice_or(
-            "segment_mass", usual.masses,
-            {{"on_axis_points", SegmentMass::on_axis_points}, {"rigid_bodies", SegmentMass::rigid_bodies}}),
-        .hinge = in.choice_or("hinge", usual.hinge,
-                              {{"slit", HingeLaw::slit}, {"slot", HingeLaw::slot}, {"beam", HingeLaw::beam}}),
-        .damping = in.choice_or("damping", usual.damping,
-                                {{"loss_factor", DampingLaw::loss_factor}, {"proportional", DampingLaw::proportional}}),
-        .ampacity =
-            in.choice_or("ampacity", usual.ampacity, {{"law", AmpacityChoice::law}, {"table", AmpacityChoice::table}}),
-        .film = in.choice_or("film", usual.film,
-                             {{"calibrated", FilmChoice::calibrated}, {"still_air", FilmChoice::still_air}})};
+    actuator::ModelChoices out = usual;
+    for_each_model_choice([&](const char* key, auto member, const auto& words) {
+      out.*member = choice_or(in, key, usual.*member, words);
+    });
+    return out;
   });
 }
 

@@ -9,21 +9,15 @@
 #include <vector>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/units/unit.hpp"
 #include "formats/actuator/as_built_format.hpp"
+#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/lumped_model_reader.hpp"
-#include "formats/actuator/magnetic_parts_json.hpp"
+#include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 using text::Json;
-
-Json in_unit(const std::vector<double>& values, std::string_view key) {
-  Json out = Json::array();
-  for (const double value : values) out.add(units::from_memory(value, key));
-  return out;
-}
 
 Json joint_json(const actuator::Hinge& hinge, const mechanics::Link& link) {
   Json out = numbers_json(hinge, joint_numbers);
@@ -33,17 +27,16 @@ Json joint_json(const actuator::Hinge& hinge, const mechanics::Link& link) {
 }
 
 Json source_json(const actuator::TorqueTable& table) {
-  return Json::object(
-      {{"angle_deg", in_unit(table.angles, "angle_deg")}, {"torque_Nmm_A", in_unit(table.torques, "torque_Nmm_A")}});
+  return Json::object({Json::quantities("angle_deg", table.angles), Json::quantities("torque_Nmm_A", table.torques)});
 }
 
 Json source_json(const actuator::PairDimensions& pair) {
-  Json out = Json::object({{"winding", winding_word(pair.coil.winding)},
-                           {"torque", pair.fidelity == magnetics::Fidelity::exact ? "exact" : "line_of_centres"},
+  Json out = Json::object({{"winding", word_for(winding_words, pair.coil.winding)},
+                           {"torque", word_for(fidelity_words, pair.fidelity)},
                            {"coil", coil_json(pair.coil)},
                            {"magnet", magnet_json(pair.magnet)}});
   for (const GeometryKey& key : geometry_keys)
-    out.set(std::string(key.ours), units::from_memory(pair.geometry.*key.member, key.ours));
+    out.set(Json::quantity(std::string(key.ours), pair.geometry.*key.member));
   return out;
 }
 
@@ -57,11 +50,9 @@ Json magnetics_json(const actuator::LumpedModel& model) {
     if (place != nullptr) throw std::invalid_argument(fmt::format("pair: joint {} has one already", pair.joint));
     place = &pair;
   }
-  Json out = Json::array();
-  for (const actuator::LumpedPair* pair : of_joint)
-    out.add(pair == nullptr ? Json()
-                            : std::visit([](const auto& source) { return source_json(source); }, pair->source));
-  return out;
+  return Json::list(of_joint, [](const actuator::LumpedPair* pair) {
+    return pair == nullptr ? Json() : std::visit([](const auto& source) { return source_json(source); }, pair->source);
+  });
 }
 
 }  // namespace
@@ -69,12 +60,12 @@ Json magnetics_json(const actuator::LumpedModel& model) {
 Json to_json(const actuator::LumpedModel& model, const std::string& name, const std::string& description) {
   Json out = Json::object({{"format", "lumped-model/1"}, {"name", name}});
   if (!description.empty()) out.set("description", description);
-  out.set(std::string(gravity_key), units::from_memory(model.gravity, gravity_key));
-  Json links = Json::array();
-  for (const mechanics::Link& link : model.links) links.add(numbers_json(link, link_numbers));
+  out.set(Json::quantity(std::string(gravity_key), model.gravity));
   Json joints = Json::array();
   for (std::size_t j = 0; j < model.hinges.size(); ++j) joints.add(joint_json(model.hinges[j], model.links.at(j)));
-  out.set("links", std::move(links)).set("joints", std::move(joints));
+  out.set("links",
+          Json::list(model.links, [](const mechanics::Link& link) { return numbers_json(link, link_numbers); }));
+  out.set("joints", std::move(joints));
   if (!model.pairs.empty()) out.set("magnetics", magnetics_json(model));
   if (!model.effects.empty()) out.set("effects", to_json(model.effects));
   set_as_built(out, model.as_built);

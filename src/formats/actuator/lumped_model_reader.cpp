@@ -10,6 +10,7 @@
 
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "formats/actuator/as_built_format.hpp"
+#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/effects_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
@@ -68,9 +69,7 @@ PairDimensions read_dimensions(ObjectReader& in) {
   pair.coil = read_coil(in.at("coil"), winding);
   pair.magnet = read_magnet(in.at("magnet"), effective_remanence);
   for (const GeometryKey& key : geometry_keys) pair.geometry.*key.member = read_length(in, key);
-  pair.fidelity =
-      in.choice_or("torque", pair.fidelity,
-                   {{"line_of_centres", magnetics::Fidelity::line_of_centres}, {"exact", magnetics::Fidelity::exact}});
+  pair.fidelity = choice_or(in, "torque", pair.fidelity, fidelity_words);
   return pair;
 }
 

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
-#include "formats/actuator/magnetic_parts_json.hpp"
+#include "formats/actuator/choice_words.hpp"
 
 namespace coilwright::formats {
 
 using namespace text;
-using magnetics::CurrentDistribution;
 using magnetics::CylinderMagnet;
 using magnetics::ThickCoil;
 
@@ -48,10 +45,17 @@ ThickCoil::Spec read_coil(const Node& node, CurrentDistribution winding) {
 }
 
 CurrentDistribution read_winding(ObjectReader& in, CurrentDistribution otherwise) {
-  const auto word = [](CurrentDistribution winding) { return std::pair(winding_word(winding), winding); };
-  return in.choice_or("winding", otherwise,
-                      {word(CurrentDistribution::paper_shells), word(CurrentDistribution::layer_centres),
-                       word(CurrentDistribution::uniform)});
+  return choice_or(in, "winding", otherwise, winding_words);
+}
+
+Json magnet_json(const CylinderMagnet::Spec& magnet) {
+  return numbers_json(magnet, magnet_keys);
+}
+
+Json coil_json(const ThickCoil::Spec& coil) {
+  Json out = numbers_json(coil, coil_keys);
+  out.set("turns_radial", coil.turns_radial).set("turns_axial", coil.turns_axial);
+  return out;
 }
 
 }  // namespace coilwright::formats

@@ -49,4 +49,10 @@ inline constexpr std::array coil_keys = {
 [[nodiscard]] magnetics::CurrentDistribution read_winding(
     text::ObjectReader& in, magnetics::CurrentDistribution otherwise = magnetics::CurrentDistribution::uniform);
 
+/// The key "magnet" of a pair.
+[[nodiscard]] text::Json magnet_json(const magnetics::CylinderMagnet::Spec& magnet);
+
+/// The key "coil" of a pair; where its current flows stands beside it (`winding_words`).
+[[nodiscard]] text::Json coil_json(const magnetics::ThickCoil::Spec& coil);
+
 }  // namespace coilwright::formats

@@ -1,10 +1,7 @@
 #include "coilwright/formats/actuator/pair_json.hpp"
 
-#include <array>
-#include <utility>
-
-#include "coilwright/units/unit.hpp"
-#include "formats/actuator/magnetic_parts_json.hpp"
+#include "formats/actuator/choice_words.hpp"
+#include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -12,13 +9,8 @@ namespace {
 using text::Json;
 
 Json pose_json(const magnetics::Pose& pose) {
-  std::array<double, 3> place{};
-  std::array<double, 3> axis{};
-  for (int i = 0; i < 3; ++i) {
-    place[static_cast<std::size_t>(i)] = units::from_memory(pose.position[i], "position_mm");
-    axis[static_cast<std::size_t>(i)] = pose.axis[i];
-  }
-  return Json::object({{"position_mm", Json::numbers(place)}, {"axis", Json::numbers(axis)}});
+  return Json::object(
+      {Json::quantities("position_mm", {pose.position.data(), 3}), {"axis", Json::numbers({pose.axis.data(), 3})}});
 }
 
 }  // namespace
@@ -37,10 +29,8 @@ Json to_json(const magnetics::DrivenCoil& driven, const magnetics::CylinderMagne
                                                    .remanence = magnet.remanence(),
                                                    .recoil_permeability = magnet.recoil_permeability()})},
                            {"current_A", driven.current},
-                           {"winding", winding_word(coil.winding())}});
-  Json list = Json::array();
-  for (const magnetics::Pose& pose : poses) list.add(pose_json(pose));
-  out.set("poses", std::move(list));
+                           {"winding", word_for(winding_words, coil.winding())}});
+  out.set("poses", Json::list(poses, pose_json));
   return out;
 }
 

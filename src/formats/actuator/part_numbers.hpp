@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "coilwright/actuator/design/value_limits.hpp"
@@ -38,6 +39,14 @@ template <class Part, std::size_t Count>
       part.*each.member = has_unit ? in.quantity(each.key, each.rule) : in.number(each.key, each.rule);
   }
   return part;
+}
+
+/// An object with the part's numbers, each in the unit of its key: read_numbers() of it is the part again, to rounding.
+template <class Part, std::size_t Count>
+[[nodiscard]] text::Json numbers_json(const Part& part, const std::array<PartKey<Part>, Count>& keys) {
+  text::Json out = text::Json::object();
+  for (const PartKey<Part>& each : keys) out.set(text::Json::quantity(std::string(each.key), part.*each.member));
+  return out;
 }
 
 }  // namespace coilwright::formats

@@ -72,12 +72,6 @@ std::vector<double> read_torques(ObjectReader& in, const std::vector<CorrectionA
   return torques;
 }
 
-Json in_file_units(std::span<const double> values, std::string_view key) {
-  Json out = Json::array();
-  for (const double value : values) out.add(units::from_memory(value, key));
-  return out;
-}
-
 const char* key_of(CorrectionVariable variable) {
   for (const AxisKey& each : axis_keys)
     if (each.variable == variable) return each.key;
@@ -103,19 +97,19 @@ std::optional<TorqueCorrection> read_torque_correction(ObjectReader& in) {
 Json to_json(const TorqueCorrection& correction) {
   Json out = Json::object({{"note", note}});
   for (const CorrectionAxis& axis : correction.axes) {
-    out.set(key_of(axis.variable), in_file_units(axis.nodes, key_of(axis.variable)));
-    if (axis.linear_below) out.set(linear_below_key, units::from_memory(*axis.linear_below, linear_below_key));
+    out.set(Json::quantities(key_of(axis.variable), axis.nodes));
+    if (axis.linear_below) out.set(Json::quantity(linear_below_key, *axis.linear_below));
   }
   if (correction.joint) out.set("joint", *correction.joint + 1);
   const std::span<const double> torques(correction.torques);
   if (correction.axes.size() == 1) {
-    out.set(torque_key, in_file_units(torques, torque_key));
+    out.set(Json::quantities(torque_key, torques));
     return out;
   }
   const std::size_t columns = correction.axes[1].nodes.size();
   Json rows = Json::array();
   for (std::size_t at = 0; at < torques.size(); at += columns)
-    rows.add(in_file_units(torques.subspan(at, columns), torque_key));
+    rows.add(Json::quantities(torque_key, torques.subspan(at, columns)).second);
   out.set(torque_key, std::move(rows));
   return out;
 }

@@ -7,156 +7,67 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 namespace {
 
-struct Word {
-  std::string_view word;
+struct QuantityWords {
   Quantity quantity;
+  std::string_view words;
 };
 
 // In lower case; a word is looked up as a whole.
-constexpr std::array quantity_words = {Word{"t", Quantity::time},
-                                       Word{"time", Quantity::time},
-                                       Word{"times", Quantity::time},
-                                       Word{"timestamp", Quantity::time},
-                                       Word{"stamp", Quantity::time},
-                                       Word{"datetime", Quantity::time},
-                                       Word{"zeit", Quantity::time},
-                                       Word{"temps", Quantity::time},
-                                       Word{"tiempo", Quantity::time},
-                                       Word{"tempo", Quantity::time},
-                                       Word{"clock", Quantity::time},
-                                       Word{"millis", Quantity::time},
-                                       Word{"micros", Quantity::time},
-                                       Word{"elapsed", Quantity::time},
-                                       Word{"uhrzeit", Quantity::time},
-                                       Word{"current", Quantity::current},
-                                       Word{"i", Quantity::current},
-                                       Word{"strom", Quantity::current},
-                                       Word{"courant", Quantity::current},
-                                       Word{"corriente", Quantity::current},
-                                       Word{"corrente", Quantity::current},
-                                       Word{"icoil", Quantity::current},
-                                       Word{"curr", Quantity::current},
-                                       Word{"amps", Quantity::current},
-                                       Word{"voltage", Quantity::voltage},
-                                       Word{"u", Quantity::voltage},
-                                       Word{"spannung", Quantity::voltage},
-                                       Word{"vcoil", Quantity::voltage},
-                                       Word{"tension", Quantity::voltage},
-                                       Word{"angle", Quantity::angle},
-                                       Word{"angles", Quantity::angle},
-                                       Word{"winkel", Quantity::angle},
-                                       Word{"theta", Quantity::angle},
-                                       Word{"\xce\xb8", Quantity::angle},
-                                       Word{"phi", Quantity::angle},
-                                       Word{"\xcf\x86", Quantity::angle},
-                                       Word{"alpha", Quantity::angle},
-                                       Word{"\xce\xb1", Quantity::angle},
-                                       Word{"bending", Quantity::angle},
-                                       Word{"bend", Quantity::angle},
-                                       Word{"rotation", Quantity::angle},
-                                       Word{"pitch", Quantity::angle},
-                                       Word{"angulo", Quantity::angle},
-                                       Word{"\xc3\xa1ngulo", Quantity::angle},
-                                       Word{"encoder", Quantity::angle},
-                                       Word{"omega", Quantity::rate},
-                                       Word{"\xcf\x89", Quantity::rate},
-                                       Word{"gyro", Quantity::rate},
-                                       Word{"torque", Quantity::torque},
-                                       Word{"drehmoment", Quantity::torque},
-                                       Word{"moment", Quantity::torque},
-                                       Word{"force", Quantity::force},
-                                       Word{"kraft", Quantity::force},
-                                       Word{"load", Quantity::force},
-                                       Word{"temperature", Quantity::temperature},
-                                       Word{"temp", Quantity::temperature},
-                                       Word{"temperatur", Quantity::temperature},
-                                       Word{"duty", Quantity::duty},
-                                       Word{"pwm", Quantity::duty},
-                                       Word{"x", Quantity::position},
-                                       Word{"y", Quantity::position},
-                                       Word{"likelihood", Quantity::other},
-                                       Word{"score", Quantity::other},
-                                       Word{"confidence", Quantity::other},
-                                       Word{"frame", Quantity::other},
-                                       Word{"coords", Quantity::other},
-                                       Word{"index", Quantity::other},
-                                       Word{"sample", Quantity::other},
-                                       Word{"comment", Quantity::other},
-                                       Word{"track", Quantity::other}};
+constexpr std::array quantity_words = {
+    QuantityWords{Quantity::time,
+                  "t|time|times|timestamp|stamp|datetime|zeit|temps|tiempo|tempo|clock|millis|micros|elapsed|uhrzeit"},
+    QuantityWords{Quantity::current, "current|i|strom|courant|corriente|corrente|icoil|curr|amps"},
+    QuantityWords{Quantity::voltage, "voltage|u|spannung|vcoil|tension"},
+    QuantityWords{Quantity::angle,
+                  "angle|angles|winkel|theta|\xce\xb8|phi|\xcf\x86|alpha|\xce\xb1|bending|bend|rotation|pitch|angulo|"
+                  "\xc3\xa1ngulo|encoder"},
+    QuantityWords{Quantity::rate, "omega|\xcf\x89|gyro"},
+    QuantityWords{Quantity::torque, "torque|drehmoment|moment"},
+    QuantityWords{Quantity::force, "force|kraft|load"},
+    QuantityWords{Quantity::temperature, "temperature|temp|temperatur"},
+    QuantityWords{Quantity::duty, "duty|pwm"},
+    QuantityWords{Quantity::position, "x|y"},
+    QuantityWords{Quantity::other, "likelihood|score|confidence|frame|coords|index|sample|comment|track"}};
 
-constexpr std::array<std::string_view, 11> setpoint_words = {
-    "set", "setpoint", "target", "command", "commanded", "cmd", "desired", "reference", "ref", "soll", "sollwert"};
+struct UnitWords {
+  std::string_view suffix;
+  std::string_view words;
+};
+
+constexpr std::string_view setpoint_words =
+    "set|setpoint|target|command|commanded|cmd|desired|reference|ref|soll|sollwert";
 
 // At the end of a name: units that are not ours, and readings before any scale.
-constexpr std::array<std::string_view, 12> strange_words = {"rev", "revs", "turn",  "turns", "gon",    "cycles",
-                                                            "raw", "adc",  "ticks", "steps", "counts", "lsb"};
+constexpr std::string_view strange_words = "rev|revs|turn|turns|gon|cycles|raw|adc|ticks|steps|counts|lsb";
 
-// As people write units, and as our names end in them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 56> unit_words = {{
-    {"s", "s"},
-    {"sec", "s"},
-    {"secs", "s"},
-    {"second", "s"},
-    {"seconds", "s"},
-    {"Sekunden", "s"},
-    {"ms", "ms"},
-    {"msec", "ms"},
-    {"millis", "ms"},
-    {"milliseconds", "ms"},
-    {"us", "us"},
-    {"\xc2\xb5s", "us"},
-    {"\xce\xbcs", "us"},
-    {"usec", "us"},
-    {"micros", "us"},
-    {"ns", "ns"},
-    {"nsec", "ns"},
-    {"A", "A"},
-    {"amp", "A"},
-    {"Amp", "A"},
-    {"amps", "A"},
-    {"Ampere", "A"},
-    {"mA", "mA"},
-    {"V", "V"},
-    {"Volt", "V"},
-    {"volt", "V"},
-    {"volts", "V"},
-    {"Volts", "V"},
-    {"mV", "mV"},
-    {"deg", "deg"},
-    {"\xc2\xb0", "deg"},
-    {"\xc2\xba", "deg"},
-    {"degree", "deg"},
-    {"degrees", "deg"},
-    {"Grad", "deg"},
-    {"rad", "rad"},
-    {"mrad", "mrad"},
-    {"deg/s", "deg_s"},
-    {"\xc2\xb0/s", "deg_s"},
-    {"rad/s", "rad_s"},
-    {"N", "N"},
-    {"mN", "mN"},
-    {"Nm", "Nm"},
-    {"N m", "Nm"},
-    {"N*m", "Nm"},
-    {"Nmm", "Nmm"},
-    {"N mm", "Nmm"},
-    {"mNm", "mNm"},
-    {"\xc2\xb0"
-     "C",
-     "degC"},
-    {"degC", "degC"},
-    {"C", "degC"},
-    {"K", "K"},
-    {"%", "pct"},
-    {"pct", "pct"},
-    {"percent", "pct"},
-    {"A.", "A"},
-}};
+// As people write units, beside our suffixes.
+constexpr std::array unit_words = {UnitWords{"s", "sec|secs|second|seconds|Sekunden"},
+                                   UnitWords{"ms", "msec|millis|milliseconds"},
+                                   UnitWords{"us", "\xc2\xb5s|\xce\xbcs|usec|micros"},
+                                   UnitWords{"ns", "nsec"},
+                                   UnitWords{"A", "amp|Amp|amps|Ampere|A."},
+                                   UnitWords{"V", "Volt|volt|volts|Volts"},
+                                   UnitWords{"deg", "\xc2\xb0|\xc2\xba|degree|degrees|Grad"},
+                                   UnitWords{"deg_s", "deg/s|\xc2\xb0/s"},
+                                   UnitWords{"rad_s", "rad/s"},
+                                   UnitWords{"Nm", "N m|N*m"},
+                                   UnitWords{"Nmm", "N mm"},
+                                   UnitWords{"degC",
+                                             "\xc2\xb0"
+                                             "C|C"},
+                                   UnitWords{"pct", "%|percent"}};
+
+Quantity quantity_of(std::string_view word) {
+  for (const QuantityWords& each : quantity_words)
+    if (text::is_one_of(word, each.words)) return each.quantity;
+  return Quantity::none;
+}
 
 Quantity of_dimension(std::string_view suffix) {
   constexpr std::array<std::pair<std::string_view, Quantity>, 9> table = {{{"time", Quantity::time},
@@ -176,8 +87,8 @@ Quantity of_dimension(std::string_view suffix) {
 }
 
 std::string_view suffix_of(std::string_view text) {
-  const auto found = std::ranges::find(unit_words, text, &std::pair<std::string_view, std::string_view>::first);
-  if (found != unit_words.end()) return found->second;
+  for (const UnitWords& each : unit_words)
+    if (text::is_one_of(text, each.words)) return each.suffix;
   const auto same = std::ranges::find(units::all_units(), text, &units::Unit::suffix);
   return same != units::all_units().end() && of_dimension(same->suffix) != Quantity::none ? same->suffix
                                                                                           : std::string_view{};
@@ -246,7 +157,7 @@ ColumnWords words_of(std::string_view name) {
   const std::vector<std::string> words = words_in(rest);
   // What instruments call the axis of time.
   if (words.size() > 1 && words[0] == "x" && (words[1] == "value" || words[1] == "axis")) out.quantity = Quantity::time;
-  if (out.unit.empty() && !words.empty() && std::ranges::find(strange_words, words.back()) != strange_words.end())
+  if (out.unit.empty() && !words.empty() && text::is_one_of(words.back(), strange_words))
     out.strange_unit = words.back();
   for (const std::string& word : words) {
     int number{};
@@ -255,9 +166,8 @@ ColumnWords words_of(std::string_view name) {
       out.number = number;
       continue;
     }
-    const auto found = std::ranges::find(quantity_words, word, &Word::word);
-    if (found != quantity_words.end() && out.quantity == Quantity::none) out.quantity = found->quantity;
-    out.commanded = out.commanded || std::ranges::find(setpoint_words, word) != setpoint_words.end();
+    if (out.quantity == Quantity::none) out.quantity = quantity_of(word);
+    out.commanded = out.commanded || text::is_one_of(word, setpoint_words);
     if (word == "millis") out.unit = "ms";
     if (word == "micros") out.unit = "us";
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -17,14 +18,6 @@ namespace {
 using namespace text;
 using namespace measurement;
 
-Json rig_change_json(const data::RigChange& rig) {
-  Json out = Json::object();
-  if (rig.base_turn != 0.0) out.set("base_turn_deg", units::from_memory(rig.base_turn, "base_turn_deg"));
-  if (rig.tip_mass != 0.0) out.set("tip_mass_g", units::from_memory(rig.tip_mass, "tip_mass_g"));
-  if (rig.coil != data::CoilWiring::driven) out.set("coil", name_of(rig.coil));
-  return out;
-}
-
 // What differs from the defaults of the format.
 void add_recording(Json& out, const data::Run& run) {
   if (const auto input = input_file_name(run)) out.set("input_file", *input);
@@ -33,7 +26,7 @@ void add_recording(Json& out, const data::Run& run) {
   if (run.clock.rate_sigma > 0.0) out.set("clock_rate", run.clock.rate_sigma);
   if (run.clock.exposure > 0.0) out.set("exposure_s", run.clock.exposure);
   add_input_uncertainty(out, run.input_uncertainty);
-  if (run.rig != data::RigChange{}) out.set("rig", rig_change_json(run.rig));
+  if (run.rig != data::RigChange{}) out.set("rig", rig_json(run.rig));
 }
 
 Json dataset_run_json(const RunWithRole& each) {
@@ -43,10 +36,7 @@ Json dataset_run_json(const RunWithRole& each) {
   if (run.kind == data::RunKind::transient) out.set("drive", name_of(run.drive)).set("start", name_of(run.start));
   if (run.kind == data::RunKind::transient) add_recording(out, run);
   if (run.window) out.set("window_s", *run.window);
-  if (run.sigma) {
-    const std::string& column = run.channels.front().name;
-    out.set("sigma", units::from_memory(*run.sigma, column));
-  }
+  if (run.sigma) out.set("sigma", units::from_memory(*run.sigma, run.channels.front().name));
   return out;
 }
 
@@ -58,51 +48,59 @@ double twelve_digits(double value) {
   return rounded == 0.0 ? 0.0 : rounded;  // no -0
 }
 
-// How the inputs of a run are called: one for all coils, or one a coil or joint.
-std::vector<std::string> input_columns(const data::Run& run) {
-  if (run.inputs.empty()) return {};
-  const std::size_t width = run.inputs.front().size();
-  if (run.drive == data::Drive::voltage) return {"voltage_V"};
-  if (run.drive == data::Drive::current && width == 1) return {"current_A"};
-  std::vector<std::string> names;
-  for (std::size_t i = 1; i <= width; ++i)
-    names.push_back(run.drive == data::Drive::current ? fmt::format("current{}_A", i) : fmt::format("torque{}_Nm", i));
-  return names;
-}
+// The columns of a CSV file, each with what it has in a row, in its unit.
+class Columns {
+ public:
+  void add(const std::string& name, const std::vector<double>& values) {
+    names_.push_back(name);
+    cells_.emplace_back([&values, name](std::size_t i) { return units::from_memory(values[i], name); });
+  }
+  void add_if_any(const std::string& name, const std::vector<double>& values) {
+    if (!values.empty()) add(name, values);
+  }
+  // One for all coils, or one a coil or joint.
+  void add_inputs(const data::Run& run) {
+    const std::size_t width = run.inputs.empty() ? 0 : run.inputs.front().size();
+    for (std::size_t k = 0; k < width; ++k) {
+      names_.push_back(run.drive == data::Drive::voltage                 ? "voltage_V"
+                       : run.drive == data::Drive::torque                ? fmt::format("torque{}_Nm", k + 1)
+                       : run.drive == data::Drive::current && width == 1 ? "current_A"
+                                                                         : fmt::format("current{}_A", k + 1));
+      cells_.emplace_back([&run, k](std::size_t i) { return run.inputs[i][k]; });
+    }
+  }
+  void write(std::ostream& out, std::size_t rows) const {
+    CsvWriter csv(out, names_);
+    std::vector<double> row(cells_.size());
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] = twelve_digits(cells_[k](i));
+      csv.row(row);
+    }
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::function<double(std::size_t)>> cells_;
+};
 
 }  // namespace
 
 Json dataset_json(const std::string& name, const std::string& actuator, std::span<const RunWithRole> runs) {
-  Json list = Json::array();
-  for (const RunWithRole& each : runs) list.add(dataset_run_json(each));
-  return Json::object(
-      {{"format", "measured-data/1"}, {"name", name}, {"actuator", actuator}, {"runs", std::move(list)}});
+  return Json::object({{"format", "measured-data/1"},
+                       {"name", name},
+                       {"actuator", actuator},
+                       {"runs", Json::list(runs, dataset_run_json)}});
 }
 
 void write_run(std::ostream& out, const data::Run& run) {
-  std::vector<std::string> columns;
-  if (!run.times.empty()) columns.emplace_back("time_s");
-  if (!run.angles.empty()) columns.emplace_back("angle_deg");
-  const bool inputs = !run.inputs.empty() && !run.has_input_clock();
-  if (inputs)
-    for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
-  if (!run.openings.empty()) columns.emplace_back("opening_deg");
-  if (!run.heights.empty()) columns.emplace_back("height_mm");
-  for (const data::Channel& channel : run.channels) columns.push_back(channel.name);
-  CsvWriter csv(out, columns);
-  std::vector<double> row;
-  for (std::size_t i = 0; i < run.samples(); ++i) {
-    row.clear();
-    if (!run.times.empty()) row.push_back(run.times[i]);
-    if (!run.angles.empty()) row.push_back(units::from_memory(run.angles[i], "angle_deg"));
-    if (inputs) row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
-    if (!run.openings.empty()) row.push_back(units::from_memory(run.openings[i], "opening_deg"));
-    if (!run.heights.empty()) row.push_back(units::from_memory(run.heights[i], "height_mm"));
-    for (const data::Channel& channel : run.channels)
-      row.push_back(units::from_memory(channel.values[i], channel.name));
-    for (double& value : row) value = twelve_digits(value);
-    csv.row(row);
-  }
+  Columns columns;
+  columns.add_if_any("time_s", run.times);
+  columns.add_if_any("angle_deg", run.angles);
+  if (!run.has_input_clock()) columns.add_inputs(run);
+  columns.add_if_any("opening_deg", run.openings);
+  columns.add_if_any("height_mm", run.heights);
+  for (const data::Channel& channel : run.channels) columns.add(channel.name, channel.values);
+  columns.write(out, run.samples());
 }
 
 std::optional<std::string> input_file_name(const data::Run& run) {
@@ -111,16 +109,10 @@ std::optional<std::string> input_file_name(const data::Run& run) {
 }
 
 void write_input(std::ostream& out, const data::Run& run) {
-  std::vector<std::string> columns{"time_s"};
-  for (std::string& input : input_columns(run)) columns.push_back(std::move(input));
-  CsvWriter csv(out, columns);
-  std::vector<double> row;
-  for (std::size_t i = 0; i < run.inputs.size(); ++i) {
-    row.assign(1, run.input_times[i]);
-    row.insert(row.end(), run.inputs[i].begin(), run.inputs[i].end());
-    for (double& value : row) value = twelve_digits(value);
-    csv.row(row);
-  }
+  Columns columns;
+  columns.add("time_s", run.input_times);
+  columns.add_inputs(run);
+  columns.write(out, run.inputs.size());
 }
 
 }  // namespace coilwright::formats

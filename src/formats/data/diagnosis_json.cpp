@@ -14,33 +14,18 @@ namespace {
 using namespace text;
 using namespace measurement;
 
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json in_unit_or_null(double value, const units::Unit& unit) {
   return number_or_null(units::from_si(value, unit));
 }
 
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json words_json(std::span<const std::string> words) {
-  Json out = Json::array();
-  for (const std::string& each : words) out.add(each);
-  return out;
-}
-
 Json ids_json(std::span<const actuator::EffectKind* const> kinds) {
-  return words_json(ids(kinds));
+  return Json::list(ids(kinds));
 }
 
 Json estimate_json(const compare::Estimate& estimate) {
   const EstimateInUnit shown = in_unit(estimate);
-  Json interval = Json::array();
-  interval.add(number_or_null(shown.lower)).add(number_or_null(shown.upper));
-  Json out = Json::object({{"value", number_or_null(shown.value)}, {"ci95", std::move(interval)}});
+  Json out = Json::object({{"value", number_or_null(shown.value)},
+                           {"ci95", Json::array({number_or_null(shown.lower), number_or_null(shown.upper)})}});
   if (shown.declared) out.set("declared", *shown.declared);
   if (!estimate.determined) out.set("determined", false);
   if (estimate.chosen) out.set("choice", true);
@@ -70,62 +55,38 @@ Json nominal_json(const Diagnosis& diagnosis) {
 }
 
 // Of the shape of the torque no number is known.
-Json numbers_off_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const compare::NumberOff& each : diagnosis.numbers_off) {
-    Json number = Json::object({{"name", each.name}, {"criterion_gain", each.gain}});
-    if (each.estimate) number.set("estimate", estimate_json(*each.estimate));
-    out.add(std::move(number));
-  }
+Json number_off_json(const compare::NumberOff& each) {
+  Json out = Json::object({{"name", each.name}, {"criterion_gain", each.gain}});
+  if (each.estimate) out.set("estimate", estimate_json(*each.estimate));
   return out;
 }
 
-Json hinted_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const compare::HintedEffect& each : diagnosis.hinted)
-    out.add(Json::object(
-        {{"id", each.kind->id()}, {"criterion_gain", each.gain}, {"number", each.number}, {"wider", each.wider}}));
-  return out;
+Json hinted_json(const compare::HintedEffect& each) {
+  return Json::object(
+      {{"id", each.kind->id()}, {"criterion_gain", each.gain}, {"number", each.number}, {"wider", each.wider}});
 }
 
-Json outliers_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const Outliers& each : diagnosis.outliers) {
-    Json times = Json::array();
-    for (const double time : each.times) times.add(time);
-    out.add(Json::object({{"run", each.run},
-                          {"role", each.validate ? "validate" : "fit"},
-                          {"channel", each.channel},
-                          {"samples", each.times.size()},
-                          {"times_s", std::move(times)}}));
-  }
-  return out;
+Json outliers_json(const Outliers& each) {
+  return Json::object({{"run", each.run},
+                       {"role", each.validate ? "validate" : "fit"},
+                       {"channel", each.channel},
+                       {"samples", each.times.size()},
+                       {"times_s", Json::numbers(each.times)}});
 }
 
 Json evidence_json(const compare::Evidence& evidence) {
-  Json untold = Json::array();
-  for (const std::string& run : evidence.untold_runs) untold.add(run);
   return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
                        {"chi_square_after", number_or_null(evidence.chi_square_after)},
                        {"criterion_gain", number_or_null(evidence.quasi_bic_gain)},
                        {"cross_validated_gain", number_or_null(evidence.cross_validated_gain)},
-                       {"not_cross_validated", std::move(untold)},
+                       {"not_cross_validated", Json::list(evidence.untold_runs)},
                        {"correlation_time_samples", number_or_null(evidence.correlation_time)}});
 }
 
-Json effects_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const AddedEffect& effect : diagnosis.effects)
-    out.add(Json::object({{"id", effect.kind->id()},
-                          {"parameters", estimates_json(effect.parameters)},
-                          {"evidence", evidence_json(effect.evidence)}}));
-  return out;
-}
-
-Json indistinguishable_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const auto& set : diagnosis.indistinguishable) out.add(ids_json(set));
-  return out;
+Json effect_json(const AddedEffect& effect) {
+  return Json::object({{"id", effect.kind->id()},
+                       {"parameters", estimates_json(effect.parameters)},
+                       {"evidence", evidence_json(effect.evidence)}});
 }
 
 Json errors_json(const Errors& errors, const units::Unit& unit) {
@@ -186,34 +147,29 @@ Json place_json(const correction::NamelessCorrection& found, const correction::C
 Json correction_json(const Diagnosis& diagnosis) {
   if (!diagnosis.correction.found) return nullptr;
   const correction::NamelessCorrection& found = *diagnosis.correction.found;
-  Json variables = Json::array();
-  for (const actuator::CorrectionAxis& axis : found.torque.axes) {
+  Json variables = Json::list(found.torque.axes, [](const actuator::CorrectionAxis& axis) {
     const units::Unit unit = variable_unit(name_of(axis.variable));
-    variables.add(Json::object({{"variable", name_of(axis.variable)},
-                                {with_unit("from", unit), in_unit_or_null(axis.nodes.front(), unit)},
-                                {with_unit("to", unit), in_unit_or_null(axis.nodes.back(), unit)}}));
-  }
+    return Json::object({{"variable", name_of(axis.variable)},
+                         {with_unit("from", unit), in_unit_or_null(axis.nodes.front(), unit)},
+                         {with_unit("to", unit), in_unit_or_null(axis.nodes.back(), unit)}});
+  });
   const units::Unit torque = error_unit(data::ChannelKind::torque);
-  Json stay = Json::array();
-  for (const actuator::Effect& effect : found.effects) stay.add(effect.kind->id());
-  return Json::object({{"variables", std::move(variables)},
-                       {"effects", std::move(stay)},
-                       {with_unit("rms", torque), in_unit_or_null(found.rms, torque)},
-                       {"explained", number_or_null(found.explained)},
-                       {"cross_validated_gain", number_or_null(found.cross_validated_gain)},
-                       {"degrees_of_freedom", number_or_null(found.degrees_of_freedom)},
-                       {"products", Json::numbers(found.products)},
-                       {"largest", place_json(found, found.largest)},
-                       {"smallest", place_json(found, found.smallest)}});
+  return Json::object(
+      {{"variables", std::move(variables)},
+       {"effects", Json::list(found.effects, [](const actuator::Effect& each) { return each.kind->id(); })},
+       {with_unit("rms", torque), in_unit_or_null(found.rms, torque)},
+       {"explained", number_or_null(found.explained)},
+       {"cross_validated_gain", number_or_null(found.cross_validated_gain)},
+       {"degrees_of_freedom", number_or_null(found.degrees_of_freedom)},
+       {"products", Json::numbers(found.products)},
+       {"largest", place_json(found, found.largest)},
+       {"smallest", place_json(found, found.smallest)}});
 }
 
-Json candidates_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const compare::ComparedHypothesis& candidate : compared_as_reported(diagnosis))
-    out.add(Json::object({{"effects", ids_json(candidate.effects)},
-                          {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json(nullptr)},
-                          {"remark", text_or_null(candidate.remark)}}));
-  return out;
+Json candidate_json(const compare::ComparedHypothesis& candidate) {
+  return Json::object({{"effects", ids_json(candidate.effects)},
+                       {"evidence", candidate.evidence ? evidence_json(*candidate.evidence) : Json()},
+                       {"remark", text_or_null(candidate.remark)}});
 }
 
 Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
@@ -224,51 +180,37 @@ Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
 }
 
 Json in_unit_json(std::span<const double> values, const units::Unit& unit) {
-  Json out = Json::array();
-  for (const double value : values) out.add(in_unit_or_null(value, unit));
-  return out;
+  return Json::list(values, [&](double value) { return in_unit_or_null(value, unit); });
 }
 
 Json residual_json(const Diagnosis& diagnosis) {
   if (!diagnosis.residual) return nullptr;
   const localise::ResidualTorque& residual = *diagnosis.residual;
   const units::Unit torque = error_unit(data::ChannelKind::torque);
-  Json dependences = Json::array();
-  for (const localise::Dependence& each : residual.dependences) {
+  Json dependences = Json::list(residual.dependences, [&](const localise::Dependence& each) {
     const units::Unit unit = variable_unit(each.variable);
-    dependences.add(Json::object({{"variable", each.variable},
-                                  {"explained", number_or_null(each.explained)},
-                                  {with_unit("at", unit), in_unit_json(each.at, unit)},
-                                  {with_unit("residual", torque), in_unit_json(each.residual, torque)}}));
-  }
-  Json out = Json::object({{with_unit("rms", torque), in_unit_or_null(residual.rms, torque)},
-                           {with_unit("smallest_visible", torque), in_unit_or_null(residual.noise_floor, torque)},
-                           {"dependences", std::move(dependences)}});
-  out.set("frequency_Hz", residual.frequency ? number_or_null(*residual.frequency) : Json(nullptr));
-  return out;
+    return Json::object({{"variable", each.variable},
+                         {"explained", number_or_null(each.explained)},
+                         {with_unit("at", unit), in_unit_json(each.at, unit)},
+                         {with_unit("residual", torque), in_unit_json(each.residual, torque)}});
+  });
+  return Json::object({{with_unit("rms", torque), in_unit_or_null(residual.rms, torque)},
+                       {with_unit("smallest_visible", torque), in_unit_or_null(residual.noise_floor, torque)},
+                       {"dependences", std::move(dependences)},
+                       {"frequency_Hz", number_or_null(residual.frequency)}});
 }
 
-Json noise_json(const Diagnosis& diagnosis) {
-  Json out = Json::array();
-  for (const noise::NoiseLevel& each : diagnosis.noise) {
-    const units::Unit unit = units::difference_unit(each.channel);
-    out.add(Json::object({{"run", each.run},
-                          {"channel", each.channel},
-                          {with_unit("sigma", unit), in_unit_or_null(each.sigma, unit)},
-                          {"source", each.source},
-                          {"colour", text_or_null(each.colour)}}));
-  }
-  return out;
+Json noise_json(const noise::NoiseLevel& each) {
+  const units::Unit unit = units::difference_unit(each.channel);
+  return Json::object({{"run", each.run},
+                       {"channel", each.channel},
+                       {with_unit("sigma", unit), in_unit_or_null(each.sigma, unit)},
+                       {"source", each.source},
+                       {"colour", text_or_null(each.colour)}});
 }
 
 Json warning_json(const data::Warning& warning) {
   return Json::object({{"run", text_or_null(warning.run)}, {"text", warning.text}});
-}
-
-Json warnings_json(const std::vector<data::Warning>& warnings) {
-  Json out = Json::array();
-  for (const data::Warning& each : warnings) out.add(warning_json(each));
-  return out;
 }
 
 }  // namespace
@@ -276,31 +218,35 @@ Json warnings_json(const std::vector<data::Warning>& warnings) {
 Json to_json(const DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   Json out = Json::object({{"format", "diagnosis/1"}, {"verdict", name_of(diagnosis.verdict)}});
-  out.set("effects", effects_json(diagnosis)).set("indistinguishable", indistinguishable_json(diagnosis));
+  out.set("effects", Json::list(diagnosis.effects, effect_json))
+      .set("indistinguishable", Json::list(diagnosis.indistinguishable, ids_json));
   out.set("error", Json::object({{"validate", comparisons_json(diagnosis.validate_errors)},
                                  {"fit", comparisons_json(diagnosis.fit_errors)}}));
   out.set("calibration", estimates_json(diagnosis.calibration));
   out.set("updated_actuator", report.updated_actuator);
   out.set("next_experiment", next_experiment_json(report));
-  out.set("nominal", nominal_json(diagnosis)).set("outliers", outliers_json(diagnosis));
+  out.set("nominal", nominal_json(diagnosis)).set("outliers", Json::list(diagnosis.outliers, outliers_json));
   out.set("corrected_actuator", text_or_null(report.corrected_actuator));
   // Beyond the format.
-  out.set("refused", words_json(report.refused));
+  out.set("refused", Json::list(report.refused));
   out.set("probability_of_declared",
-          diagnosis.nominal.empty() ? Json(nullptr) : number_or_null(diagnosis.probability_of_declared));
-  out.set("hinted", hinted_json(diagnosis)).set("numbers_off", numbers_off_json(diagnosis));
+          diagnosis.nominal.empty() ? Json() : number_or_null(diagnosis.probability_of_declared));
+  out.set("hinted", Json::list(diagnosis.hinted, hinted_json))
+      .set("numbers_off", Json::list(diagnosis.numbers_off, number_off_json));
   out.set("model_error", diagnosis.model_error);
-  out.set("held_exact", words_json(diagnosis.held_exact));
-  out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", words_json(report.held_out));
+  out.set("held_exact", Json::list(diagnosis.held_exact));
+  out.set("dataset", report.dataset).set("seed", report.seed).set("held_out", Json::list(report.held_out));
   out.set("adequacy",
           Json::object({{"before", adequacy_json(diagnosis.before)}, {"after", adequacy_json(diagnosis.after)}}));
   out.set("nameless_correction", correction_json(diagnosis));
   out.set("no_correction", text_or_null(diagnosis.correction.reason));
-  out.set("residual", residual_json(diagnosis)).set("candidates", candidates_json(diagnosis));
-  out.set("noise", noise_json(diagnosis)).set("warnings", warnings_json(diagnosis.warnings));
-  out.set("unanswered_runs", warnings_json(diagnosis.unanswered_runs));
-  out.set("frozen_runs", words_json(diagnosis.frozen_runs));
-  out.set("far_first_pose", diagnosis.far_first_pose ? warning_json(*diagnosis.far_first_pose) : Json(nullptr));
+  out.set("residual", residual_json(diagnosis))
+      .set("candidates", Json::list(compared_as_reported(diagnosis), candidate_json));
+  out.set("noise", Json::list(diagnosis.noise, noise_json))
+      .set("warnings", Json::list(diagnosis.warnings, warning_json));
+  out.set("unanswered_runs", Json::list(diagnosis.unanswered_runs, warning_json));
+  out.set("frozen_runs", Json::list(diagnosis.frozen_runs));
+  out.set("far_first_pose", diagnosis.far_first_pose ? warning_json(*diagnosis.far_first_pose) : Json());
   return out;
 }
 

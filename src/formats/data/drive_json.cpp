@@ -14,41 +14,35 @@ namespace coilwright::formats {
 namespace {
 
 using text::Json;
-
-// An SI value under a key that ends in its unit.
-Json::Member in_unit(const char* key, double value) {
-  return {key, units::from_memory(value, key)};
-}
+using text::number_or_null;
 
 Json to_json(const drive::SteadyCurrent& current) {
-  return Json::object({in_unit("mean_A", current.mean), in_unit("rms_A", current.rms), in_unit("peak_A", current.peak),
-                       in_unit("valley_A", current.valley), in_unit("ripple_A", current.ripple())});
+  return Json::object({Json::quantity("mean_A", current.mean), Json::quantity("rms_A", current.rms),
+                       Json::quantity("peak_A", current.peak), Json::quantity("valley_A", current.valley),
+                       Json::quantity("ripple_A", current.ripple())});
 }
 
 Json to_json(const drive::DrivePowers& powers, double heat_by_mean) {
-  return Json::object({in_unit("supply_W", powers.source), in_unit("coils_W", powers.coils),
-                       in_unit("coils_by_mean_current_W", heat_by_mean), in_unit("switches_W", powers.switches),
-                       in_unit("diodes_W", powers.diodes), in_unit("inside_supply_W", powers.supply)});
-}
-
-Json number_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+  return Json::object({Json::quantity("supply_W", powers.source), Json::quantity("coils_W", powers.coils),
+                       Json::quantity("coils_by_mean_current_W", heat_by_mean),
+                       Json::quantity("switches_W", powers.switches), Json::quantity("diodes_W", powers.diodes),
+                       Json::quantity("inside_supply_W", powers.supply)});
 }
 
 Json to_json(const systems::WarmUpSample& sample) {
-  return Json::object({in_unit("time_s", sample.time),
+  return Json::object({Json::quantity("time_s", sample.time),
                        {"coil_temperature_degC", sample.coil_temperatures.maxCoeff()},
                        {"coil_hot_spot_degC", sample.coil_hot_spot},
                        {"magnet_temperature_degC", sample.magnet_temperature},
-                       in_unit("circuit_resistance_Ohm", sample.resistance),
-                       in_unit("mean_current_A", sample.mean),
-                       in_unit("rms_current_A", sample.rms),
-                       in_unit("supply_mean_A", sample.supply_mean),
-                       in_unit("heat_W", sample.heat)});
+                       Json::quantity("circuit_resistance_Ohm", sample.resistance),
+                       Json::quantity("mean_current_A", sample.mean),
+                       Json::quantity("rms_current_A", sample.rms),
+                       Json::quantity("supply_mean_A", sample.supply_mean),
+                       Json::quantity("heat_W", sample.heat)});
 }
 
 Json to_json(const systems::PassedLimit& limit) {
-  return Json::object({in_unit("time_s", limit.time),
+  return Json::object({Json::quantity("time_s", limit.time),
                        {"part", limit.kind == thermal::NodeKind::coil ? "coil" : "magnet"},
                        {"number", limit.number},
                        {"limit_degC", limit.limit}});
@@ -57,45 +51,44 @@ Json to_json(const systems::PassedLimit& limit) {
 }  // namespace
 
 Json to_json(const systems::DrivenActuator& driven) {
-  Json warnings = Json::array();
-  for (const systems::DriveWarning warning : driven.warnings) warnings.add(std::string(name_of(warning)));
   const drive::Circuit& circuit = driven.bank.circuit;
   Json out = Json::object({{"duty", driven.duty},
-                           in_unit("supply_voltage_V", driven.supply_voltage),
-                           in_unit("coil_temperature_degC", driven.coil_temperatures.maxCoeff()),
+                           Json::quantity("supply_voltage_V", driven.supply_voltage),
+                           Json::quantity("coil_temperature_degC", driven.coil_temperatures.maxCoeff()),
                            {"coil", to_json(driven.coil)},
                            {"driver", to_json(driven.driver)},
-                           in_unit("supply_mean_A", driven.driver.supply_mean),
+                           Json::quantity("supply_mean_A", driven.driver.supply_mean),
                            {"conduction", driven.driver.conduction},
                            {"discontinuous", driven.driver.is_discontinuous()},
                            {"limited", driven.driver.is_limited},
                            {"power", to_json(driven.driver.powers, driven.heat_by_mean)},
-                           in_unit("circuit_resistance_Ohm", circuit.resistance),
-                           in_unit("circuit_inductance_mH", circuit.inductance),
+                           Json::quantity("circuit_resistance_Ohm", circuit.resistance),
+                           Json::quantity("circuit_inductance_mH", circuit.inductance),
                            {"inductance_spread", driven.bank.inductance_spread},
-                           in_unit("driver_resistance_Ohm", driven.driver_resistance),
-                           in_unit("continuous_current_A", driven.continuous_current),
-                           in_unit("straight_continuous_current_A", driven.straight_continuous_current),
-                           in_unit("ampacity_A", driven.ampacity),
+                           Json::quantity("driver_resistance_Ohm", driven.driver_resistance),
+                           Json::quantity("continuous_current_A", driven.continuous_current),
+                           Json::quantity("straight_continuous_current_A", driven.straight_continuous_current),
+                           Json::quantity("ampacity_A", driven.ampacity),
                            {"steady_hot_spot_degC", number_or_null(driven.steady_hot_spot)},
                            {"emf_per_rate_mVs_rad", driven.motion.emf_per_rate * 1e3},
-                           in_unit("motional_damping_Nmms_rad", driven.motion.damping),
-                           in_unit("joint_damping_Nmms_rad", driven.motion.joint_damping)});
+                           Json::quantity("motional_damping_Nmms_rad", driven.motion.damping),
+                           Json::quantity("joint_damping_Nmms_rad", driven.motion.joint_damping)});
   if (driven.run_time) out.set("run_time_s", number_or_null(driven.run_time));
-  out.set("warnings", std::move(warnings));
+  out.set("warnings", Json::list(driven.warnings, [](systems::DriveWarning each) { return name_of(each); }));
   return out;
 }
 
 Json to_json(const systems::MotionSummary& motion) {
   const systems::MotionEnergies& energies = motion.energies;
-  return Json::object({in_unit("duration_s", motion.duration), in_unit("start_bending_deg", motion.start_bending),
-                       in_unit("end_bending_deg", motion.end_bending), in_unit("most_bending_deg", motion.most_bending),
-                       in_unit("most_bending_time_s", motion.most_bending_time),
-                       in_unit("most_speed_deg_s", motion.most_speed),
-                       in_unit("most_speed_time_s", motion.most_speed_time), in_unit("supply_J", energies.source),
-                       in_unit("coils_J", energies.coils), in_unit("switches_J", energies.switches),
-                       in_unit("diodes_J", energies.diodes), in_unit("inside_supply_J", energies.supply),
-                       in_unit("work_J", energies.work), in_unit("field_J", energies.field)});
+  return Json::object(
+      {Json::quantity("duration_s", motion.duration), Json::quantity("start_bending_deg", motion.start_bending),
+       Json::quantity("end_bending_deg", motion.end_bending), Json::quantity("most_bending_deg", motion.most_bending),
+       Json::quantity("most_bending_time_s", motion.most_bending_time),
+       Json::quantity("most_speed_deg_s", motion.most_speed),
+       Json::quantity("most_speed_time_s", motion.most_speed_time), Json::quantity("supply_J", energies.source),
+       Json::quantity("coils_J", energies.coils), Json::quantity("switches_J", energies.switches),
+       Json::quantity("diodes_J", energies.diodes), Json::quantity("inside_supply_J", energies.supply),
+       Json::quantity("work_J", energies.work), Json::quantity("field_J", energies.field)});
 }
 
 void write_motion(std::ostream& out, const std::vector<systems::MotionSample>& motion) {
@@ -128,7 +121,7 @@ void write_motion(std::ostream& out, const std::vector<systems::MotionSample>& m
 Json to_json(const systems::WarmUp& warm_up) {
   return Json::object({{"start", to_json(warm_up.samples.front())},
                        {"end", to_json(warm_up.samples.back())},
-                       {"first_limit", warm_up.limit ? to_json(*warm_up.limit) : Json(nullptr)},
+                       {"first_limit", warm_up.limit ? to_json(*warm_up.limit) : Json()},
                        {"melting_time_s", number_or_null(warm_up.melting_time)}});
 }
 

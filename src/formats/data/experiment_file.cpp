@@ -125,9 +125,21 @@ void require_exposure_within_a_frame(const ObjectReader& in, const PlannedRun& p
         "exposure_s must be at most the time between two samples, {:g} s; got {:g}", 1.0 / planned.rate, exposure));
 }
 
+double read_rate(ObjectReader& in, const Defaults& defaults) {
+  return defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
+                       : in.quantity("sampling_rate_Hz", frequency_rule);
+}
+
+std::vector<Channel> read_channels(ObjectReader& in, const Defaults& defaults) {
+  const auto own = in.find("measure");
+  std::vector<Channel> channels;
+  for (const std::string& name : own ? read_measure(*own) : defaults.measure)
+    channels.push_back(channel_named(name, in.node()));
+  return channels;
+}
+
 void read_time_axis(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
-  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
-                               : in.quantity("sampling_rate_Hz", frequency_rule);
+  planned.rate = read_rate(in, defaults);
   planned.input = read_input_shape(in.at("input"), planned.plan.drive);
   const auto* table = in.at("input").find("file") ? std::get_if<TableShape>(&planned.input) : nullptr;
   const double of_file = table == nullptr ? 0.0 : table->times.back() - table->times.front();
@@ -166,21 +178,15 @@ void read_transient(ObjectReader& in, const Defaults& defaults, PlannedRun& plan
       throw only->error("must not be there beside a table, whose columns say what is driven");
     planned.only = only->integer(Rule::at_least(1)) - 1;
   }
-  std::vector<std::string> measure = defaults.measure;
-  const auto own = in.find("measure");
-  if (own) measure = read_measure(*own);
-  for (const std::string& name : measure) run.channels.push_back(channel_named(name, in.node()));
+  run.channels = read_channels(in, defaults);
 }
 
 // Nothing moves: only how long and how often the camera looks.
 void read_still(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {
-  planned.rate = defaults.rate ? in.quantity_or("sampling_rate_Hz", *defaults.rate, frequency_rule)
-                               : in.quantity("sampling_rate_Hz", frequency_rule);
+  planned.rate = read_rate(in, defaults);
   planned.duration = in.quantity("duration_s", duration_rule);
   require_samples(in, planned);
-  std::vector<std::string> measure = defaults.measure;
-  if (const auto own = in.find("measure")) measure = read_measure(*own);
-  for (const std::string& name : measure) planned.plan.channels.push_back(channel_named(name, in.node()));
+  planned.plan.channels = read_channels(in, defaults);
 }
 
 void read_temperature(ObjectReader& in, const Defaults& defaults, PlannedRun& planned) {

@@ -14,7 +14,6 @@ namespace coilwright::formats {
 namespace {
 
 using namespace text;
-using measurement::data::CoilWiring;
 using measurement::data::Drive;
 using measurement::data::RigChange;
 using measurement::data::Run;
@@ -22,32 +21,12 @@ using measurement::data::RunKind;
 using measurement::experiment::Experiment;
 using measurement::experiment::PlannedRun;
 
-Json in_unit(const std::vector<double>& values, const char* key) {
-  Json out = Json::array();
-  for (const double value : values) out.add(units::from_memory(value, key));
-  return out;
-}
-
-Json rig_json(const RigChange& rig) {
-  Json out = Json::object();
-  if (rig.base_turn != 0.0) out.set("base_turn_deg", units::from_si(rig.base_turn, "base_turn_deg"));
-  if (rig.tip_mass > 0.0) out.set("tip_mass_g", units::from_si(rig.tip_mass, "tip_mass_g"));
-  if (rig.coil != CoilWiring::driven) out.set("coil", name_of(rig.coil));
-  return out;
-}
-
 void add_time_axis(Json& out, const PlannedRun& run) {
   out.set("duration_s", run.duration).set("sampling_rate_Hz", run.rate);
 }
 
 void add_measure(Json& out, const Run& plan) {
-  Json measure = Json::array();
-  for (const measurement::data::Channel& channel : plan.channels) measure.add(channel.name);
-  out.set("measure", std::move(measure));
-}
-
-const char* word_of(Drive drive) {
-  return drive == Drive::torque ? "torque" : drive == Drive::voltage ? "voltage" : "current";
+  out.set("measure", Json::list(plan.channels, &measurement::data::Channel::name));
 }
 
 void add_transient(Json& out, const PlannedRun& run) {
@@ -55,10 +34,10 @@ void add_transient(Json& out, const PlannedRun& run) {
   add_time_axis(out, run);
   add_measure(out, plan);
   out.set("input", input_shape_json(run.input, plan.drive));
-  if (plan.drive != Drive::current) out.set("drive", word_of(plan.drive));
+  if (plan.drive != Drive::current) out.set("drive", name_of(plan.drive));
   if (run.only) out.set(plan.drive == Drive::torque ? "joint" : "coil", *run.only + 1);
   if (plan.start != measurement::data::Start::at_rest) out.set("start", name_of(plan.start));
-  if (!run.start_angles.empty()) out.set("start_angles_deg", in_unit(run.start_angles, "start_angles_deg"));
+  if (!run.start_angles.empty()) out.set(Json::quantities("start_angles_deg", run.start_angles));
   if (plan.clock.exposure > 0.0) out.set("exposure_s", plan.clock.exposure);
   if (plan.clock.offset_sigma > 0.0) out.set("clock_offset_s", plan.clock.offset_sigma);
   if (plan.clock.rate_sigma > 0.0) out.set("clock_rate", plan.clock.rate_sigma);
@@ -84,13 +63,13 @@ void add_static_torque(Json& out, const Run& plan) {
     if (angles == 0 || i / angles >= currents.size() || plan.angles[i] != once[i % angles] ||
         plan.inputs[i].front() != currents[i / angles])
       throw std::invalid_argument(plan.name + ": must have every angle under every current");
-  out.set("angles_deg", in_unit(once, "angles_deg")).set("currents_A", Json::numbers(currents));
+  out.set(Json::quantities("angles_deg", once)).set("currents_A", Json::numbers(currents));
 }
 
 void add_bench(Json& out, const Run& plan) {
   if (plan.kind == RunKind::static_torque) return add_static_torque(out, plan);
   if (plan.kind == RunKind::joint_stiffness) {
-    out.set("angles_deg", in_unit(plan.angles, "angles_deg"));
+    out.set(Json::quantities("angles_deg", plan.angles));
     return;
   }
   if (!plan.openings.empty() || !plan.heights.empty())
@@ -135,9 +114,7 @@ Json experiment_json(const Experiment& experiment, const std::string& descriptio
   Json out = Json::object({{"format", "experiment/1"}, {"name", experiment.name}});
   if (!description.empty()) out.set("description", description);
   add_instruments(out, experiment.instruments, drive_of(experiment));
-  Json runs = Json::array();
-  for (const PlannedRun& run : experiment.runs) runs.add(run_json(run));
-  out.set("runs", std::move(runs));
+  out.set("runs", Json::list(experiment.runs, run_json));
   return out;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,57 +35,57 @@ std::string_view unit_of(Drive drive) {
   return "Nmm";
 }
 
-// Keys of a shape's levels carry the unit of the drive.
-class ShapeReader {
- public:
-  ShapeReader(ObjectReader& in, Drive drive) : in_(in), unit_(unit_of(drive)) {}
-  [[nodiscard]] double level(std::string_view name) {
-    return in_.quantity(fmt::format("{}_{}", name, unit_), level_rule);
-  }
-  [[nodiscard]] double level_or_zero(std::string_view name) {
-    return in_.quantity_or(fmt::format("{}_{}", name, unit_), 0.0, level_rule);
-  }
-  [[nodiscard]] double time(std::string_view key) { return in_.quantity(key, time_rule); }
-  [[nodiscard]] double frequency(std::string_view key) { return in_.quantity(key, frequency_rule); }
-  [[nodiscard]] ObjectReader& in() { return in_; }
-
- private:
-  ObjectReader& in_;
-  std::string_view unit_;
+// A number of a shape: its reader and its writer are these tables.
+template <class Shape>
+struct ShapeField {
+  std::string_view name;  // the key; of a level without the unit of the drive, which that ends in
+  double Shape::*member{};
+  std::optional<double> otherwise{};  // where the key may be absent
+  std::optional<Rule> rule{};         // nothing: a level
 };
 
-StepShape read_step(ShapeReader in) {
-  return {.before = in.level_or_zero("before"), .after = in.level("after"), .at = in.time("at_s")};
+constexpr auto step_fields = std::to_array<ShapeField<StepShape>>(
+    {{"before", &StepShape::before, 0.0}, {"after", &StepShape::after}, {"at_s", &StepShape::at, {}, time_rule}});
+constexpr auto release_fields =
+    std::to_array<ShapeField<StepShape>>({{"level", &StepShape::before}, {"at_s", &StepShape::at, {}, time_rule}});
+constexpr auto sine_fields =
+    std::to_array<ShapeField<SineShape>>({{"amplitude", &SineShape::amplitude},
+                                          {"offset", &SineShape::offset, 0.0},
+                                          {"frequency_Hz", &SineShape::frequency, {}, frequency_rule}});
+constexpr auto chirp_fields = std::to_array<ShapeField<ChirpShape>>({{"amplitude", &ChirpShape::amplitude},
+                                                                     {"offset", &ChirpShape::offset, 0.0},
+                                                                     {"from_Hz", &ChirpShape::from, {}, frequency_rule},
+                                                                     {"to_Hz", &ChirpShape::to, {}, frequency_rule}});
+constexpr auto hold_fields = std::to_array<ShapeField<HoldShape>>({{"level", &HoldShape::level},
+                                                                   {"from_s", &HoldShape::from, {}, time_rule},
+                                                                   {"until_s", &HoldShape::until, {}, time_rule}});
+constexpr auto pulse_fields = std::to_array<ShapeField<PulseShape>>(
+    {{"low", &PulseShape::low, 0.0},
+     {"high", &PulseShape::high},
+     {"period_s", &PulseShape::period, {}, duration_rule},
+     {"duty", &PulseShape::duty, 0.5, Rule::above(0.0).and_also(Rule::below(1.0))}});
+
+template <class Shape>
+std::string key_of(const ShapeField<Shape>& field, Drive drive) {
+  return field.rule ? std::string(field.name) : fmt::format("{}_{}", field.name, unit_of(drive));
 }
 
-StepShape read_release(ShapeReader in) {
-  return {.before = in.level("level"), .after = 0.0, .at = in.time("at_s")};
+template <class Shape, std::size_t Count>
+Shape read_shape(ObjectReader& in, Drive drive, const std::array<ShapeField<Shape>, Count>& fields) {
+  Shape shape;
+  for (const ShapeField<Shape>& each : fields) {
+    const std::string key = key_of(each, drive);
+    const auto node = each.otherwise ? in.find(key) : in.at(key);
+    const Rule& rule = each.rule ? *each.rule : level_rule;
+    shape.*each.member = !node ? *each.otherwise : units::split_unit(key) ? node->quantity(rule) : node->number(rule);
+  }
+  return shape;
 }
 
-SineShape read_sine(ShapeReader in) {
-  return {.amplitude = in.level("amplitude"),
-          .offset = in.level_or_zero("offset"),
-          .frequency = in.frequency("frequency_Hz")};
-}
-
-ChirpShape read_chirp(ShapeReader in) {
-  return {.amplitude = in.level("amplitude"),
-          .offset = in.level_or_zero("offset"),
-          .from = in.frequency("from_Hz"),
-          .to = in.frequency("to_Hz")};
-}
-
-HoldShape read_hold(ShapeReader in) {
-  HoldShape hold{.level = in.level("level"), .from = in.time("from_s"), .until = in.time("until_s")};
-  if (hold.until <= hold.from) throw in.in().at("until_s").error(fmt::format("must exceed from_s ({})", hold.from));
+HoldShape read_hold(ObjectReader& in, Drive drive) {
+  const HoldShape hold = read_shape(in, drive, hold_fields);
+  if (hold.until <= hold.from) throw in.at("until_s").error(fmt::format("must exceed from_s ({})", hold.from));
   return hold;
-}
-
-PulseShape read_pulses(ShapeReader in) {
-  return {.low = in.level_or_zero("low"),
-          .high = in.level("high"),
-          .period = in.in().quantity("period_s", duration_rule),
-          .duty = in.in().number_or("duty", 0.5, Rule::above(0.0).and_also(Rule::below(1.0)))};
 }
 
 TableShape read_table(const Node& node, Drive drive) {
@@ -111,53 +113,31 @@ TableShape read_levels(ObjectReader& in, Drive drive) {
   return table;
 }
 
-// A level under its name with the unit of the drive: "after_A".
-class ShapeWriter {
- public:
-  explicit ShapeWriter(Drive drive) : unit_(unit_of(drive)) {}
+template <class Shape, std::size_t Count>
+Json shape_json(const char* name, const Shape& shape, Drive drive, const std::array<ShapeField<Shape>, Count>& fields) {
+  Json numbers = Json::object();
+  for (const ShapeField<Shape>& each : fields) numbers.set(Json::quantity(key_of(each, drive), shape.*each.member));
+  return Json::object({{name, std::move(numbers)}});
+}
 
-  Json operator()(const StepShape& step) const {
-    return one("step", {level("before", step.before), level("after", step.after), {"at_s", step.at}});
-  }
-  Json operator()(const HoldShape& hold) const {
-    return one("hold", {level("level", hold.level), {"from_s", hold.from}, {"until_s", hold.until}});
-  }
-  Json operator()(const SineShape& sine) const {
-    return one("sine",
-               {level("amplitude", sine.amplitude), level("offset", sine.offset), {"frequency_Hz", sine.frequency}});
-  }
-  Json operator()(const ChirpShape& chirp) const {
-    return one("chirp", {level("amplitude", chirp.amplitude),
-                         level("offset", chirp.offset),
-                         {"from_Hz", chirp.from},
-                         {"to_Hz", chirp.to}});
-  }
-  Json operator()(const PulseShape& pulse) const {
-    return one("pulses",
-               {level("low", pulse.low), level("high", pulse.high), {"period_s", pulse.period}, {"duty", pulse.duty}});
-  }
-  Json operator()(const TableShape& table) const {
-    Json times = Json::array();
-    for (const double time : table.times) times.add(time - table.times.front());
-    Json levels = Json::array();
-    for (const std::vector<double>& row : table.rows) {
-      Json several = Json::array();
-      for (const double value : row) several.add(in_unit(value));
-      levels.add(row.size() == 1 ? Json(in_unit(row[0])) : std::move(several));
-    }
-    return one("levels", {{"at_s", std::move(times)}, {fmt::format("level_{}", unit_), std::move(levels)}});
-  }
+Json levels_json(const TableShape& table, Drive drive) {
+  const std::string key = fmt::format("level_{}", unit_of(drive));
+  Json times = Json::list(table.times, [&](double time) { return time - table.times.front(); });
+  Json levels = Json::list(table.rows, [&](const std::vector<double>& row) {
+    return row.size() == 1 ? Json::quantity(key, row[0]).second : Json::quantities(key, row).second;
+  });
+  return Json::object({{"levels", Json::object({{"at_s", std::move(times)}, {key, std::move(levels)}})}});
+}
 
- private:
-  [[nodiscard]] double in_unit(double value) const { return units::from_memory(value, fmt::format("level_{}", unit_)); }
-  [[nodiscard]] Json::Member level(std::string_view name, double value) const {
-    return {fmt::format("{}_{}", name, unit_), in_unit(value)};
-  }
-  static Json one(const char* shape, std::vector<Json::Member> members) {
-    return Json::object({{shape, Json::object(std::move(members))}});
-  }
-
-  std::string_view unit_;
+// Of each shape, the key and the numbers under it.
+struct ShapeWriter {
+  Drive drive;
+  Json operator()(const StepShape& step) const { return shape_json("step", step, drive, step_fields); }
+  Json operator()(const HoldShape& hold) const { return shape_json("hold", hold, drive, hold_fields); }
+  Json operator()(const SineShape& sine) const { return shape_json("sine", sine, drive, sine_fields); }
+  Json operator()(const ChirpShape& chirp) const { return shape_json("chirp", chirp, drive, chirp_fields); }
+  Json operator()(const PulseShape& pulse) const { return shape_json("pulses", pulse, drive, pulse_fields); }
+  Json operator()(const TableShape& table) const { return levels_json(table, drive); }
 };
 
 }  // namespace
@@ -168,20 +148,19 @@ InputShape read_input_shape(const Node& node, Drive drive) {
     const Node shape = in.at(name);
     if (name == "file") return read_table(shape, drive);
     return read_object(shape, [&](ObjectReader& keys) -> InputShape {
-      const ShapeReader levels(keys, drive);
-      if (name == "step") return read_step(levels);
-      if (name == "sine") return read_sine(levels);
-      if (name == "chirp") return read_chirp(levels);
-      if (name == "release") return read_release(levels);
-      if (name == "hold") return read_hold(levels);
+      if (name == "step") return read_shape(keys, drive, step_fields);
+      if (name == "sine") return read_shape(keys, drive, sine_fields);
+      if (name == "chirp") return read_shape(keys, drive, chirp_fields);
+      if (name == "release") return read_shape(keys, drive, release_fields);
+      if (name == "hold") return read_hold(keys, drive);
       if (name == "levels") return read_levels(keys, drive);
-      return read_pulses(levels);
+      return read_shape(keys, drive, pulse_fields);
     });
   });
 }
 
 Json input_shape_json(const InputShape& shape, Drive drive) {
-  return std::visit(ShapeWriter(drive), shape);
+  return std::visit(ShapeWriter{drive}, shape);
 }
 
 }  // namespace coilwright::formats

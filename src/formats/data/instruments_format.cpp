@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,11 +31,12 @@ constexpr std::array instrument_keys = {
     InstrumentKey{"torque_Nmm", &Instruments::torque}, InstrumentKey{"force_N", &Instruments::force},
     InstrumentKey{"temperature_K", &Instruments::temperature}};
 
+constexpr Rule reading_rule = Rule::between(0.0, 1e6);
+
 void read_numbers(const Node& node, Instruments& instruments, double Instrument::*what) {
   read_object(node, [&](ObjectReader& in) {
-    for (const InstrumentKey& each : instrument_keys)
-      (instruments.*each.member).*what = in.quantity_or(each.key, 0.0, Rule::between(0.0, 1e6));
-    return 0;
+    for (const auto& [key, member] : instrument_keys)
+      (instruments.*member).*what = in.quantity_or(key, 0.0, reading_rule);
   });
 }
 
@@ -50,9 +52,8 @@ NoiseColour read_colour(const Node& node) {
 
 void read_colours(const Node& node, Instruments& instruments) {
   read_object(node, [&](ObjectReader& in) {
-    for (const InstrumentKey& each : instrument_keys)
-      if (const auto colour = in.find(each.key)) (instruments.*each.member).colour = read_colour(*colour);
-    return 0;
+    for (const auto& [key, member] : instrument_keys)
+      if (const auto colour = in.find(key)) (instruments.*member).colour = read_colour(*colour);
   });
 }
 
@@ -60,12 +61,10 @@ void read_colours(const Node& node, Instruments& instruments) {
 void read_hum(const Node& node, Instruments& instruments) {
   read_object(node, [&](ObjectReader& in) {
     const double frequency = in.quantity("frequency_Hz", frequency_rule);
-    for (const InstrumentKey& each : instrument_keys) {
-      Instrument& instrument = instruments.*each.member;
-      instrument.hum = in.quantity_or(each.key, 0.0, Rule::between(0.0, 1e6));
-      instrument.hum_frequency = frequency;
+    for (const auto& [key, member] : instrument_keys) {
+      (instruments.*member).hum = in.quantity_or(key, 0.0, reading_rule);
+      (instruments.*member).hum_frequency = frequency;
     }
-    return 0;
   });
 }
 
@@ -73,84 +72,62 @@ void read_hum(const Node& node, Instruments& instruments) {
 void read_outliers(const Node& node, Instruments& instruments) {
   read_object(node, [&](ObjectReader& in) {
     const double share = in.number("share", Rule::between(0.0, 1.0));
-    for (const InstrumentKey& each : instrument_keys) {
-      const auto sizes = in.find(each.key);
+    for (const auto& [key, member] : instrument_keys) {
+      const auto sizes = in.find(key);
       if (!sizes) continue;
-      const std::vector<double> range = sizes->quantities(Length::exactly(2), Rule::between(0.0, 1e6));
+      const std::vector<double> range = sizes->quantities(Length::exactly(2), reading_rule);
       if (range[1] < range[0]) throw sizes->error("must give the smallest size first");
-      Instrument& instrument = instruments.*each.member;
+      Instrument& instrument = instruments.*member;
       instrument.outlier_share = share;
       instrument.smallest_outlier = range[0];
       instrument.largest_outlier = range[1];
     }
-    return 0;
   });
 }
 
 double read_input_noise(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     const std::string key = in.one_of({"current_A", "voltage_V", "torque_Nmm"});
-    return in.quantity(key, Rule::between(0.0, 1e6));
+    return in.quantity(key, reading_rule);
   });
 }
 
-// One number of each instrument, where it is not 0; nothing if none has it.
-void add_numbers(Json& out, const char* key, const Instruments& instruments, double Instrument::*what) {
-  Json numbers = Json::object();
-  bool any = false;
-  for (const InstrumentKey& each : instrument_keys) {
-    const double value = (instruments.*each.member).*what;
-    if (value == 0.0) continue;
-    numbers.set(std::string(each.key), units::from_si(value, each.key));
-    any = true;
-  }
-  if (any) out.set(key, std::move(numbers));
+// An object under `key` with what `of` says of each instrument, behind `first`; nothing where it says nothing of any.
+template <class Of>
+void add_each(Json& out, const char* key, const Instruments& instruments, std::vector<Json::Member> members, Of of) {
+  const std::size_t of_all = members.size();
+  for (const auto& [name, member] : instrument_keys)
+    if (const std::optional<Json> value = of(instruments.*member, name)) members.emplace_back(name, *value);
+  if (members.size() > of_all) out.set(key, Json::object(std::move(members)));
 }
 
-void add_colours(Json& out, const Instruments& instruments) {
+// One number of each instrument, where it is not 0.
+void add_numbers(Json& out, const char* key, const Instruments& instruments, double Instrument::*what,
+                 std::vector<Json::Member> first = {}) {
+  add_each(out, key, instruments, std::move(first), [&](const Instrument& each, std::string_view name) {
+    return each.*what == 0.0 ? std::nullopt : std::optional<Json>(units::from_si(each.*what, name));
+  });
+}
+
+std::optional<Json> colour_json(const Instrument& instrument, std::string_view) {
   using enum NoiseColour::Kind;
-  Json colours = Json::object();
-  bool any = false;
-  for (const InstrumentKey& each : instrument_keys) {
-    const NoiseColour& colour = (instruments.*each.member).colour;
-    if (colour.kind == white) continue;
-    any = true;
-    Json of_one = Json::object({{"kind", colour.kind == low_pass ? "low_pass" : "one_over_f"}});
-    if (colour.kind == low_pass) of_one.set("frequency_Hz", colour.frequency);
-    colours.set(std::string(each.key), std::move(of_one));
-  }
-  if (any) out.set("noise_colour", std::move(colours));
+  const NoiseColour& colour = instrument.colour;
+  if (colour.kind == white) return std::nullopt;
+  Json out = Json::object({{"kind", colour.kind == low_pass ? "low_pass" : "one_over_f"}});
+  if (colour.kind == low_pass) out.set("frequency_Hz", colour.frequency);
+  return out;
 }
 
-// All instruments hum at one frequency.
-void add_hum(Json& out, const Instruments& instruments) {
-  Json hum = Json::object();
-  bool any = false;
-  for (const InstrumentKey& each : instrument_keys) {
-    const Instrument& instrument = instruments.*each.member;
-    if (instrument.hum == 0.0) continue;
-    if (!any) hum.set("frequency_Hz", instrument.hum_frequency);
-    any = true;
-    hum.set(std::string(each.key), units::from_si(instrument.hum, each.key));
-  }
-  if (any) out.set("hum", std::move(hum));
+std::optional<Json> outlier_sizes(const Instrument& each, std::string_view name) {
+  if (each.outlier_share == 0.0) return std::nullopt;
+  return Json::array({units::from_si(each.smallest_outlier, name), units::from_si(each.largest_outlier, name)});
 }
 
-// One share is that of all instruments that have outliers.
-void add_outliers(Json& out, const Instruments& instruments) {
-  Json outliers = Json::object();
-  bool any = false;
-  for (const InstrumentKey& each : instrument_keys) {
-    const Instrument& instrument = instruments.*each.member;
-    if (instrument.outlier_share == 0.0) continue;
-    if (!any) outliers.set("share", instrument.outlier_share);
-    any = true;
-    Json sizes = Json::array();
-    for (const double size : {instrument.smallest_outlier, instrument.largest_outlier})
-      sizes.add(units::from_si(size, each.key));
-    outliers.set(std::string(each.key), std::move(sizes));
-  }
-  if (any) out.set("outliers", std::move(outliers));
+// What all instruments that have it have alike: that of the first.
+double common(const Instruments& instruments, double Instrument::*has, double Instrument::*what) {
+  for (const auto& [key, member] : instrument_keys)
+    if ((instruments.*member).*has != 0.0) return (instruments.*member).*what;
+  return 0.0;
 }
 
 }  // namespace
@@ -169,9 +146,11 @@ Instruments read_instruments(ObjectReader& in) {
 void add_instruments(Json& out, const Instruments& instruments, Drive drive) {
   add_numbers(out, "noise", instruments, &Instrument::noise);
   add_numbers(out, "resolution", instruments, &Instrument::resolution);
-  add_colours(out, instruments);
-  add_hum(out, instruments);
-  add_outliers(out, instruments);
+  add_each(out, "noise_colour", instruments, {}, colour_json);
+  add_numbers(out, "hum", instruments, &Instrument::hum,
+              {{"frequency_Hz", common(instruments, &Instrument::hum, &Instrument::hum_frequency)}});
+  add_each(out, "outliers", instruments,
+           {{"share", common(instruments, &Instrument::outlier_share, &Instrument::outlier_share)}}, outlier_sizes);
   if (instruments.input_noise == 0.0) return;
   const std::string key = drive == Drive::torque ? "torque_Nmm" : drive == Drive::voltage ? "voltage_V" : "current_A";
   out.set("input_noise", Json::object({{key, units::from_si(instruments.input_noise, key)}}));
@@ -186,8 +165,7 @@ void set_noise(Instruments& instruments, std::string_view argument) {
     throw argument_error(argument, "is not a noise of an instrument" + did_you_mean(assignment.name, keys));
   }
   const double value = number_of(argument, assignment.value);
-  const Rule rule = Rule::between(0.0, 1e6);
-  if (!rule.allows(value)) throw argument_error(argument, rule.text());
+  if (!reading_rule.allows(value)) throw argument_error(argument, reading_rule.text());
   (instruments.*(found->member)).noise = units::to_si(value, units::split_unit(found->key)->unit);
 }
 

@@ -56,6 +56,14 @@ measurement::data::RigChange read_rig(const Node& node) {
   });
 }
 
+Json rig_json(const measurement::data::RigChange& rig) {
+  Json out = Json::object();
+  if (rig.base_turn != 0.0) out.set(Json::quantity("base_turn_deg", rig.base_turn));
+  if (rig.tip_mass != 0.0) out.set(Json::quantity("tip_mass_g", rig.tip_mass));
+  if (rig.coil != CoilWiring::driven) out.set("coil", name_of(rig.coil));
+  return out;
+}
+
 measurement::data::InputUncertainty read_input_uncertainty(ObjectReader& in,
                                                            const measurement::data::InputUncertainty& usual) {
   measurement::data::InputUncertainty out = usual;

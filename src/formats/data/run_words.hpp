@@ -16,6 +16,9 @@ namespace coilwright::formats {
 /// The object that says what was changed on the rig.
 [[nodiscard]] measurement::data::RigChange read_rig(const text::Node& node);
 
+/// The same object: what was not changed is not there.
+[[nodiscard]] text::Json rig_json(const measurement::data::RigChange& rig);
+
 /// The keys "input_sigma", one number for all columns of the input or one each, in their unit, and
 /// "input_correlation_s"; where they are absent, `usual`. Throws InputError.
 [[nodiscard]] measurement::data::InputUncertainty read_input_uncertainty(

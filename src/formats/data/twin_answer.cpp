@@ -25,25 +25,24 @@ Json instruments_json(const experiment::Instruments& instruments, double experim
   return out;
 }
 
-Json clocks_json(const std::vector<ClockOfRun>& clocks) {
-  Json out = Json::array();
-  for (const auto& [run, clock] : clocks)
-    out.add(Json::object({{"file", run}, {"shift_s", clock.shift}, {"rate", clock.rate}}));
-  return out;
-}
-
 }  // namespace
 
 Json to_json(const TwinAnswer& answer) {
-  return Json::object({{"format", "twin-answer/1"},
-                       {"dataset", answer.dataset},
-                       {"actuator", answer.actuator},
-                       {"experiment", answer.experiment},
-                       {"effects", to_json(answer.effects)},
-                       {"noise", instruments_json(answer.instruments, &experiment::Instrument::noise)},
-                       {"resolution", instruments_json(answer.instruments, &experiment::Instrument::resolution)},
-                       {"clocks", clocks_json(answer.clocks)},
-                       {"seed", answer.seed}});
+  return Json::object(
+      {{"format", "twin-answer/1"},
+       {"dataset", answer.dataset},
+       {"actuator", answer.actuator},
+       {"experiment", answer.experiment},
+       {"effects", to_json(answer.effects)},
+       {"noise", instruments_json(answer.instruments, &experiment::Instrument::noise)},
+       {"resolution", instruments_json(answer.instruments, &experiment::Instrument::resolution)},
+       {"clocks",
+        Json::list(
+            answer.clocks,
+            [](const ClockOfRun& each) {
+              return Json::object({{"file", each.run}, {"shift_s", each.clock.shift}, {"rate", each.clock.rate}});
+            })},
+       {"seed", answer.seed}});
 }
 
 }  // namespace coilwright::formats

@@ -10,15 +10,14 @@ namespace coilwright::formats {
 using text::Json;
 
 Json to_json(std::span<const simulation::PartLimit> limits) {
-  Json out = Json::array();
-  for (const simulation::PartLimit& limit : limits)
-    out.add(Json::object({{"quantity", limit.quantity},
-                          {"value", limit.value ? Json(*limit.value) : Json(nullptr)},
-                          {limit.at_most ? "at_most" : "at_least", limit.limit},
-                          {"broken", limit.is_broken()},
-                          {"conditional", limit.conditional},
-                          {"consequence", limit.consequence}}));
-  return out;
+  return Json::list(limits, [](const simulation::PartLimit& limit) {
+    return Json::object({{"quantity", limit.quantity},
+                         {"value", limit.value},
+                         {limit.at_most ? "at_most" : "at_least", limit.limit},
+                         {"broken", limit.is_broken()},
+                         {"conditional", limit.conditional},
+                         {"consequence", limit.consequence}});
+  });
 }
 
 Json to_json(const actuator::OtherChoice& choice) {

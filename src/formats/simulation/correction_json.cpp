@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "coilwright/units/unit.hpp"
-
 namespace coilwright::formats {
 namespace {
 
@@ -24,21 +22,15 @@ const char* unit_of(actuator::CorrectionVariable variable) {
 }  // namespace
 
 Json to_json(std::span<const simulation::CorrectionReach> reach) {
-  Json out = Json::array();
-  for (const simulation::CorrectionReach& each : reach) {
-    Json entry = Json::object({{"variable", name_of(each.variable)}});
-    const auto set = [&](const char* name, double value) {
-      const std::string key = std::string(name) + unit_of(each.variable);
-      entry.set(key, units::from_memory(value, key));
-    };
-    set("measured_from", each.measured_from);
-    set("measured_to", each.measured_to);
-    set("used_from", each.used_from);
-    set("used_to", each.used_to);
-    entry.set("beyond", each.is_beyond());
-    out.add(std::move(entry));
-  }
-  return out;
+  return Json::list(reach, [](const simulation::CorrectionReach& each) {
+    const std::string unit = unit_of(each.variable);
+    return Json::object({{"variable", name_of(each.variable)},
+                         Json::quantity("measured_from" + unit, each.measured_from),
+                         Json::quantity("measured_to" + unit, each.measured_to),
+                         Json::quantity("used_from" + unit, each.used_from),
+                         Json::quantity("used_to" + unit, each.used_to),
+                         {"beyond", each.is_beyond()}});
+  });
 }
 
 }  // namespace coilwright::formats

@@ -44,24 +44,17 @@ Json names_of_inputs(const simulation::LinearModel& model) {
   return numbered(Json::array(), model.b.cols(), "current{}_A");
 }
 
-Json modes_of(const simulation::LinearModel& model) {
-  Json out = Json::array();
-  for (const simulation::Mode& mode : model.modes)
-    out.add(Json::object({{"natural_frequency_Hz", mode.natural_frequency}, {"damping_ratio", mode.damping_ratio}}));
-  return out;
-}
-
 }  // namespace
 
 Json to_json(const simulation::LinearModel& model) {
   const Eigen::Index n = model.angles.size();
-  std::vector<double> angles;
-  for (const double angle : model.angles) angles.push_back(units::from_memory(angle, "angle_deg"));
-  Json eigenvalues = Json::array();
-  for (const auto& value : model.eigenvalues)
-    eigenvalues.add(Json::object({{"real_1_s", value.real()}, {"imaginary_1_s", value.imag()}}));
-  Json pressed = Json::array();
-  for (const int joint : model.pressed_joints) pressed.add(joint + 1);
+  Json modes = Json::list(model.modes, [](const simulation::Mode& mode) {
+    return Json::object({{"natural_frequency_Hz", mode.natural_frequency}, {"damping_ratio", mode.damping_ratio}});
+  });
+  Json eigenvalues = Json::list(model.eigenvalues, [](const auto& value) {
+    return Json::object({{"real_1_s", value.real()}, {"imaginary_1_s", value.imag()}});
+  });
+  Json pressed = Json::list(model.pressed_joints, [](int joint) { return joint + 1; });
   // One input has its key, one for each coil a list.
   const bool one_input = model.b.cols() == 1;
   Json out = Json::object({{"format", "linear-model/1"}});
@@ -69,8 +62,8 @@ Json to_json(const simulation::LinearModel& model) {
     out.set("current_A", model.currents[0]);
   else
     out.set("coil_currents_A", numbers_of(model.currents));
-  out.set("joint_angles_deg", Json::numbers(angles));
-  out.set("bending_angle_deg", units::from_memory(model.angles.sum(), "angle_deg"));
+  out.set(Json::quantities("joint_angles_deg", {model.angles.data(), static_cast<std::size_t>(n)}));
+  out.set(Json::quantity("bending_angle_deg", model.angles.sum()));
   out.set("states", names_of_states(model)).set("inputs", names_of_inputs(model));
   out.set("outputs", numbered(Json::array({"bending_angle_rad"}), n, "theta{}_rad"));
   out.set("A", rows_of(model.a)).set("B", rows_of(model.b)).set("C", rows_of(model.c)).set("D", rows_of(model.d));
@@ -81,7 +74,7 @@ Json to_json(const simulation::LinearModel& model) {
     const Eigen::VectorXd gains = units::degrees_per_radian * model.dc_gain->row(0);
     out.set(gain, one_input ? Json(gains[0]) : numbers_of(gains));
   }
-  out.set("modes", modes_of(model)).set("eigenvalues", std::move(eigenvalues)).set("stable", model.stable());
+  out.set("modes", std::move(modes)).set("eigenvalues", std::move(eigenvalues)).set("stable", model.stable());
   out.set("sticks", model.sticks).set("pressed_joints", std::move(pressed));
   return out;
 }

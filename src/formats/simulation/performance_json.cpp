@@ -19,27 +19,18 @@ using simulation::ResultQuantity;
 // null where a thermal runaway leaves none.
 Json in_degrees(const mechanics::JointVector* angles) {
   if (angles == nullptr) return nullptr;
-  std::vector<double> out;
-  for (const double angle : *angles) out.push_back(angle * units::degrees_per_radian);
-  return Json::numbers(out);
+  return Json::list(*angles, [](double angle) { return angle * units::degrees_per_radian; });
 }
 
-Json number_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+Json mode_json(const simulation::Mode& mode) {
+  return Json::object({{"natural_frequency_Hz", mode.natural_frequency}, {"damping_ratio", mode.damping_ratio}});
 }
 
 void add_joints_and_modes(Json& out, const mechanics::JointVector& rest, const FreeMotion* motion, const Grasp* grasp) {
   out.set("joint_angles_deg", in_degrees(motion == nullptr ? nullptr : &motion->steady_angles));
   out.set("rest_joint_angles_deg", in_degrees(&rest));
   out.set("grasp_joint_angles_deg", in_degrees(grasp == nullptr ? nullptr : &grasp->grasp_angles));
-  if (motion == nullptr) {
-    out.set("modes", nullptr);
-    return;
-  }
-  Json modes = Json::array();
-  for (const simulation::Mode& mode : motion->modes)
-    modes.add(Json::object({{"natural_frequency_Hz", mode.natural_frequency}, {"damping_ratio", mode.damping_ratio}}));
-  out.set("modes", std::move(modes));
+  out.set("modes", motion == nullptr ? Json() : Json::list(motion->modes, mode_json));
 }
 
 }  // namespace

@@ -15,21 +15,14 @@ using archive::Contents;
 using archive::Role;
 using archive::Row;
 using text::Json;
-
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json value_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
+using text::text_or_null;
 
 Json run_json(const archive::Run& run) {
   return Json::object({{"run", run.id},
                        {"started_utc", run.started},
                        {"ended_utc", text_or_null(run.ended)},
                        {"stop_reason", text_or_null(run.stop_reason)},
-                       {"max_evaluations", run.max_evaluations ? Json(*run.max_evaluations) : Json(nullptr)},
+                       {"max_evaluations", run.max_evaluations},
                        {"evaluated", run.evaluated},
                        {"answered", run.answered},
                        {"reused", run.reused}});
@@ -57,22 +50,21 @@ Json row_json(const Contents& contents, const Row& row) {
     if (column.role == Role::variable)
       std::visit([&](const auto& value) { variables.set(column.name, value); }, row.variables.at(variable++));
     if (column.role == Role::objective)
-      objectives.set(column.name, value_or_null(number_of(row.evaluation, column.role, objective++)));
+      objectives.set(column.name, number_of(row.evaluation, column.role, objective++));
     if (column.role == Role::constraint)
-      constraints.set(column.name, value_or_null(number_of(row.evaluation, column.role, constraint++)));
-    if (column.role == Role::quantity)
-      quantities.set(column.name, value_or_null(number_of(row.evaluation, column.role, quantity++)));
+      constraints.set(column.name, number_of(row.evaluation, column.role, constraint++));
+    if (column.role == Role::quantity) quantities.set(column.name, number_of(row.evaluation, column.role, quantity++));
   }
   return Json::object({{"row", row.id},
                        {"run", row.run},
-                       {"number", row.number ? Json(*row.number) : Json(nullptr)},
+                       {"number", row.number},
                        {"status", status_of(row.evaluation)},
                        {"reason", text_or_null(row.evaluation.failure)},
                        {"variables", std::move(variables)},
                        {"objectives", std::move(objectives)},
                        {"constraints", std::move(constraints)},
                        {"quantities", std::move(quantities)},
-                       {"took_s", value_or_null(row.seconds)},
+                       {"took_s", row.seconds},
                        {"reused_from", text_or_null(row.origin)}});
 }
 
@@ -107,38 +99,34 @@ std::vector<Difference> differences(const Replay& replay) {
 
 Json to_json(const ArchiveSummary& summary) {
   const Contents& contents = summary.contents;
-  Json inputs = Json::array(), changes = Json::array(), columns = Json::array(), runs = Json::array();
-  for (const archive::Input& input : contents.inputs)
-    inputs.add(Json::object({{"file", input.file}, {"sha256", input.sha256}}));
-  for (const std::string& change : contents.changes) changes.add(change);
-  for (const Column& column : contents.columns)
-    columns.add(
-        Json::object({{"column", column.column}, {"role", archive::name_of(column.role)}, {"name", column.name}}));
-  for (const archive::Run& run : summary.runs) runs.add(run_json(run));
+  Json inputs = Json::list(contents.inputs, [](const archive::Input& input) {
+    return Json::object({{"file", input.file}, {"sha256", input.sha256}});
+  });
+  Json columns = Json::list(contents.columns, [](const Column& column) {
+    return Json::object({{"column", column.column}, {"role", archive::name_of(column.role)}, {"name", column.name}});
+  });
   return Json::object(
       {{"command", contents.command},
        {"study", contents.study},
        {"program", program_json(contents.program)},
        {"inputs", std::move(inputs)},
-       {"set", std::move(changes)},
+       {"set", Json::list(contents.changes)},
        {"question_sha256", contents.question},
        {"algorithm", text_or_null(contents.algorithm)},
-       {"seed", contents.seed ? Json(*contents.seed) : Json(nullptr)},
+       {"seed", contents.seed},
        {"designs", Json::object({{"ok", summary.ok}, {"infeasible", summary.infeasible}, {"failed", summary.failed}})},
-       {"runs", std::move(runs)},
+       {"runs", Json::list(summary.runs, run_json)},
        {"columns", std::move(columns)}});
 }
 
 Json to_json(const Contents& contents, std::span<const Row> rows) {
-  Json out = Json::array();
-  for (const Row& row : rows) out.add(row_json(contents, row));
-  return Json::object({{"designs", std::move(out)}});
+  return Json::object({{"designs", Json::list(rows, [&](const Row& row) { return row_json(contents, row); })}});
 }
 
 Json to_json(const Replay& replay) {
-  Json found = Json::array();
-  for (const Difference& each : differences(replay))
-    found.add(Json::object({{"name", each.name}, {"recorded", each.recorded}, {"again", each.again}}));
+  Json found = Json::list(differences(replay), [](const Difference& each) {
+    return Json::object({{"name", each.name}, {"recorded", each.recorded}, {"again", each.again}});
+  });
   return Json::object({{"row", replay.row},
                        {"same", replay.recorded == replay.again},
                        {"written_by", program_json(replay.contents.program)},

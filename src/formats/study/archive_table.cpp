@@ -19,10 +19,6 @@ std::vector<std::string> names_of(const archive::Contents& contents) {
   return names;
 }
 
-text::CsvCell cell_of(const std::optional<double>& value) {
-  return value ? text::CsvCell(*value) : text::CsvCell();
-}
-
 }  // namespace
 
 ArchiveTable::ArchiveTable(std::ostream& out, archive::Contents contents)
@@ -30,7 +26,8 @@ ArchiveTable::ArchiveTable(std::ostream& out, archive::Contents contents)
 
 void ArchiveTable::row(const archive::Row& row) {
   const sizing::Evaluation& evaluation = row.evaluation;
-  Cells cells{row.id, row.run, row.number ? text::CsvCell(*row.number) : text::CsvCell(), status_of(evaluation)};
+  std::vector<text::CsvCell> cells{row.id, row.run, row.number ? text::CsvCell(*row.number) : text::CsvCell(),
+                                   status_of(evaluation)};
   for (const archive::Value& value : row.variables)
     std::visit([&](const auto& each) { cells.emplace_back(each); }, value);
   std::size_t objective = 0, constraint = 0, quantity = 0;
@@ -41,12 +38,12 @@ void ArchiveTable::row(const archive::Row& row) {
     if (column.role == archive::Role::objective) add(evaluation.objectives, objective++);
     if (column.role == archive::Role::constraint) add(evaluation.constraints, constraint++);
     if (column.role != archive::Role::quantity) continue;
-    cells.push_back(quantity < evaluation.quantities.size() ? cell_of(evaluation.quantities[quantity])
+    cells.push_back(quantity < evaluation.quantities.size() ? text::CsvCell(evaluation.quantities[quantity])
                                                             : text::CsvCell());
     ++quantity;
   }
   cells.emplace_back(evaluation.failure);
-  cells.push_back(cell_of(row.seconds));
+  cells.emplace_back(row.seconds);
   csv_.row(cells);
 }
 

@@ -17,10 +17,6 @@ using namespace text;
 // A hypervolume of three objectives takes milliseconds: enough points for a curve.
 constexpr std::size_t rows_of_a_front = 200;
 
-CsvCell cell(const std::optional<double>& value) {
-  return value ? CsvCell(*value) : CsvCell();
-}
-
 // The least violation so far; a design that failed has none.
 class LeastViolation {
  public:
@@ -59,7 +55,7 @@ void write_best(std::ostream& out, const Problem& problem, const std::vector<Rec
       }
     }
     if (changed || &record == &records.back())
-      csv.row({CsvCell(static_cast<std::int64_t>(record.number)), cell(best), cell(violation.value())});
+      csv.row({CsvCell(static_cast<std::int64_t>(record.number)), best, violation.value()});
   }
 }
 
@@ -84,7 +80,7 @@ void write_hypervolume(std::ostream& out, const Archive& archive, const std::vec
     if ((i + 1) % interval != 0 && i + 1 != records.size()) continue;
     const auto hypervolume = front.empty() ? std::nullopt : std::optional(normalised_hypervolume(front, frame));
     csv.row({CsvCell(static_cast<std::int64_t>(records[i].number)), CsvCell(static_cast<std::int64_t>(front.size())),
-             cell(hypervolume), cell(violation.value())});
+             hypervolume, violation.value()});
   }
 }
 

@@ -12,63 +12,39 @@ using CrawlerNumber = BlockNumber<CrawlTask>;
 // As `crawl` has options.
 std::vector<CrawlerNumber> numbers() {
   constexpr auto required = CrawlerNumber::Presence::required;
-  return {{.key = "friction_forwards",
-           .rule = up_to(10.0),
-           .get = [](const CrawlTask& task) { return task.parts.friction.forwards; },
-           .set = [](CrawlTask& task, double value) { task.parts.friction.forwards = value; },
-           .presence = required},
-          {.key = "friction_backwards",
-           .rule = up_to(10.0),
-           .get = [](const CrawlTask& task) { return task.parts.friction.backwards; },
-           .set = [](CrawlTask& task, double value) { task.parts.friction.backwards = value; },
-           .presence = required},
-          {.key = "frequency_Hz",
-           .rule = Rule::between(0.1, 1000.0),
-           .get = [](const CrawlTask& task) { return task.parts.drive.frequency; },
-           .set = [](CrawlTask& task, double value) { task.parts.drive.frequency = value; }},
-          {.key = "duty",
-           .rule = positive.and_also(Rule::below(1.0)),
-           .get = [](const CrawlTask& task) { return task.parts.drive.duty; },
-           .set = [](CrawlTask& task, double value) { task.parts.drive.duty = value; }},
-          {.key = "cell_voltage_V",
-           .rule = up_to(100.0),
-           .get = [](const CrawlTask& task) { return task.parts.cell.voltage; },
-           .set = [](CrawlTask& task, double value) { task.parts.cell.voltage = value; }},
-          {.key = "cell_capacity_mAh",
-           .rule = up_to(1e6),
-           .get = [](const CrawlTask& task) { return task.parts.cell.capacity; },
-           .set = [](CrawlTask& task, double value) { task.parts.cell.capacity = value; }},
-          {.key = "cell_limit_A",
-           .rule = up_to(1e3),
-           .get = [](const CrawlTask& task) { return task.parts.cell.current_limit; },
-           .set = [](CrawlTask& task, double value) { task.parts.cell.current_limit = value; }},
-          {.key = "lead_resistance_Ohm",
-           .rule = Rule::between(0.0, 1e3),
-           .get = [](const CrawlTask& task) { return task.parts.drive.lead_resistance; },
-           .set = [](CrawlTask& task, double value) { task.parts.drive.lead_resistance = value; }},
-          {.key = "payload_mass_g",
-           .rule = up_to(1e4),
-           .get = [](const CrawlTask& task) { return task.parts.payload.mass; },
-           .set = [](CrawlTask& task, double value) { task.parts.payload.mass = value; }},
-          {.key = "payload_length_mm",
-           .rule = up_to(1e3),
-           .get = [](const CrawlTask& task) { return task.parts.payload.length; },
-           .set = [](CrawlTask& task, double value) { task.parts.payload.length = value; }},
-          {.key = "step_ms",
-           .rule = Rule::between(1e-3, 1.0),
-           .get = [](const CrawlTask& task) { return task.timing.step; },
-           .set = [](CrawlTask& task, double value) { task.timing.step = value; },
-           .kind = CrawlerNumber::Kind::of_computation},
-          {.key = "settling_periods",
-           .rule = Rule::between(0, 10000),
-           .get = [](const CrawlTask& task) { return static_cast<double>(task.timing.settling_periods); },
-           .set = [](CrawlTask& task, double value) { task.timing.settling_periods = static_cast<int>(value); },
-           .kind = CrawlerNumber::Kind::whole_step},
-          {.key = "periods",
-           .rule = Rule::between(1, 10000),
-           .get = [](const CrawlTask& task) { return static_cast<double>(task.timing.periods); },
-           .set = [](CrawlTask& task, double value) { task.timing.periods = static_cast<int>(value); },
-           .kind = CrawlerNumber::Kind::whole_step}};
+  constexpr auto optional = CrawlerNumber::Presence::optional;
+  return {
+      block_number<CrawlTask>(
+          "friction_forwards", up_to(10.0), [](auto& task) -> auto& { return task.parts.friction.forwards; }, required),
+      block_number<CrawlTask>(
+          "friction_backwards", up_to(10.0), [](auto& task) -> auto& { return task.parts.friction.backwards; },
+          required),
+      block_number<CrawlTask>(
+          "frequency_Hz", Rule::between(0.1, 1000.0), [](auto& task) -> auto& { return task.parts.drive.frequency; }),
+      block_number<CrawlTask>(
+          "duty", positive.and_also(Rule::below(1.0)), [](auto& task) -> auto& { return task.parts.drive.duty; }),
+      block_number<CrawlTask>(
+          "cell_voltage_V", up_to(100.0), [](auto& task) -> auto& { return task.parts.cell.voltage; }),
+      block_number<CrawlTask>(
+          "cell_capacity_mAh", up_to(1e6), [](auto& task) -> auto& { return task.parts.cell.capacity; }),
+      block_number<CrawlTask>(
+          "cell_limit_A", up_to(1e3), [](auto& task) -> auto& { return task.parts.cell.current_limit; }),
+      block_number<CrawlTask>(
+          "lead_resistance_Ohm", Rule::between(0.0, 1e3),
+          [](auto& task) -> auto& { return task.parts.drive.lead_resistance; }),
+      block_number<CrawlTask>(
+          "payload_mass_g", up_to(1e4), [](auto& task) -> auto& { return task.parts.payload.mass; }),
+      block_number<CrawlTask>(
+          "payload_length_mm", up_to(1e3), [](auto& task) -> auto& { return task.parts.payload.length; }),
+      block_number<CrawlTask>(
+          "step_ms", Rule::between(1e-3, 1.0), [](auto& task) -> auto& { return task.timing.step; }, optional,
+          CrawlerNumber::Kind::of_computation),
+      block_number<CrawlTask>(
+          "settling_periods", Rule::between(0, 10000), [](auto& task) -> auto& { return task.timing.settling_periods; },
+          optional, CrawlerNumber::Kind::whole_step),
+      block_number<CrawlTask>(
+          "periods", Rule::between(1, 10000), [](auto& task) -> auto& { return task.timing.periods; }, optional,
+          CrawlerNumber::Kind::whole_step)};
 }
 
 void require_no_terms(const actuator::Design& design) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "coilwright/units/unit.hpp"
 
@@ -52,44 +54,72 @@ void add_variable_names(const Study& study, std::vector<std::string>& names) {
   for (const sizing::StudyVariable& variable : study.variables) names.push_back(name_of(variable));
 }
 
-void add_variables(const Study& study, std::span<const double> point, Cells& cells) {
-  for (std::size_t i = 0; i < point.size(); ++i)
-    std::visit([&cells](const auto& value) { cells.emplace_back(value); }, value_at(study.variables[i], point[i]));
+void add_variables(const Study& study, DesignColumns& columns) {
+  for (std::size_t i = 0; i < study.variables.size(); ++i)
+    columns.push_back({name_of(study.variables[i]), [&variable = study.variables[i], i](const DesignRow& row) {
+                         return std::visit([](const auto& value) { return CsvCell(value); },
+                                           value_at(variable, row.point[i]));
+                       }});
 }
 
-void add_objective_names(const Study& study, std::vector<std::string>& names) {
-  for (const sizing::StudyObjective& objective : study.objectives)
-    if (!is_variable(study, objective.quantity.name)) names.emplace_back(objective.quantity.name);
+void add_objective(const Study& study, std::size_t index, DesignColumns& columns) {
+  columns.push_back({study.objectives[index].quantity.name, [index](const DesignRow& row) {
+                       const Evaluation& evaluation = row.evaluation;
+                       return evaluation.failure.empty() ? CsvCell(evaluation.objectives[index]) : CsvCell();
+                     }});
 }
 
-void add_objectives(const Study& study, const Evaluation& evaluation, Cells& cells) {
-  for (std::size_t i = 0; i < study.objectives.size(); ++i) {
-    if (is_variable(study, study.objectives[i].quantity.name)) continue;
-    cells.push_back(evaluation.failure.empty() ? CsvCell(evaluation.objectives[i]) : CsvCell());
-  }
+void add_objectives(const Study& study, DesignColumns& columns) {
+  for (std::size_t i = 0; i < study.objectives.size(); ++i)
+    if (!is_variable(study, study.objectives[i].quantity.name)) add_objective(study, i, columns);
 }
 
-void add_quantity_names(const Study& study, std::vector<std::string>& names) {
-  for (const simulation::ResultQuantity& quantity : study.quantities)
-    if (!is_variable(study, quantity.name)) names.push_back(quantity.name);
+void add_quantity(const Study& study, std::size_t index, DesignColumns& columns) {
+  columns.push_back({study.quantities[index].name, [index](const DesignRow& row) {
+                       const auto& values = row.evaluation.quantities;
+                       return index < values.size() ? CsvCell(values[index]) : CsvCell();
+                     }});
 }
 
-void add_quantities(const Study& study, const Evaluation& evaluation, Cells& cells) {
-  for (std::size_t i = 0; i < study.quantities.size(); ++i) {
-    if (is_variable(study, study.quantities[i].name)) continue;
-    const bool there = !evaluation.quantities.empty() && evaluation.quantities[i].has_value();
-    cells.push_back(there ? CsvCell(*evaluation.quantities[i]) : CsvCell());
-  }
+void add_quantities(const Study& study, DesignColumns& columns) {
+  for (std::size_t i = 0; i < study.quantities.size(); ++i)
+    if (!is_variable(study, study.quantities[i].name)) add_quantity(study, i, columns);
 }
 
-void add_margin_names(const Study& study, std::vector<std::string>& names) {
-  for (const Limit& limit : study.limits) names.push_back(margin_column(limit));
-}
-
-void add_margins(const Study& study, const Evaluation& evaluation, Cells& cells) {
+void add_margins(const Study& study, DesignColumns& columns) {
   for (std::size_t i = 0; i < study.limits.size(); ++i)
-    cells.push_back(evaluation.failure.empty() ? CsvCell(margin_of(study.limits[i], evaluation.constraints[i]))
-                                               : CsvCell());
+    columns.push_back({margin_column(study.limits[i]), [&limit = study.limits[i], i](const DesignRow& row) {
+                         const Evaluation& evaluation = row.evaluation;
+                         return evaluation.failure.empty() ? CsvCell(margin_of(limit, evaluation.constraints[i]))
+                                                           : CsvCell();
+                       }});
+}
+
+void add_status(DesignColumns& columns) {
+  columns.push_back({"status", [](const DesignRow& row) { return CsvCell(status_of(row.evaluation)); }});
+}
+
+void add_reason(DesignColumns& columns) {
+  columns.push_back({"reason", [](const DesignRow& row) { return CsvCell(row.evaluation.failure); }});
+}
+
+namespace {
+
+std::vector<std::string> names_of(const DesignColumns& columns) {
+  std::vector<std::string> names;
+  for (const DesignColumn& column : columns) names.push_back(column.name);
+  return names;
+}
+
+}  // namespace
+
+DesignTable::DesignTable(std::ostream& out, DesignColumns columns)
+    : columns_(std::move(columns)), csv_(out, names_of(columns_)) {}
+
+void DesignTable::row(const DesignRow& row) {
+  cells_.clear();
+  for (const DesignColumn& column : columns_) cells_.push_back(column.cell(row));
+  csv_.row(cells_);
 }
 
 }  // namespace coilwright::formats

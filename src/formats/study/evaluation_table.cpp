@@ -36,55 +36,33 @@ std::vector<std::size_t> quantities_beside_the_objectives(const sizing::Study& s
   return beside;
 }
 
-CsvCell cell_of(const std::vector<std::optional<double>>& quantities, std::size_t index) {
-  return index < quantities.size() && quantities[index] ? CsvCell(*quantities[index]) : CsvCell();
+void write_records(std::ostream& out, DesignColumns columns, std::span<const sizing::Record> records) {
+  DesignTable table(out, std::move(columns));
+  for (const sizing::Record& record : records)
+    table.row({.point = record.point, .evaluation = record.evaluation, .number = record.number});
 }
 
 }  // namespace
 
 void write_evaluations(std::ostream& out, const sizing::Study& study, std::span<const sizing::Record> records) {
-  const std::vector<std::size_t> beside = objectives_beside_the_table(study);
-  std::vector<std::string> names;
-  add_variable_names(study, names);
-  names.insert(names.end(), {"evaluation", "status"});
-  add_quantity_names(study, names);
-  for (const std::size_t i : beside) names.push_back(study.objectives[i].quantity.name);
-  add_margin_names(study, names);
-  names.emplace_back("reason");
-  CsvWriter csv(out, std::move(names));
-  Cells cells;
-  for (const sizing::Record& record : records) {
-    const sizing::Evaluation& evaluation = record.evaluation;
-    cells.clear();
-    add_variables(study, record.point, cells);
-    cells.emplace_back(static_cast<std::int64_t>(record.number));
-    cells.emplace_back(status_of(evaluation));
-    add_quantities(study, evaluation, cells);
-    for (const std::size_t i : beside)
-      cells.push_back(evaluation.failure.empty() ? CsvCell(evaluation.objectives[i]) : CsvCell());
-    add_margins(study, evaluation, cells);
-    cells.emplace_back(evaluation.failure);
-    csv.row(cells);
-  }
+  DesignColumns columns;
+  add_variables(study, columns);
+  columns.push_back({"evaluation", [](const DesignRow& row) { return CsvCell(row.number); }});
+  add_status(columns);
+  add_quantities(study, columns);
+  for (const std::size_t i : objectives_beside_the_table(study)) add_objective(study, i, columns);
+  add_margins(study, columns);
+  add_reason(columns);
+  write_records(out, std::move(columns), records);
 }
 
 void write_front(std::ostream& out, const sizing::Study& study, std::span<const sizing::Record> front) {
-  std::vector<std::string> names;
-  add_variable_names(study, names);
-  add_objective_names(study, names);
-  add_margin_names(study, names);
-  const std::vector<std::size_t> further = quantities_beside_the_objectives(study);
-  for (const std::size_t i : further) names.push_back(study.quantities[i].name);
-  CsvWriter csv(out, std::move(names));
-  Cells cells;
-  for (const sizing::Record& record : front) {
-    cells.clear();
-    add_variables(study, record.point, cells);
-    add_objectives(study, record.evaluation, cells);
-    add_margins(study, record.evaluation, cells);
-    for (const std::size_t i : further) cells.push_back(cell_of(record.evaluation.quantities, i));
-    csv.row(cells);
-  }
+  DesignColumns columns;
+  add_variables(study, columns);
+  add_objectives(study, columns);
+  add_margins(study, columns);
+  for (const std::size_t i : quantities_beside_the_objectives(study)) add_quantity(study, i, columns);
+  write_records(out, std::move(columns), front);
 }
 
 }  // namespace coilwright::formats

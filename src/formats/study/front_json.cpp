@@ -56,9 +56,7 @@ Json end_json(const Study& study, const Record& record) {
 Json least_infeasible_json(const Study& study, const ParetoResult& result) {
   if (!result.least_infeasible) return nullptr;
   Json out = end_json(study, *result.least_infeasible);
-  Json violated = Json::array();
-  for (const std::string& name : result.violated) violated.add(name);
-  out.set("violated", std::move(violated));
+  out.set("violated", Json::list(result.violated));
   return out;
 }
 

@@ -14,57 +14,35 @@ using GripperNumber = BlockNumber<GripperTask>;
 // As `grip` has options. A height belongs to what has flat sides alone, a place beside the axis to two fingers.
 std::vector<GripperNumber> numbers_of(const GripperTask& base) {
   constexpr auto required = GripperNumber::Presence::required;
+  constexpr auto optional = GripperNumber::Presence::optional;
   std::vector<GripperNumber> out{
-      {.key = "mounting_angle_deg",
-       .rule = Rule::between(-89.0, 89.0),
-       .get = [](const GripperTask& task) { return task.mounting.angle; },
-       .set = [](GripperTask& task, double value) { task.mounting.angle = value; }},
-      {.key = "spacing_mm",
-       .rule = up_to(1e3),
-       .get = [](const GripperTask& task) { return task.mounting.spacing; },
-       .set = [](GripperTask& task, double value) { task.mounting.spacing = value; }},
-      {.key = "width_mm",
-       .rule = up_to(1e3),
-       .get = [](const GripperTask& task) { return task.object.width; },
-       .set = [](GripperTask& task, double value) { task.object.width = value; },
-       .presence = required},
-      {.key = "mass_g",
-       .rule = up_to(1e5),
-       .get = [](const GripperTask& task) { return task.object.mass; },
-       .set = [](GripperTask& task, double value) { task.object.mass = value; },
-       .presence = required},
-      {.key = "friction",
-       .rule = up_to(10.0),
-       .get = [](const GripperTask& task) { return task.object.friction; },
-       .set = [](GripperTask& task, double value) { task.object.friction = value; },
-       .presence = required},
-      {.key = "centre_x_mm",
-       .rule = base.mounting.fingers > 2 ? Rule::between(0.0, 0.0) : Rule::between(-1e3, 1e3),
-       .get = [](const GripperTask& task) { return task.object.centre.x(); },
-       .set = [](GripperTask& task, double value) { task.object.centre.x() = value; }},
+      block_number<GripperTask>(
+          "mounting_angle_deg", Rule::between(-89.0, 89.0), [](auto& task) -> auto& { return task.mounting.angle; }),
+      block_number<GripperTask>(
+          "spacing_mm", up_to(1e3), [](auto& task) -> auto& { return task.mounting.spacing; }),
+      block_number<GripperTask>(
+          "width_mm", up_to(1e3), [](auto& task) -> auto& { return task.object.width; }, required),
+      block_number<GripperTask>(
+          "mass_g", up_to(1e5), [](auto& task) -> auto& { return task.object.mass; }, required),
+      block_number<GripperTask>(
+          "friction", up_to(10.0), [](auto& task) -> auto& { return task.object.friction; }, required),
+      block_number<GripperTask>(
+          "centre_x_mm", base.mounting.fingers > 2 ? Rule::between(0.0, 0.0) : Rule::between(-1e3, 1e3),
+          [](auto& task) -> auto& { return task.object.centre.x(); }),
       {.key = "centre_below_palm_mm",
        .rule = Rule::between(-1e3, 1e3),
        .get = [](const GripperTask& task) { return -task.object.centre.y(); },
        .set = [](GripperTask& task, double value) { task.object.centre.y() = -value; }},
-      {.key = "open_current_A",
-       .rule = Rule::between(-100.0, 100.0),
-       .get = [](const GripperTask& task) { return task.open_current; },
-       .set = [](GripperTask& task, double value) { task.open_current = value; }},
-      {.key = "acceleration_m_s2",
-       .rule = Rule::between(0.0, 1e3),
-       .get = [](const GripperTask& task) { return task.acceleration; },
-       .set = [](GripperTask& task, double value) { task.acceleration = value; }},
-      {.key = "least_current_up_to_A",
-       .rule = up_to(100.0),
-       .get = [](const GripperTask& task) { return task.most_current; },
-       .set = [](GripperTask& task, double value) { task.most_current = value; },
-       .kind = GripperNumber::Kind::of_computation}};
+      block_number<GripperTask>(
+          "open_current_A", Rule::between(-100.0, 100.0), [](auto& task) -> auto& { return task.open_current; }),
+      block_number<GripperTask>(
+          "acceleration_m_s2", Rule::between(0.0, 1e3), [](auto& task) -> auto& { return task.acceleration; }),
+      block_number<GripperTask>(
+          "least_current_up_to_A", up_to(100.0), [](auto& task) -> auto& { return task.most_current; }, optional,
+          GripperNumber::Kind::of_computation)};
   if (base.object.has_flat_sides())
-    out.push_back({.key = "height_mm",
-                   .rule = up_to(1e3),
-                   .get = [](const GripperTask& task) { return task.object.height; },
-                   .set = [](GripperTask& task, double value) { task.object.height = value; },
-                   .presence = required});
+    out.push_back(block_number<GripperTask>(
+        "height_mm", up_to(1e3), [](auto& task) -> auto& { return task.object.height; }, required));
   return out;
 }
 

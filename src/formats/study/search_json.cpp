@@ -52,26 +52,22 @@ Json to_json(const ArchiveCounts& counts) {
 }
 
 Json late_gain_json(const sizing::Archive& archive, std::size_t evaluations) {
-  const std::optional<double> gain = sizing::late_gain(archive, evaluations);
-  return gain ? Json(*gain) : Json();
+  return sizing::late_gain(archive, evaluations);
 }
 
 Json to_json(std::span<const sizing::BrokenPartLimit> broken) {
-  Json out = Json::array();
-  for (const sizing::BrokenPartLimit& each : broken)
-    out.add(Json::object({{"quantity", each.quantity},
-                          {"designs", each.designs},
-                          {"conditional", each.conditional},
-                          {"consequence", each.consequence}}));
-  return out;
+  return Json::list(broken, [](const sizing::BrokenPartLimit& each) {
+    return Json::object({{"quantity", each.quantity},
+                         {"designs", each.designs},
+                         {"conditional", each.conditional},
+                         {"consequence", each.consequence}});
+  });
 }
 
 Json objectives_asked(const sizing::Study& study) {
-  Json objectives = Json::array();
-  for (const sizing::StudyObjective& objective : study.objectives)
-    objectives.add(Json::object(
-        {{objective.sense == sizing::Sense::maximise ? "maximise" : "minimise", objective.quantity.name}}));
-  return objectives;
+  return Json::list(study.objectives, [](const sizing::StudyObjective& each) {
+    return Json::object({{each.sense == sizing::Sense::maximise ? "maximise" : "minimise", each.quantity.name}});
+  });
 }
 
 Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason) {

@@ -52,10 +52,6 @@ std::vector<RangeEnd> range_ends(const SizeReport& report) {
 
 namespace {
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json binding_json(const Study& study, const BindingConstraint& binding) {
   const Limit& limit = limit_named(study, binding.name);
   Json out = Json::object({{"constraint", binding.name},
@@ -63,21 +59,19 @@ Json binding_json(const Study& study, const BindingConstraint& binding) {
                            {"at_limit", binding.at_limit},
                            {"blocks_step", binding.blocks_step},
                            {"relaxed_to", relaxed(limit, binding).value},
-                           {"objective_change", number_or_null(binding.objective_change)}});
+                           {"objective_change", binding.objective_change}});
   out.set("relaxed_best", binding.relaxed_best ? variables_json(study, binding.relaxed_best->point) : Json(nullptr));
   return out;
 }
 
 Json step_json(const Study& study, const VariableStep& step) {
   const StudyVariable& variable = variable_named(study, step.variable);
-  Json violates = Json::array();
-  for (const std::string& name : step.violates) violates.add(name);
   return Json::object({{"variable", step.variable},
                        {"from", value_json(variable, step.from)},
                        {"to", value_json(variable, step.to)},
-                       {"objective_change", number_or_null(step.objective_change)},
+                       {"objective_change", step.objective_change},
                        {"improves", step.improves},
-                       {"violates", std::move(violates)}});
+                       {"violates", Json::list(step.violates)}});
 }
 
 Json base_json(const SizeReport& report) {
@@ -98,10 +92,9 @@ Json best_json(const SizeReport& report) {
 }
 
 Json range_ends_json(const SizeReport& report) {
-  Json out = Json::array();
-  for (const RangeEnd& each : range_ends(report))
-    out.add(Json::object({{"variable", name_of(report.study.variables[each.variable])}, {"end", each.end}}));
-  return out;
+  return Json::list(range_ends(report), [&](const RangeEnd& each) {
+    return Json::object({{"variable", name_of(report.study.variables[each.variable])}, {"end", each.end}});
+  });
 }
 
 Json worst_json(const std::optional<WorstMargin>& worst) {
@@ -120,12 +113,6 @@ Json assumption_json(const Study& study, const AssumptionEffect& effect) {
                             ? Json::object({{"variables", variables_json(study, effect.other_best->point)},
                                             {"objectives", objectives_json(study, effect.other_best->evaluation)}})
                             : Json(nullptr));
-  return out;
-}
-
-Json assumptions_json(const SizeReport& report) {
-  Json out = Json::array();
-  for (const AssumptionEffect& effect : report.assumptions) out.add(assumption_json(report.study, effect));
   return out;
 }
 
@@ -149,21 +136,20 @@ Json to_json(const SizeReport& report) {
   Json evaluations = to_json(counts_of(result.archive));
   evaluations.set("search", result.search_evaluations).set("surroundings", result.sensitivity_evaluations);
   evaluations.set("total", result.archive.size()).set("other_choices", evaluations_of_choices(report));
-  Json violated = Json::array();
-  for (const std::string& name : result.violated) violated.add(name);
-  Json binding = Json::array();
-  for (const BindingConstraint& each : result.sensitivity.binding) binding.add(binding_json(report.study, each));
-  Json steps = Json::array();
-  for (const VariableStep& each : result.sensitivity.steps) steps.add(step_json(report.study, each));
+  const auto of_study = [&](auto json) {
+    return [&report, json](const auto& each) { return json(report.study, each); };
+  };
   const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
 
   Json out = result_head("size", report.study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", result.feasible);
   out.set("late_gain", late_gain_json(result.archive, result.search_evaluations));
-  out.set("best", best_json(report)).set("violated", std::move(violated)).set("base", base_json(report));
-  out.set("binding", std::move(binding)).set("at_range_end", range_ends_json(report));
-  out.set("steps", std::move(steps));
-  out.set("assumptions", assumptions_json(report)).set("assumptions_left", report.assumptions_left);
+  out.set("best", best_json(report)).set("violated", Json::list(result.violated)).set("base", base_json(report));
+  out.set("binding", Json::list(result.sensitivity.binding, of_study(binding_json)))
+      .set("at_range_end", range_ends_json(report));
+  out.set("steps", Json::list(result.sensitivity.steps, of_study(step_json)));
+  out.set("assumptions", Json::list(report.assumptions, of_study(assumption_json)))
+      .set("assumptions_left", report.assumptions_left);
   out.set("measure_first", measure_first(report));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
   const auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();

@@ -19,7 +19,7 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "formats/actuator/design_reader.hpp"
-#include "formats/actuator/operating_point_reader.hpp"
+#include "formats/actuator/operating_point_format.hpp"
 #include "formats/study/crawler_block.hpp"
 #include "formats/study/gripper_block.hpp"
 #include "formats/study/study_changes.hpp"
@@ -374,7 +374,17 @@ sizing::Study read_study(const std::filesystem::path& path, const QuantityTable&
 
 sizing::Study parse_study(std::string_view text, std::string file, const QuantityTable& quantities,
                           const actuator::EffectCatalogue& effects, const StudyChanges& changes) {
-  return read_study_file(changed(parse_json(text, std::move(file)), changes), quantities, effects, changes);
+  return parse_study_file(text, std::move(file), changes, quantities, effects).study;
+}
+
+StudyFile parse_study_file(std::string_view text, std::string file, const StudyChanges& changes,
+                           const QuantityTable& quantities, const actuator::EffectCatalogue& effects) {
+  const Document document = changed(parse_json(text, std::move(file)), changes);
+  sizing::Study study = read_study_file(document, quantities, effects, changes);
+  const Node root = document.root();
+  return {.study = std::move(study),
+          .actuator = root.find("actuator")->path(),
+          .builds_a_system = root.find("gripper") || root.find("crawler")};
 }
 
 sizing::Study parse_study(std::string_view text, std::string file, const InputText& actuator,

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -32,6 +33,24 @@ struct BlockNumber {
   enum class Kind { setting, whole_step, of_computation };
   Kind kind = Kind::setting;  ///< what the others are: whole numbers, and how finely it is computed: no variables
 };
+
+/// A row of such a table. `number` is a lambda without captures that gives the number of a task, by reference.
+template <class Task, class Number>
+[[nodiscard]] BlockNumber<Task> block_number(
+    std::string_view key, const text::Rule& rule, Number,
+    typename BlockNumber<Task>::Presence presence = BlockNumber<Task>::Presence::optional,
+    typename BlockNumber<Task>::Kind kind = BlockNumber<Task>::Kind::setting) {
+  return {.key = key,
+          .rule = rule,
+          .get = [](const Task& task) { return static_cast<double>(Number{}(task)); },
+          .set =
+              [](Task& task, double value) {
+                auto& number = Number{}(task);
+                number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+              },
+          .presence = presence,
+          .kind = kind};
+}
 
 /// A number of a block that a study's variables may move.
 struct BlockVariable {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coilwright/text/one_line.hpp"
+#include "coilwright/text/spelling.hpp"
 #include "text/csv/csv_clock.hpp"
 #include "text/csv/csv_fields.hpp"
 
@@ -57,42 +58,11 @@ std::vector<std::string> names_in(std::string_view line, std::size_t width, char
 bool is_unit_row_word(std::string word) {
   std::erase_if(word, [](char letter) { return std::string_view("()[]{} ").find(letter) != std::string_view::npos; });
   for (char& letter : word) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  constexpr std::array<std::string_view, 34> words = {"s",
-                                                      "sec",
-                                                      "secs",
-                                                      "second",
-                                                      "seconds",
-                                                      "ms",
-                                                      "us",
-                                                      "\xc2\xb5s",
-                                                      "\xce\xbcs",
-                                                      "ns",
-                                                      "v",
-                                                      "mv",
-                                                      "volt",
-                                                      "volts",
-                                                      "a",
-                                                      "ma",
-                                                      "amp",
-                                                      "amps",
-                                                      "ampere",
-                                                      "deg",
-                                                      "\xc2\xb0",
-                                                      "degree",
-                                                      "degrees",
-                                                      "rad",
-                                                      "n",
-                                                      "nm",
-                                                      "nmm",
-                                                      "mm",
-                                                      "m",
-                                                      "px",
-                                                      "pixel",
-                                                      "sequence",
-                                                      "degc",
-                                                      "\xc2\xb0"
-                                                      "c"};
-  return std::ranges::find(words, word) != words.end();
+  constexpr std::string_view words =
+      "s|sec|secs|second|seconds|ms|us|\xc2\xb5s|\xce\xbcs|ns|v|mv|volt|volts|a|ma|amp|amps|ampere|deg|\xc2\xb0|degree|"
+      "degrees|rad|n|nm|nmm|mm|m|px|pixel|sequence|degc|\xc2\xb0"
+      "c";
+  return is_one_of(word, words);
 }
 
 bool is_unit_row(const std::vector<std::string>& fields) {

@@ -8,13 +8,12 @@
 #include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
 #include "text/json/json_parser.hpp"
-#include "text/json/json_value.hpp"
 
 namespace coilwright::text {
 
 struct Document::Content {
   std::string file;
-  JsonValue root;
+  Json root;
 };
 
 Document::Document(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
@@ -29,22 +28,22 @@ Node Document::root() const {
 namespace {
 
 // Where a plain value may stand; a key that is new is made. Null where the pointer leads nowhere.
-JsonValue* plain_value_at(JsonValue& root, std::string_view pointer) {
+Json* plain_value_at(Json& root, std::string_view pointer) {
   const auto steps = pointer_steps(pointer);
   if (!steps || steps->empty()) return nullptr;
-  JsonValue* value = &root;
+  Json* value = &root;
   for (std::size_t i = 0; i < steps->size(); ++i) {
     const std::string& step = (*steps)[i];
-    if (auto* array = std::get_if<JsonValue::Array>(&value->content)) {
+    if (auto* array = std::get_if<Json::Array>(&value->content())) {
       const auto index = array_index(step);
       if (!index || *index >= array->size()) return nullptr;
       value = &(*array)[*index];
-    } else if (auto* object = std::get_if<JsonValue::Object>(&value->content)) {
+    } else if (auto* object = std::get_if<Json::Object>(&value->content())) {
       const auto found = std::ranges::find(*object, step, [](const auto& member) { return member.first; });
       if (found != object->end()) {
         value = &found->second;
       } else if (i + 1 == steps->size()) {
-        value = &object->emplace_back(step, JsonValue{.content = 0.0}).second;
+        value = &object->emplace_back(step, 0.0).second;
       } else {
         return nullptr;
       }
@@ -52,8 +51,9 @@ JsonValue* plain_value_at(JsonValue& root, std::string_view pointer) {
       return nullptr;
     }
   }
-  const bool plain = std::holds_alternative<bool>(value->content) || std::holds_alternative<double>(value->content) ||
-                     std::holds_alternative<std::string>(value->content);
+  const bool plain = std::holds_alternative<bool>(value->content()) ||
+                     std::holds_alternative<double>(value->content()) ||
+                     std::holds_alternative<std::string>(value->content());
   return plain ? value : nullptr;
 }
 
@@ -62,15 +62,15 @@ JsonValue* plain_value_at(JsonValue& root, std::string_view pointer) {
 Document Document::with_values(const std::map<std::string, PlainValue>& values) const {
   Content copy = *content_;
   for (const auto& [pointer, plain] : values) {
-    JsonValue* value = plain_value_at(copy.root, pointer);
+    Json* value = plain_value_at(copy.root, pointer);
     if (value == nullptr) throw std::invalid_argument("pointer must lead to a plain value; got " + pointer);
-    std::visit([&](const auto& each) { value->content = each; }, plain);
+    std::visit([&](const auto& each) { value->content() = each; }, plain);
   }
   return Document(std::make_unique<const Content>(std::move(copy)));
 }
 
 Document parse_json(std::string_view text, std::string file) {
-  JsonValue root = parse_json_value(text, file);
+  Json root = parse_json_value(text, file);
   Document::Content content{.file = std::move(file), .root = std::move(root)};
   return Document(std::make_unique<const Document::Content>(std::move(content)));
 }

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "coilwright/units/unit.hpp"
+
 namespace coilwright::text {
 
 Json Json::object(std::vector<Member> members) {
@@ -27,6 +29,24 @@ Json Json::numbers(std::span<const double> values) {
   return array({values.begin(), values.end()});
 }
 
+Json number_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+Json text_or_null(std::string_view text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json::Member Json::quantity(std::string key, double value) {
+  const double in_unit = units::from_memory(value, key);
+  return {std::move(key), in_unit};
+}
+
+Json::Member Json::quantities(std::string key, std::span<const double> values) {
+  Json list = Json::list(values, [&](double value) { return units::from_memory(value, key); });
+  return {std::move(key), std::move(list)};
+}
+
 Json& Json::set(std::string key, Json value) {
   assert(std::holds_alternative<Object>(content_));
   auto& members = std::get<Object>(content_);
@@ -42,6 +62,8 @@ Json& Json::add(Json value) {
   return *this;
 }
 
+namespace {
+
 // Lays out a value. The layout is ours, because nlohmann puts every element of an array on a line of its own; how a
 // number or a text is spelt is nlohmann's.
 class JsonText {
@@ -49,9 +71,9 @@ class JsonText {
   [[nodiscard]] std::string take() { return std::move(text_); }
 
   void write(const Json& json, const std::string& pointer, std::size_t indent) {
-    if (const auto* array = std::get_if<Json::Array>(&json.content_)) {
+    if (const auto* array = std::get_if<Json::Array>(&json.content())) {
       write_array(*array, pointer, indent);
-    } else if (const auto* object = std::get_if<Json::Object>(&json.content_)) {
+    } else if (const auto* object = std::get_if<Json::Object>(&json.content())) {
       write_object(*object, pointer, indent);
     } else {
       text_ += plain(json, pointer);
@@ -62,7 +84,8 @@ class JsonText {
   static constexpr std::size_t longest_line = 120;
 
   static bool is_plain(const Json& json) {
-    return !std::holds_alternative<Json::Array>(json.content_) && !std::holds_alternative<Json::Object>(json.content_);
+    return !std::holds_alternative<Json::Array>(json.content()) &&
+           !std::holds_alternative<Json::Object>(json.content());
   }
 
   static std::string spelt(const nlohmann::json& value) {
@@ -70,14 +93,14 @@ class JsonText {
   }
 
   static std::string plain(const Json& json, const std::string& pointer) {
-    if (const auto* number = std::get_if<double>(&json.content_)) {
+    if (const auto* number = std::get_if<double>(&json.content())) {
       if (!std::isfinite(*number))
         throw std::invalid_argument(fmt::format("{} must be finite; got {}", pointer, *number));
       return spelt(*number);
     }
-    if (const auto* integer = std::get_if<std::int64_t>(&json.content_)) return spelt(*integer);
-    if (const auto* boolean = std::get_if<bool>(&json.content_)) return spelt(*boolean);
-    if (const auto* text = std::get_if<std::string>(&json.content_)) return spelt(*text);
+    if (const auto* integer = std::get_if<std::int64_t>(&json.content())) return spelt(*integer);
+    if (const auto* boolean = std::get_if<bool>(&json.content())) return spelt(*boolean);
+    if (const auto* text = std::get_if<std::string>(&json.content())) return spelt(*text);
     return spelt(nullptr);
   }
 
@@ -122,6 +145,8 @@ class JsonText {
 
   std::string text_;
 };
+
+}  // namespace
 
 std::string Json::text() const {
   JsonText writer;

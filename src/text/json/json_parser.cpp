@@ -70,7 +70,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
   Builder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
-  [[nodiscard]] JsonValue take() { return std::move(root_); }
+  [[nodiscard]] Json take() { return std::move(root_); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -80,9 +80,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t&) override { throw fail("must be JSON text"); }
 
-  bool start_object(std::size_t) override { return open(JsonValue::Object{}); }
+  bool start_object(std::size_t) override { return open(Json::Object{}); }
   bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(JsonValue::Array{}); }
+  bool start_array(std::size_t) override { return open(Json::Array{}); }
   bool end_array() override { return close(); }
 
   bool key(string_t& value) override {
@@ -114,7 +114,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   struct Level {
-    JsonValue* value;
+    Json* value;
     std::string key{};  // of the member that comes next, when the value is an object
     std::unordered_set<std::string> keys{};
   };
@@ -122,7 +122,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   std::string next_pointer() const {
     std::string pointer;
     for (const Level& level : levels_) {
-      const auto* array = std::get_if<JsonValue::Array>(&level.value->content);
+      const auto* array = std::get_if<Json::Array>(&level.value->content());
       // On the way down, the element in progress is already the last of its array; at the end it comes next.
       const bool last = &level == &levels_.back();
       pointer += pointer_step(array ? std::to_string(array->size() - (last ? 0 : 1)) : level.key);
@@ -135,17 +135,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   // Makes room for the next value, null as yet.
-  JsonValue& next() {
+  Json& next() {
     if (++count_ > json_value_limit) throw fail(fmt::format("must hold at most {} values", json_value_limit));
     if (levels_.empty()) return root_;
     Level& level = levels_.back();
-    if (auto* array = std::get_if<JsonValue::Array>(&level.value->content)) return array->emplace_back();
-    return std::get<JsonValue::Object>(level.value->content).emplace_back(level.key, JsonValue()).second;
+    if (auto* array = std::get_if<Json::Array>(&level.value->content())) return array->emplace_back();
+    return std::get<Json::Object>(level.value->content()).emplace_back(level.key, Json()).second;
   }
 
   template <class Value>
   bool add(Value value) {
-    next().content = std::move(value);
+    next().content() = std::move(value);
     return true;
   }
 
@@ -155,8 +155,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
       throw fail(fmt::format("must be nested at most {} deep", json_depth_limit));
     }
     // The address stays good: the container around it grows only after this one is closed.
-    JsonValue& value = next();
-    value.content = std::move(empty);
+    Json& value = next();
+    value.content() = std::move(empty);
     levels_.push_back({.value = &value});
     return true;
   }
@@ -168,14 +168,14 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   const std::string& file_;
-  JsonValue root_;
+  Json root_;
   std::vector<Level> levels_;
   std::size_t count_{0};
 };
 
 }  // namespace
 
-JsonValue parse_json_value(std::string_view text, const std::string& file) {
+Json parse_json_value(std::string_view text, const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   if (text.size() > json_size_limit) {

@@ -11,14 +11,13 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
-#include "text/json/json_value.hpp"
 
 namespace coilwright::text {
 namespace {
 
 template <class Type>
-const Type* as(const JsonValue* value) {
-  return std::get_if<Type>(&value->content);
+const Type* as(const Json* value) {
+  return std::get_if<Type>(&value->content());
 }
 
 std::string length_rule(const Length& length) {
@@ -30,16 +29,16 @@ std::string length_rule(const Length& length) {
 
 }  // namespace
 
-Node::Node(const std::string& file, const JsonValue& value, std::string pointer, std::string key)
+Node::Node(const std::string& file, const Json& value, std::string pointer, std::string key)
     : file_(&file), value_(&value), pointer_(std::move(pointer)), key_(std::move(key)) {}
 
-Node Node::child(const JsonValue& value, std::string_view token, std::string key) const {
+Node Node::child(const Json& value, std::string_view token, std::string key) const {
   return {*file_, value, pointer_ + pointer_step(token), std::move(key)};
 }
 
 Node::Kind Node::kind() const noexcept {
   // The kinds stand in the order of the variant's alternatives.
-  return static_cast<Kind>(value_->content.index());
+  return static_cast<Kind>(value_->content().index());
 }
 
 double Node::number(const Rule& rule) const {
@@ -90,14 +89,14 @@ std::filesystem::path Node::path() const {
 }
 
 std::vector<Node> Node::elements(Length length) const {
-  const auto* array = as<JsonValue::Array>(value_);
+  const auto* array = as<Json::Array>(value_);
   if (array == nullptr) throw error("must be an array");
   if (array->size() < length.least || array->size() > length.most) {
     throw error(length_rule(length));
   }
   std::vector<Node> nodes;
   nodes.reserve(array->size());
-  for (const JsonValue& element : *array) nodes.push_back(child(element, std::to_string(nodes.size()), key_));
+  for (const Json& element : *array) nodes.push_back(child(element, std::to_string(nodes.size()), key_));
   return nodes;
 }
 
@@ -130,20 +129,20 @@ void Node::expect_object() const {
 std::vector<std::string> Node::keys() const {
   expect_object();
   std::vector<std::string> keys;
-  for (const auto& [key, value] : *as<JsonValue::Object>(value_)) keys.push_back(key);
+  for (const auto& [key, value] : *as<Json::Object>(value_)) keys.push_back(key);
   return keys;
 }
 
 std::vector<Node> Node::members() const {
   expect_object();
   std::vector<Node> nodes;
-  for (const auto& [key, value] : *as<JsonValue::Object>(value_)) nodes.push_back(child(value, key, key));
+  for (const auto& [key, value] : *as<Json::Object>(value_)) nodes.push_back(child(value, key, key));
   return nodes;
 }
 
 std::optional<Node> Node::find(std::string_view key) const {
   expect_object();
-  for (const auto& [name, value] : *as<JsonValue::Object>(value_)) {
+  for (const auto& [name, value] : *as<Json::Object>(value_)) {
     if (name == key) return child(value, key, std::string(key));
   }
   return std::nullopt;
@@ -178,7 +177,7 @@ std::string Node::shown() const {
     case Kind::text:
       return "text " + in_quotes(*as<std::string>(value_));
     case Kind::array:
-      return fmt::format("an array of {}", as<JsonValue::Array>(value_)->size());
+      return fmt::format("an array of {}", as<Json::Array>(value_)->size());
     case Kind::object:
       return "an object";
   }

@@ -28,6 +28,9 @@ using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 /// The key "effects" of an actuator file: read back, they are the same effects.
 [[nodiscard]] text::Json to_json(std::span<const actuator::Effect> effects);
 
+/// The numbers of one effect under their keys, as "parameters" of that key has them.
+[[nodiscard]] text::Json parameters_json(const actuator::Effect& effect);
+
 /// A design as an `actuator/1` file, with every value, its calibration factors and its effects: read back, it is the
 /// same design. With an operating point, that is what `evaluate` takes where it is told no other.
 [[nodiscard]] text::Json to_json(const actuator::Design& design, const std::string& name,

@@ -36,6 +36,19 @@ using StudyChanges = std::vector<std::string>;
                                         const actuator::EffectCatalogue& effects = actuator::standard_effects(),
                                         const StudyChanges& changes = {});
 
+/// A study and what of its file it does not keep.
+struct StudyFile {
+  sizing::Study study;
+  std::filesystem::path actuator;  ///< the file of its own actuator
+  bool builds_a_system{};          ///< it has a block "gripper" or "crawler"
+};
+
+/// The same with that.
+[[nodiscard]] StudyFile parse_study_file(
+    std::string_view text, std::string file, const StudyChanges& changes,
+    const simulation::QuantityTable& quantities = simulation::standard_quantities(),
+    const actuator::EffectCatalogue& effects = actuator::standard_effects());
+
 /// The same where the actuator is a text too, whatever file the study names: no file is read.
 [[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file, const text::InputText& actuator,
                                         const StudyChanges& changes = {});

@@ -3,11 +3,10 @@
 #include <cstddef>
 #include <iosfwd>
 #include <span>
-#include <vector>
 
+#include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
-#include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -22,9 +21,7 @@ class SweepTable {
   void row(const sizing::SweptDesign& design);
 
  private:
-  const sizing::Study* study_;
-  text::CsvWriter csv_;
-  std::vector<text::CsvCell> cells_;
+  DesignTable table_;
 };
 
 /// The leaders of a sweep as CSV: `best_for` (the objective), then the columns of SweepTable.

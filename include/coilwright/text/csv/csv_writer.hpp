@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,10 @@ class CsvCell {
   CsvCell(const char* text) : content_(std::string_view(text)) {}
   CsvCell(const std::string& text) : content_(std::string_view(text)) {}
   ///@}
+  /// The number, or an empty cell where there is none.
+  CsvCell(const std::optional<double>& value) {
+    if (value) content_ = *value;
+  }
 
  private:
   friend class CsvWriter;

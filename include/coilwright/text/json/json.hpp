@@ -2,7 +2,10 @@
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
+#include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,8 +15,9 @@
 
 namespace coilwright::text {
 
-/// A JSON value to be written: keys stay in the order in which they were set, numbers are written with the fewest
-/// digits that read back as the same double, and what is no JSON (NaN, Infinity, a key set twice) is refused.
+/// A JSON value, to be written or as it was read (Document, Node): keys stay in the order in which they were set,
+/// numbers are written with the fewest digits that read back as the same double, and what is no JSON (NaN, Infinity, a
+/// key set twice) is refused.
 ///
 ///     auto result = Json::object({{"mass_g", 12.5}, {"binding", Json::array({"current_limit_A"})}});
 ///     result.set("joint_angles_deg", Json::numbers(angles));
@@ -21,6 +25,10 @@ class Json {
  public:
   /// A key and its value.
   using Member = std::pair<std::string, Json>;
+  using Array = std::vector<Json>;
+  using Object = std::vector<Member>;  ///< in the order of the file
+  /// What a value can be. Numbers that were read are doubles.
+  using Content = std::variant<std::nullptr_t, bool, double, std::string, Array, Object, std::int64_t>;
 
   Json() : content_(nullptr) {}  ///< null
   /// A JSON value from a C++ value.
@@ -34,6 +42,11 @@ class Json {
   Json(std::string_view value) : content_(std::string(value)) {}
   Json(const char* value) : content_(std::string(value)) {}
   ///@}
+  /// The value, or null where there is none.
+  template <class Value>
+  Json(const std::optional<Value>& value) : content_(nullptr) {
+    if (value) *this = Json(*value);
+  }
 
   /// Throws std::invalid_argument when a key is there twice.
   [[nodiscard]] static Json object(std::vector<Member> members = {});
@@ -41,11 +54,27 @@ class Json {
   [[nodiscard]] static Json array(std::vector<Json> elements = {});
   /// An array of numbers.
   [[nodiscard]] static Json numbers(std::span<const double> values);
+  /// An array with what `of` makes of each element of a range.
+  template <std::ranges::input_range Range, class Of = std::identity>
+  [[nodiscard]] static Json list(const Range& range, Of of = {}) {
+    Json out = array();
+    for (const auto& each : range) out.add(Json(std::invoke(of, each)));
+    return out;
+  }
+  /// An SI value (a temperature: degrees Celsius) under a key that ends in its unit, in that unit.
+  [[nodiscard]] static Member quantity(std::string key, double value);
+  /// Several of them.
+  [[nodiscard]] static Member quantities(std::string key, std::span<const double> values);
 
   /// Adds a member to an object. Throws std::invalid_argument when the key is there already.
   Json& set(std::string key, Json value);
+  /// The same of a member made before: `set(Json::quantity("mass_g", mass))`.
+  Json& set(Member member) { return set(std::move(member.first), std::move(member.second)); }
   /// Adds an element to an array.
   Json& add(Json value);
+
+  [[nodiscard]] const Content& content() const noexcept { return content_; }
+  [[nodiscard]] Content& content() noexcept { return content_; }
 
   /// The JSON text: two spaces a level, an array of plain values on one line if it fits, a line end at the end.
   /// Text that is not UTF-8 has the replacement character in its place.
@@ -53,10 +82,13 @@ class Json {
   [[nodiscard]] std::string text() const;
 
  private:
-  friend class JsonText;
-  using Array = std::vector<Json>;
-  using Object = std::vector<Member>;
-  std::variant<std::nullptr_t, bool, double, std::int64_t, std::string, Array, Object> content_;
+  Content content_;
 };
+
+/// The number, or null where there is none or it is not finite.
+[[nodiscard]] Json number_or_null(const std::optional<double>& value);
+
+/// The text, or null where it is empty.
+[[nodiscard]] Json text_or_null(std::string_view text);
 
 }  // namespace coilwright::text

@@ -12,12 +12,11 @@
 #include <vector>
 
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/json.hpp"
 #include "coilwright/text/rule.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::text {
-
-struct JsonValue;
 
 /// How many elements an array must have.
 struct Length {
@@ -43,6 +42,8 @@ class Node {
   enum class Kind { null, boolean, number, text, array, object };
 
   [[nodiscard]] Kind kind() const noexcept;
+  /// The value itself.
+  [[nodiscard]] const Json& value() const noexcept { return *value_; }
   [[nodiscard]] bool is_null() const noexcept { return kind() == Kind::null; }
   [[nodiscard]] const std::string& file() const noexcept { return *file_; }
   /// RFC 6901: `/variables/gap_mm/upper`; empty for the root.
@@ -72,6 +73,11 @@ class Node {
   /// One of the listed words.
   template <class Value>
   [[nodiscard]] Value choice(std::initializer_list<std::pair<std::string_view, Value>> words) const {
+    return choice_among<Value>(words);
+  }
+  /// One of the words of a table of std::pair<std::string_view, Value>.
+  template <class Value, class Words>
+  [[nodiscard]] Value choice_among(const Words& words) const {
     std::vector<std::string> legal;
     for (const auto& [word, value] : words) {
       if (kind() == Kind::text && text() == word) return value;
@@ -107,13 +113,13 @@ class Node {
 
  private:
   friend class Document;
-  Node(const std::string& file, const JsonValue& value, std::string pointer, std::string key);
-  [[nodiscard]] Node child(const JsonValue& value, std::string_view token, std::string key) const;
+  Node(const std::string& file, const Json& value, std::string pointer, std::string key);
+  [[nodiscard]] Node child(const Json& value, std::string_view token, std::string key) const;
   [[nodiscard]] double whole_number(const Rule& rule, double lowest, double highest) const;
   [[nodiscard]] InputError wrong_word(const std::vector<std::string>& legal) const;
 
   const std::string* file_;
-  const JsonValue* value_;
+  const Json* value_;
   std::string pointer_;
   std::string key_;
 };

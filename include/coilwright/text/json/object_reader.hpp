@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -132,9 +133,14 @@ template <class Read>
 auto read_object(const Node& node, Read&& read) {
   ObjectReader reader(node);
   try {
-    auto result = std::forward<Read>(read)(reader);
-    reader.finish();
-    return result;
+    if constexpr (std::is_void_v<decltype(read(reader))>) {
+      std::forward<Read>(read)(reader);
+      reader.finish();
+    } else {
+      auto result = std::forward<Read>(read)(reader);
+      reader.finish();
+      return result;
+    }
   } catch (const std::invalid_argument& mistake) {
     throw node.error_without_value(mistake.what());
   }

@@ -1,4 +1,7 @@
-#include "formats/actuator/operating_point_reader.hpp"
+#include "formats/actuator/operating_point_format.hpp"
+
+#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "formats/actuator/choice_words.hpp"
 
 namespace coilwright::formats {
 
@@ -8,13 +11,8 @@ namespace {
 
 void read_heat_and_supply(ObjectReader& in, actuator::OperatingPoint& point) {
   if (const auto period = in.find("period_s")) point.period = period->number(positive);
-  if (const auto cases = in.find("cases"))
-    point.cases = cases->choice<actuator::HeldCases>({{"both", actuator::HeldCases::both},
-                                                      {"free", actuator::HeldCases::free},
-                                                      {"gripping", actuator::HeldCases::gripping}});
-  if (const auto wiring = in.find("wiring"))
-    point.supply.wiring = wiring->choice<actuator::Wiring>(
-        {{"parallel", actuator::Wiring::parallel}, {"series", actuator::Wiring::series}});
+  point.cases = choice_or(in, "cases", point.cases, cases_words);
+  point.supply.wiring = choice_or(in, "wiring", point.supply.wiring, wiring_words);
   point.supply.resistance = in.number_or("supply_resistance_Ohm", point.supply.resistance, non_negative);
   if (const auto voltage = in.find("supply_voltage_V")) point.supply.voltage = voltage->number(positive);
 }
@@ -38,6 +36,18 @@ actuator::OperatingPoint read_operating_point(const Node& node) {
     read_operating_conditions(in, point);
     return point;
   });
+}
+
+Json to_json(const actuator::OperatingPoint& point) {
+  Json out = Json::object({{"current_A", point.current}, {"duty", point.duty}});
+  if (point.period) out.set("period_s", *point.period);
+  out.set("cases", word_for(cases_words, point.cases));
+  out.set("wiring", word_for(wiring_words, point.supply.wiring));
+  out.set("supply_resistance_Ohm", point.supply.resistance);
+  if (point.supply.voltage) out.set("supply_voltage_V", *point.supply.voltage);
+  out.set(Json::quantity("grasp_opening_deg", point.grasp.opening));
+  if (point.grasp.height) out.set(Json::quantity("grasp_height_mm", *point.grasp.height));
+  return out;
 }
 
 }  // namespace coilwright::formats

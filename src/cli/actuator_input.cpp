@@ -13,7 +13,7 @@
 
 #include "coilwright/formats/actuator/assignment.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "names_once.hpp"
+#include "options.hpp"
 
 namespace coilwright::cli {
 
@@ -51,12 +51,12 @@ formats::ActuatorFile read_actuator(const ActuatorOptions& options) {
   return file;
 }
 
-actuator::Design design_in(formats::ActuatorFile& file, const ActuatorOptions& options, std::string_view reason) {
+BuiltDesign built_design(formats::ActuatorFile file, const ActuatorOptions& options, std::string_view reason) {
   auto* design = std::get_if<actuator::Design>(&file.content);
   if (design == nullptr)
     throw text::InputError({.file = options.file, .rule = fmt::format("is a lumped model: {}", reason)});
-  static_cast<void>(assemble(*design, options));
-  return std::move(*design);
+  actuator::Assembly assembly = assemble(*design, options);
+  return {.design = std::move(*design), .assembly = std::move(assembly)};
 }
 
 actuator::Model read_model(const ActuatorOptions& options) {

@@ -32,10 +32,16 @@ void add_actuator_options(CLI::App& command, ActuatorOptions& options);
 /// The file with the assignments made. Throws InputError, also for assignments to a lumped model.
 [[nodiscard]] formats::ActuatorFile read_actuator(const ActuatorOptions& options);
 
-/// The design in `file`, which can be built. Throws InputError naming the file where it has a lumped model ("is a
-/// lumped model: " and `reason`), or one that cannot be built.
-[[nodiscard]] actuator::Design design_in(formats::ActuatorFile& file, const ActuatorOptions& options,
-                                         std::string_view reason);
+/// A design and what it assembles to.
+struct BuiltDesign {
+  actuator::Design design;
+  actuator::Assembly assembly;
+};
+
+/// The design in `file`, assembled. Throws InputError naming the file where it has a lumped model ("is a lumped model:
+/// " and `reason`), or a design that cannot be built.
+[[nodiscard]] BuiltDesign built_design(formats::ActuatorFile file, const ActuatorOptions& options,
+                                       std::string_view reason);
 
 /// The model in the file of `options`, or of the design in it. Throws as read_actuator() and assemble().
 [[nodiscard]] actuator::Model read_model(const ActuatorOptions& options);

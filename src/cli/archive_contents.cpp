@@ -9,7 +9,6 @@
 #include "build_info.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/actuator/operating_point_json.hpp"
-#include "coilwright/text/json/document.hpp"
 #include "sha256.hpp"
 
 namespace coilwright::cli {
@@ -28,12 +27,6 @@ std::string operation_text(const sizing::Study& study) {
   return current + '\n' + formats::to_json(point).text();
 }
 
-// A gripper or a crawler is described by the study's text alone.
-bool builds_a_system(const InputRecord& study) {
-  const text::Document document = text::parse_json(study.text, study.file);
-  return document.root().find("gripper") || document.root().find("crawler");
-}
-
 }  // namespace
 
 archive::Program this_program() {
@@ -42,7 +35,7 @@ archive::Program this_program() {
   return {.version = version(), .commit = built.hash, .build = told ? "" : record_of("/proc/self/exe").sha256};
 }
 
-archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance) {
+archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance, bool builds_a_system) {
   archive::Contents contents;
   contents.command = provenance.command;
   contents.study = study.name;
@@ -53,7 +46,7 @@ archive::Contents contents_of(const sizing::Study& study, const Provenance& prov
   contents.question = hash_of(provenance);
   contents.physics = {.actuator = sha256(formats::to_json(study.base, "").text()),
                       .operation = sha256(operation_text(study)),
-                      .systems = builds_a_system(provenance.inputs.front()) ? contents.question : ""};
+                      .systems = builds_a_system ? contents.question : ""};
   if (provenance.seed) {
     contents.algorithm = std::string(sizing::name_of(study.search.algorithm));
     contents.seed = provenance.seed;

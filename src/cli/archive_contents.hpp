@@ -12,8 +12,10 @@ inline constexpr const char* archive_name = "archive.sqlite";
 /// This program, as archives name it.
 [[nodiscard]] archive::Program this_program();
 
-/// What the archive of a run of `study` is an archive of. Seed and algorithm are the study's where the provenance has a
+/// What the archive of a run of `study` is an archive of. A system that is built from the actuator is described by the
+/// study's text alone. Seed and algorithm are the study's where the provenance has a
 /// seed.
-[[nodiscard]] archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance);
+[[nodiscard]] archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance,
+                                            bool builds_a_system);
 
 }  // namespace coilwright::cli

@@ -53,7 +53,7 @@ text::Json version_json() {
   for (const Library& library : libraries()) list.set(library.name, library.version);
   return Json::object({{"program", "coilwright"},
                        {"version", version()},
-                       {"commit", built.hash.empty() ? Json(nullptr) : Json(built.hash)},
+                       {"commit", text::text_or_null(built.hash)},
                        {"changed_since_commit", built.hash.empty() ? Json(nullptr) : Json(built.changed)},
                        {"compiler", compiler()},
                        {"libraries", list}});

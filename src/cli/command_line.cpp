@@ -17,7 +17,7 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/spelling.hpp"
-#include "command_names.hpp"
+#include "command_tree.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -25,20 +25,20 @@ namespace {
 constexpr std::size_t longest_message = 2000;
 
 // How an error is told: a line for a person or, where the arguments ask for JSON, an object for a program.
-enum class Telling { line, json };
+enum class ErrorFormat { line, json };
 
-Telling telling_of(std::span<const char* const> arguments) {
+ErrorFormat error_format_of(std::span<const char* const> arguments) {
   const bool json = std::ranges::any_of(arguments, [](std::string_view each) { return each == "--json"; });
-  return json ? Telling::json : Telling::line;
+  return json ? ErrorFormat::json : ErrorFormat::line;
 }
 
-text::Json text_or_null(const std::string& part) {
-  return part.empty() ? text::Json(nullptr) : text::Json(text::one_line(part, longest_message));
+text::Json line_or_null(const std::string& part) {
+  return text::text_or_null(text::one_line(part, longest_message));
 }
 
-ExitCode fail(Telling telling, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
+ExitCode fail(ErrorFormat format, ExitCode code, std::string_view message, const text::Fault& fault = {}) {
   const std::string line = text::one_line(message, longest_message);
-  if (telling == Telling::line) {
+  if (format == ErrorFormat::line) {
     std::cerr << "coilwright: " << line << '\n';
     return code;
   }
@@ -47,10 +47,10 @@ ExitCode fail(Telling telling, ExitCode code, std::string_view message, const te
   const bool of_option = fault.file.starts_with("--");
   std::cerr << Json::object({{"error", Json::object({{"exit_code", static_cast<int>(code)},
                                                      {"message", line},
-                                                     {"file", text_or_null(of_option ? "" : fault.file)},
-                                                     {"place", text_or_null(of_option ? fault.file : fault.place)},
-                                                     {"rule", text_or_null(fault.rule)},
-                                                     {"value", text_or_null(fault.value)}})}})
+                                                     {"file", line_or_null(of_option ? "" : fault.file)},
+                                                     {"place", line_or_null(of_option ? fault.file : fault.place)},
+                                                     {"rule", line_or_null(fault.rule)},
+                                                     {"value", line_or_null(fault.value)}})}})
                    .text();
   return code;
 }
@@ -70,7 +70,7 @@ std::string unknown_option(const CLI::App& command, std::string_view argument) {
   return "unknown option " + text::in_quotes(name) + text::did_you_mean(name, options);
 }
 
-// What CLI11 could make nothing of: an option, if there is one, for what stands behind it may have been meant for it.
+// The first unrecognised argument: an option, if there is one, for what stands behind it may have been meant for it.
 // Nothing where all was taken.
 std::optional<std::string> unexpected_argument(const CLI::App& app) {
   const auto left = app.remaining(true);
@@ -81,58 +81,59 @@ std::optional<std::string> unexpected_argument(const CLI::App& app) {
 }
 
 // About one command, or about the program itself.
-ExitCode usage_error(Telling telling, const CLI::App& command, std::string_view message) {
+ExitCode usage_error(ErrorFormat format, const CLI::App& command, std::string_view message) {
   const std::string name = name_of(command);
   const std::string program = "coilwright";
   const std::string prefix = name == program ? "" : name.substr(program.size() + 1) + ": ";
-  return fail(telling, ExitCode::bad_input, fmt::format("{}{} (see {} --help)", prefix, message, name));
+  return fail(format, ExitCode::bad_input, fmt::format("{}{} (see {} --help)", prefix, message, name));
 }
 
 // CLI11 says of a mistyped command only that it was not expected. Nothing where the arguments name one.
-std::optional<ExitCode> mistaken_command(Telling telling, const CLI::App& app, std::span<const char* const> arguments) {
+std::optional<ExitCode> mistaken_command(ErrorFormat format, const CLI::App& app,
+                                         std::span<const char* const> arguments) {
   const auto names = command_names(app);
   if (names.empty()) return std::nullopt;
   if (arguments.empty())
-    return usage_error(telling, app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
+    return usage_error(format, app, fmt::format("a command is needed: {}", fmt::join(names, ", ")));
   const std::string_view first = arguments.front();
   if (first.starts_with('-')) {
     if (app.get_option_no_throw(std::string(first)) != nullptr) return std::nullopt;
-    return usage_error(telling, app, unknown_option(app, first));
+    return usage_error(format, app, unknown_option(app, first));
   }
   if (std::find(names.begin(), names.end(), first) == names.end())
-    return usage_error(telling, app, unknown_command(first, names));
-  return mistaken_command(telling, *app.get_subcommand(std::string(first)), arguments.subspan(1));
+    return usage_error(format, app, unknown_command(first, names));
+  return mistaken_command(format, *app.get_subcommand(std::string(first)), arguments.subspan(1));
 }
 
 // CLI11's own words of a slip, but for one that they tell in the words of a programmer: "as-written was given a
 // disallowed flag override".
-std::string told(const CLI::ParseError& error) {
+std::string usage_message(const CLI::ParseError& error) {
   const std::string words = error.what();
   const std::size_t end = words.find(" was given a disallowed flag override");
   return end == std::string::npos ? words : fmt::format("--{}: takes no value", words.substr(0, end));
 }
 
 ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, const Outcome& outcome) {
-  const Telling telling = telling_of(arguments);
+  const ErrorFormat format = error_format_of(arguments);
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::Success& help_or_version) {
     app.exit(help_or_version, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {
     // What is missing may be missing because its option was misspelt.
-    return usage_error(telling, chosen(app), unexpected_argument(app).value_or(told(error)));
+    return usage_error(format, chosen(app), unexpected_argument(app).value_or(usage_message(error)));
   } catch (const text::InputError& error) {
-    return fail(telling, ExitCode::bad_input, error.what(), error.fault());
+    return fail(format, ExitCode::bad_input, error.what(), error.fault());
   } catch (const text::OutputError& error) {
     const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
-    return fail(telling, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
+    return fail(format, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(telling, ExitCode::failure, "out of memory");
+    return fail(format, ExitCode::failure, "out of memory");
   } catch (const std::exception& error) {
-    return fail(telling, ExitCode::failure, error.what());
+    return fail(format, ExitCode::failure, error.what());
   }
   std::cout.flush();
-  if (!std::cout) return fail(telling, ExitCode::failure, "standard output cannot be written");
+  if (!std::cout) return fail(format, ExitCode::failure, "standard output cannot be written");
   return outcome.code;
 }
 
@@ -154,9 +155,8 @@ ExitCode run(std::span<const char* const> arguments, std::span<const AddCommand>
   add_completion_command(app, outcome);
   add_man_command(app, outcome);
 
-  const Telling telling = telling_of(arguments);
-  if (const auto mistake =
-          mistaken_command(telling, app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
+  const ErrorFormat format = error_format_of(arguments);
+  if (const auto mistake = mistaken_command(format, app, arguments.subspan(std::min<std::size_t>(1, arguments.size()))))
     return *mistake;
   return parse_and_run(app, arguments, outcome);
 }

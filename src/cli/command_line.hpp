@@ -3,7 +3,6 @@
 #include <span>
 
 #include "commands.hpp"
-#include "outcome.hpp"
 
 namespace coilwright::cli {
 

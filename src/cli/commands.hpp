@@ -6,7 +6,19 @@ class App;
 
 namespace coilwright::cli {
 
-struct Outcome;
+/// How the program ends; the numbers are part of its interface.
+enum class ExitCode : int {
+  done = 0,
+  failure = 1,       ///< anything else
+  bad_input = 2,     ///< an input or the usage is wrong, or a place for results cannot be written
+  infeasible = 3,    ///< no design keeps all limits; the least infeasible one is written
+  interrupted = 130  ///< stopped by a signal; what was found so far is written
+};
+
+/// What a command leaves behind.
+struct Outcome {
+  ExitCode code = ExitCode::done;
+};
 
 /// Adds one command to the program: its options, its help with an example, and what it does, which sets `outcome` when
 /// it ends otherwise than well. `outcome` outlives the parsing.
@@ -39,5 +51,21 @@ void add_archive_command(CLI::App& app, Outcome& outcome);
 void add_twin_command(CLI::App& app, Outcome& outcome);
 void add_validate_command(CLI::App& app, Outcome& outcome);
 void add_version_command(CLI::App& app, Outcome& outcome);
+
+/// Each adds one command below `archive`.
+void add_archive_list(CLI::App& command);
+void add_archive_filter(CLI::App& command);
+void add_archive_top(CLI::App& command);
+void add_archive_csv(CLI::App& command);
+void add_archive_pick(CLI::App& command);
+void add_archive_check(CLI::App& command);
+/// `outcome` is a failure where a design gives other numbers.
+void add_archive_replay(CLI::App& command, Outcome& outcome);
+
+/// Each adds one rig below the command `rig`.
+void add_torque_bench(CLI::App& command);
+void add_stiffness_gauge(CLI::App& command);
+void add_grasp_bench(CLI::App& command);
+void add_camera(CLI::App& command);
 
 }  // namespace coilwright::cli

@@ -11,11 +11,9 @@
 
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
-#include "command_names.hpp"
-#include "command_options.hpp"
+#include "command_tree.hpp"
 #include "commands.hpp"
-#include "outcome.hpp"
-#include "word_rule.hpp"
+#include "options.hpp"
 
 namespace coilwright::cli {
 namespace {

@@ -20,7 +20,7 @@
 #include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
-#include "number_rule.hpp"
+#include "options.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -93,19 +93,18 @@ CrawlHeat heat_of(const actuator::Design& design, const actuator::Assembly& asse
 }
 
 Answer answer_of(const CrawlOptions& options) {
-  formats::ActuatorFile file = read_actuator(options.actuator);
-  const actuator::Design design = design_in(file, options.actuator, "a crawler needs a design (actuator/1)");
-  const actuator::Assembly assembly = assemble(design, options.actuator);
+  const BuiltDesign built =
+      built_design(read_actuator(options.actuator), options.actuator, "a crawler needs a design (actuator/1)");
   const systems::Crawler crawler = [&] {
     try {
-      return systems::Crawler(design, assembly, parts_of(options));
+      return systems::Crawler(built.design, built.assembly, parts_of(options));
     } catch (const std::invalid_argument& rule) {
       throw text::InputError({.file = options.actuator.file, .rule = rule.what()});
     }
   }();
   const systems::Crawl crawl = systems::crawl(
       crawler, {.settling_periods = options.settling_periods, .periods = options.periods, .step = options.step * 1e-3});
-  return {.mass = crawler.mass(), .crawl = crawl, .heat = heat_of(design, assembly, crawler, crawl)};
+  return {.mass = crawler.mass(), .crawl = crawl, .heat = heat_of(built.design, built.assembly, crawler, crawl)};
 }
 
 std::string point_name(std::size_t i, std::size_t count) {
@@ -158,7 +157,7 @@ std::string as_table(const Rows& rows) {
 
 std::string as_json(const Rows& rows) {
   Json out = Json::object({});
-  for (const auto& [key, value] : rows) out.set(key, value ? Json(*value) : Json());
+  for (const auto& [key, value] : rows) out.set(key, value);
   return out.text();
 }
 
@@ -185,33 +184,32 @@ void run_crawl(const CrawlOptions& options) {
 }
 
 void add_numbers(CLI::App& command, CrawlOptions& options) {
-  const auto up_to = [&](double most, const char* name, double& value, const char* text) {
-    return command.add_option(name, value, text)
-        ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(most))));
+  const auto positive_number = [&](double most, const char* name, double& value, const char* text) {
+    return add_number(command, name, value, up_to(most), text);
   };
-  up_to(10.0, "--friction-forwards", options.friction_forwards,
-        "Coefficient of friction of a foot that slides towards the fingertip")
+  positive_number(10.0, "--friction-forwards", options.friction_forwards,
+                  "Coefficient of friction of a foot that slides towards the fingertip")
       ->required();
-  up_to(10.0, "--friction-backwards", options.friction_backwards, "Of one that slides towards the rear")->required();
-  command.add_option("--frequency-Hz", options.frequency, "Frequency of the pulses, Hz (default 10)")
-      ->check(number_rule(text::Rule::between(0.1, 1000.0)));
-  command.add_option("--duty", options.duty, "Fraction of a period with the switch closed (default 0.5)")
-      ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::below(1.0))));
-  up_to(100.0, "--cell-voltage-V", options.cell_voltage, "Voltage of the cell, V (default 4.2)");
-  up_to(1e6, "--cell-capacity-mAh", options.cell_capacity, "Capacity of the cell, mAh (default 150)");
-  up_to(1e3, "--cell-limit-A", options.cell_limit, "The most that the cell delivers, A (default 3)");
-  command
-      .add_option("--lead-resistance-Ohm", options.lead_resistance,
-                  "Of switch and leads, which carry the current of all coils, Ohm (default 0.12)")
-      ->check(number_rule(text::Rule::between(0.0, 1e3)));
-  up_to(1e4, "--payload-mass-g", options.payload_mass, "Of battery, board and longer rear part, g (default 23)");
-  up_to(1e3, "--payload-length-mm", options.payload_length, "By which the rear part is longer, mm (default 30)");
-  command.add_option("--step-ms", options.step, "Longest time step, ms (default 0.1)")
-      ->check(number_rule(text::Rule::between(1e-3, 1.0)));
-  command.add_option("--settling-periods", options.settling_periods, "Periods before it is measured (default 10)")
-      ->transform(whole_number_rule(text::Rule::between(0, 10000)));
-  command.add_option("--periods", options.periods, "Periods over which it is measured (default 20)")
-      ->transform(whole_number_rule(text::Rule::between(1, 10000)));
+  positive_number(10.0, "--friction-backwards", options.friction_backwards, "Of one that slides towards the rear")
+      ->required();
+  add_number(command, "--frequency-Hz", options.frequency, text::Rule::between(0.1, 1000.0),
+             "Frequency of the pulses, Hz (default 10)");
+  add_number(command, "--duty", options.duty, text::Rule::above(0.0).and_also(text::Rule::below(1.0)),
+             "Fraction of a period with the switch closed (default 0.5)");
+  positive_number(100.0, "--cell-voltage-V", options.cell_voltage, "Voltage of the cell, V (default 4.2)");
+  positive_number(1e6, "--cell-capacity-mAh", options.cell_capacity, "Capacity of the cell, mAh (default 150)");
+  positive_number(1e3, "--cell-limit-A", options.cell_limit, "The most that the cell delivers, A (default 3)");
+  add_number(command, "--lead-resistance-Ohm", options.lead_resistance, text::Rule::between(0.0, 1e3),
+             "Of switch and leads, which carry the current of all coils, Ohm (default 0.12)");
+  positive_number(1e4, "--payload-mass-g", options.payload_mass,
+                  "Of battery, board and longer rear part, g (default 23)");
+  positive_number(1e3, "--payload-length-mm", options.payload_length,
+                  "By which the rear part is longer, mm (default 30)");
+  add_number(command, "--step-ms", options.step, text::Rule::between(1e-3, 1.0), "Longest time step, ms (default 0.1)");
+  add_whole_number(command, "--settling-periods", options.settling_periods, text::Rule::between(0, 10000),
+                   "Periods before it is measured (default 10)");
+  add_whole_number(command, "--periods", options.periods, text::Rule::between(1, 10000),
+                   "Periods over which it is measured (default 20)");
 }
 
 }  // namespace
@@ -221,7 +219,7 @@ void add_crawl_command(CLI::App& app, Outcome&) {
   CLI::App* command = app.add_subcommand("crawl", "Let an actuator crawl on the ground by pulses from a battery cell");
   add_actuator_options(*command, options->actuator);
   add_numbers(*command, *options);
-  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(*command, options->json);
   command->footer(
       "The actuator lies on its bottom layer with the payload behind its rear part. All coils are in parallel on the\n"
       "cell through one switch. Speed is positive towards the fingertip and the mean over the measured periods;\n"

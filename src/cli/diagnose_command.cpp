@@ -27,14 +27,11 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "diagnosis_files.hpp"
-#include "file_rule.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
-#include "outcome.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "provenance.hpp"
 #include "report_option.hpp"
-#include "stop_signal.hpp"
-#include "threads_option.hpp"
+#include "signals.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -204,17 +201,12 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
       ->check(file_rule());
   command->add_option("--out", options->out, "Folder for the results; it is created if it does not exist")->required();
   add_threads_option(*command, options->threads, "Number of fits that run at the same time");
-  command->add_option("--seed", options->seed, "Random seed for the additional fit starts (default 1)")
-      ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
-  command
-      ->add_flag(
-          "--as-written", options->as_written,
-          "Fit records also where another unit or sign (radians, an exchanged lead, frame numbers) fits far better")
-      ->disable_flag_override();
+  add_seed_option(*command, options->seed, "Random seed for the additional fit starts (default 1)");
+  add_flag(*command, "--as-written", options->as_written,
+           "Fit records also where another unit or sign (radians, an exchanged lead, frame numbers) fits far better");
   add_force_option(*command, options->force);
-  command->add_flag("--quiet", options->quiet, "Show no progress; warnings of the records remain")
-      ->disable_flag_override();
-  command->add_flag("--json", options->json, "Print diagnosis.json instead of the summary")->disable_flag_override();
+  add_flag(*command, "--quiet", options->quiet, "Show no progress; warnings of the records remain");
+  add_flag(*command, "--json", options->json, "Print diagnosis.json instead of the summary");
   command->footer(
       "Prints a summary and writes five files: summary.txt; diagnosis.json (verdict, effects with 95 % intervals,\n"
       "errors, effects that fit as well, the next experiment); actuator.json (the corrected actuator, which the\n"

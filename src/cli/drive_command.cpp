@@ -20,10 +20,8 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
-#include "report_stream.hpp"
-#include "word_rule.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -104,35 +102,28 @@ void require_charge(const char* option, double duration, const systems::DrivenAc
 }
 
 // Follows how it warms into its file, if that is asked for.
-std::optional<systems::WarmUp> follow_warm_up(const DriveOptions& options, const actuator::Design& design,
-                                              const actuator::Assembly& assembly,
+std::optional<systems::WarmUp> follow_warm_up(const DriveOptions& options, const BuiltDesign& built,
                                               const systems::DriveQuestion& question,
                                               const systems::DrivenActuator& driven) {
   if (!options.warm_up) return std::nullopt;
   require_charge("--warm-up-s", *options.warm_up, driven);
   systems::WarmUp found =
-      warm_up(design, assembly, question, driven,
+      warm_up(built.design, built.assembly, question, driven,
               {.duration = *options.warm_up, .interval = interval_of(options, *options.warm_up, 1000.0)});
-  text::OutputFile file(options.out);
-  formats::write_warm_up(file.stream(), found);
-  keep_other_kind(file, table_mark, options.force);
-  file.commit();
+  write_file(options.out, table_mark, options.force, [&](std::ostream& out) { formats::write_warm_up(out, found); });
   return found;
 }
 
 // Follows the motion into its file, if one is asked for.
-std::optional<systems::MotionSummary> follow(const DriveOptions& options, const actuator::Design& design,
-                                             const actuator::Assembly& assembly, const systems::DriveQuestion& question,
+std::optional<systems::MotionSummary> follow(const DriveOptions& options, const BuiltDesign& built,
+                                             const systems::DriveQuestion& question,
                                              const systems::DrivenActuator& driven) {
   if (!options.motion) return std::nullopt;
   require_charge("--motion-s", *options.motion, driven);
   const std::vector<systems::MotionSample> motion =
-      drive_motion(design, assembly, question, driven,
+      drive_motion(built.design, built.assembly, question, driven,
                    {.duration = *options.motion, .interval = interval_of(options, *options.motion, 1.0)});
-  text::OutputFile file(options.out);
-  formats::write_motion(file.stream(), motion);
-  keep_other_kind(file, table_mark, options.force);
-  file.commit();
+  write_file(options.out, table_mark, options.force, [&](std::ostream& out) { formats::write_motion(out, motion); });
   return summary_of(motion);
 }
 
@@ -149,17 +140,14 @@ void run_drive(const DriveOptions& options) {
   }
   if (!options.out.empty() && !options.motion && !options.warm_up)
     throw CLI::ValidationError("--out", "requires --motion-s or --warm-up-s");
-  if (!options.out.empty())
-    keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
-                std::array<std::filesystem::path, 1>{options.out});
-  formats::ActuatorFile file = read_actuator(options.actuator);
-  const actuator::Design design = design_in(file, options.actuator, "a drive needs a design (actuator/1)");
-  const actuator::Assembly assembly = assemble(design, options.actuator);
+  if (!options.out.empty()) keep_inputs({options.actuator.file}, {options.out});
+  const BuiltDesign built =
+      built_design(read_actuator(options.actuator), options.actuator, "a drive needs a design (actuator/1)");
   const systems::DriveQuestion question = question_of(options);
   try {
-    const systems::DrivenActuator driven = systems::drive_actuator(design, assembly, question);
-    const std::optional<systems::MotionSummary> motion = follow(options, design, assembly, question, driven);
-    const std::optional<systems::WarmUp> warmed = follow_warm_up(options, design, assembly, question, driven);
+    const systems::DrivenActuator driven = systems::drive_actuator(built.design, built.assembly, question);
+    const std::optional<systems::MotionSummary> motion = follow(options, built, question, driven);
+    const std::optional<systems::WarmUp> warmed = follow_warm_up(options, built, question, driven);
     if (options.json) {
       text::Json out = formats::to_json(driven);
       if (motion) out.set("motion", formats::to_json(*motion));
@@ -175,42 +163,32 @@ void run_drive(const DriveOptions& options) {
 }
 
 void add_asked(CLI::App& command, DriveOptions& options) {
-  command.add_option("--duty", options.duty, "Fraction of a period that is switched on, 0 to 1")
-      ->check(number_rule(Rule::between(0.0, 1.0)));
-  command
-      .add_option("--mean-A", options.mean,
-                  "Wanted mean current of a coil, A: finds the duty for it, or with --duty the supply voltage")
-      ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(100.0))));
-  command.add_option("--frequency-Hz", options.frequency, "Frequency of the pulses, Hz (default 490)")
-      ->check(number_rule(Rule::between(0.1, 1e6)));
-  command
-      .add_option("--wiring", options.wiring, "series or parallel: how all coils hang on the driver (default parallel)")
-      ->check(word_rule({"series", "parallel"}));
-  command.add_option("--actuators", options.actuators, "Like actuators on the same driver (default 1)")
-      ->transform(whole_number_rule(Rule::between(1, 16)));
-  auto* stated = command
-                     .add_option("--coil-temperature-degC", options.coil_temperature,
-                                 "Mean temperature of the coils, degC (default 20)")
-                     ->check(number_rule(Rule::between(-50.0, 200.0)));
-  command.add_flag("--warm", options.warm, "Coils as warm as this drive leaves them when it is held for good")
-      ->disable_flag_override()
+  add_number(command, "--duty", options.duty, Rule::between(0.0, 1.0),
+             "Fraction of a period that is switched on, 0 to 1");
+  add_number(command, "--mean-A", options.mean, up_to(100.0),
+             "Wanted mean current of a coil, A: finds the duty for it, or with --duty the supply voltage");
+  add_number(command, "--frequency-Hz", options.frequency, Rule::between(0.1, 1e6),
+             "Frequency of the pulses, Hz (default 490)");
+  add_word(command, "--wiring", options.wiring, {"series", "parallel"},
+           "series or parallel: how all coils hang on the driver (default parallel)");
+  add_whole_number(command, "--actuators", options.actuators, Rule::between(1, 16),
+                   "Like actuators on the same driver (default 1)");
+  auto* stated = add_number(command, "--coil-temperature-degC", options.coil_temperature, Rule::between(-50.0, 200.0),
+                            "Mean temperature of the coils, degC (default 20)");
+  add_flag(command, "--warm", options.warm, "Coils as warm as this drive leaves them when it is held for good")
       ->excludes(stated);
 }
 
 void add_driver(CLI::App& command, DriveOptions& options) {
-  const Rule voltage = Rule::above(0.0).and_also(Rule::at_most(1000.0));
-  auto* supply =
-      command.add_option("--supply-voltage-V", options.supply_voltage, "Of the H-bridge's supply, V (default 24)")
-          ->check(number_rule(voltage));
-  auto* decay =
-      command
-          .add_option("--decay", options.decay,
-                      "slow (coils shorted while off) or fast (current returned to the supply) (default slow)")
-          ->check(word_rule({"slow", "fast"}));
-  auto* limit = command.add_option("--current-limit-A", options.limit, "At which the H-bridge chops, A (default none)")
-                    ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(100.0))));
+  const Rule voltage = up_to(1000.0);
+  auto* supply = add_number(command, "--supply-voltage-V", options.supply_voltage, voltage,
+                            "Of the H-bridge's supply, V (default 24)");
+  auto* decay = add_word(command, "--decay", options.decay, {"slow", "fast"},
+                         "slow (coils shorted while off) or fast (current returned to the supply) (default slow)");
+  auto* limit = add_number(command, "--current-limit-A", options.limit, up_to(100.0),
+                           "At which the H-bridge chops, A (default none)");
   const auto from_zero = [&](double most, const char* name, double& value, const char* text) {
-    return command.add_option(name, value, text)->check(number_rule(Rule::between(0.0, most)));
+    return add_number(command, name, value, Rule::between(0.0, most), text);
   };
   from_zero(1e3, "--supply-resistance-Ohm", options.supply_resistance,
             "Inside supply or cell, with leads, Ohm (default 0)");
@@ -218,63 +196,49 @@ void add_driver(CLI::App& command, DriveOptions& options) {
       from_zero(1e5, "--high-resistance-mOhm", options.high_resistance, "Of a high switch, mOhm (default 307)");
   auto* low = from_zero(1e5, "--low-resistance-mOhm", options.low_resistance, "Of a low switch, mOhm (default 258)");
   auto* dead = from_zero(1e3, "--dead-time-us", options.dead_time, "Between switches, us (default 0.22)");
-  auto* off = command
-                  .add_option("--limit-off-time-us", options.limit_off_time,
-                              "For which the current limit switches off, us (default 25)")
-                  ->check(number_rule(Rule::between(1.0, 1e4)));
+  auto* off = add_number(command, "--limit-off-time-us", options.limit_off_time, Rule::between(1.0, 1e4),
+                         "For which the current limit switches off, us (default 25)");
   auto* blanking = from_zero(1e3, "--limit-blanking-us", options.limit_blanking,
                              "In which the limit does not look after switching on, us (default 2)");
-  command
-      .add_option("--diode-voltage-V", options.diode_voltage,
-                  "Of a diode, V (default 0.8 in a bridge, 0.4 across the coils at a cell)")
-      ->check(number_rule(Rule::between(0.0, 10.0)));
+  add_number(command, "--diode-voltage-V", options.diode_voltage, Rule::between(0.0, 10.0),
+             "Of a diode, V (default 0.8 in a bridge, 0.4 across the coils at a cell)");
   auto* lowest = from_zero(1e3, "--bridge-lowest-V", options.ratings.lowest_voltage,
                            "Supply from which the H-bridge works, V (default 6.5)");
   const auto rating = [&](const char* name, double& value, const char* text) {
-    return command.add_option(name, value, text)->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e3))));
+    return add_number(command, name, value, up_to(1e3), text);
   };
   auto* highest = rating("--bridge-highest-V", options.ratings.highest_voltage,
                          "Supply up to which the H-bridge works, V (default 45)");
   auto* peak =
       rating("--bridge-peak-A", options.ratings.peak_current, "Current that the H-bridge bears, A (default 3.6)");
-  auto* cell = command
-                   .add_option("--cell-voltage-V", options.cell_voltage,
-                               "Drives by a battery cell of this open voltage through a switch instead, V")
-                   ->check(number_rule(voltage));
+  auto* cell = add_number(command, "--cell-voltage-V", options.cell_voltage, voltage,
+                          "Drives by a battery cell of this open voltage through a switch instead, V");
   for (CLI::Option* other : {supply, decay, limit, high, low, dead, off, blanking, lowest, highest, peak})
     cell->excludes(other);
-  auto* capacity = command.add_option("--cell-capacity-mAh", options.cell_capacity, "Of the cell, mAh")
-                       ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e6))));
+  auto* capacity = add_number(command, "--cell-capacity-mAh", options.cell_capacity, up_to(1e6), "Of the cell, mAh");
   capacity->needs(cell);
   cell->needs(capacity);
-  command
-      .add_option("--cell-limit-A", options.cell_limit,
-                  "The most that the cell delivers, A (default 20 times its capacity an hour)")
-      ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e3))))
+  add_number(command, "--cell-limit-A", options.cell_limit, up_to(1e3),
+             "The most that the cell delivers, A (default 20 times its capacity an hour)")
       ->needs(cell);
-  command.add_option("--switch-resistance-mOhm", options.switch_resistance, "Of the cell's switch, mOhm (default 50)")
-      ->check(number_rule(Rule::between(0.0, 1e5)))
+  add_number(command, "--switch-resistance-mOhm", options.switch_resistance, Rule::between(0.0, 1e5),
+             "Of the cell's switch, mOhm (default 50)")
       ->needs(cell);
 }
 
 // What is followed over time.
 void add_course(CLI::App& command, DriveOptions& options) {
-  auto* motion = command.add_option("--motion-s", options.motion, "Follows the motion from rest for this long, s")
-                     ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e4))));
-  auto* warm_up =
-      command
-          .add_option("--warm-up-s", options.warm_up,
-                      "Follows for this long how the actuator warms from the temperature of its surroundings, s")
-          ->check(number_rule(Rule::above(0.0).and_also(Rule::at_most(1e5))))
-          ->excludes(motion);
+  auto* motion =
+      add_number(command, "--motion-s", options.motion, up_to(1e4), "Follows the motion from rest for this long, s");
+  auto* warm_up = add_number(command, "--warm-up-s", options.warm_up, up_to(1e5),
+                             "Follows for this long how the actuator warms from the temperature of its surroundings, s")
+                      ->excludes(motion);
   auto* out = command.add_option("--out", options.out, "CSV file to write the motion or the warm-up to");
   motion->needs(out);
   warm_up->needs(out);
   add_force_option(command, options.force);
-  command
-      .add_option("--interval-ms", options.interval,
-                  "Between rows of that file, ms (default 1 for a motion, 1000 for a warm-up)")
-      ->check(number_rule(Rule::between(1e-3, 1e6)))
+  add_number(command, "--interval-ms", options.interval, Rule::between(1e-3, 1e6),
+             "Between rows of that file, ms (default 1 for a motion, 1000 for a warm-up)")
       ->needs(out);
 }
 
@@ -288,7 +252,7 @@ void add_drive_command(CLI::App& app, Outcome&) {
   add_asked(*command, *options);
   add_driver(*command, *options);
   add_course(*command, *options);
-  command->add_flag("--json", options->json, "Print JSON instead of tables")->disable_flag_override();
+  add_json_option(*command, options->json, "tables");
   command->footer(
       "The H-bridge's defaults are typical of an integrated driver such as the DRV8870 or DRV8871 on 24 V. All is the\n"
       "periodic steady state without motion; currents of a coil are those of the one that carries most. The motion\n"

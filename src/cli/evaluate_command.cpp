@@ -28,10 +28,9 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "report_option.hpp"
-#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -150,40 +149,24 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = app.add_subcommand("evaluate", "Compute what an actuator does at one current");
   add_actuator_options(*command, options->actuator);
-  command
-      ->add_option("--current-A,--current", options->current,
-                   "Current in every coil, A; a positive current bends the actuator. Default: that of the\n"
-                   "operating_point of ACTUATOR.json, which size writes")
-      ->check(number_rule(text::Rule::between(-1e6, 1e6)));
-  command
-      ->add_option(
-          "--duty", options->duty,
-          "Fraction of the time for which the current is on, 0 to 1; affects only heat. Default: likewise, or 1")
-      ->check(number_rule(text::Rule::between(0.0, 1.0)));
-  command
-      ->add_option(
-          "--grasp-opening-deg", options->grasp_opening,
-          "Bending angle at which the free actuator would just touch the wall that grasp forces are taken at.\n"
-          "Default: likewise, or 0: the straight actuator touches it")
-      ->check(number_rule(text::Rule::between(0.0, 360.0)));
-  command
-      ->add_option("--grasp-height-mm", options->grasp_height,
-                   "Where on the last segment it touches the wall, from that segment's joint. Default: likewise, or\n"
-                   "the tip")
-      ->check(number_rule(text::Rule::between(0.0, 1e6)));
-  command
-      ->add_option("--wiring", options->wiring,
-                   "How the coils hang on the supply: parallel or series. Default: likewise, or parallel")
-      ->check(word_rule({"parallel", "series"}));
-  command
-      ->add_option("--supply-resistance-Ohm,--supply-resistance", options->supply_resistance,
-                   "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0")
-      ->check(number_rule(text::Rule::between(0.0, 1e6)));
-  command
-      ->add_option("--supply-voltage-V,--supply-voltage", options->supply_voltage,
-                   "Voltage of the supply without load, V; asks for the current that it drives at most")
-      ->check(number_rule(text::Rule::between(1e-6, 1e6)));
-  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_number(*command, "--current-A,--current", options->current, text::Rule::between(-1e6, 1e6),
+             "Current in every coil, A; a positive current bends the actuator. Default: that of the\n"
+             "operating_point of ACTUATOR.json, which size writes");
+  add_number(*command, "--duty", options->duty, text::Rule::between(0.0, 1.0),
+             "Fraction of the time for which the current is on, 0 to 1; affects only heat. Default: likewise, or 1");
+  add_number(*command, "--grasp-opening-deg", options->grasp_opening, text::Rule::between(0.0, 360.0),
+             "Bending angle at which the free actuator would just touch the wall that grasp forces are taken at.\n"
+             "Default: likewise, or 0: the straight actuator touches it");
+  add_number(*command, "--grasp-height-mm", options->grasp_height, text::Rule::between(0.0, 1e6),
+             "Where on the last segment it touches the wall, from that segment's joint. Default: likewise, or\n"
+             "the tip");
+  add_word(*command, "--wiring", options->wiring, {"parallel", "series"},
+           "How the coils hang on the supply: parallel or series. Default: likewise, or parallel");
+  add_number(*command, "--supply-resistance-Ohm,--supply-resistance", options->supply_resistance,
+             text::Rule::between(0.0, 1e6), "Resistance inside the supply and its leads, Ohm. Default: likewise, or 0");
+  add_number(*command, "--supply-voltage-V,--supply-voltage", options->supply_voltage, text::Rule::between(1e-6, 1e6),
+             "Voltage of the supply without load, V; asks for the current that it drives at most");
+  add_json_option(*command, options->json);
   add_report_file_option(*command, options->page);
   command->footer(
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"
@@ -193,7 +176,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
       "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --set gap_mm=1.2 --set "
       "turns_axial=26");
   command->callback([options] {
-    if (options->page) keep_inputs({{options->actuator.file}}, {{*options->page}});
+    if (options->page) keep_inputs({options->actuator.file}, {*options->page});
     const formats::ActuatorFile file = read_actuator(options->actuator);
     std::visit([&](const auto& content) { evaluate(content, file, *options); }, file.content);
   });

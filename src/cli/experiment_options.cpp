@@ -1,8 +1,7 @@
 #include "experiment_options.hpp"
 
 #include "coilwright/formats/data/experiment_file.hpp"
-#include "names_once.hpp"
-#include "number_rule.hpp"
+#include "options.hpp"
 
 namespace coilwright::cli {
 
@@ -13,8 +12,7 @@ void add_noise_and_seed(CLI::App& command, ExperimentOptions& options) {
           "QUANTITY=VALUE: standard deviation of the noise of one instrument, for example angle_deg=0.3; overrides the "
           "experiment's; may be repeated")
       ->allow_extra_args(false);
-  command.add_option("--seed", options.seed, "Random seed for the noise (default 1)")
-      ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
+  add_seed_option(command, options.seed, "Random seed for the noise (default 1)");
 }
 
 measurement::experiment::Experiment read_experiment(const ExperimentOptions& options) {

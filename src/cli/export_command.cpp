@@ -23,10 +23,8 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
-#include "word_rule.hpp"
-#include "written_files.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -124,7 +122,7 @@ void run_export(const ExportOptions& options) {
   const std::filesystem::path out(options.out);
   std::vector<std::filesystem::path> outputs;
   for (const ExportedFile& file : files) outputs.push_back(out / file.name);
-  keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file}, outputs);
+  keep_inputs({options.actuator.file}, outputs);
   text::OutputFolder folder(out.has_filename() ? out : out.parent_path());
   for (const ExportedFile& file : files) folder.write(file.name, file.text);
   keep_others(folder, options.force);
@@ -157,16 +155,13 @@ void add_export_command(CLI::App& app, Outcome&) {
       ->check(word_rule(kind_names()));
   command->add_option("--out", options->out, "Folder for the files; it is created if it does not exist")
       ->required()
-      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
-  command
-      ->add_flag(
-          "--incomplete", options->incomplete,
-          "Write a model also where forces between parts that are not neighbours, which it cannot have, are more "
-          "than a twentieth of those between neighbours; effects that it cannot have are told in any case")
-      ->disable_flag_override();
+      ->check(not_empty());
+  add_flag(*command, "--incomplete", options->incomplete,
+           "Write a model also where forces between parts that are not neighbours, which it cannot have, are more "
+           "than a twentieth of those between neighbours; effects that it cannot have are told in any case");
   for (const ExportSetting& setting : exports::export_settings())
-    command->add_option(option_name(setting), options->settings.emplace_back(), std::string(setting.text))
-        ->check(number_rule(text::Rule::between(setting.lowest, setting.highest)));
+    add_number(*command, option_name(setting), options->settings.emplace_back(),
+               text::Rule::between(setting.lowest, setting.highest), std::string(setting.text));
   add_force_option(*command, options->force);
   add_written_json_option(*command, options->json);
   command->footer(list_of_kinds() +

@@ -25,8 +25,8 @@
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "placed_bodies.hpp"
 
 namespace coilwright::cli {
@@ -290,8 +290,7 @@ void require_one_question(const FieldOptions& options) {
 
 void run_field(const FieldOptions& options) {
   require_one_question(options);
-  keep_inputs(std::array<std::filesystem::path, 2>{options.pair, options.points},
-              std::array<std::filesystem::path, 2>{options.out, options.svg});
+  keep_inputs({options.pair, options.points}, {options.out, options.svg});
   const PairFile file = formats::read_pair(options.pair);
   const Question question = field_question(options, file);
   std::optional<text::OutputFile> table;
@@ -344,12 +343,11 @@ void add_field_command(CLI::App& app, Outcome&) {
   command->add_option("--pose", options->pose, "Which of the file's poses (default 1)")
       ->type_name("N")
       ->transform(whole_number_rule(Rule::between(1.0, 1e6)));
-  command->add_flag("--gradient", options->gradient, "Also the nine slopes of B, dBx_dy_T_m and so on, in T/m")
-      ->disable_flag_override();
+  add_flag(*command, "--gradient", options->gradient, "Also the nine slopes of B, dBx_dy_T_m and so on, in T/m");
   command->add_option("--out", options->out, "Write the points as CSV instead")->type_name("FILE.csv");
   command->add_option("--svg", options->svg, "Draw the map: colour by magnitude, arrows along the field")
       ->type_name("FILE.svg");
-  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(*command, options->json);
   add_force_option(*command, options->force);
   command->footer(
       "Positions and B are in the axes of the file (of a pair: of the first body). 1 mT is 10 gauss, 1 T/m is 1 "

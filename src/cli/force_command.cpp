@@ -16,6 +16,7 @@
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
+#include "options.hpp"
 #include "placed_bodies.hpp"
 
 namespace coilwright::cli {
@@ -222,8 +223,8 @@ void add_force_command(CLI::App& app, Outcome&) {
   command
       ->add_option("PAIR.json", options->pair, "File with two bodies and poses of the second one, or a list of bodies")
       ->required();
-  command->add_flag("--matrix", options->matrix, "Also print which body acts on which")->disable_flag_override();
-  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_flag(*command, "--matrix", options->matrix, "Also print which body acts on which");
+  add_json_option(*command, options->json);
   command->footer(
       "Of a pair, the first body (the coil) is at the origin with its axis along +z. Force and torque act on the "
       "second\n"

@@ -16,10 +16,8 @@
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "file_rule.hpp"
-#include "outcome.hpp"
+#include "options.hpp"
 #include "packed_files.hpp"
-#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -63,12 +61,6 @@ formats::DatasetDraft draft_of(const InitOptions& options, Start& start) {
   return formats::draft_dataset(files, options.out, std::string(actuator_file));
 }
 
-Json sentences_json(const std::vector<std::string>& sentences) {
-  Json list = Json::array();
-  for (const std::string& each : sentences) list.add(each);
-  return list;
-}
-
 void print_sentences(std::string_view title, const std::vector<std::string>& sentences) {
   if (sentences.empty()) return;
   std::cout << title << ":\n";
@@ -97,7 +89,7 @@ void run_init(const InitOptions& options) {
     for (const std::string_view name : start.files)
       if (is_written(name)) written.add((out / name).lexically_normal().string());
     Json told = Json::object({{"written", std::move(written)}, {"next", start.next}});
-    if (draft) told.set("guessed", sentences_json(draft->guessed)).set("to_be_said", sentences_json(draft->asked));
+    if (draft) told.set("guessed", Json::list(draft->guessed)).set("to_be_said", Json::list(draft->asked));
     std::cout << told.text();
     return;
   }
@@ -128,7 +120,7 @@ void add_init_command(CLI::App& app, Outcome&) {
                    "Records of yours (CSV) that a data set is to be about: its dataset.json says "
                    "what their columns seem to be")
       ->check(file_rule());
-  command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  add_json_option(*command, options->json, "text");
   command->footer(
       "The files run as they are: change them. No file that is there is replaced; an actuator.json that is there is\n"
       "the one that the study or the data set is about. The records of the data set are synthetic: they are the\n"

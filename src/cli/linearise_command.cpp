@@ -17,9 +17,8 @@
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/units/angle.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
-#include "report_stream.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -83,16 +82,10 @@ std::string remarks(const LinearModel& model) {
 }
 
 void run_linearise(const LineariseOptions& options) {
-  keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
-              std::array<std::filesystem::path, 1>{options.out});
+  keep_inputs({options.actuator.file}, {options.out});
   const LinearModel model = linear_model(options);
   const std::string json = formats::to_json(model).text();
-  if (!options.out.empty()) {
-    text::OutputFile file(options.out);
-    file.stream() << json;
-    keep_other_kind(file, json_mark, options.force);
-    file.commit();
-  }
+  if (!options.out.empty()) write_file(options.out, json_mark, options.force, [&](std::ostream& out) { out << json; });
   report_stream(options.out) << (options.json ? json : as_table(model) + "\n" + std::string(cold_note));
   std::cerr << remarks(model);
 }
@@ -109,7 +102,7 @@ void add_linearise_command(CLI::App& app, Outcome&) {
       ->required()
       ->expected(1, static_cast<int>(mechanics::max_joints) + 1)
       ->check(number_rule(text::Rule::between(-1e6, 1e6)));
-  command->add_flag("--json", options->json, "Print JSON (linear-model/1) instead of a table")->disable_flag_override();
+  add_flag(*command, "--json", options->json, "Print JSON (linear-model/1) instead of a table");
   command->add_option("--out", options->out, "JSON file to write (linear-model/1)");
   add_force_option(*command, options->force);
   command->footer(

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "build_info.hpp"
-#include "command_names.hpp"
-#include "command_options.hpp"
+#include "command_tree.hpp"
 
 namespace coilwright::cli {
 namespace {

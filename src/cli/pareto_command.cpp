@@ -14,8 +14,7 @@
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "evaluated_again.hpp"
-#include "outcome.hpp"
+#include "found_designs.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
@@ -33,7 +32,7 @@ ExitCode run_pareto(const StudyOptions& options) {
   const sizing::Study& study = problem.study();
   const Interruption interruption;
   text::OutputFolder folder(options.out);
-  RunArchive archive(options, input.provenance, problem, study.search.max_evaluations, folder);
+  RunArchive archive(options, input, problem, study.search.max_evaluations, folder);
   const sizing::ParetoResult result = [&] {
     const ProgressLine line = progress_line(options, archive.study(), study, study.search.max_evaluations);
     sizing::ParetoOptions search = study.search;

@@ -11,9 +11,9 @@
 #include "coilwright/measurement/experiment/experiment_plan.hpp"
 #include "coilwright/report/plan_text.hpp"
 #include "commands.hpp"
-#include "end_on_signal.hpp"
 #include "experiment_options.hpp"
-#include "threads_option.hpp"
+#include "options.hpp"
+#include "signals.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -68,11 +68,10 @@ void add_plan_command(CLI::App& app, Outcome&) {
           "Number that the diagnosis will recalibrate, as a data set names it; may be repeated; replaces the default "
           "(default joint_stiffness and joint_damping)")
       ->allow_extra_args(false);
-  command->add_flag("--exact", options->exact, "Take every declared number as exact, without its default tolerance")
-      ->disable_flag_override();
+  add_flag(*command, "--exact", options->exact, "Take every declared number as exact, without its default tolerance");
   add_noise_and_seed(*command, options->experiment);
   add_threads_option(*command, options->threads, "Number of simulations that run at the same time");
-  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(*command, options->json);
   command->footer(
       "Prints for each effect the smallest strength that stands out of the noise of these runs in four of five "
       "records\n"

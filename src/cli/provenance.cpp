@@ -28,21 +28,19 @@ std::string hash_of(const Provenance& provenance) {
 text::Json to_json(const Provenance& provenance) {
   using text::Json;
   const Commit built = commit();
-  Json inputs = Json::array();
-  for (const InputRecord& input : provenance.inputs)
-    inputs.add(Json::object({{"file", input.file}, {"sha256", input.sha256}}));
-  Json changes = Json::array();
-  for (const std::string& change : provenance.changes) changes.add(change);
+  Json inputs = Json::list(provenance.inputs, [](const InputRecord& input) {
+    return Json::object({{"file", input.file}, {"sha256", input.sha256}});
+  });
   return Json::object({{"format", "provenance/1"},
                        {"program", "coilwright"},
                        {"version", version()},
-                       {"commit", built.hash.empty() ? Json(nullptr) : Json(built.hash)},
+                       {"commit", text::text_or_null(built.hash)},
                        {"changed_since_commit", built.hash.empty() ? Json(nullptr) : Json(built.changed)},
                        {"command", provenance.command},
                        {"inputs", std::move(inputs)},
-                       {"set", std::move(changes)},
+                       {"set", Json::list(provenance.changes)},
                        {"question_sha256", hash_of(provenance)},
-                       {"seed", provenance.seed ? Json(*provenance.seed) : Json(nullptr)}});
+                       {"seed", provenance.seed}});
 }
 
 }  // namespace coilwright::cli

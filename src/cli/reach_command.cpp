@@ -26,9 +26,8 @@
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
-#include "report_stream.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -73,9 +72,8 @@ struct Asked {
 
 Asked read(const ReachOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
-  if (const auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = *model, .bearable = {}};
-  actuator::Design design = design_in(file, options.actuator, "it has no design");
-  actuator::Assembly assembly = assemble(design, options.actuator);
+  if (auto* model = std::get_if<actuator::Model>(&file.content)) return {.model = std::move(*model), .bearable = {}};
+  auto [design, assembly] = built_design(std::move(file), options.actuator, "it has no design");
   actuator::Model model = assembly.model;
   const double ampacity = actuator::operating_current_limit(design);
   return {.model = std::move(model),
@@ -145,8 +143,7 @@ std::string remarks(const control::Reach& reach, const control::ReachTask& task,
 }
 
 void run_reach(const ReachOptions& options) {
-  keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
-              std::array<std::filesystem::path, 2>{options.out, options.header});
+  keep_inputs({options.actuator.file}, {options.out, options.header});
   if (!options.out.empty() &&
       std::filesystem::path(options.out).lexically_normal() == std::filesystem::path(options.header).lexically_normal())
     throw InputError({.file = "--c-header", .rule = "must be another file than that of --out"});
@@ -168,7 +165,7 @@ void add_reach_command(CLI::App& app, Outcome&) {
       app.add_subcommand("reach", "Find a current profile that brings the actuator to an angle without ringing");
   add_actuator_options(*command, options->actuator);
   const auto number = [&](const char* name, auto& value, const char* text, const Rule& rule) {
-    return command->add_option(name, value, text)->check(number_rule(rule));
+    return add_number(*command, name, value, rule, text);
   };
   const Rule current = Rule::between(-1e6, 1e6);
   number("--angle-deg", options->angle, "Bending angle to reach, deg", Rule::between(-360, 360))->required();
@@ -178,14 +175,14 @@ void add_reach_command(CLI::App& app, Outcome&) {
   number("--stiffness-error-percent", options->stiffness_error, "How far k of the hinges may be off (default 10)",
          Rule::between(0, 50));
   number("--damping-error-percent", options->damping_error, "How far b may be off (default 10)", Rule::between(0, 50));
-  command->add_option("--pieces", options->pieces, "Levels of the searched profile before the last one (default 3)")
-      ->transform(whole_number_rule(Rule::between(1, 6)));
+  add_whole_number(*command, "--pieces", options->pieces, Rule::between(1, 6),
+                   "Levels of the searched profile before the last one (default 3)");
   command->add_option("--out", options->out,
                       "CSV file to write the best profile to, for simulate --input FILE --interval-s 0.002");
   command->add_option("--c-header", options->header,
                       "C99 file to write: that profile and the model, for a microcontroller");
   add_force_option(*command, options->force);
-  command->add_flag("--json", options->json, "Print JSON (reach/1) instead of a table")->disable_flag_override();
+  add_flag(*command, "--json", options->json, "Print JSON (reach/1) instead of a table");
   command->footer(
       "A step makes a finger ring for a second. A profile of a few levels arrives in a seventh of that, without a\n"
       "sensor. Compared are the plain step, the step shaped for the slowest motion (zero vibration, and with zero\n"

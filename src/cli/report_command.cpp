@@ -10,11 +10,9 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
-#include "outcome.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "report_option.hpp"
-#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -40,11 +38,11 @@ void run_report(const ReportCommandOptions& options) {
   const std::filesystem::path folder(options.folder);
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
   ReportOptions how{.pictures = options.pictures};
-  keep_inputs(results_in(folder), {{file}});
+  keep_inputs(results_in(folder), {file});
   if (options.figures) how.figures = *options.figures;
   write_report(folder, file, how);
   if (options.json)
-    std::cout << written_json(std::array<std::filesystem::path, 1>{file}).text();
+    std::cout << written_json({file}).text();
   else
     std::cout << file.string() << '\n';
 }
@@ -58,16 +56,14 @@ void add_report_command(CLI::App& app, Outcome&) {
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
       ->check(page_name_complaint);
   add_written_json_option(*command, options->json);
-  command
-      ->add_option("--pictures", options->pictures,
-                   "Number of designs of a front that are drawn and simulated, evenly along it (default 200)")
-      ->transform(whole_number_rule(text::Rule::between(1, 1e6)));
+  add_whole_number(*command, "--pictures", options->pictures, text::Rule::between(1, 1e6),
+                   "Number of designs of a front that are drawn and simulated, evenly along it (default 200)");
   command
       ->add_option(
           "--figures", options->figures,
           "Folder for each figure as a file of its own: SVG, and charts as Vega-Lite as well; charts are drawn by\n"
           "Node, where it is installed")
-      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
+      ->check(not_empty());
   command->footer(
       "Writes one HTML file that works without a network, and prints its name. Of size: verdict, design in section\n"
       "and in motion, limits, sensitivities, assumptions. Of sweep: the best designs, what each variable does, which\n"

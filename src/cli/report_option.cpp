@@ -20,6 +20,7 @@
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "draw_figures.hpp"
+#include "options.hpp"
 #include "packed_files.hpp"
 #include "provenance.hpp"
 #include "sha256.hpp"
@@ -100,8 +101,7 @@ std::string page_name_complaint(const std::string& name) {
 }
 
 void add_report_option(CLI::App& command, bool& wanted) {
-  command.add_flag("--report", wanted, fmt::format("Write a page to look at as well: {} in that folder", report_name))
-      ->disable_flag_override()
+  add_flag(command, "--report", wanted, fmt::format("Write a page to look at as well: {} in that folder", report_name))
       ->check([](const std::string&) { return why_none(); });
 }
 

@@ -5,10 +5,9 @@
 #include "coilwright/formats/data/rig_runs.hpp"
 #include "coilwright/report/rig_text.hpp"
 #include "coilwright/units/unit.hpp"
-#include "number_rule.hpp"
-#include "rig_commands.hpp"
+#include "commands.hpp"
+#include "options.hpp"
 #include "rig_options.hpp"
-#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -54,24 +53,17 @@ void add_camera(CLI::App& command) {
   add_list(*rig, "--frequencies-Hz", options->frequencies,
            "F1,F2,..: frequencies of the sines, at most a tenth of the frame rate. Default: 0.5,1,2,10",
            up_to_a_million);
-  rig->add_option("--only", options->only, "Film the steps or the sines alone: steps or sines")
-      ->check(word_rule({"steps", "sines"}));
-  rig->add_option("--amplitude-A,--amplitude", options->amplitude,
-                  "Amplitude of the sines, A (default 0.7, as the paper's (23))")
-      ->check(number_rule(current));
-  rig->add_option("--offset-A,--offset", options->offset, "Mean current of the sines, A (default 0.7)")
-      ->check(number_rule(current));
-  rig->add_option("--frame-rate-Hz", options->frame_rate, "Frames a second (default 2000)")
-      ->check(number_rule(up_to_a_million));
-  rig->add_option(
-         "--duration-s", options->duration,
-         "Duration of a record of a step, which comes after 0.1 s (default 2); a sine's has two periods and at\n"
-         "least 1 s")
-      ->check(number_rule(text::Rule::above(0.1).and_also(text::Rule::at_most(1e6))));
-  rig->add_option("--sigma-deg", options->sigma,
-                  "Standard deviation of the camera's noise that the data set states; the readings have none (default "
-                  "0.3)")
-      ->check(number_rule(text::Rule::between(1e-6, 1e6)));
+  add_word(*rig, "--only", options->only, {"steps", "sines"}, "Film the steps or the sines alone: steps or sines");
+  add_number(*rig, "--amplitude-A,--amplitude", options->amplitude, current,
+             "Amplitude of the sines, A (default 0.7, as the paper's (23))");
+  add_number(*rig, "--offset-A,--offset", options->offset, current, "Mean current of the sines, A (default 0.7)");
+  add_number(*rig, "--frame-rate-Hz", options->frame_rate, up_to_a_million, "Frames a second (default 2000)");
+  add_number(*rig, "--duration-s", options->duration, text::Rule::above(0.1).and_also(text::Rule::at_most(1e6)),
+             "Duration of a record of a step, which comes after 0.1 s (default 2); a sine's has two periods and at\n"
+             "least 1 s");
+  add_number(*rig, "--sigma-deg", options->sigma, text::Rule::between(1e-6, 1e6),
+             "Standard deviation of the camera's noise that the data set states; the readings have none (default "
+             "0.3)");
   rig->footer(
       "A step starts at rest without current, a sine at rest under its first current. With measured readings in the\n"
       "data set, remove its \"sigma\": the noise is then estimated from the records.\n\n"

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
-#include "rig_commands.hpp"
 
 namespace coilwright::cli {
 

@@ -6,8 +6,8 @@
 #include "coilwright/formats/data/rig_runs.hpp"
 #include "coilwright/report/rig_text.hpp"
 #include "coilwright/units/unit.hpp"
-#include "number_rule.hpp"
-#include "rig_commands.hpp"
+#include "commands.hpp"
+#include "options.hpp"
 #include "rig_options.hpp"
 
 namespace coilwright::cli {
@@ -38,14 +38,11 @@ void add_grasp_bench(CLI::App& command) {
   add_rig_options(*rig, options->rig);
   add_list(*rig, "--currents-A,--currents", options->currents,
            "I1,I2,..: currents in every coil, A. Default: 0,0.35,0.7,1.05,1.4", text::Rule::between(-1e6, 1e6));
-  rig->add_option(
-         "--grasp-opening-deg", options->grasp_opening,
-         "Bending angle at which the free actuator would just touch the wall (default 0: the straight actuator\n"
-         "touches it)")
-      ->check(number_rule(text::Rule::between(0.0, 360.0)));
-  rig->add_option("--grasp-height-mm", options->grasp_height,
-                  "Where on the last segment it touches the wall, from that segment's joint. Default: the tip")
-      ->check(number_rule(text::Rule::between(0.0, 1e6)));
+  add_number(*rig, "--grasp-opening-deg", options->grasp_opening, text::Rule::between(0.0, 360.0),
+             "Bending angle at which the free actuator would just touch the wall (default 0: the straight actuator\n"
+             "touches it)");
+  add_number(*rig, "--grasp-height-mm", options->grasp_height, text::Rule::between(0.0, 1e6),
+             "Where on the last segment it touches the wall, from that segment's joint. Default: the tip");
   rig->footer(
       "Example:\n"
       "  coilwright rig grasp-bench configs/actuators/paper_finger.json --currents-A 0.7,1.4 --grasp-opening-deg 30");

@@ -13,11 +13,9 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/units/unit.hpp"
-#include "file_rule.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "provenance.hpp"
-#include "word_rule.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -65,13 +63,12 @@ void add_rig_options(CLI::App& rig, RigOptions& options) {
   rig.get_option("ACTUATOR.json")->description("File of a design (actuator/1)")->check(file_rule());
   rig.add_option("--out", options.out,
                  "Folder for a data set (measured-data/1) of the readings; it is created if it does not exist")
-      ->check([](const std::string& name) { return name.empty() ? "must not be empty" : ""; });
-  rig.add_option("--fidelity", options.fidelity,
-                 "By which force the readings in the data set are: exact or line_of_centres. Default: as the actuator "
-                 "says")
-      ->check(word_rule({"exact", "line_of_centres"}));
+      ->check(not_empty());
+  add_word(rig, "--fidelity", options.fidelity, {"exact", "line_of_centres"},
+           "By which force the readings in the data set are: exact or line_of_centres. Default: as the actuator "
+           "says");
   add_force_option(rig, options.force);
-  rig.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(rig, options.json);
 }
 
 void add_list(CLI::App& rig, const std::string& name, std::vector<double>& values, const std::string& text,
@@ -87,15 +84,17 @@ std::vector<double> all_to_memory(const std::vector<double>& values, const char*
 
 RigActuator read_rig_actuator(const RigOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
-  return {.name = file.name.empty() ? "actuator" : file.name,
-          .design = design_in(file, options.actuator, "a rig takes a design (actuator/1), whose parts are known")};
+  std::string name = file.name.empty() ? "actuator" : file.name;
+  return {.name = std::move(name),
+          .design = built_design(std::move(file), options.actuator,
+                                 "a rig takes a design (actuator/1), whose parts are known")
+                        .design};
 }
 
 void run_rig(const RigOptions& options,
              const std::function<RigResult(const actuator::Design& design, magnetics::Fidelity fidelity)>& readings) {
   if (!options.out.empty())
-    keep_inputs(std::array<std::filesystem::path, 1>{options.actuator.file},
-                std::array{folder_of(options) / actuator_name, folder_of(options) / "dataset.json"});
+    keep_inputs({options.actuator.file}, {folder_of(options) / actuator_name, folder_of(options) / "dataset.json"});
   const RigActuator actuator = read_rig_actuator(options);
   const RigResult result = [&] {
     try {

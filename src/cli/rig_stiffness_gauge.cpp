@@ -6,8 +6,8 @@
 #include "coilwright/formats/data/rig_runs.hpp"
 #include "coilwright/report/rig_text.hpp"
 #include "coilwright/units/unit.hpp"
-#include "number_rule.hpp"
-#include "rig_commands.hpp"
+#include "commands.hpp"
+#include "options.hpp"
 #include "rig_options.hpp"
 
 namespace coilwright::cli {
@@ -38,14 +38,11 @@ void add_stiffness_gauge(CLI::App& command) {
       "stiffness-gauge", "Force that holds a joint open without current, and its stiffness (Figs 10b, 11)");
   add_rig_options(*rig, options->rig);
   add_list(*rig, "--angles-deg", options->angles,
-           "A1,A2,..: angles of the joint, above 0 to 120. Default: 15 to 90 in steps of 15",
-           text::Rule::above(0.0).and_also(text::Rule::at_most(120.0)));
-  rig->add_option("--joint", options->joint,
-                  "Joint that is held open, from 1 at the base; all others are straight. Default: the last")
-      ->transform(whole_number_rule(text::Rule::between(1, 16)));
-  rig->add_option("--gauge-height-mm", options->gauge_height,
-                  "Where on the last segment the gauge presses, from that segment's joint. Default: its tip")
-      ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1000.0))));
+           "A1,A2,..: angles of the joint, above 0 to 120. Default: 15 to 90 in steps of 15", up_to(120.0));
+  add_whole_number(*rig, "--joint", options->joint, text::Rule::between(1, 16),
+                   "Joint that is held open, from 1 at the base; all others are straight. Default: the last");
+  add_number(*rig, "--gauge-height-mm", options->gauge_height, up_to(1000.0),
+             "Where on the last segment the gauge presses, from that segment's joint. Default: its tip");
   rig->footer(
       "The data set has the torque of the hinge alone, as `diagnose` takes a joint_stiffness run: of a measured force, "
       "take\n"

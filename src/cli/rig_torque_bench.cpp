@@ -6,8 +6,8 @@
 #include "coilwright/formats/data/rig_runs.hpp"
 #include "coilwright/report/rig_text.hpp"
 #include "coilwright/units/unit.hpp"
-#include "number_rule.hpp"
-#include "rig_commands.hpp"
+#include "commands.hpp"
+#include "options.hpp"
 #include "rig_options.hpp"
 
 namespace coilwright::cli {
@@ -39,16 +39,13 @@ void add_torque_bench(CLI::App& command) {
   CLI::App* rig =
       command.add_subcommand("torque-bench", "Torque of one joint's rigid counterpart over its angle (Fig. 17)");
   add_rig_options(*rig, options->rig);
-  rig->add_option(
-         "--axis-offset-mm", options->axis_offset,
-         "Distance of the bench's hinge from the coil axis. Default: 2 mm more than the actuator's own, as the\n"
-         "paper's 13.5 mm")
-      ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1000.0))));
-  rig->add_option("--gauge-distance-mm", options->gauge_distance,
-                  "Distance from the hinge at which the force gauge holds the joint (default 30)")
-      ->check(number_rule(text::Rule::above(0.0).and_also(text::Rule::at_most(1000.0))));
-  rig->add_option("--current-A,--current", options->current, "Current in the coil, A; not 0 (default 1.4)")
-      ->check(number_rule(text::Rule::between(-1e6, 1e6)));
+  add_number(*rig, "--axis-offset-mm", options->axis_offset, up_to(1000.0),
+             "Distance of the bench's hinge from the coil axis. Default: 2 mm more than the actuator's own, as the\n"
+             "paper's 13.5 mm");
+  add_number(*rig, "--gauge-distance-mm", options->gauge_distance, up_to(1000.0),
+             "Distance from the hinge at which the force gauge holds the joint (default 30)");
+  add_number(*rig, "--current-A,--current", options->current, text::Rule::between(-1e6, 1e6),
+             "Current in the coil, A; not 0 (default 1.4)");
   add_list(*rig, "--angles-deg", options->angles,
            "A1,A2,..: angles of the joint, 0 to 120. Default: 0 to 82.5 in steps of 7.5",
            text::Rule::between(0.0, 120.0));

@@ -87,14 +87,14 @@ std::string progress_text(const archive::Counts& counts, const Pace& pace, const
 
 }  // namespace
 
-RunArchive::RunArchive(const StudyOptions& options, const Provenance& provenance, const sizing::DesignProblem& problem,
+RunArchive::RunArchive(const StudyOptions& options, const StudyInput& input, const sizing::DesignProblem& problem,
                        std::optional<std::size_t> max_evaluations, text::OutputFolder& folder)
     : folder_(folder),
       path_(folder.path() / archive_name),
       max_evaluations_(max_evaluations),
       json_(options.json),
       lock_(folder.path()) {
-  const archive::Contents asked = contents_of(problem.study(), provenance);
+  const archive::Contents asked = contents_of(problem.study(), input.provenance, input.builds_a_system);
   take_others(options, asked, problem);
   open(options, asked, problem);
   writer_ = std::make_shared<archive::Writer>(path_, max_evaluations_, say_failure);

@@ -30,7 +30,7 @@ class RunArchive {
  public:
   /// `max_evaluations` is the budget of a search. Throws InputError and text::OutputError as above, and where the
   /// archive of another run cannot be read.
-  RunArchive(const StudyOptions& options, const Provenance& provenance, const sizing::DesignProblem& problem,
+  RunArchive(const StudyOptions& options, const StudyInput& input, const sizing::DesignProblem& problem,
              std::optional<std::size_t> max_evaluations, text::OutputFolder& folder);
 
   /// What evaluations go through.

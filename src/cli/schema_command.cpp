@@ -11,10 +11,9 @@
 
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "outcome.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "packed_files.hpp"
-#include "word_rule.hpp"
-#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {

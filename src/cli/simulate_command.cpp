@@ -31,10 +31,9 @@
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/units/angle.hpp"
 #include "commands.hpp"
-#include "keep_inputs.hpp"
-#include "number_rule.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "progress_line.hpp"
-#include "written_files.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -252,8 +251,7 @@ std::string remark_on_joints(const actuator::Model& model, const Recording& reco
 
 // Writing the result over its own input would lose the input.
 void check_output(const SimulateOptions& options) {
-  keep_inputs(std::array<std::filesystem::path, 2>{options.actuator.file, options.input},
-              std::array<std::filesystem::path, 1>{options.out});
+  keep_inputs({options.actuator.file, options.input}, {options.out});
 }
 
 void run_simulate(const SimulateOptions& options) {
@@ -274,7 +272,7 @@ void run_simulate(const SimulateOptions& options) {
     const auto [least, greatest] = std::ranges::minmax(recording.bending);
     double fastest = 0.0;
     for (const State& state : recording.states) fastest = std::max(fastest, std::abs(state.rates.sum()));
-    std::cout << written_json(std::array<std::filesystem::path, 1>{options.out})
+    std::cout << written_json({options.out})
                      .set("samples", recording.states.size())
                      .set("least_bending_angle_deg", least * units::degrees_per_radian)
                      .set("greatest_bending_angle_deg", greatest * units::degrees_per_radian)
@@ -293,10 +291,8 @@ void add_simulate_command(CLI::App& app, Outcome&) {
   CLI::App* command = app.add_subcommand("simulate", "Simulate the motion of an actuator under an input over time");
   add_actuator_options(*command, options->actuator);
   CLI::Option_group* input = command->add_option_group("input", "Input of the simulation; one of");
-  input
-      ->add_option("--step-A,--step", options->step,
-                   "Current in every coil from time 0 on, A; the actuator starts from rest without current")
-      ->check(number_rule(text::Rule::between(-1e6, 1e6)));
+  add_number(*input, "--step-A,--step", options->step, text::Rule::between(-1e6, 1e6),
+             "Current in every coil from time 0 on, A; the actuator starts from rest without current");
   input
       ->add_option("--sine", options->sine,
                    "AMPLITUDE_A OFFSET_A FREQUENCY_Hz: current offset + amplitude sin(2 pi f t) in every coil")
@@ -307,20 +303,15 @@ void add_simulate_command(CLI::App& app, Outcome&) {
       "CSV file with time_s and one input: current_A, current1_A.., voltage_V or torque1_Nm..; values are held "
       "between samples");
   input->require_option(1);
-  command->add_option("--duration-s", options->duration, "Duration of --step-A or --sine, s (default 1)")
-      ->check(number_rule(text::positive));
-  command
-      ->add_option(
-          "--interval-s", options->interval,
-          "Time between samples of --step-A or --sine, s (default 0.002); of --input the longest between samples "
-          "(default those of the file alone)")
-      ->check(number_rule(text::positive));
+  add_number(*command, "--duration-s", options->duration, text::positive,
+             "Duration of --step-A or --sine, s (default 1)");
+  add_number(*command, "--interval-s", options->interval, text::positive,
+             "Time between samples of --step-A or --sine, s (default 0.002); of --input the longest between samples "
+             "(default those of the file alone)");
   command->add_option("--out", options->out, "CSV file to write")->required();
-  command
-      ->add_flag("--as-written", options->as_written,
-                 "Take an --input also where its current is one that no coil carries, as milliamperes for amperes")
-      ->disable_flag_override();
-  command->add_flag("--force", options->force, "Replace a file that is no such table")->disable_flag_override();
+  add_flag(*command, "--as-written", options->as_written,
+           "Take an --input also where its current is one that no coil carries, as milliamperes for amperes");
+  add_flag(*command, "--force", options->force, "Replace a file that is no such table");
   add_written_json_option(*command, options->json);
   command->footer(
       "Writes time_s, the inputs, theta1_deg, .., bending_angle_deg and bending_speed_deg_s at every sample.\n"

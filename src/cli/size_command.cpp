@@ -22,8 +22,8 @@
 #include "coilwright/sizing/search/search.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "design_text.hpp"
-#include "outcome.hpp"
+#include "found_designs.hpp"
+#include "options.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
@@ -58,8 +58,8 @@ void write_results(text::OutputFolder& folder, const DesignProblem& problem, con
     folder.remove("actuator.json");
   } else {
     const std::string& study = problem.study().name;
-    const std::string text =
-        design_text(problem, answer.result.best->point, answer.result.feasible ? study : study + " (least infeasible)");
+    const std::string text = design_text(problem, answer.result.best->point, *answer.best,
+                                         answer.result.feasible ? study : study + " (least infeasible)");
     if (answer.result.feasible) check_written_design(text, problem.study(), std::get<EvaluatedDesign>(*answer.best));
     folder.write("actuator.json", text);
   }
@@ -109,7 +109,7 @@ ExitCode run_size(const StudyOptions& options) {
   input.provenance.seed = problem.study().search.seed;
   const Interruption interruption;
   text::OutputFolder folder(options.out);
-  RunArchive archive(options, input.provenance, problem, problem.study().search.max_evaluations, folder);
+  RunArchive archive(options, input, problem, problem.study().search.max_evaluations, folder);
   sizing::SearchResult result = [&] {
     const ProgressLine line =
         progress_line(options, archive.study(), problem.study(), problem.study().search.max_evaluations);
@@ -118,9 +118,7 @@ ExitCode run_size(const StudyOptions& options) {
     return sizing::search(archive.study().problem(), search);
   }();
   const std::optional<DesignResult> best =
-      result.best ? std::optional(problem.evaluate(result.best->point)) : std::nullopt;
-  if (best && problem.assess(*best) != result.best->evaluation)
-    throw std::logic_error("the design found gives other numbers when it is evaluated again");
+      result.best ? std::optional(evaluated_again(problem, result.best->point, result.best->evaluation)) : std::nullopt;
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
   const Assumptions assumptions = assumptions_of(problem, result, interruption, options.quiet);
@@ -158,14 +156,11 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       app.add_subcommand("size", "Find the best design of a study with one objective, and what limits it");
   add_study_options(*command, *options);
   add_search_options(*command, *options);
-  command
-      ->add_flag(
-          "--answer-only", options->answer_only,
-          fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
-                      "(up to some hundred evaluations more), and what becomes of the answer under each other "
-                      "modelling choice (up to {} each)",
-                      sizing::AssumptionOptions().evaluations))
-      ->disable_flag_override();
+  add_flag(*command, "--answer-only", options->answer_only,
+           fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
+                       "(up to some hundred evaluations more), and what becomes of the answer under each other "
+                       "modelling choice (up to {} each)",
+                       sizing::AssumptionOptions().evaluations));
   command->footer(
       "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
       "evaluate and simulate), evaluations.csv (every design that was evaluated, with every quantity) and\n"

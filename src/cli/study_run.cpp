@@ -12,9 +12,7 @@
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
-#include "names_once.hpp"
-#include "number_rule.hpp"
-#include "threads_option.hpp"
+#include "options.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -50,27 +48,23 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
                                          "and the results are those of a run that "
                                          "was never interrupted. Where nothing is recorded, begin");
   resume->disable_flag_override();
-  command.add_flag("--force", options.force, "Replace the results and the archive that the folder holds")
-      ->disable_flag_override()
+  add_flag(command, "--force", options.force, "Replace the results and the archive that the folder holds")
       ->excludes(resume);
   command
       .add_option("--reuse", options.reuse,
                   "Folder of another run of size, sweep or pareto with the same actuator, operating point and names of "
                   "variables: designs that its archive has are not evaluated again; may be repeated")
       ->allow_extra_args(false);
-  command.add_flag("--quiet", options.quiet, "Show no progress")->disable_flag_override();
-  command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
+  add_flag(command, "--quiet", options.quiet, "Show no progress");
+  add_json_option(command, options.json);
 }
 
 void add_search_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("--seed", options.seed, "Random seed; overrides the study's")
-      ->transform(whole_number_rule(text::Rule::between(0, 9007199254740992.0)));
-  command
-      .add_option(
-          "--max-evaluations", options.max_evaluations,
-          "Largest number of designs that the search evaluates; overrides the study's. What size looks at behind "
-          "the search comes on top (--answer-only)")
-      ->transform(whole_number_rule(text::Rule::between(1, 1e9)));
+  add_seed_option(command, options.seed, "Random seed; overrides the study's");
+  add_whole_number(
+      command, "--max-evaluations", options.max_evaluations, text::Rule::between(1, 1e9),
+      "Largest number of designs that the search evaluates; overrides the study's. What size looks at behind "
+      "the search comes on top (--answer-only)");
   command
       .add_option("--algorithm", options.algorithm,
                   fmt::format("Search algorithm; overrides the study's (default automatic). One of {}",
@@ -81,8 +75,7 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
 StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
   require_names_once(options.changes);
   const text::InputText file = text::read_text(options.study, text::json_size_limit);
-  sizing::Study study = formats::parse_study(file.text, file.file, simulation::standard_quantities(),
-                                             actuator::standard_effects(), options.changes);
+  auto [study, actuator, builds_a_system] = formats::parse_study_file(file.text, file.file, options.changes);
   const std::size_t count = study.objectives.size();
   if (count < objectives.least || count > objectives.most)
     throw text::InputError({.file = file.file,
@@ -94,9 +87,9 @@ StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objecti
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
   if (options.answer_only) study.search.afterwards = sizing::Afterwards::nothing;
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
-  const std::filesystem::path base = text::parse_json(file.text, file.file).root().find("actuator")->path();
   return {.study = std::move(study),
-          .provenance = {.inputs = {record_of(file), record_of(base)}, .changes = options.changes}};
+          .provenance = {.inputs = {record_of(file), record_of(actuator)}, .changes = options.changes},
+          .builds_a_system = builds_a_system};
 }
 
 // A signal handler may not ask a stop_source; this thread looks at the handler's flag for it.

@@ -12,7 +12,7 @@
 
 #include "coilwright/sizing/study/study.hpp"
 #include "provenance.hpp"
-#include "stop_signal.hpp"
+#include "signals.hpp"
 
 namespace coilwright::cli {
 
@@ -50,6 +50,7 @@ struct ObjectiveCount {
 struct StudyInput {
   sizing::Study study;
   Provenance provenance;
+  bool builds_a_system{};  ///< a gripper or a crawler
 };
 
 /// The study with what the command line changes, and its options in its `search`. Throws InputError, also when it has

@@ -14,8 +14,7 @@
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
-#include "evaluated_again.hpp"
-#include "outcome.hpp"
+#include "found_designs.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
@@ -47,7 +46,7 @@ ExitCode run_sweep(const StudyOptions& options) {
   const Interruption interruption;
   text::OutputFolder folder(options.out);
   const std::size_t count = problem.point_count();
-  RunArchive archive(options, input.provenance, problem, std::nullopt, folder);
+  RunArchive archive(options, input, problem, std::nullopt, folder);
   std::optional<formats::SweepTable> designs;
   archive.write_results([&] { designs.emplace(folder.open("designs.csv"), study); });
   sizing::Leaders leaders(problem);

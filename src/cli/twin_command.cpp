@@ -21,8 +21,8 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "experiment_options.hpp"
-#include "file_rule.hpp"
-#include "keep_inputs.hpp"
+#include "options.hpp"
+#include "outputs.hpp"
 #include "provenance.hpp"
 
 namespace coilwright::cli {
@@ -72,8 +72,7 @@ std::vector<Run> act_out(const TwinOptions& options, const Experiment& experimen
 // Writing over the actuator or the experiment would lose it.
 void check_output(const TwinOptions& options) {
   const std::filesystem::path folder = folder_of(options);
-  keep_inputs(std::array<std::filesystem::path, 2>{options.actuator, options.experiment.file},
-              std::array{folder / actuator_name, folder / "dataset.json"});
+  keep_inputs({options.actuator, options.experiment.file}, {folder / actuator_name, folder / "dataset.json"});
 }
 
 // What the clocks of the runs really were; none where they are one.
@@ -163,7 +162,7 @@ void add_twin_command(CLI::App& app, Outcome&) {
   add_noise_and_seed(*command, options->experiment);
   command->add_option("--out", options->out, "Folder for the data set; it is created if it does not exist")->required();
   add_force_option(*command, options->force);
-  command->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  add_json_option(*command, options->json, "text");
   command->footer(
       "Writes a data set (measured-data/1) into the folder: dataset.json, actuator.json as it was given, and one\n"
       "CSV file for each run, and provenance.json (program and files). The undeclared effects are written beside the "

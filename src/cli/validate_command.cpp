@@ -12,7 +12,7 @@
 #include "coilwright/text/json/json.hpp"
 #include "coilwright/validation/paper_comparison.hpp"
 #include "commands.hpp"
-#include "outcome.hpp"
+#include "options.hpp"
 #include "report_option.hpp"
 
 namespace coilwright::cli {
@@ -22,16 +22,16 @@ using text::Json;
 using validation::Comparison;
 
 Json as_json(const std::vector<Comparison>& rows, bool all_hold) {
-  Json list = Json::array();
-  for (const Comparison& row : rows)
-    list.add(Json::object({{"quantity", row.quantity},
-                           {"source", row.source},
-                           {"reference", row.reference},
-                           {"model", row.model},
-                           {"difference_pct", 100.0 * (row.ratio() - 1.0)},
-                           {"band_pct", Json::array({100.0 * (row.band_low - 1.0), 100.0 * (row.band_high - 1.0)})},
-                           {"holds", row.holds()},
-                           {"because", row.because}}));
+  Json list = Json::list(rows, [](const Comparison& row) {
+    return Json::object({{"quantity", row.quantity},
+                         {"source", row.source},
+                         {"reference", row.reference},
+                         {"model", row.model},
+                         {"difference_pct", 100.0 * (row.ratio() - 1.0)},
+                         {"band_pct", Json::array({100.0 * (row.band_low - 1.0), 100.0 * (row.band_high - 1.0)})},
+                         {"holds", row.holds()},
+                         {"because", row.because}});
+  });
   return Json::object({{"holds", all_hold}, {"rows", std::move(list)}});
 }
 
@@ -50,7 +50,7 @@ std::string as_table(const std::vector<Comparison>& rows) {
 void add_validate_command(CLI::App& app, Outcome& outcome) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("validate", "Compare the model with the figures of the source paper");
-  command->add_flag("--json", *json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(*command, *json);
   auto page = std::make_shared<std::optional<std::string>>();
   add_report_file_option(*command, *page);
   command->footer(

@@ -1,8 +1,8 @@
-#include "cli/end_on_signal.hpp"
+#include "cli/signals.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cli/outcome.hpp"
+#include "cli/commands.hpp"
 
 namespace coilwright::cli {
 namespace {

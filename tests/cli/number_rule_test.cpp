@@ -1,4 +1,4 @@
-#include "cli/number_rule.hpp"
+#include "cli/options.hpp"
 
 #include <gtest/gtest.h>
 

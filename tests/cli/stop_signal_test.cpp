@@ -1,4 +1,4 @@
-#include "cli/stop_signal.hpp"
+#include "cli/signals.hpp"
 
 #include <gtest/gtest.h>
 

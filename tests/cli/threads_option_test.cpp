@@ -1,4 +1,4 @@
-#include "cli/threads_option.hpp"
+#include "cli/options.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>

@@ -6,9 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "archive_commands.hpp"
 #include "cli/archive_contents.hpp"
+#include "cli/commands.hpp"
 #include "cli/folder_lock.hpp"
+#include "cli/options.hpp"
 #include "coilwright/archive/writer.hpp"
 #include "coilwright/text/json/json.hpp"
 #include "opened_archive.hpp"
@@ -51,11 +52,9 @@ void add_archive_check(CLI::App& command) {
   auto options = std::make_shared<ArchiveCheckOptions>();
   CLI::App* check = command.add_subcommand("check", "Whether every row of an archive still is what was written");
   add_archive_folder(*check, options->folder);
-  check
-      ->add_flag("--repair", options->repair,
-                 "Take out the designs that are damaged, so that --resume evaluates them anew")
-      ->disable_flag_override();
-  check->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  add_flag(*check, "--repair", options->repair,
+           "Take out the designs that are damaged, so that --resume evaluates them anew");
+  add_json_option(*check, options->json, "text");
   check->footer(
       "Each row has a checksum of its bytes, which every command that opens an archive looks at. Where one does not\n"
       "hold, or the file is torn, the exit code is 2.\n\n"

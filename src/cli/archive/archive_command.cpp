@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 
-#include "archive_commands.hpp"
 #include "cli/commands.hpp"
 
 namespace coilwright::cli {

@@ -2,7 +2,8 @@
 #include <iostream>
 #include <memory>
 
-#include "archive_commands.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "coilwright/report/archive_text.hpp"
 #include "opened_archive.hpp"
 
@@ -20,7 +21,7 @@ void add_archive_list(CLI::App& command) {
   auto options = std::make_shared<ArchiveListOptions>();
   CLI::App* list = command.add_subcommand("list", "What an archive is of, and the runs that wrote to it");
   add_archive_folder(*list, options->folder);
-  list->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  add_json_option(*list, options->json, "text");
   list->footer("Example:\n  coilwright archive list results/fastest_finger");
   list->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);

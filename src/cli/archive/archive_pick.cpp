@@ -3,10 +3,9 @@
 #include <iostream>
 #include <memory>
 
-#include "archive_commands.hpp"
-#include "cli/design_text.hpp"
-#include "cli/keep_inputs.hpp"
-#include "cli/written_files.hpp"
+#include "cli/commands.hpp"
+#include "cli/found_designs.hpp"
+#include "cli/outputs.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "opened_archive.hpp"
 
@@ -39,12 +38,12 @@ void add_archive_pick(CLI::App& command) {
     const std::vector<double> point = point_of(problem, archive, row);
     text::OutputFile file(options->out);
     const std::string& study = archive.contents().study;
-    file.stream() << design_text(problem, point, sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
+    file.stream() << design_text(problem, point, problem.evaluate(point),
+                                 sizing::is_feasible(row.evaluation) ? study : study + " (infeasible)");
     keep_other(file, options->force);
     file.commit();
     // Standard output has the actuator itself, which is JSON.
-    if (options->json && options->out != "-")
-      std::cout << written_json(std::array<std::filesystem::path, 1>{options->out}).text();
+    if (options->json && options->out != "-") std::cout << written_json({options->out}).text();
   });
 }
 

@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "archive_commands.hpp"
 #include "cli/archive_contents.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "coilwright/formats/study/archive_json.hpp"
 #include "coilwright/report/archive_text.hpp"
 #include "opened_archive.hpp"
@@ -43,7 +44,7 @@ void add_archive_replay(CLI::App& command, Outcome& outcome) {
       command.add_subcommand("replay", "Evaluate the design of a row again, and say whether its numbers are the same");
   add_archive_folder(*replay, options->folder);
   add_row_option(*replay, options->row);
-  replay->add_flag("--json", options->json, "Print JSON instead of text")->disable_flag_override();
+  add_json_option(*replay, options->json, "text");
   replay->footer(
       "The same means to the last bit. Where a number differs, the exit code is 1, and both programs are named.\n\n"
       "Example:\n  coilwright archive replay results/fastest_finger --row 17");

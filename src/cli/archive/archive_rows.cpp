@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "archive_commands.hpp"
-#include "cli/number_rule.hpp"
-#include "cli/written_files.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/outputs.hpp"
 #include "coilwright/formats/study/archive_json.hpp"
 #include "coilwright/formats/study/archive_table.hpp"
 #include "coilwright/report/archive_text.hpp"
@@ -36,7 +36,7 @@ struct ArchiveRowsOptions {
 
 void add_common_options(CLI::App& command, ArchiveRowsOptions& options) {
   add_archive_folder(command, options.folder);
-  command.add_flag("--json", options.json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(command, options.json);
 }
 
 void add_where(CLI::App& command, ArchiveRowsOptions& options, bool required) {
@@ -122,8 +122,7 @@ void add_archive_top(CLI::App& command) {
   add_common_options(*top, *options);
   top->add_option("--most", options->most, "Column whose largest values come first");
   top->add_option("--least", options->least, "Column whose smallest values come first");
-  top->add_option("--count", options->count, "Number of designs (default 10)")
-      ->transform(whole_number_rule(text::Rule::between(1, 1e9)));
+  add_whole_number(*top, "--count", options->count, text::Rule::between(1, 1e9), "Number of designs (default 10)");
   add_where(*top, *options, false);
   top->footer(
       "Without --where only designs that keep every limit.\n\n"
@@ -137,8 +136,7 @@ void add_archive_csv(CLI::App& command) {
   add_archive_folder(*csv, options->folder);
   csv->add_option("--out", options->out, "File for the table; - is standard output (default -)")->default_str("-");
   add_where(*csv, *options, false);
-  csv->add_flag("--json", options->json, "Print the designs as JSON, or with --out what was written")
-      ->disable_flag_override();
+  add_flag(*csv, "--json", options->json, "Print the designs as JSON, or with --out what was written");
   csv->footer("Example:\n  coilwright archive csv results/fastest_finger --out designs.csv");
   csv->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);
@@ -152,7 +150,7 @@ void add_archive_csv(CLI::App& command) {
     formats::ArchiveTable table(file.stream(), archive.contents());
     archive.each({.where = options->where}, [&](const archive::Row& row) { table.row(row); });
     file.commit();
-    if (options->json) std::cout << written_json(std::array<std::filesystem::path, 1>{options->out}).text();
+    if (options->json) std::cout << written_json({options->out}).text();
   });
 }
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "cli/archive_contents.hpp"
-#include "cli/number_rule.hpp"
+#include "cli/options.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/text/input_error.hpp"
 

@@ -52,7 +52,7 @@ auto at_place(const std::string& place, const Call& call) {
 
 GripAnswer answer_of(const GripOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
-  const actuator::Design design = design_in(file, options.actuator, "a gripper needs a design (actuator/1)");
+  const actuator::Design design = built_design(file, options.actuator, "a gripper needs a design (actuator/1)").design;
   const Gripper gripper = at_place(options.actuator.file, [&] {
     return Gripper(design, {.angle = options.mounting_angle / units::degrees_per_radian,
                             .spacing = options.spacing * 1e-3,

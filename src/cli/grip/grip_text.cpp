@@ -99,10 +99,6 @@ std::string magnets_text(const GripAnswer& answer) {
       answer.current, *answer.demagnetisation_margin);
 }
 
-Json optional_number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 }  // namespace
 
 std::string as_text(const GripOptions& options, const GripAnswer& answer) {
@@ -168,14 +164,14 @@ std::string as_json(const GripOptions& options, const GripAnswer& answer) {
                            {"settling_mm", grasp.settling * 1e3},
                            {"contacts", std::move(contacts)}});
   out.set("closing_time_ms", grasp.both_touched ? Json(grasp.closing_time * 1e3) : Json());
-  if (answer.least_current) out.set("least_current_A", optional_number(*answer.least_current));
-  if (answer.least_friction) out.set("least_friction", optional_number(*answer.least_friction));
+  if (answer.least_current) out.set("least_current_A", *answer.least_current);
+  if (answer.least_friction) out.set("least_friction", *answer.least_friction);
   out.set("runaway_current_A", answer.burns_from);
   if (answer.demagnetisation_margin) out.set("demagnetisation_margin", *answer.demagnetisation_margin);
   out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
   if (answer.heat) {
     out.set("continuous_current_A", answer.heat->current_for_good());
-    out.set("time_to_limit_s", optional_number(answer.heat->time_to_limit));
+    out.set("time_to_limit_s", answer.heat->time_to_limit);
   }
   return out.text();
 }

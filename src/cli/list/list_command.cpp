@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/word_rule.hpp"
+#include "cli/options.hpp"
 #include "listings.hpp"
 
 namespace coilwright::cli {
@@ -67,7 +67,7 @@ void add_list_command(CLI::App& app, Outcome&) {
   command->add_option("WHAT", options->what, "One of quantities, parameters, effects, gauges, magnets, silicones")
       ->required()
       ->check(word_rule(words()));
-  command->add_flag("--json", options->json, "Print JSON instead of a table")->disable_flag_override();
+  add_json_option(*command, options->json);
   command->footer("Example:\n  coilwright list quantities");
   command->callback([options] { run_list(*options); });
 }

@@ -41,13 +41,11 @@ std::string to_text(const Listing& listing) {
 }
 
 text::Json to_json(const Listing& listing) {
-  text::Json out = text::Json::array();
-  for (const auto& row : listing.rows) {
-    text::Json object = text::Json::object({});
+  return text::Json::list(listing.rows, [&](const auto& row) {
+    text::Json object = text::Json::object();
     for (std::size_t i = 0; i < row.size(); ++i) object.set(listing.columns[i], json_of(row[i]));
-    out.add(object);
-  }
-  return out;
+    return object;
+  });
 }
 
 std::string range_in_words(const text::Rule& rule) {

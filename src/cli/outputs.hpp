@@ -2,17 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
+#include <iostream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "coilwright/text/json/json.hpp"
 #include "coilwright/text/output/output_file.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 
 namespace coilwright::cli {
 
 /// Throws text::OutputError naming the first of `outputs` that is one of `inputs`: writing it would lose it.
-void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs);
+void keep_inputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs);
 
 /// An option --force of a command that calls keep_others() or one of the other functions below.
 void add_force_option(CLI::App& command, bool& force);
@@ -27,6 +31,10 @@ void keep_other(text::OutputFile& file, bool force);
 /// The same of a file that is made again and again with other contents: what begins like it, up to the end of the first
 /// `mark`, may be replaced.
 void keep_other_kind(text::OutputFile& file, std::string_view mark, bool force);
+/// Writes such a file as a whole by `write`, or not at all.
+void write_file(const std::filesystem::path& path, std::string_view mark, bool force,
+                const std::function<void(std::ostream&)>& write);
+
 /// Marks of the files that begin alike: a table by its header, JSON by its first key.
 inline constexpr std::string_view table_mark = "\n";
 inline constexpr std::string_view json_mark = ",\n";
@@ -38,5 +46,19 @@ void keep_other_table(const text::OutputFile& file, std::span<const std::string>
 /// same command wrote it: the first of them is then there and has `mark` near its beginning.
 void keep_results_of_others(const std::filesystem::path& folder, std::span<const char* const> names,
                             std::string_view mark, bool force);
+
+/// --json of a command that writes files.
+void add_written_json_option(CLI::App& command, bool& json);
+
+/// {"files": ["results/step.csv"]}: what a command wrote, to print.
+[[nodiscard]] text::Json written_json(const std::vector<std::filesystem::path>& files);
+
+/// Throws CLI::ValidationError where --json is asked for and `out` is standard output, which cannot hold both.
+void require_file_for_json(bool json, const std::string& out);
+
+/// Where a command tells of its results: standard output or, where "-" puts one of its files there, standard error.
+[[nodiscard]] inline std::ostream& report_stream(std::string_view file, std::string_view another_file = {}) {
+  return file == "-" || another_file == "-" ? std::cerr : std::cout;
+}
 
 }  // namespace coilwright::cli

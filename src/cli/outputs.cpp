@@ -1,16 +1,16 @@
-#include "keep_inputs.hpp"
+#include "outputs.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <fstream>
 #include <system_error>
-
 #include "coilwright/text/output/output_file.hpp"
+
+#include "options.hpp"
 
 namespace coilwright::cli {
 
-void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const std::filesystem::path> outputs) {
+void keep_inputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs) {
   for (const std::filesystem::path& output : outputs) {
     for (const std::filesystem::path& input : inputs) {
       std::error_code none;  // one of the two is not there: then they are not the same
@@ -21,7 +21,7 @@ void keep_inputs(std::span<const std::filesystem::path> inputs, std::span<const 
 }
 
 void add_force_option(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "Replace files of another kind or content, too")->disable_flag_override();
+  add_flag(command, "--force", force, "Replace files of another kind or content, too");
 }
 
 namespace {
@@ -46,6 +46,14 @@ void keep_other_kind(text::OutputFile& file, std::string_view mark, bool force) 
   if (!force && file.would_replace_other_kind(mark)) throw other_content(file.path());
 }
 
+void write_file(const std::filesystem::path& path, std::string_view mark, bool force,
+                const std::function<void(std::ostream&)>& write) {
+  text::OutputFile file(path);
+  write(file.stream());
+  keep_other_kind(file, mark, force);
+  file.commit();
+}
+
 void keep_other_table(const text::OutputFile& file, std::span<const std::string> columns, bool force) {
   if (file.path() == "-") return;  // standard output, and no file of that name
   std::ifstream present(file.path());
@@ -64,6 +72,19 @@ void keep_results_of_others(const std::filesystem::path& folder, std::span<const
   std::error_code none;
   for (const char* name : names)
     if (exists(symlink_status(folder / name, none))) throw other_content(folder / name);
+}
+
+void add_written_json_option(CLI::App& command, bool& json) {
+  add_flag(command, "--json", json, "Print what was written as JSON");
+}
+
+text::Json written_json(const std::vector<std::filesystem::path>& files) {
+  return text::Json::object({{"files", text::Json::list(files, [](const auto& each) { return each.string(); })}});
+}
+
+void require_file_for_json(bool json, const std::string& out) {
+  if (json && out == "-")
+    throw CLI::ValidationError("--json", "needs a file for --out: standard output has the result itself");
 }
 
 }  // namespace coilwright::cli

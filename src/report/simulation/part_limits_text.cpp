@@ -48,25 +48,47 @@ std::string changes_text(const DesignView& taken, const DesignView& other) {
   for (const std::string_view name : main_figures)
     if (FigureChange change = change_of(name, taken, other); change.is_noticeable)
       changes.push_back(std::move(change.text));
-  if (changes.empty()) return fmt::format("no figure of motion or grasp changes by {:.1f} %", 100.0 * noticeable);
   return fmt::format("{}", fmt::join(changes, "; "));
 }
 
-std::string worst_limit_text(const DesignView& design) {
+std::vector<PartLimit> unconditional_limits(const DesignView& design) {
   std::vector<PartLimit> limits = simulation::part_limits(design);
   std::erase_if(limits, [](const PartLimit& limit) { return limit.conditional; });
+  return limits;
+}
+
+std::vector<std::string_view> broken_among(const std::vector<PartLimit>& limits) {
+  std::vector<std::string_view> names;
+  for (const PartLimit& limit : limits)
+    if (limit.is_broken()) names.push_back(limit.quantity);
+  return names;
+}
+
+std::string worst_limit_text(const std::vector<PartLimit>& limits) {
   const auto worst = std::ranges::min_element(limits, {}, &PartLimit::margin);
   if (!worst->value) return fmt::format("BROKEN: {} has no steady value", worst->quantity);
   return fmt::format("{}{} {:.4g}, {} {:.4g}", worst->is_broken() ? "BROKEN: " : "least margin: ", worst->quantity,
                      *worst->value, worst->at_most ? "at most" : "at least", worst->limit);
 }
 
+// What is as without the other choice is said once, above all of them.
 std::string effect_text(const DesignView& taken, const ChoiceEffect& effect) {
   std::string text = fmt::format("    if it is: {}\n", effect.choice.otherwise);
   if (const auto* why = std::get_if<NoPerformance>(&effect.result))
     return text + fmt::format("      cannot be evaluated: {}\n", why->reason);
-  const EvaluatedDesign& other = std::get<EvaluatedDesign>(effect.result);
-  return text + fmt::format("      {}\n      {}\n", changes_text(taken, other.view()), worst_limit_text(other.view()));
+  const DesignView other = std::get<EvaluatedDesign>(effect.result).view();
+  if (const std::string changes = changes_text(taken, other); !changes.empty())
+    text += fmt::format("      {}\n", changes);
+  const std::vector<std::string_view> broken = broken_among(unconditional_limits(taken));
+  const std::vector<PartLimit> limits = unconditional_limits(other);
+  if (broken.empty() || broken_among(limits) != broken) text += fmt::format("      {}\n", worst_limit_text(limits));
+  return text;
+}
+
+std::string unchanged_text(const DesignView& taken) {
+  const bool broken = !broken_among(unconditional_limits(taken)).empty();
+  return fmt::format("  Where no figure of motion or grasp is named, none changes by {:.1f} %{}.\n", 100.0 * noticeable,
+                     broken ? "; where no limit is, the same are broken as above" : "");
 }
 
 std::string value_text(const PartLimit& limit) {
@@ -137,6 +159,7 @@ std::string doubts_text(const actuator::Design& design) {
 
 std::string to_text(const DesignView& taken, std::span<const ChoiceEffect> effects) {
   std::string text = "\nWhat these figures rest on: modelling choices that no measurement of this design has settled\n";
+  if (!effects.empty()) text += unchanged_text(taken);
   std::string_view subject;
   for (const ChoiceEffect& effect : effects) {
     if (effect.choice.subject != subject)

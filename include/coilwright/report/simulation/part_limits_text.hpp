@@ -19,8 +19,9 @@ namespace coilwright::report {
 /// One line for each limit of the parts: value, limit, and what happens where it is broken.
 [[nodiscard]] std::string to_text(std::span<const simulation::PartLimit> limits);
 
-/// What the figures of `taken` rest on: for each other modelling choice the main figures under it, the limit of the
-/// parts with the least margin, and the measurement that settles the choice.
+/// What the figures of `taken` rest on: for each other modelling choice the main figures that it changes, the limit of
+/// the parts with the least margin unless the same limits are broken without it, and the measurement that settles the
+/// choice.
 [[nodiscard]] std::string to_text(const simulation::DesignView& taken,
                                   std::span<const simulation::ChoiceEffect> effects);
 

@@ -20,12 +20,13 @@ function(coilwright_room name)
   coilwright_component(${name})
 endfunction()
 
-# Compiles a dozen files of a room, or of a program of tests, as one, in the builds that users and continuous integration
-# make: what they include is parsed once, which is most of what a file takes. Names in unnamed namespaces are therefore
-# different throughout it. The other presets compile each file alone, which shows what a file forgets to include.
+# Compiles the files of a room, or of a program of tests, as one, in the builds that users and continuous integration
+# make: what they include is parsed once, and what its templates need is made once, which is most of what a file takes.
+# Names in unnamed namespaces are therefore different throughout it. The other presets compile each file alone, which
+# shows what a file forgets to include.
 option(COILWRIGHT_UNITY "Compile the files of a library or a program of tests together" OFF)
 function(coilwright_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${COILWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${COILWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 0)
   if(COILWRIGHT_UNITY)
     # GCC takes the file that includes the others for a source and these for headers, whose unnamed namespaces it warns of;
     # a name of one file shadows one of another. The builds that compile each file alone keep both warnings.

@@ -63,7 +63,7 @@ constexpr std::array unit_words = {UnitWords{"s", "sec|secs|second|seconds|Sekun
                                              "C|C"},
                                    UnitWords{"pct", "%|percent"}};
 
-Quantity quantity_of(std::string_view word) {
+Quantity quantity_meant_by(std::string_view word) {
   for (const QuantityWords& each : quantity_words)
     if (text::is_one_of(word, each.words)) return each.quantity;
   return Quantity::none;
@@ -166,7 +166,7 @@ ColumnWords words_of(std::string_view name) {
       out.number = number;
       continue;
     }
-    if (out.quantity == Quantity::none) out.quantity = quantity_of(word);
+    if (out.quantity == Quantity::none) out.quantity = quantity_meant_by(word);
     out.commanded = out.commanded || text::is_one_of(word, setpoint_words);
     if (word == "millis") out.unit = "ms";
     if (word == "micros") out.unit = "us";

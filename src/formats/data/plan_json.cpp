@@ -13,7 +13,7 @@ using namespace text;
 using namespace measurement::experiment;
 using actuator::Effect;
 
-Json effect_json(const VisibleEffect& effect) {
+Json visible_effect_json(const VisibleEffect& effect) {
   Json out =
       Json::object({{"id", effect.effect.kind->id()},
                     {"visible", effect.visible},
@@ -52,7 +52,7 @@ Json to_json(const PlanReport& report) {
                        {"actuator", report.actuator},
                        {"samples", plan.samples},
                        {"overdispersion", plan.overdispersion},
-                       {"effects", Json::list(plan.effects, effect_json)},
+                       {"effects", Json::list(plan.effects, visible_effect_json)},
                        {"left_out", std::move(left_out)},
                        {"inseparable_pairs", std::move(pairs)},
                        {"added_runs", Json::list(plan.added_runs, added_run_json)},

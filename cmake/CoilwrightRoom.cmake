@@ -29,8 +29,10 @@ function(coilwright_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${COILWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 0)
   if(COILWRIGHT_UNITY)
     # GCC takes the file that includes the others for a source and these for headers, whose unnamed namespaces it warns of;
-    # a name of one file shadows one of another. The builds that compile each file alone keep both warnings.
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage> -Wno-shadow)
+    # a local name of one file shadows a name of another, which is no fault. The builds that compile each file alone keep
+    # both warnings whole.
+    target_compile_options(${target} PRIVATE -Wno-shadow
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wshadow=local>)
   endif()
 endfunction()
 
@@ -48,14 +50,13 @@ function(coilwright_warnings target)
     $<$<BOOL:${COILWRIGHT_WERROR}>:-Werror>)
 endfunction()
 
-# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>] [LONG <test>...] [ALONE])
+# coilwright_test(<name> SOURCES <file>... LINK <target>... [LABEL <label>] [LONG <test>...])
 #
 # Label unit: seconds, and a minute under the sanitizers. What takes longer has a label of its own. LONG: tests, as
 # GoogleTest filters them, that take half a minute or more each and have shorter ones beside them; their label is long,
-# and `scripts/test.sh` leaves them out but for `--long`. ALONE: names of its files may be the same, so each is compiled
-# by itself.
+# and `scripts/test.sh` leaves them out but for `--long`.
 function(coilwright_test name)
-  cmake_parse_arguments(TEST "ALONE" "LABEL" "SOURCES;LINK;LONG" ${ARGN})
+  cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LINK;LONG" ${ARGN})
   if(NOT TEST_LABEL)
     set(TEST_LABEL unit)
   endif()
@@ -67,9 +68,7 @@ function(coilwright_test name)
     COILWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   coilwright_warnings(${name})
   coilwright_precompile(${name} TEST)
-  if(NOT TEST_ALONE)
-    coilwright_unity(${name})
-  endif()
+  coilwright_unity(${name})
   list(JOIN TEST_LONG ":" long)
   if(long)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${long}" TEST_LIST ${name}_long

@@ -17,7 +17,7 @@ ROOMS = {
     "winding": "",
     "drive": "",
     "mechanics": "algebra",
-    "thermal": "",
+    "thermal": "algebra",
     "actuator": "units magnetics winding drive mechanics thermal",
     "simulation": "actuator",
     "control": "simulation",

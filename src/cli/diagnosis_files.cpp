@@ -95,15 +95,16 @@ DiagnosisTexts write_diagnosis(const Diagnosis& diagnosis, const formats::Datase
                                const std::string& out) {
   const FoundActuators actuators = found_actuators(diagnosis, declared);
   const std::string next_experiment = next_experiment_text(diagnosis);
-  const formats::DiagnosisReport answer{.diagnosis = diagnosis,
-                                        .dataset = set.data.name,
-                                        .updated_actuator = actuator_name,
-                                        .is_design = actuators.is_design,
-                                        .corrected_actuator = actuators.corrected.empty() ? "" : corrected_name,
-                                        .held_out = set.data.held_out,
-                                        .seed = provenance.seed.value_or(0),
-                                        .next_experiment_file = next_experiment.empty() ? "" : next_name,
-                                        .refused = actuators.refused};
+  formats::DiagnosisReport answer{.diagnosis = diagnosis,
+                                  .dataset = set.data.name,
+                                  .updated_actuator = actuator_name,
+                                  .is_design = actuators.is_design,
+                                  .corrected_actuator = actuators.corrected.empty() ? "" : corrected_name,
+                                  .held_out = set.data.held_out,
+                                  .seed = provenance.seed.value_or(0),
+                                  .next_experiment_file = next_experiment.empty() ? "" : next_name,
+                                  .refused = actuators.refused};
+  answer.summary = report::summary_of(answer);
   text::OutputFolder folder(out);
   DiagnosisTexts texts{.summary = report::to_text(answer), .json = formats::to_json(answer).text()};
   const auto write_or_remove = [&](const char* name, const std::string& text) {

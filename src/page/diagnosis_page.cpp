@@ -22,18 +22,6 @@ namespace {
 
 using text::Node;
 
-// The paragraph below the title of summary.txt: the verdict as the program words it.
-std::string verdict_of(const std::filesystem::path& folder) {
-  return summary_lines(folder, "").front();
-}
-
-// The lines below it: numbers that moved far, errors that rose, a zero to check.
-std::vector<std::string> cautions_of(const std::filesystem::path& folder) {
-  std::vector<std::string> lines = summary_lines(folder, "");
-  lines.erase(lines.begin());
-  return lines;
-}
-
 std::string interval_text(const Node& parameter) {
   const auto interval = parameter.find("ci95");
   if (!interval || interval->is_null()) return "-";
@@ -201,10 +189,10 @@ Section torque_section(const Node& diagnosis) {
   return section;
 }
 
-Section assumptions_section(const std::filesystem::path& folder) {
-  Section section{.id = "assumptions", .title = "What was assumed"};
-  section.blocks.emplace_back(Listing{fmt::format("{}", fmt::join(summary_section(folder, "What was assumed"), "\n"))});
-  return section;
+Section assumed_section(const Node& summary) {
+  return {.id = "assumptions",
+          .title = "What was assumed",
+          .blocks = {Listing{fmt::format("{}", fmt::join(texts_of(summary, "assumptions"), "\n"))}}};
 }
 
 Section candidates_section(const Node& diagnosis) {
@@ -268,15 +256,15 @@ Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, 
     throw verdict.error_without_value(
         "is of a diagnosis that was interrupted: summary.txt has what was known then, and "
         "there is a page once it has ended (diagnose again)");
-  require_summary_of(folder, dataset, verdict.text());
+  const Node summary = member_of(diagnosis, "summary");
   Page page{.title = fmt::format("{}: diagnosis", dataset),
-            .verdict = verdict_of(folder),
-            .cautions = cautions_of(folder),
+            .verdict = member_of(summary, "verdict").text(),
+            .cautions = texts_of(summary, "cautions"),
             .origin = origin_text(folder, made_by),
             .inputs = input_lines(folder)};
   Section warnings = warnings_section(diagnosis);
   page.sections.push_back(effects_section(diagnosis));
-  page.sections.push_back(assumptions_section(folder));
+  page.sections.push_back(assumed_section(summary));
   page.sections.push_back(errors_section(diagnosis));
   for (Section& section : runs_sections(folder, diagnosis)) page.sections.push_back(std::move(section));
   page.sections.push_back(torque_section(diagnosis));

@@ -116,19 +116,13 @@ std::vector<Figure> expected_figures(const std::filesystem::path& file) {
   return figures;
 }
 
-// What else the answer could be, as the summary says it; the table of what was compared has a section of its own.
-std::vector<std::string> rivals_lines(const std::filesystem::path& folder) {
-  std::vector<std::string> lines = summary_lines(folder, "How sure, and what else it could be");
-  lines.erase(std::ranges::find(lines, "Compared, best first"), lines.end());
-  return lines;
-}
-
 }  // namespace
 
 Section next_section(const std::filesystem::path& folder, const Node& diagnosis) {
   Section section{.id = "next", .title = "What to do next, and what cannot be told apart"};
-  for (std::string& step : summary_lines(folder, "What to do next")) section.blocks.emplace_back(Paragraph{step});
-  for (std::string& line : rivals_lines(folder)) section.blocks.emplace_back(Paragraph{std::move(line)});
+  const Node summary = member_of(diagnosis, "summary");
+  for (const char* words : {"next_steps", "rivals"})
+    for (std::string& line : texts_of(summary, words)) section.blocks.emplace_back(Paragraph{std::move(line)});
   const auto next = diagnosis.find("next_experiment");
   if (!next || next->is_null()) {
     section.blocks.emplace_back(Paragraph{"No run is proposed that would separate explanations."});

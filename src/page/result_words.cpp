@@ -7,13 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "coilwright/page/chart.hpp"
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/text/input_error.hpp"
-#include "coilwright/text/input_text.hpp"
 #include "coilwright/text/json/document.hpp"
 
 namespace coilwright::page {
@@ -26,13 +24,6 @@ std::optional<text::Document> provenance_in(const std::filesystem::path& folder)
   const std::filesystem::path file = folder / "provenance.json";
   if (!std::filesystem::is_regular_file(file)) return std::nullopt;
   return text::read_json(file);
-}
-
-std::filesystem::path summary_in(const std::filesystem::path& folder) {
-  std::filesystem::path file = folder / "summary.txt";
-  if (!std::filesystem::is_regular_file(file))
-    throw text::InputError({.file = file.string(), .rule = "must be there: diagnose writes it beside diagnosis.json"});
-  return file;
 }
 
 }  // namespace
@@ -176,41 +167,10 @@ std::vector<std::string> input_lines(const std::filesystem::path& folder) {
   return out;
 }
 
-std::vector<std::string> summary_section(const std::filesystem::path& folder, std::string_view heading) {
-  const std::filesystem::path file = summary_in(folder);
-  std::istringstream lines(text::read_text(file, text::json_size_limit).text);
-  std::string line;
-  while (std::getline(lines, line) && !heading.empty() && line != heading) {
-  }
-  if (!lines)
-    throw text::InputError(
-        {.file = file.string(),
-         .rule = heading.empty() ? "must not be empty" : fmt::format("must have the section \"{}\"", heading)});
+std::vector<std::string> texts_of(const Node& object, std::string_view key) {
   std::vector<std::string> out;
-  while (std::getline(lines, line)) {
-    if (line.empty() && !out.empty()) break;
-    if (!line.empty()) out.push_back(line);
-  }
-  if (out.empty() && heading.empty())
-    throw text::InputError({.file = file.string(), .rule = "must say the verdict below its title"});
+  for (const Node& each : member_of(object, key).elements()) out.push_back(each.text());
   return out;
-}
-
-std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading) {
-  std::vector<std::string> out = summary_section(folder, heading);
-  for (std::string& line : out) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
-  return out;
-}
-
-void require_summary_of(const std::filesystem::path& folder, const std::string& dataset, const std::string& verdict) {
-  const std::filesystem::path file = summary_in(folder);
-  const std::string expected = fmt::format("{}: {}", dataset, verdict);
-  const std::string summary = text::read_text(file, text::json_size_limit).text;
-  // The name of a data set may have more than one line.
-  if (!summary.starts_with(expected + '\n'))
-    throw text::InputError({.file = file.string(),
-                            .rule = fmt::format("must begin with \"{}\", as diagnosis.json beside it has it", expected),
-                            .value = fmt::format("\"{}\"", summary.substr(0, summary.find('\n')))});
 }
 
 }  // namespace coilwright::page

@@ -88,16 +88,7 @@ void require_rows(const text::CsvTexts& table, std::size_t counted);
 /// The files that the result was made of, as provenance.json names them, each with the first digits of its SHA-256.
 [[nodiscard]] std::vector<std::string> input_lines(const std::filesystem::path& folder);
 
-/// The lines below a heading of summary.txt in a folder of `diagnose`, up to the next empty one; below its title where
-/// `heading` is empty. Throws InputError where there is no such file or heading, and where nothing stands below the
-/// title: a page without its verdict or its doubts would say more than is known.
-[[nodiscard]] std::vector<std::string> summary_section(const std::filesystem::path& folder, std::string_view heading);
-
-/// The same without what indents them.
-[[nodiscard]] std::vector<std::string> summary_lines(const std::filesystem::path& folder, std::string_view heading);
-
-/// Throws InputError where the title of that file is not this data set and verdict: it is the summary of another
-/// diagnosis than the diagnosis.json beside it, and a page would show the words of one with the numbers of the other.
-void require_summary_of(const std::filesystem::path& folder, const std::string& dataset, const std::string& verdict);
+/// The texts of the list under `key`.
+[[nodiscard]] std::vector<std::string> texts_of(const text::Node& object, std::string_view key);
 
 }  // namespace coilwright::page

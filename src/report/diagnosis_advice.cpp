@@ -195,7 +195,7 @@ bool may_be_the_camera(const Diagnosis& diagnosis) {
          diagnosis.after.level < most_of_colour;
 }
 
-std::string advice_text(const formats::DiagnosisReport& report) {
+std::vector<std::string> next_steps(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
   std::vector<std::string> steps;
   const bool structure = leaves_structure(diagnosis);
@@ -267,9 +267,7 @@ std::string advice_text(const formats::DiagnosisReport& report) {
     steps.push_back(fmt::format(
         "{} with {}: {} take it.", steps.empty() ? "Go on" : "Once that is done, go on", report.updated_actuator,
         report.is_design ? "evaluate, simulate and the studies of size" : "evaluate and simulate"));
-  std::string text = "\nWhat to do next\n";
-  for (const std::string& step : steps) text += fmt::format("  {}\n", step);
-  return text;
+  return steps;
 }
 
 }  // namespace coilwright::report

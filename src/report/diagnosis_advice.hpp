@@ -40,6 +40,6 @@ namespace coilwright::report {
 
 /// What a person would do next, the most useful first: which number to weigh or measure, which run to record, or
 /// whether to go on with the updated actuator.
-[[nodiscard]] std::string advice_text(const formats::DiagnosisReport& report);
+[[nodiscard]] std::vector<std::string> next_steps(const formats::DiagnosisReport& report);
 
 }  // namespace coilwright::report

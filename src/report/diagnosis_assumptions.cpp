@@ -181,9 +181,8 @@ std::string outliers_text(const Diagnosis& diagnosis) {
 
 std::string diagnosis_assumptions(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
-  const std::string text = runs_text(report) + calibration_text(diagnosis) + nominal_text(report) +
-                           exact_text(diagnosis) + noise_text(diagnosis) + outliers_text(diagnosis);
-  return text.empty() ? text : "\nWhat was assumed\n" + text;
+  return runs_text(report) + calibration_text(diagnosis) + nominal_text(report) + exact_text(diagnosis) +
+         noise_text(diagnosis) + outliers_text(diagnosis);
 }
 
 }  // namespace coilwright::report

@@ -36,7 +36,7 @@ std::vector<std::string> rivals_of_numbers(const Diagnosis& diagnosis) {
   for (const compare::NumberOff& each : diagnosis.numbers_off) best = std::max(best, each.gain);
   std::vector<std::string> out;
   for (const compare::ComparedHypothesis& each : formats::compared_as_reported(diagnosis))
-    if (!each.effects.empty() && each.evidence && each.evidence->quasi_bic_gain > best - decisive_lead)
+    if (!each.effects.empty() && each.evidence && each.evidence->criterion_gain > best - decisive_lead)
       out.push_back(fmt::format("{}", fmt::join(formats::ids(each.effects), " + ")));
   constexpr std::size_t most = 3;
   if (out.size() > most) out.resize(most);

@@ -108,7 +108,7 @@ bool gains_with_more(const Diagnosis& diagnosis) {
   const auto reported = reported_among(compared, diagnosis);
   return reported != compared.end() && std::ranges::any_of(compared, [&](const compare::ComparedHypothesis& each) {
            return each.evidence && each.effects.size() > reported->effects.size() &&
-                  each.evidence->quasi_bic_gain > reported->evidence->quasi_bic_gain;
+                  each.evidence->criterion_gain > reported->evidence->criterion_gain;
          });
 }
 
@@ -137,7 +137,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
     if (formats::is_reported(diagnosis, each.effects)) return "reported";
     const compare::ComparedHypothesis& first = compared.front();
     const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
-                         first.evidence->quasi_bic_gain - each.evidence->quasi_bic_gain < decisive_lead;
+                         first.evidence->criterion_gain - each.evidence->criterion_gain < decisive_lead;
     return each.remark.empty() && as_good ? "these data do not tell it from the first of this list" : each.remark;
   };
   // Of a diagnosis that was interrupted the values are not counted: by what the recalibrated model leaves of them.
@@ -148,7 +148,7 @@ std::string compared_text(const Diagnosis& diagnosis) {
   };
   for (const compare::ComparedHypothesis& each : std::span(compared).first(std::min(compared.size(), most_candidates)))
     table.row({hypothesis(compared, each), each.evidence ? number_text(residual_of(*each.evidence)) : "none",
-               each.evidence ? fmt::format("{:.1f}", each.evidence->quasi_bic_gain) : "none", remark_of(each)});
+               each.evidence ? fmt::format("{:.1f}", each.evidence->criterion_gain) : "none", remark_of(each)});
   return "  Compared, best first\n" + table.text(4, {left, right, right, left}) +
          "  residual: rms on the fit runs over the noise, 1 is noise alone. gain: how much better than the declared "
          "model\n  fitted anew, each further number charged: a lead of 6 is odds of 20 to 1, less decides nothing; "
@@ -167,7 +167,7 @@ std::string rivals_text(const Diagnosis& diagnosis) {
   if (!diagnosis.effects.empty() && text.empty())
     text += fmt::format("  Nothing else that was tried explains these data as well{}.\n",
                         gains_with_more(diagnosis) ? " with as few effects" : "");
-  return "\nHow sure, and what else it could be\n" + text + hinted_text(diagnosis) + compared_text(diagnosis);
+  return text + hinted_text(diagnosis);
 }
 
 }  // namespace coilwright::report

@@ -6,10 +6,10 @@
 
 namespace coilwright::report {
 
-/// The section "How sure, and what else it could be": what these data cannot tell from the answer, what they refute by
-/// little and how that shows itself at the rig, and the table of what was compared.
+/// How sure the answer is: what these data cannot tell from it, what they refute by little and how that shows itself
+/// at the rig.
 [[nodiscard]] std::string rivals_text(const measurement::Diagnosis& diagnosis);
-/// That table alone; empty where nothing was compared.
+/// The table of what was compared; empty where nothing was.
 [[nodiscard]] std::string compared_text(const measurement::Diagnosis& diagnosis);
 
 }  // namespace coilwright::report

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
@@ -209,26 +213,55 @@ std::string residual_text(const Diagnosis& diagnosis) {
   if (residual.frequency) text += fmt::format("  strongest line at {} Hz\n", number_text(*residual.frequency));
   if (!diagnosis.after.where.empty())
     text += fmt::format("  worst in {}: {} times what noise may show\n", diagnosis.after.where,
-                        number_text(diagnosis.after.whiteness_ratio));
+                        number_text(diagnosis.after.structure));
   return text;
 }
 
 // Of records that are none of a moving finger: effects stand in for what the rig did.
-std::string records_to_check(const Diagnosis& diagnosis) {
-  std::string text;
+std::vector<std::string> records_to_check(const Diagnosis& diagnosis) {
+  std::vector<std::string> out;
   if (!diagnosis.unanswered_runs.empty()) {
     const data::Warning& first = diagnosis.unanswered_runs.front();
-    text += fmt::format("CHECK THE RECORDS first. {}: {}.\n", first.run, first.text);
+    out.push_back(fmt::format("CHECK THE RECORDS first. {}: {}.", first.run, first.text));
   }
   if (diagnosis.unanswered_runs.size() > 1)
-    text +=
-        fmt::format("Alike in {}.\n", fmt::join(names_of_runs(std::span(diagnosis.unanswered_runs).subspan(1)), ", "));
+    out.push_back(
+        fmt::format("Alike in {}.", fmt::join(names_of_runs(std::span(diagnosis.unanswered_runs).subspan(1)), ", ")));
   if (!diagnosis.frozen_runs.empty())
-    text += fmt::format(
+    out.push_back(fmt::format(
         "CHECK THE CAMERA first. The pictures of {} stand still for a while, and were fitted as if the finger had "
-        "stopped.\n",
-        fmt::join(diagnosis.frozen_runs, ", "));
-  return text;
+        "stopped.",
+        fmt::join(diagnosis.frozen_runs, ", ")));
+  // Effects that bend the rest pose take the place of a zero: what follows is right only if the zero is.
+  if (diagnosis.far_first_pose)
+    out.push_back(fmt::format("CHECK THE ZERO of the angle first. {}: {}.", diagnosis.far_first_pose->run,
+                              diagnosis.far_first_pose->text));
+  return out;
+}
+
+std::vector<std::string> cautions_of(const formats::DiagnosisReport& report) {
+  const Diagnosis& diagnosis = report.diagnosis;
+  std::vector<std::string> out = records_to_check(diagnosis);
+  for (std::string sentence : {refusal(report), far_numbers(diagnosis)})
+    if (!sentence.empty()) out.push_back(std::move(sentence));
+  std::ranges::move(risen_errors(diagnosis), std::back_inserter(out));
+  std::ranges::move(errors_beyond_noise(diagnosis), std::back_inserter(out));
+  return out;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+// A section of the summary; nothing where it has no line.
+std::string section(std::string_view title, const std::string& text) {
+  return text.empty() ? "" : fmt::format("\n{}\n{}", title, text);
 }
 
 // Before all else that follows from the data.
@@ -245,23 +278,28 @@ std::string warnings_text(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+formats::DiagnosisSummary summary_of(const formats::DiagnosisReport& report) {
+  formats::DiagnosisSummary out{.verdict = verdict_sentence(report.diagnosis),
+                                .cautions = cautions_of(report),
+                                .assumptions = lines_of(diagnosis_assumptions(report))};
+  std::ranges::replace(out.verdict, '\n', ' ');
+  if (report.diagnosis.verdict == Verdict::incomplete) return out;
+  out.rivals = lines_of(rivals_text(report.diagnosis));
+  for (std::string& line : out.rivals) line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
+  out.next_steps = next_steps(report);
+  return out;
+}
+
 std::string to_text(const formats::DiagnosisReport& report) {
   const Diagnosis& diagnosis = report.diagnosis;
-  std::string head =
+  std::string text =
       fmt::format("{}: {}\n\n{}\n", report.dataset, name_of(diagnosis.verdict), verdict_sentence(diagnosis));
-  head += records_to_check(diagnosis);
-  // Effects that bend the rest pose take the place of a zero: what follows is right only if the zero is.
-  if (diagnosis.far_first_pose)
-    head += fmt::format("CHECK THE ZERO of the angle first. {}: {}.\n", diagnosis.far_first_pose->run,
-                        diagnosis.far_first_pose->text);
-  if (const std::string refused = refusal(report); !refused.empty()) head += refused + '\n';
-  if (const std::string far = far_numbers(diagnosis); !far.empty()) head += far + '\n';
-  for (const std::string& sentence : risen_errors(diagnosis)) head += sentence + '\n';
-  for (const std::string& sentence : errors_beyond_noise(diagnosis)) head += sentence + '\n';
-  if (diagnosis.verdict == Verdict::incomplete)
-    return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + compared_text(diagnosis);
-  return head + warnings_text(diagnosis) + diagnosis_assumptions(report) + found_text(diagnosis) +
-         errors_text(diagnosis) + rivals_text(diagnosis) + advice_text(report) + residual_text(diagnosis) +
+  for (const std::string& caution : cautions_of(report)) text += caution + '\n';
+  text += warnings_text(diagnosis) + section("What was assumed", diagnosis_assumptions(report));
+  if (diagnosis.verdict == Verdict::incomplete) return text + compared_text(diagnosis);
+  return text + found_text(diagnosis) + errors_text(diagnosis) +
+         fmt::format("\nHow sure, and what else it could be\n{}{}", rivals_text(diagnosis), compared_text(diagnosis)) +
+         fmt::format("\nWhat to do next\n  {}\n", fmt::join(next_steps(report), "\n  ")) + residual_text(diagnosis) +
          correction_text(report);
 }
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "check.hpp"
+#include "coilwright/algebra/spectral.hpp"
 
 namespace coilwright::thermal {
 namespace {
@@ -43,16 +43,16 @@ Modes modes_of(const Network& network) {
   for (Eigen::Index k = 0; k < count; ++k) heating(coils[k], k) = std::sqrt(slopes(coils[k]));
   NodeMatrix rises = Eigen::LLT<NodeMatrix>(network.conductance()).solve(heating);  // Z B
   const NodeMatrix coupling = heating.transpose() * rises;
-  const Eigen::SelfAdjointEigenSolver<NodeMatrix> solver(coupling);
+  const algebra::SymmetricModes modes = algebra::symmetric_modes(coupling);
   for (Eigen::Index k = 0; k < count; ++k)
     rises.row(coils[k]) += network.nodes()[static_cast<std::size_t>(coils[k])].hot_spot_resistance *
                            heating(coils[k], k) * NodeMatrix::Identity(count, count).row(k);
   const double alpha = network.temperature_coefficient();
-  const NodeVector drive = solver.eigenvectors().transpose() * heating.colwise().sum().transpose() *
+  const NodeVector drive = modes.vectors.transpose() * heating.colwise().sum().transpose() *
                            ((1.0 + alpha * (network.ambient() - 20.0)) / alpha);
-  return {.growths = solver.eigenvalues(),
-          .rises = rises * solver.eigenvectors() * drive.asDiagonal(),
-          .runaway = 1.0 / solver.eigenvalues()(count - 1)};
+  return {.growths = modes.values,
+          .rises = rises * modes.vectors * drive.asDiagonal(),
+          .runaway = 1.0 / modes.values(count - 1)};
 }
 
 bool is_limited(const Node& node, LimitedParts parts) {

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include <Eigen/Eigenvalues>
-
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "check.hpp"
+#include "coilwright/algebra/spectral.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "hottest_spot.hpp"
 
@@ -59,13 +58,13 @@ Transient::Transient(const Network& network, const Spec& spec) : ambient_{networ
   NodeMatrix matrix = network.conductance();
   matrix.diagonal() -= spec.mean_square_currents.cwiseProduct(network.resistance_slope());
   matrix = (inverse_roots.asDiagonal() * matrix * inverse_roots.asDiagonal()).eval();
-  const Eigen::SelfAdjointEigenSolver<NodeMatrix> solver(matrix);
-  rates_ = solver.eigenvalues();
+  const algebra::SymmetricModes modes = algebra::symmetric_modes(matrix);
+  rates_ = modes.values;
   const NodeVector rise = (spec.initial.array() - ambient_).matrix();
   const NodeVector heat = spec.mean_square_currents.cwiseProduct(network.ambient_resistance());
-  initial_modes_ = solver.eigenvectors().transpose() * roots.cwiseProduct(rise);
-  drive_modes_ = solver.eigenvectors().transpose() * inverse_roots.cwiseProduct(heat);
-  shapes_ = inverse_roots.asDiagonal() * solver.eigenvectors();
+  initial_modes_ = modes.vectors.transpose() * roots.cwiseProduct(rise);
+  drive_modes_ = modes.vectors.transpose() * inverse_roots.cwiseProduct(heat);
+  shapes_ = inverse_roots.asDiagonal() * modes.vectors;
 }
 
 NodeVector Transient::temperatures(double time) const {

@@ -8,12 +8,11 @@
 
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "degree.hpp"
 #include "measurement/declared_finger.hpp"
 
 namespace coilwright::measurement {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 experiment::Experiment three_short_runs() {
   experiment::Experiment out{.name = "short", .instruments = {}, .runs = {}};

@@ -14,6 +14,7 @@
 namespace coilwright::page {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::EndsWith;
 
 constexpr const char* diagnosis_text = R"({"format": "diagnosis/1", "dataset": "finger", "verdict": "explained",
@@ -24,22 +25,11 @@ constexpr const char* diagnosis_text = R"({"format": "diagnosis/1", "dataset": "
             "validate": {"after": {"rmse_deg": 0.6}, "samples": 1}},
   "candidates": [{"effects": ["dry_friction"], "remark": null,
                   "evidence": {"criterion_gain": 40, "cross_validated_gain": 0.9, "chi_square_after": 9}}],
-  "warnings": [], "next_experiment": null})";
-
-constexpr const char* summary = R"(finger: explained
-
-The declared model lacks dry_friction.
-
-What was assumed
-  Numbers fitted freely:
-    joint_stiffness_Nmm_rad  12.1  12.0 to 12.2 (95 %)
-
-How sure, and what else it could be
-  Nothing else.
-
-What to do next
-  Go on with actuator.json.
-)";
+  "warnings": [], "next_experiment": null,
+  "summary": {"verdict": "The declared model lacks dry_friction.", "cautions": ["CHECK THE ZERO."],
+              "assumptions": ["  Numbers fitted freely:", "    joint_stiffness_Nmm_rad  12.1"],
+              "rivals": ["These data cannot tell apart: dry_friction, backlash."],
+              "next_steps": ["Go on with actuator.json."]}})";
 
 constexpr const char* residuals = R"(run,role,channel,time_s,angle_deg,current_A,left_out,measured,declared,before,after
 a.csv,fit,theta_deg,0,,,0,1.5,1,1,1.25
@@ -57,7 +47,6 @@ struct Folder {
   [[nodiscard]] Page page() const {
     const testing::TemporaryFolder folder;
     folder.file("diagnosis.json", diagnosis);
-    folder.file("summary.txt", summary);
     folder.file("residuals.csv", residual_table);
     return page_of(folder.path(), {});
   }
@@ -79,10 +68,22 @@ const Section& section(const Page& page, const std::string& id) {
   return *std::ranges::find(page.sections, id, &Section::id);
 }
 
+std::vector<std::string> paragraphs_of(const Section& section) {
+  std::vector<std::string> out;
+  for (const Block& block : section.blocks)
+    if (const auto* paragraph = std::get_if<Paragraph>(&block)) out.push_back(paragraph->text);
+  return out;
+}
+
 TEST(DiagnosisPage, HasTheWordsAndNumbersOfTheSummary) {
   const Page page = Folder().page();
+  EXPECT_EQ(page.verdict, "The declared model lacks dry_friction.");
+  EXPECT_THAT(page.cautions, ElementsAre("CHECK THE ZERO."));
+  EXPECT_THAT(paragraphs_of(section(page, "next")),
+              ElementsAre("Go on with actuator.json.", "These data cannot tell apart: dry_friction, backlash.",
+                          "No run is proposed that would separate explanations."));
   EXPECT_EQ(std::get<Listing>(section(page, "assumptions").blocks.front()).text,
-            "  Numbers fitted freely:\n    joint_stiffness_Nmm_rad  12.1  12.0 to 12.2 (95 %)");
+            "  Numbers fitted freely:\n    joint_stiffness_Nmm_rad  12.1");
   const Table& errors = std::get<TableBlock>(section(page, "errors").blocks.front()).table;
   ASSERT_GE(errors.rows.size(), 1U);
   EXPECT_EQ(errors.rows[0], (std::vector<std::string>{"held out", "with effects", "rmse_deg", "0.6"}));
@@ -95,6 +96,9 @@ TEST(DiagnosisPage, IsRefusedWithWhatIsMissing) {
   EXPECT_EQ(Folder().fault(), "");
   EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("verdict": "explained",)", "")}.fault(),
               EndsWith("diagnosis.json: /: must have \"verdict\" (docs/formats.md)"));
+  // A page without its verdict or its doubts would say more than is known.
+  EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("rivals")", R"("others")")}.fault(),
+              EndsWith("diagnosis.json: /summary: must have \"rivals\" (docs/formats.md)"));
   EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("id": "dry_friction", )", "")}.fault(),
               EndsWith("diagnosis.json: /effects/0: must have \"id\" (docs/formats.md)"));
   EXPECT_THAT(

@@ -10,8 +10,8 @@
 namespace coilwright::page {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* hostile = "</script><script>alert(1)</script>\"'&";
 

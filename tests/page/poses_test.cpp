@@ -90,7 +90,7 @@ TEST(Poses, AreDrawnToOneScale) {
     return svg.substr(start, svg.find('"', start + 9) - start);
   };
   EXPECT_EQ(box(figures[0]), box(figures[1]));
-  EXPECT_THAT(figures[1].description, testing::HasSubstr("joint angles 40.1, 51.6 deg, bending angle 91.7 deg"));
+  EXPECT_THAT(figures[1].description, ::testing::HasSubstr("joint angles 40.1, 51.6 deg, bending angle 91.7 deg"));
 }
 
 TEST(Poses, RefuseAnotherNumberOfJoints) {

@@ -98,7 +98,7 @@ TEST(DiagnosisAdvice, AsksForRepeatsWhereWhatFitsBestDoesNotHoldOnRunsLeftOut) {
   diagnosis.effects.clear();
   diagnosis.indistinguishable.clear();
   diagnosis.verdict = Verdict::unexplained;
-  compare::Evidence evidence{.chi_square_before = 30000.0, .chi_square_after = 12000.0, .quasi_bic_gain = 900.0};
+  compare::Evidence evidence{.chi_square_before = 30000.0, .chi_square_after = 12000.0, .criterion_gain = 900.0};
   diagnosis.compared_hypotheses = {
       {.effects = {&coil_heating}, .evidence = evidence, .remark = std::string(compare::worse_on_runs_left_out)}};
   EXPECT_THAT(

@@ -76,8 +76,8 @@ TEST(DiagnosisNumbersOff, SayBetweenWhichTheDataDoNotTell) {
 // Its lead of 2 decides nothing.
 TEST(DiagnosisNumbersOff, SayWhichMissingEffectWouldDoAsWell) {
   Diagnosis diagnosis = with_a_heavy_tip();
-  diagnosis.compared_hypotheses = {{.effects = {&coil_heating}, .evidence = compare::Evidence{.quasi_bic_gain = 10.5}},
-                                   {.effects = {&dry_friction}, .evidence = compare::Evidence{.quasi_bic_gain = 6.4}}};
+  diagnosis.compared_hypotheses = {{.effects = {&coil_heating}, .evidence = compare::Evidence{.criterion_gain = 10.5}},
+                                   {.effects = {&dry_friction}, .evidence = compare::Evidence{.criterion_gain = 6.4}}};
   EXPECT_THAT(text_of(diagnosis),
               HasSubstr("far better than within it. Or coil_heating is missing, which explains them about as "
                         "well: measure that number to know.\n"));

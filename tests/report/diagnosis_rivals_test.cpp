@@ -18,7 +18,7 @@ TEST(DiagnosisRivals, PutsTheHypothesesComparedIntoColumns) {
   Diagnosis diagnosis = example();
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
   const auto evidence = [](double chi_square, double gain) {
-    return compare::Evidence{.chi_square_after = chi_square, .quasi_bic_gain = gain, .correlation_time = 4.0};
+    return compare::Evidence{.chi_square_after = chi_square, .criterion_gain = gain, .correlation_time = 4.0};
   };
   diagnosis.compared_hypotheses = {
       {.effects = {&coil_heating, &magnet_heating}, .evidence = evidence(11900.0, 803.0), .remark = ""},
@@ -26,14 +26,15 @@ TEST(DiagnosisRivals, PutsTheHypothesesComparedIntoColumns) {
       {.effects = {&magnet_heating}, .evidence = evidence(52000.0, -8.5), .remark = "interval includes absent"},
       {.effects = {&coil_heating}, .evidence = {}, .remark = "no coils"}};
   // Of the reported one the numbers of the report, not those of the search.
-  EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Compared, best first\n"
-                                                "                                   residual   gain\n"
-                                                "    coil_heating + magnet_heating    0.9958  803.0\n"
-                                                "    dry_friction                          1  800.0  reported\n"
-                                                "    magnet_heating                    2.082   -8.5  interval includes "
-                                                "absent\n"
-                                                "    coil_heating                       none   none  no coils\n"
-                                                "  residual: rms on the fit runs over the noise, 1 is noise alone."));
+  EXPECT_THAT(compared_text(diagnosis),
+              HasSubstr("  Compared, best first\n"
+                        "                                   residual   gain\n"
+                        "    coil_heating + magnet_heating    0.9958  803.0\n"
+                        "    dry_friction                          1  800.0  reported\n"
+                        "    magnet_heating                    2.082   -8.5  interval includes "
+                        "absent\n"
+                        "    coil_heating                       none   none  no coils\n"
+                        "  residual: rms on the fit runs over the noise, 1 is noise alone."));
 }
 
 TEST(DiagnosisRivals, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
@@ -43,13 +44,13 @@ TEST(DiagnosisRivals, SaysWhyANeighbourOfWhatWasDroppedIsNotTheAnswerEither) {
   diagnosis.verdict = Verdict::declared_numbers_off;
   diagnosis.fit_errors = {comparison(data::ChannelKind::bending_angle, 12000, 0.3 * degree)};
   const auto evidence = [](double gain) {
-    return compare::Evidence{.chi_square_after = 12000.0, .quasi_bic_gain = gain, .correlation_time = 1.0};
+    return compare::Evidence{.chi_square_after = 12000.0, .criterion_gain = gain, .correlation_time = 1.0};
   };
   diagnosis.compared_hypotheses = {
       {.effects = {&coil_heating}, .evidence = evidence(51.7), .remark = "makes runs that are left out worse"},
       {.effects = {&magnet_heating}, .evidence = evidence(50.7), .remark = ""},
       {.effects = {&dry_friction}, .evidence = evidence(7.6), .remark = ""}};
-  EXPECT_THAT(rivals_text(diagnosis),
+  EXPECT_THAT(compared_text(diagnosis),
               HasSubstr("    coil_heating           1  51.7  makes runs that are left out worse\n"
                         "    magnet_heating         1  50.7  these data do not tell it from the first of this list\n"
                         "    dry_friction           1   7.6\n"));
@@ -99,7 +100,7 @@ TEST(DiagnosisRivals, AreNoneWithMoreEffectsThanTheAnswer) {
        .evidence = compare::Evidence{.chi_square_after = 11990.0},
        .remark = ""}};
   EXPECT_THAT(rivals_text(diagnosis), HasSubstr("  Nothing else that was tried explains these data as well.\n"));
-  diagnosis.compared_hypotheses.back().evidence->quasi_bic_gain = 810.0;  // that of the reported one is 800
+  diagnosis.compared_hypotheses.back().evidence->criterion_gain = 810.0;  // that of the reported one is 800
   EXPECT_THAT(rivals_text(diagnosis),
               HasSubstr("  Nothing else that was tried explains these data as well with as few effects.\n"));
 }
@@ -123,7 +124,7 @@ TEST(DiagnosisRivals, SayWithHowManyNumbersAnEffectIsMeant) {
   EXPECT_THAT(text,
               HasSubstr("\n    dry_friction (3 numbers) (residual 1.008, where what is reported leaves 1)\n      " +
                         std::string(friction->with_further_numbers()->description()) + "\n"));
-  EXPECT_THAT(text, HasSubstr("\n    dry_friction (1 number) + quadratic_drag "));
+  EXPECT_THAT(compared_text(diagnosis), HasSubstr("\n    dry_friction (1 number) + quadratic_drag "));
 }
 
 }  // namespace

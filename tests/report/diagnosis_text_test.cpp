@@ -194,7 +194,7 @@ TEST(DiagnosisText, SaysOnWhatTheRestDependsOnlyWhereStructureRemains) {
                                                 .frequency = 5.0};
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("What is left over, as a joint torque")));
   diagnosis.verdict = Verdict::partly_explained;
-  diagnosis.after.whiteness_ratio = 3.0;
+  diagnosis.after.structure = 3.0;
   EXPECT_THAT(text_of(diagnosis), Not(HasSubstr("ten seconds")));
   diagnosis.noise = {
       {.run = "a.csv", .channel = "bending_angle_deg", .sigma = 0.3 * degree, .colour = "taken as white: x"}};

@@ -13,6 +13,7 @@
 #include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/winding/copper.hpp"
 #include "simulation/heat_state.hpp"
+#include "simulation/performance_at.hpp"
 #include "simulation/reference.hpp"
 
 // Coils that carry shares of the operating current, against the same coils with currents of their own.
@@ -30,20 +31,17 @@ Design finger_with(double first, double second) {
   return design;
 }
 
-Performance at(const Design& design, const OperatingPoint& point) {
-  return std::get<Performance>(performance_of(design, actuator::assemble_or_throw(design), point));
-}
-
 // Half of twice the current is the current: in motion, heat, circuit and magnets alike.
 TEST(CurrentShares, ScaleTheOperatingCurrent) {
   const OperatingPoint point{.current = 1.0, .period = 2.0, .supply = {.resistance = 0.3}};
-  const Performance whole = at(finger_with(1.0, 1.0), point);
-  const Performance half = at(finger_with(0.5, 0.5), {.current = 2.0, .period = 2.0, .supply = {.resistance = 0.3}});
+  const Performance whole = performance_at(finger_with(1.0, 1.0), point);
+  const Performance half =
+      performance_at(finger_with(0.5, 0.5), {.current = 2.0, .period = 2.0, .supply = {.resistance = 0.3}});
   EXPECT_NEAR(half.cold.steady_angles.sum(), whole.cold.steady_angles.sum(), 1e-9);
   EXPECT_NEAR(half.cold.peak_bending_speed, whole.cold.peak_bending_speed, 1e-6);
   EXPECT_NEAR(half.cold.grasp_force, whole.cold.grasp_force, 1e-9);
   EXPECT_NEAR(half.axial_force, whole.axial_force, 1e-12);
-  EXPECT_NEAR(at(finger_with(-0.2, -0.5), {.current = 2.0}).axial_force, -whole.axial_force, 1e-12);
+  EXPECT_NEAR(performance_at(finger_with(-0.2, -0.5), {.current = 2.0}).axial_force, -whole.axial_force, 1e-12);
   EXPECT_EQ(operating_current_limit(finger_with(0.5, -0.2)), 2.0 * operating_current_limit(finger_with(1.0, 1.0)));
   const Heat& warm = whole.free.heat;
   const Heat& same = half.free.heat;

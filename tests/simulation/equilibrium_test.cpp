@@ -4,8 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <numbers>
 
+#include "degree.hpp"
 #include "simulation/reference.hpp"
 
 namespace coilwright::simulation {
@@ -13,8 +13,6 @@ namespace {
 
 using actuator::Configuration;
 using mechanics::JointMatrix;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 double softest(const Model& model, const JointVector& angles, const actuator::CoilCurrents& currents) {
   const Eigen::SelfAdjointEigenSolver<JointMatrix> solver(model.tangent_stiffness(angles, currents));

@@ -1,14 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "actuator/paper_finger.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "degree.hpp"
 
 namespace coilwright::simulation {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Performance at(const actuator::Design& design, double current) {
   return std::get<Performance>(performance_of(design, actuator::assemble_or_throw(design), {.current = current}));

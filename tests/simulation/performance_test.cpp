@@ -10,6 +10,7 @@
 
 #include "simulation/electrics.hpp"
 #include "simulation/heat_state.hpp"
+#include "simulation/performance_at.hpp"
 #include "simulation/reference.hpp"
 
 namespace coilwright::simulation {
@@ -18,13 +19,9 @@ namespace {
 using actuator::Design;
 using ::testing::MatchesRegex;
 
-Performance at(const Design& design, const OperatingPoint& point) {
-  return std::get<Performance>(performance_of(design, actuator::assemble_or_throw(design), point));
-}
-
 TEST(Performance, AddsUpItsElectricalSide) {
   const Design design = actuator::paper_finger();
-  const Performance p = at(design, {.current = -0.8});
+  const Performance p = performance_at(design, {.current = -0.8});
   EXPECT_NEAR(p.electrics_cold.voltage.value(), 0.8 * p.coil_resistance, 1e-14);
   EXPECT_NEAR(p.electrics_cold.power.value(), 2.0 * 0.8 * 0.8 * p.coil_resistance, 1e-14);
   EXPECT_NEAR(p.inductance, 1.155e-3, 5e-7);  // printed by the review of the winding room for the same section
@@ -115,8 +112,8 @@ TEST(Performance, CountsDutyForHeatOnly) {
   const mechanics::JointVector pose = mechanics::JointVector::Constant(2, 0.4);  // the same of both
   EXPECT_NEAR(heat_of(design, a, {.current = 1.4, .duty = 0.5}, pose).coil_temperature.value(),
               heat_of(design, a, {.current = 1.4 * std::sqrt(0.5)}, pose).coil_temperature.value(), 1e-9);
-  const Performance half = at(design, {.current = 1.4, .duty = 0.5});
-  EXPECT_EQ(half.cold.peak_bending_speed, at(design, {.current = 1.4}).cold.peak_bending_speed);
+  const Performance half = performance_at(design, {.current = 1.4, .duty = 0.5});
+  EXPECT_EQ(half.cold.peak_bending_speed, performance_at(design, {.current = 1.4}).cold.peak_bending_speed);
 }
 
 TEST(Performance, SaysWhyThereIsNone) {
@@ -146,8 +143,8 @@ TEST(Performance, RefusesADutyThatIsNone) {
 
 TEST(Performance, IsTheSameBitsEveryTime) {
   const Design design = actuator::paper_finger();
-  const Performance first = at(design, {.current = 1.23});
-  const Performance second = at(design, {.current = 1.23});
+  const Performance first = performance_at(design, {.current = 1.23});
+  const Performance second = performance_at(design, {.current = 1.23});
   EXPECT_EQ(first.cold.peak_bending_speed, second.cold.peak_bending_speed);
   EXPECT_EQ(first.cold.settling_time, second.cold.settling_time);
   EXPECT_EQ(first.cold.grasp_force, second.cold.grasp_force);

@@ -10,6 +10,7 @@
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/simulation/quantity.hpp"
+#include "simulation/performance_at.hpp"
 #include "simulation/reference.hpp"
 
 namespace coilwright::simulation {
@@ -24,10 +25,6 @@ Design graded(actuator::Configuration configuration = actuator::Configuration::B
   return design;
 }
 
-Performance at(const Design& design, const OperatingPoint& point) {
-  return std::get<Performance>(performance_of(design, actuator::assemble_or_throw(design), point));
-}
-
 // The motion of a model whose magnets were weakened by hand to what the reported temperatures leave of them.
 MotionSummary by_hand(const Design& design, const thermal::NodeVector& temperatures, double current) {
   const std::vector<double> strengths = actuator::magnet_strengths(
@@ -40,7 +37,7 @@ MotionSummary by_hand(const Design& design, const thermal::NodeVector& temperatu
 TEST(WarmState, IsWhereHeatAndPoseAgree) {
   for (const auto configuration : {actuator::Configuration::B, actuator::Configuration::C}) {
     const Design design = graded(configuration);
-    const Performance warm = at(design, {.current = 0.8});
+    const Performance warm = performance_at(design, {.current = 0.8});
     const MotionSummary free = by_hand(design, warm.free.heat.temperatures, 0.8);
     ASSERT_TRUE(warm.free.motion && warm.gripping.grasp);
     EXPECT_LT((warm.free.motion->steady_angles - free.steady_angles).norm(), 1e-8);
@@ -53,7 +50,7 @@ TEST(WarmState, IsWhereHeatAndPoseAgree) {
 }
 
 TEST(WarmState, IsTheColdOneWhereMagnetsHaveNoGrade) {
-  const Performance found = at(actuator::paper_finger(), {.current = 1.1});
+  const Performance found = performance_at(actuator::paper_finger(), {.current = 1.1});
   EXPECT_EQ(found.free.motion.value().peak_bending_speed, found.cold.peak_bending_speed);
   EXPECT_EQ(found.gripping.grasp.value().grasp_force, found.cold.grasp_force);
   EXPECT_FALSE(found.demagnetisation.has_value());
@@ -62,26 +59,26 @@ TEST(WarmState, IsTheColdOneWhereMagnetsHaveNoGrade) {
 TEST(WarmState, IsTheColdOneAtTwentyDegrees) {
   Design design = graded();
   design.surroundings.ambient = 20.0;
-  const Performance found = at(design, {.current = 1.4, .duty = 0.0});
+  const Performance found = performance_at(design, {.current = 1.4, .duty = 0.0});
   // Temperatures come from a solver: 20 degC to its rounding, and equilibria from another start.
   EXPECT_NEAR(found.free.motion.value().peak_bending_speed / found.cold.peak_bending_speed, 1.0, 1e-9);
   EXPECT_NEAR(found.gripping.grasp.value().grasp_force / found.cold.grasp_force, 1.0, 1e-9);
 }
 
 TEST(WarmState, DoesNotExistInARunawayThatMagnetsFeel) {
-  const Performance hot = at(graded(), {.current = 4.0});
+  const Performance hot = performance_at(graded(), {.current = 4.0});
   EXPECT_FALSE(hot.free.motion.has_value());
   EXPECT_FALSE(hot.gripping.grasp.has_value());
   EXPECT_FALSE(hot.demagnetisation.has_value());
   EXPECT_GT(hot.cold.peak_bending_speed, 0.0);
-  const Performance unfeeling = at(actuator::paper_finger(), {.current = 4.0});
+  const Performance unfeeling = performance_at(actuator::paper_finger(), {.current = 4.0});
   EXPECT_FALSE(unfeeling.free.heat.coil_temperature.has_value());
   EXPECT_TRUE(unfeeling.free.motion.has_value());
 }
 
 TEST(WarmState, TakesTheWorseCaseForTheMargin) {
   const Design design = graded();
-  const Performance found = at(design, {.current = 0.9});
+  const Performance found = performance_at(design, {.current = 0.9});
   const actuator::InnerFields fields(design, actuator::assemble_or_throw(design));
   const auto margin = [&](const Heat& heat) {
     return fields.demagnetisation(std::span<const double>(heat.temperatures.data(), 3), 0.9).margin;

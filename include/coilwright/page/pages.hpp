@@ -25,9 +25,8 @@ struct PageInputs {
 
 /// The page of a folder of results, from its files: of `size` (result.json, actuator.json, evaluations.csv,
 /// convergence.csv), of `pareto` (result.json, front.csv, evaluations.csv, convergence.csv), of `sweep` (result.json,
-/// best.csv, designs.csv) or of `diagnose` (diagnosis.json, residuals.csv, summary.txt, next_experiment.csv where there
-/// is one). Throws InputError where the folder has no results of a kind that has a page, or a file of them cannot be
-/// read.
+/// best.csv, designs.csv) or of `diagnose` (diagnosis.json, residuals.csv, next_experiment.csv where there is one).
+/// Throws InputError where the folder has no results of a kind that has a page, or a file of them cannot be read.
 [[nodiscard]] Page page_of(const std::filesystem::path& folder, const PageInputs& inputs);
 
 /// The page of one design at its operating point: what it does, what its parts stand, what that rests on, drawn and

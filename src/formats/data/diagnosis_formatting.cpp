@@ -77,7 +77,7 @@ std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(const
         .untold_runs = diagnosis.effects.size() == 1 ? last.untold_runs : std::vector<std::string>{},
         .correlation_time = last.correlation_time};
     for (const measurement::AddedEffect& effect : diagnosis.effects)
-      reported.quasi_bic_gain += effect.evidence.quasi_bic_gain;
+      reported.criterion_gain += effect.evidence.criterion_gain;
     candidate.evidence = reported;
   }
   return out;

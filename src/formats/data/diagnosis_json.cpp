@@ -77,7 +77,7 @@ Json outliers_json(const Outliers& each) {
 Json evidence_json(const compare::Evidence& evidence) {
   return Json::object({{"chi_square_before", number_or_null(evidence.chi_square_before)},
                        {"chi_square_after", number_or_null(evidence.chi_square_after)},
-                       {"criterion_gain", number_or_null(evidence.quasi_bic_gain)},
+                       {"criterion_gain", number_or_null(evidence.criterion_gain)},
                        {"cross_validated_gain", number_or_null(evidence.cross_validated_gain)},
                        {"not_cross_validated", Json::list(evidence.untold_runs)},
                        {"correlation_time_samples", number_or_null(evidence.correlation_time)}});
@@ -174,7 +174,7 @@ Json candidate_json(const compare::ComparedHypothesis& candidate) {
 
 Json adequacy_json(const whiteness::WhitenessResult& adequacy) {
   return Json::object({{"level", number_or_null(adequacy.level)},
-                       {"structure", number_or_null(adequacy.whiteness_ratio)},
+                       {"structure", number_or_null(adequacy.structure)},
                        {"where", text_or_null(adequacy.where)},
                        {"noise_only", adequacy.is_white()}});
 }
@@ -213,6 +213,14 @@ Json warning_json(const data::Warning& warning) {
   return Json::object({{"run", text_or_null(warning.run)}, {"text", warning.text}});
 }
 
+Json summary_json(const DiagnosisSummary& summary) {
+  return Json::object({{"verdict", summary.verdict},
+                       {"cautions", Json::list(summary.cautions)},
+                       {"assumptions", Json::list(summary.assumptions)},
+                       {"rivals", Json::list(summary.rivals)},
+                       {"next_steps", Json::list(summary.next_steps)}});
+}
+
 }  // namespace
 
 Json to_json(const DiagnosisReport& report) {
@@ -247,6 +255,7 @@ Json to_json(const DiagnosisReport& report) {
   out.set("unanswered_runs", Json::list(diagnosis.unanswered_runs, warning_json));
   out.set("frozen_runs", Json::list(diagnosis.frozen_runs));
   out.set("far_first_pose", diagnosis.far_first_pose ? warning_json(*diagnosis.far_first_pose) : Json());
+  out.set("summary", summary_json(report.summary));
   return out;
 }
 

@@ -57,7 +57,7 @@ Evidence evidence_between(std::span<const replay::PreparedRun> runs, const Fitte
                           const FittedHypothesis& with, double overdispersion) {
   return {.chi_square_before = without.fit.chi_square,
           .chi_square_after = with.fit.chi_square,
-          .quasi_bic_gain = quasi_bic(without, overdispersion) - quasi_bic(with, overdispersion),
+          .criterion_gain = quasi_bic(without, overdispersion) - quasi_bic(with, overdispersion),
           .cross_validated_gain = std::numeric_limits<double>::quiet_NaN(),
           .correlation_time = whiteness::correlation_time(fit::scaled_residuals(runs, with.fit))};
 }

@@ -142,7 +142,7 @@ class HypothesisSearch {
         const FittedHypothesis& best = level.front();
         overdispersion_ = std::min(overdispersion_, overdispersion_of(runs_, best));
         report(fmt::format("best with {}: {}: rms residual {:.3g} times the noise, whiteness ratio {:.2g}",
-                           effects_text(size), names(best), best.whiteness.level, best.whiteness.whiteness_ratio));
+                           effects_text(size), names(best), best.whiteness.level, best.whiteness.structure));
       }
       if (shows_more_outliers(level)) break;
       all.insert(all.end(), level.begin(), level.end());
@@ -341,7 +341,7 @@ class HypothesisSearch {
     const auto known = std::ranges::find(so_far_, latest.effects, &ComparedHypothesis::effects);
     constexpr double none = -std::numeric_limits<double>::infinity();
     const auto gain = [](const ComparedHypothesis& each) {
-      return each.evidence ? each.evidence->quasi_bic_gain : none;
+      return each.evidence ? each.evidence->criterion_gain : none;
     };
     if (known == so_far_.end())
       so_far_.push_back(std::move(latest));

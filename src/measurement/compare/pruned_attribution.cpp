@@ -45,7 +45,7 @@ std::optional<std::string> unsupported(const FittedHypothesis& without, const Fi
   if (evidence.cross_validated_gain <= least_gain) return std::string(worse_on_runs_left_out);
   // The search compared it with a fit of the smaller hypothesis that may have ended elsewhere; this is the best of
   // both.
-  if (evidence.quasi_bic_gain < decision_thresholds.decisive_gain)
+  if (evidence.criterion_gain < decision_thresholds.decisive_gain)
     return "gains too little over the best fit without it";
   if (with.whiteness.is_white()) return std::nullopt;
   const bool is_later = !without.hypothesis.effects().empty();

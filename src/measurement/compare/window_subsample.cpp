@@ -86,7 +86,7 @@ std::vector<ComparedHypothesis> WindowSubsample::compared(const FittedHypothesis
   std::vector<ComparedHypothesis> out;
   for (const FittedHypothesis& each : others) {
     Evidence evidence = evidence_between(some_, before, each, overdispersion);
-    for (double* sum : {&evidence.chi_square_before, &evidence.chi_square_after, &evidence.quasi_bic_gain})
+    for (double* sum : {&evidence.chi_square_before, &evidence.chi_square_after, &evidence.criterion_gain})
       *sum /= share;
     out.push_back({.effects = each.kinds(),
                    .evidence = std::move(evidence),

@@ -167,7 +167,7 @@ WhitenessResult whiteness_test(std::span<const ScaledResidual> residuals, int fi
   test_lines_of_each_run(spectra, worst);
   test_pooled_lines(spectra, worst);
   test_blocks(runs, worst);
-  result.whiteness_ratio = worst.ratio();
+  result.structure = worst.ratio();
   result.where = worst.where();
   return result;
 }

@@ -3,13 +3,14 @@
 #include <array>
 #include <stdexcept>
 
+#include "degree.hpp"
+
 namespace attribution::laboratory {
 namespace {
 
 using namespace truth::laboratory;
 using truth::Random;
 
-constexpr double degree = 0.017453292519943295;
 constexpr double jitter = 1e-4;  // s, of a camera without a trigger
 
 void numbers(Random& random, Request& request) {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string_view>
+
+#include "degree.hpp"
 
 namespace attribution::laboratory {
 namespace {
@@ -16,8 +17,6 @@ using truth::laboratory::Deviation;
 using truth::laboratory::LaboratorySet;
 using truth::laboratory::Number;
 using truth::laboratory::Tolerances;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // Standard deviations over all samples that must be left of an effect when tolerances and clocks have taken theirs:
 // five times six, with which an effect can be told from noise at all; of one at its physical bound, or at five times

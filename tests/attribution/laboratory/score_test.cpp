@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
+
+#include "degree.hpp"
 
 namespace attribution::laboratory {
 namespace {
@@ -14,8 +15,6 @@ using truth::laboratory::DeclaredFaces;
 using truth::laboratory::Deviation;
 using truth::laboratory::LaboratorySet;
 using truth::laboratory::Tolerances;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 json diagnosis(const std::string& verdict, const std::vector<std::string>& effects = {},
                const std::vector<std::vector<std::string>>& ambiguous = {}) {

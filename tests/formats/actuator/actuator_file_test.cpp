@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "coilwright/simulation/performance.hpp"
+#include "degree.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
@@ -14,14 +14,12 @@ namespace {
 
 using text::testing::error_of;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 // `text` with the first `old` in it replaced.
 std::string changed(std::string text, const std::string& old, const std::string& replacement) {
   return text.replace(text.find(old), old.size(), replacement);
 }
 
-std::string refusal(const std::string& text) {
+std::string actuator_refusal(const std::string& text) {
   return error_of([&] { (void)parse_actuator(text, "a.json"); });
 }
 
@@ -128,35 +126,37 @@ TEST(ActuatorFile, TurnsMeasuredValuesIntoFactorsThatGiveThemBack) {
 }
 
 TEST(ActuatorFile, RefusesALayoutThatCannotBeBuilt) {
-  EXPECT_EQ(refusal(changed(full_design, R"("coil", "magnet", "coil", "magnet")", R"("coil", "coil", "coil", "coil")")),
+  EXPECT_EQ(actuator_refusal(
+                changed(full_design, R"("coil", "magnet", "coil", "magnet")", R"("coil", "coil", "coil", "coil")")),
             "a.json: /layout: layout must have at least one magnet; got none");
-  EXPECT_EQ(refusal(changed(full_design, "[1, -1, -1, 1]", "[1, -1, -1]")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, "[1, -1, -1, 1]", "[1, -1, -1]")),
             "a.json: /polarity: must have 4 elements; got an array of 3");
-  EXPECT_EQ(refusal(changed(full_design, "[1, -1, -1, 1]", "[1, -1, 2, 1]")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, "[1, -1, -1, 1]", "[1, -1, 2, 1]")),
             "a.json: /polarity/2: must be 1 or -1; got 2");
-  EXPECT_EQ(refusal(changed(full_design, R"("magnet", "coil", "magnet")", R"("magnet", "coil", "glue")")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("magnet", "coil", "magnet")", R"("magnet", "coil", "glue")")),
             R"(a.json: /layout/3: must be one of "coil", "magnet"; got text "glue")");
-  EXPECT_EQ(refusal(changed(full_design, R"("layout": [)", R"("configuration": "B", "layout": [)")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("layout": [)", R"("configuration": "B", "layout": [)")),
             R"(a.json: /layout: cannot stand beside "configuration")");
 }
 
 TEST(ActuatorFile, RefusesWordsAndMeasurementsThatDoNotExist) {
-  EXPECT_EQ(refusal(changed(full_design, "layer_centres", "layers")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, "layer_centres", "layers")),
             R"(a.json: /model/winding: must be one of "paper_shells", "layer_centres", "uniform"; got text "layers")");
-  EXPECT_EQ(refusal(changed(full_design, R"("calibration": {)", R"("measured": {}, "calibration": {)")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("calibration": {)", R"("measured": {}, "calibration": {)")),
             R"(a.json: /: gives "measured" and "calibration"; only one of them may be there)");
-  EXPECT_EQ(refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_com_mm": 1e9}})"),
+  EXPECT_EQ(actuator_refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_com_mm": 1e9}})"),
             "a.json: /measured/tip_com_mm: must be from 0.05 to 1000; got 1000000000");
-  EXPECT_EQ(refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_segment_mass_g": 0.0225}})")
-                .substr(0, 30),
-            "a.json: /measured: tip segment");  // kilograms
-  EXPECT_EQ(refusal(changed(full_design, R"("hinge": "slot")", R"("hinge": "crack")")),
+  EXPECT_EQ(
+      actuator_refusal(R"({"format": "actuator/1", "configuration": "B", "measured": {"tip_segment_mass_g": 0.0225}})")
+          .substr(0, 30),
+      "a.json: /measured: tip segment");  // kilograms
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("hinge": "slot")", R"("hinge": "crack")")),
             R"(a.json: /model/hinge: must be one of "slit", "slot", "beam"; got text "crack")");
-  EXPECT_EQ(refusal(changed(full_design, R"("poisson_ratio": 0.48)", R"("poisson_ratio": 0.51)")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("poisson_ratio": 0.48)", R"("poisson_ratio": 0.51)")),
             "a.json: /body/poisson_ratio: must be from 0 to 0.5; got 0.51");
-  EXPECT_EQ(refusal(changed(full_design, R"("width_mm": 21, )", "")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("width_mm": 21, )", "")),
             "a.json: /calibration/hinge_reference/width_mm: is missing");
-  EXPECT_EQ(refusal(changed(full_design, R"("tip_com_factor": 0.93)", R"("tip_com_factor": 0)")),
+  EXPECT_EQ(actuator_refusal(changed(full_design, R"("tip_com_factor": 0.93)", R"("tip_com_factor": 0)")),
             "a.json: /calibration/tip_com_factor: must be > 0 and <= 1000000; got 0");
 }
 
@@ -178,7 +178,7 @@ TEST(ActuatorFile, CarriesEffectsWithTheirNumbersInSi) {
 }
 
 TEST(ActuatorFile, RefusesEffectsThatDoNotExistOrBreakTheirRules) {
-  const auto refused = [](const std::string& list) { return refusal(with_effects(list)); };
+  const auto refused = [](const std::string& list) { return actuator_refusal(with_effects(list)); };
   EXPECT_EQ(
       refused(R"([{"id": "dry_fricton", "parameters": {"torque_Nmm": 1}}])"),
       R"(a.json: /effects/0/id: must be the id of an effect; did you mean "dry_friction"?; got text "dry_fricton")");
@@ -199,7 +199,7 @@ TEST(ActuatorFile, RefusesEffectsThatDoNotExistOrBreakTheirRules) {
   EXPECT_EQ(refused(R"({"dry_friction": 1})"), "a.json: /effects: must be an array; got an object");
 }
 
-const std::string lumped = R"({
+const std::string two_joints = R"({
   "format": "lumped-model/1", "gravity_m_s2": 9.7,
   "links": [{"length_m": 0.019, "com_along_m": 0.011, "com_offset_m": 0.004, "mass_kg": 0.017, "inertia_kgm2": 0},
             {"length_m": 0.021, "com_along_m": 0.009, "com_offset_m": 0.003, "mass_kg": 0.022, "inertia_kgm2": 1e-6}],
@@ -210,7 +210,7 @@ const std::string lumped = R"({
 })";
 
 TEST(LumpedModel, IsReadJointByJoint) {
-  const auto model = std::get<actuator::Model>(parse_actuator(lumped, "a.json").content);
+  const auto model = std::get<actuator::Model>(parse_actuator(two_joints, "a.json").content);
   EXPECT_EQ(model.joints(), 2);
   EXPECT_EQ(model.coils(), 1);
   EXPECT_DOUBLE_EQ(model.hinges()[0].contact.closing_angle, -3.0 * degree);
@@ -219,7 +219,7 @@ TEST(LumpedModel, IsReadJointByJoint) {
 }
 
 TEST(LumpedModel, PassesThroughTheTorquesOfItsTable) {
-  const auto model = std::get<actuator::Model>(parse_actuator(lumped, "a.json").content);
+  const auto model = std::get<actuator::Model>(parse_actuator(two_joints, "a.json").content);
   // The table's torque at 30 degrees, times 0.7 A, is all that current adds. 1e-4 of the largest torque is what the
   // curve is built to.
   const mechanics::JointVector angles = (mechanics::JointVector(2) << 0.1, 30.0 * degree).finished();
@@ -231,14 +231,14 @@ TEST(LumpedModel, PassesThroughTheTorquesOfItsTable) {
 
 TEST(LumpedModel, CarriesEffectsThatItCanHave) {
   const auto file =
-      parse_actuator(changed(lumped, R"("links": [)",
+      parse_actuator(changed(two_joints, R"("links": [)",
                              R"("effects": [{"id": "added_mass", "parameters": {"mass_g": 3.5}}], "links": [)"),
                      "a.json");
   const auto& spec = std::get<actuator::Model>(file.content).nominal_spec();
   ASSERT_EQ(spec.effects.size(), 1u);
   EXPECT_EQ(spec.effects[0].kind, actuator::standard_effects().find("added_mass"));
   EXPECT_EQ(spec.effects[0].values, std::vector{3.5e-3});
-  EXPECT_EQ(refusal(R"({"format": "lumped-model/1",
+  EXPECT_EQ(actuator_refusal(R"({"format": "lumped-model/1",
                         "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0.01, "mass_kg": 0.5,
                                    "inertia_kgm2": 0.01}],
                         "joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 0.001}],
@@ -247,7 +247,7 @@ TEST(LumpedModel, CarriesEffectsThatItCanHave) {
 }
 
 std::string with_friction(const std::string& numbers) {
-  return changed(lumped, R"("links": [)",
+  return changed(two_joints, R"("links": [)",
                  R"("effects": [{"id": "dry_friction", "parameters": {)" + numbers + R"(}}], "links": [)");
 }
 
@@ -262,9 +262,9 @@ TEST(LumpedModel, ReadsFrictionWithAndWithoutItsFall) {
   const actuator::Effect falling = effect(R"("torque_Nmm": 0.6, "stribeck_ratio": 1.3, "stribeck_rate_rad_s": 0.5)");
   EXPECT_EQ(falling.kind, plain->with_further_numbers());
   EXPECT_EQ(falling.values, (std::vector<double>{0.6e-3, 1.3, 0.5}));
-  EXPECT_EQ(refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 1.3)")),
+  EXPECT_EQ(actuator_refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 1.3)")),
             "a.json: /effects/0/parameters/stribeck_rate_rad_s: is missing");
-  EXPECT_EQ(refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 0.9, "stribeck_rate_rad_s": 0.5)")),
+  EXPECT_EQ(actuator_refusal(with_friction(R"("torque_Nmm": 0.6, "stribeck_ratio": 0.9, "stribeck_rate_rad_s": 0.5)")),
             "a.json: /effects/0/parameters/stribeck_ratio: must be from 1 to 3; got 0.9");
 }
 
@@ -289,9 +289,9 @@ TEST(LumpedModel, TakesThePapersNamesInAnyUnitOfLength) {
                                    R"("l_b_m": 0.0034)"),
                            R"("axis_offset_mm": 11.5)", R"("h_cm": 1.15)")),
             ours);
-  EXPECT_EQ(refusal(changed(pair, R"("coil_offset_mm")", R"("l_a_mm": 6.4, "coil_offset_mm")")),
+  EXPECT_EQ(actuator_refusal(changed(pair, R"("coil_offset_mm")", R"("l_a_mm": 6.4, "coil_offset_mm")")),
             R"(a.json: /magnetics/0/l_a_mm: cannot stand beside "coil_offset_mm")");
-  EXPECT_EQ(refusal(changed(pair, R"("coil_offset_mm": 6.4,)", "")),
+  EXPECT_EQ(actuator_refusal(changed(pair, R"("coil_offset_mm": 6.4,)", "")),
             "a.json: /magnetics/0/coil_offset_mm: is missing; is \"axis_offset_mm\" meant to be it?");
 }
 
@@ -321,7 +321,8 @@ TEST(LumpedModel, MayHaveAMagnetWithRecoil) {
   };
   EXPECT_NEAR(torque(with("1.05")) / torque(near), 2.0481 / 2.1247, 4e-4);
   EXPECT_EQ(torque(with("1")), torque(near));
-  EXPECT_EQ(refusal(with("1.3")), "a.json: /magnetics/0/magnet/recoil_permeability: must be from 1 to 1.2; got 1.3");
+  EXPECT_EQ(actuator_refusal(with("1.3")),
+            "a.json: /magnetics/0/magnet/recoil_permeability: must be from 1 to 1.2; got 1.3");
 }
 
 // A fit makes a magnet as strong as the records ask for, and its result must be a file that can be read.
@@ -330,7 +331,7 @@ TEST(LumpedModel, MayHaveAMagnetStrongerThanAnyMaterial) {
     return changed(pair, R"("remanence_T": 1.44)", R"("remanence_T": )" + remanence);
   };
   EXPECT_NO_THROW((void)parse_actuator(with("2.0067"), "a.json"));
-  EXPECT_EQ(refusal(with("14.4")), "a.json: /magnetics/0/magnet/remanence_T: must be > 0 and <= 5; got 14.4");
+  EXPECT_EQ(actuator_refusal(with("14.4")), "a.json: /magnetics/0/magnet/remanence_T: must be > 0 and <= 5; got 14.4");
 }
 
 // Two joints with a pair on each are configuration B: coils on the base and on the last link, magnets between them.
@@ -339,7 +340,7 @@ TEST(LumpedModel, KnowsWhereTheCoilsOfTwoPairsAre) {
     return std::get<actuator::Model>(parse_actuator(text, "a.json").content).nominal_spec();
   };
   EXPECT_EQ(rig(pair).coil_row, nullptr);
-  EXPECT_EQ(rig(lumped).coil_row, nullptr);
+  EXPECT_EQ(rig(two_joints).coil_row, nullptr);
   std::string two = changed(pair, R"("inertia_kgm2": 0})", R"("inertia_kgm2": 0},
     {"length_m": 0.021, "com_along_m": 0.009, "com_offset_m": 0.003, "mass_kg": 0.022, "inertia_kgm2": 1e-6})");
   two = changed(two, R"(1.3e-4})", R"(1.3e-4}, {"stiffness_Nm_rad": 0.0125, "damping_Nms_rad": 1.3e-4})");
@@ -364,29 +365,30 @@ TEST(LumpedModel, TakesATableInOtherUnits) {
     return model.magnetics().hinge_pairs()[0].torque_per_ampere->value(0.5);
   };
   // 30 degrees and 0.5235987755982988 rad are the same double; the others are not asked for digit by digit.
-  EXPECT_NEAR(torque(changed(changed(lumped, R"("angle_deg": [-10, 0, 30, 60, 110])",
+  EXPECT_NEAR(torque(changed(changed(two_joints, R"("angle_deg": [-10, 0, 30, 60, 110])",
                                      R"("angle_rad": [-0.17453292519943295, 0, 0.5235987755982988,
                                                       1.0471975511965976, 1.9198621771937625])"),
                              R"("torque_Nmm_A": [19.0, 17.5, 9.0, 4.1, 1.3])",
                              R"("torque_Nm_A": [0.019, 0.0175, 0.009, 0.0041, 0.0013])")),
-              torque(lumped), 1e-9);
-  EXPECT_EQ(refusal(changed(lumped, R"("angle_deg")", R"("coil": 1, "angle_deg")")),
+              torque(two_joints), 1e-9);
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("angle_deg")", R"("coil": 1, "angle_deg")")),
             R"(a.json: /magnetics/1/angle_deg: cannot stand beside "coil")");
 }
 
 TEST(LumpedModel, RefusesWhatDoesNotFitTogether) {
-  EXPECT_EQ(refusal(changed(lumped, "[null, {", "[{")), "a.json: /magnetics: must have 2 elements; got an array of 1");
-  EXPECT_EQ(refusal(changed(lumped, "[-10, 0, 30, 60, 110]", "[-10, 0, 60, 30, 110]")),
+  EXPECT_EQ(actuator_refusal(changed(two_joints, "[null, {", "[{")),
+            "a.json: /magnetics: must have 2 elements; got an array of 1");
+  EXPECT_EQ(actuator_refusal(changed(two_joints, "[-10, 0, 30, 60, 110]", "[-10, 0, 60, 30, 110]")),
             "a.json: /magnetics/1/angle_deg: must increase from one angle to the next");
-  EXPECT_EQ(refusal(changed(lumped, "[19.0, 17.5, 9.0, 4.1, 1.3]", "[19.0, 17.5, 9.0]")),
+  EXPECT_EQ(actuator_refusal(changed(two_joints, "[19.0, 17.5, 9.0, 4.1, 1.3]", "[19.0, 17.5, 9.0]")),
             "a.json: /magnetics/1/torque_Nmm_A: must have 5 elements; got an array of 3");
-  EXPECT_EQ(refusal(changed(lumped, "[-10, 0, 30, 60, 110]", "[-10, 0, 30]")),
+  EXPECT_EQ(actuator_refusal(changed(two_joints, "[-10, 0, 30, 60, 110]", "[-10, 0, 30]")),
             "a.json: /magnetics/1/angle_deg: must have at least 4 elements; got an array of 3");
-  EXPECT_EQ(refusal(changed(lumped, R"("mass_kg": 0.017)", R"("mass_kg": -0.017)")),
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("mass_kg": 0.017)", R"("mass_kg": -0.017)")),
             "a.json: /links/0/mass_kg: must be > 0; got -0.017");
-  EXPECT_EQ(refusal(changed(lumped, R"("stiffness_Nm_rad": 0.0125)", R"("stiffness_Nmm_rad": 12.5)")),
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("stiffness_Nm_rad": 0.0125)", R"("stiffness_Nmm_rad": 12.5)")),
             R"(a.json: /joints/0/stiffness_Nmm_rad: unknown key; did you mean "stiffness_Nm_rad"?)");
-  EXPECT_EQ(refusal(changed(lumped, R"("links": [)", R"("segments": 3, "links": [)")),
+  EXPECT_EQ(actuator_refusal(changed(two_joints, R"("links": [)", R"("segments": 3, "links": [)")),
             "a.json: /segments: unknown key; the keys here are \"as_built\", \"description\", \"effects\", \"format\", "
             "\"gravity_m_s2\", "
             "\"joints\", \"links\", \"magnetics\", \"name\", \"torque_correction\"");

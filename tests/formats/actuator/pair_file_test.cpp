@@ -21,7 +21,7 @@ const std::string coil =
 const std::string magnet = R"({"radius_mm": 4, "length_mm": 6, "remanence_T": 1.3})";
 const std::string poses = R"("poses": [{"position_mm": [0.5, 0, 12], "axis": [0, 0.1, 1]}])";
 
-std::string refusal(const std::string& members) {
+std::string pair_refusal(const std::string& members) {
   return text::testing::error_of([&] { (void)parse_pair("{" + members + "}", "x.json"); });
 }
 
@@ -116,90 +116,91 @@ TEST(PairFile, MovesTheLastBodyOfAListThroughItsPoses) {
 }
 
 TEST(PairFile, RefusesListsThatCannotBe) {
-  EXPECT_EQ(refusal(R"("bodies": [])"), "x.json: /bodies: must have 1 to 200 elements; got an array of 0");
-  EXPECT_EQ(refusal(R"("bodies": [{"position_mm": [0, 0, 1]}])"),
+  EXPECT_EQ(pair_refusal(R"("bodies": [])"), "x.json: /bodies: must have 1 to 200 elements; got an array of 0");
+  EXPECT_EQ(pair_refusal(R"("bodies": [{"position_mm": [0, 0, 1]}])"),
             "x.json: /bodies/0: needs one of \"coil\", \"magnet\"");
-  EXPECT_EQ(refusal(R"("bodies": [{"coil": )" + coil + "}]"), "x.json: /bodies/0/current_A: is missing");
-  EXPECT_EQ(refusal(R"("bodies": [{"magnet": )" + magnet + R"(, "current_A": 1}])"),
+  EXPECT_EQ(pair_refusal(R"("bodies": [{"coil": )" + coil + "}]"), "x.json: /bodies/0/current_A: is missing");
+  EXPECT_EQ(pair_refusal(R"("bodies": [{"magnet": )" + magnet + R"(, "current_A": 1}])"),
             "x.json: /bodies/0/current_A: unknown key; the keys here are \"axis\", \"coil\", \"magnet\", \"name\", "
             "\"position_mm\", \"x_axis\"");
-  EXPECT_EQ(refusal(R"("bodies": [{"magnet": )" + magnet + R"(, "axis": [0, 0, 1], "x_axis": [0, 0, 2]}])"),
+  EXPECT_EQ(pair_refusal(R"("bodies": [{"magnet": )" + magnet + R"(, "axis": [0, 0, 1], "x_axis": [0, 0, 2]}])"),
             "x.json: /bodies/0/x_axis: must not lie along \"axis\"");
-  EXPECT_EQ(refusal(R"("bodies": [{"magnet": {"size_mm": [10, 0.001, 5], "remanence_T": 1.3}}])"),
+  EXPECT_EQ(pair_refusal(R"("bodies": [{"magnet": {"size_mm": [10, 0.001, 5], "remanence_T": 1.3}}])"),
             "x.json: /bodies/0/magnet/size_mm/1: must be from 0.05 to 1000; got 0.001");
   EXPECT_EQ(
-      refusal(
+      pair_refusal(
           R"("bodies": [{"magnet": {"inner_radius_mm": 5, "outer_radius_mm": 5, "length_mm": 5, "remanence_T": 1.3}}])"),
       "x.json: /bodies/0/magnet/outer_radius_mm: must exceed inner_radius_mm (5) by at least 0.05; got 5");
   EXPECT_EQ(
-      refusal(
+      pair_refusal(
           R"("bodies": [{"magnet": {"radius_mm": 5, "length_mm": 5, "remanence_T": 1.3, "magnetised_along": [0, 0, 0]}}])"),
       "x.json: /bodies/0/magnet/magnetised_along: must be at least 1e-06 long, to give a direction");
 }
 
 TEST(PairFile, RefusesAPlateThatBodiesStandIn) {
   EXPECT_EQ(
-      refusal(list + R"(, "plate": {"thickness_mm": 3, "position_mm": [0, 0, 2]})"),
+      pair_refusal(list + R"(, "plate": {"thickness_mm": 3, "position_mm": [0, 0, 2]})"),
       "x.json: /plate: must have every body in front of its face, on the side to which \"normal\" points; magnet 1 "
       "reaches 0.5 mm behind it");
-  EXPECT_EQ(refusal(list + R"(, "plate": {"thickness_mm": 3, "relative_permeability": 5})"),
+  EXPECT_EQ(pair_refusal(list + R"(, "plate": {"thickness_mm": 3, "relative_permeability": 5})"),
             "x.json: /plate/relative_permeability: must be from 50 to 1000000; got 5");
 }
 
 TEST(PairFile, RefusesBodiesThatAreMissingOrTooMany) {
-  EXPECT_EQ(refusal(poses), "x.json: /: needs one of \"bodies\", \"coil\", \"coils\", \"magnets\"");
-  EXPECT_EQ(refusal("\"coil\": " + coil + ", \"current_A\": 1.4, " + poses), "x.json: /magnet: is missing");
-  EXPECT_EQ(refusal("\"coils\": [" + coil + "], \"current_A\": 1.4, " + poses),
+  EXPECT_EQ(pair_refusal(poses), "x.json: /: needs one of \"bodies\", \"coil\", \"coils\", \"magnets\"");
+  EXPECT_EQ(pair_refusal("\"coil\": " + coil + ", \"current_A\": 1.4, " + poses), "x.json: /magnet: is missing");
+  EXPECT_EQ(pair_refusal("\"coils\": [" + coil + "], \"current_A\": 1.4, " + poses),
             "x.json: /coils: must have 2 elements; got an array of 1");
-  EXPECT_EQ(refusal("\"magnets\": [" + magnet + "," + magnet + "], \"coil\": " + coil + ", " + poses),
+  EXPECT_EQ(pair_refusal("\"magnets\": [" + magnet + "," + magnet + "], \"coil\": " + coil + ", " + poses),
             "x.json: /magnets: cannot stand beside \"coil\"");
 }
 
 TEST(PairFile, RefusesCurrentsThatAreMissingOrWithoutACoil) {
-  EXPECT_EQ(refusal("\"coil\": " + coil + ", \"magnet\": " + magnet + ", " + poses), "x.json: /current_A: is missing");
-  EXPECT_EQ(refusal("\"coils\": [" + coil + "," + coil + "], " + poses),
+  EXPECT_EQ(pair_refusal("\"coil\": " + coil + ", \"magnet\": " + magnet + ", " + poses),
+            "x.json: /current_A: is missing");
+  EXPECT_EQ(pair_refusal("\"coils\": [" + coil + "," + coil + "], " + poses),
             "x.json: /: needs one of \"current_A\", \"currents_A\"");
   EXPECT_EQ(
-      refusal("\"magnets\": [" + magnet + "," + magnet + "], \"current_A\": 2, " + poses),
+      pair_refusal("\"magnets\": [" + magnet + "," + magnet + "], \"current_A\": 2, " + poses),
       "x.json: /current_A: unknown key; the keys here are \"bodies\", \"coil\", \"coils\", \"magnets\", \"plate\", "
       "\"poses\"");
 }
 
 TEST(PairFile, RefusesDimensionsThatCannotBe) {
   EXPECT_EQ(
-      refusal(coil_and_magnet(
+      pair_refusal(coil_and_magnet(
           R"({"inner_radius_mm": 5, "outer_radius_mm": 4.5, "length_mm": 10, "turns_radial": 8, "turns_axial": 2})",
           magnet)),
       "x.json: /coil/outer_radius_mm: must exceed inner_radius_mm (5); got 4.5");
-  EXPECT_EQ(refusal(coil_and_magnet(
+  EXPECT_EQ(pair_refusal(coil_and_magnet(
                 R"({"inner_radius_mm": 5, "outer_radius_mm": 9, "length_mm": 10, "turns_radial": 0, "turns_axial": 2})",
                 magnet)),
             "x.json: /coil/turns_radial: must be from 1 to 10000; got 0");
-  EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": -6, "remanence_T": 1.3})")),
+  EXPECT_EQ(pair_refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": -6, "remanence_T": 1.3})")),
             "x.json: /magnet/length_mm: must be from 0.05 to 1000; got -6");
-  EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_mT": 1300})")),
+  EXPECT_EQ(pair_refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_mT": 1300})")),
             "x.json: /magnet/remanence_mT: unknown key; did you mean \"remanence_T\"?");
-  EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 1e-322, "length_mm": 6, "remanence_T": 1.3})")),
+  EXPECT_EQ(pair_refusal(coil_and_magnet(coil, R"({"radius_mm": 1e-322, "length_mm": 6, "remanence_T": 1.3})")),
             "x.json: /magnet/radius_mm: must be from 0.05 to 1000; got 1e-322");
   EXPECT_EQ(
-      refusal(coil_and_magnet(
+      pair_refusal(coil_and_magnet(
           R"({"inner_radius_mm": 5, "outer_radius_mm": 5.0001, "length_mm": 10, "turns_radial": 8, "turns_axial": 2})",
           magnet)),
       "x.json: /coil/outer_radius_mm: must exceed inner_radius_mm (5) by at least 0.05; got 5.0001");
 }
 
 TEST(PairFile, RefusesNumbersThatNoHardwareHasAndNoFormulaSurvives) {
-  EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_T": 1300})")),
+  EXPECT_EQ(pair_refusal(coil_and_magnet(coil, R"({"radius_mm": 4, "length_mm": 6, "remanence_T": 1300})")),
             "x.json: /magnet/remanence_T: must be > 0 and <= 2; got 1300");
-  EXPECT_EQ(refusal(coil_and_magnet(coil, R"({"radius_mm": 1e300, "length_mm": 6, "remanence_T": 1.3})")),
+  EXPECT_EQ(pair_refusal(coil_and_magnet(coil, R"({"radius_mm": 1e300, "length_mm": 6, "remanence_T": 1.3})")),
             "x.json: /magnet/radius_mm: must be from 0.05 to 1000; got 1e+300");
-  EXPECT_EQ(refusal("\"magnets\": [" + magnet + "," + magnet +
-                    R"(], "poses": [{"position_mm": [1, 2, 1e300], "axis": [0, 0, 1]}])"),
+  EXPECT_EQ(pair_refusal("\"magnets\": [" + magnet + "," + magnet +
+                         R"(], "poses": [{"position_mm": [1, 2, 1e300], "axis": [0, 0, 1]}])"),
             "x.json: /poses/0/position_mm/2: must be from -1000000 to 1000000; got 1e+300");
 }
 
 TEST(PairFile, RefusesAWindingThatDoesNotExist) {
-  EXPECT_EQ(refusal("\"winding\": \"papershells\", " + coil_and_magnet(coil, magnet)),
+  EXPECT_EQ(pair_refusal("\"winding\": \"papershells\", " + coil_and_magnet(coil, magnet)),
             "x.json: /winding: must be one of \"paper_shells\", \"layer_centres\", \"uniform\"; did you mean "
             "\"paper_shells\"?; "
             "got text \"papershells\"");
@@ -207,10 +208,10 @@ TEST(PairFile, RefusesAWindingThatDoesNotExist) {
 
 TEST(PairFile, RefusesPosesThatAreNone) {
   const std::string bodies = "\"coil\": " + coil + ", \"magnet\": " + magnet + ", \"current_A\": 1.4, ";
-  EXPECT_EQ(refusal(bodies + R"("poses": [])"), "x.json: /poses: must have at least 1 element; got an array of 0");
-  EXPECT_EQ(refusal(bodies + R"("poses": [{"position_mm": [1, 2], "axis": [0, 0, 1]}])"),
+  EXPECT_EQ(pair_refusal(bodies + R"("poses": [])"), "x.json: /poses: must have at least 1 element; got an array of 0");
+  EXPECT_EQ(pair_refusal(bodies + R"("poses": [{"position_mm": [1, 2], "axis": [0, 0, 1]}])"),
             "x.json: /poses/0/position_mm: must have 3 elements; got an array of 2");
-  EXPECT_EQ(refusal(bodies + R"("poses": [{"position_mm": [1, 2, 3], "axis": [0, 0, 0]}])"),
+  EXPECT_EQ(pair_refusal(bodies + R"("poses": [{"position_mm": [1, 2, 3], "axis": [0, 0, 0]}])"),
             "x.json: /poses/0/axis: must be at least 1e-06 long, to give a direction");
 }
 

@@ -18,7 +18,7 @@ using actuator::Design;
 using actuator::TorqueCorrection;
 using text::testing::error_of;
 
-std::string lumped(const std::string& correction) {
+std::string pendulum_with(const std::string& correction) {
   return R"({"format": "lumped-model/1", "gravity_m_s2": 9.81,
     "links": [{"length_m": 0.2, "com_along_m": 0.2, "com_offset_m": 0.0, "mass_kg": 0.52, "inertia_kgm2": 0.01}],
     "joints": [{"stiffness_Nm_rad": 0.1, "damping_Nms_rad": 0.001}],
@@ -30,12 +30,12 @@ constexpr const char* good =
     R"({"angle_deg": [-10, 0, 30], "rate_rad_s": [-5, 0, 2, 9], "linear_below_rad_s": 0.4, "joint": 1,
         "torque_Nmm": [[1, 2, 3, 4], [0.5, 0, -0.5, -1], [2, -2, 0.25, 8]]})";
 
-std::string refusal(const std::string& correction) {
-  return error_of([&] { (void)parse_actuator(lumped(correction), "rig.json"); });
+std::string correction_refusal(const std::string& correction) {
+  return error_of([&] { (void)parse_actuator(pendulum_with(correction), "rig.json"); });
 }
 
 TEST(TorqueCorrectionFormat, IsReadInTheUnitsOfItsKeys) {
-  const ActuatorFile file = parse_actuator(lumped(good), "rig.json");
+  const ActuatorFile file = parse_actuator(pendulum_with(good), "rig.json");
   const auto& correction = std::get<actuator::Model>(file.content).nominal_spec().torque_correction;
   ASSERT_TRUE(correction.has_value());
   ASSERT_EQ(correction->axes.size(), 2U);
@@ -71,7 +71,7 @@ TEST(TorqueCorrectionFormat, OfADesignIsWrittenAndReadBackTheSame) {
 
 TEST(TorqueCorrectionFormat, MayBeOverOneVariable) {
   const ActuatorFile file =
-      parse_actuator(lumped(R"({"rate_rad_s": [-5, 0, 9], "torque_Nmm": [1, 0, -2]})"), "rig.json");
+      parse_actuator(pendulum_with(R"({"rate_rad_s": [-5, 0, 9], "torque_Nmm": [1, 0, -2]})"), "rig.json");
   const auto& correction = std::get<actuator::Model>(file.content).nominal_spec().torque_correction;
   EXPECT_EQ(correction->axes.size(), 1U);
   EXPECT_EQ(correction->torques.size(), 3U);
@@ -79,24 +79,24 @@ TEST(TorqueCorrectionFormat, MayBeOverOneVariable) {
 }
 
 TEST(TorqueCorrectionFormat, IsRefusedAtThePlaceOfTheMistake) {
-  EXPECT_EQ(refusal(R"({"torque_Nmm": [1, 2, 3]})"),
+  EXPECT_EQ(correction_refusal(R"({"torque_Nmm": [1, 2, 3]})"),
             "rig.json: /torque_correction: needs one or two of \"angle_deg\", \"rate_rad_s\", \"current_A\"");
-  EXPECT_EQ(refusal(R"({"angle_deg": [0, 1], "torque_Nmm": [1, 2]})"),
+  EXPECT_EQ(correction_refusal(R"({"angle_deg": [0, 1], "torque_Nmm": [1, 2]})"),
             "rig.json: /torque_correction/angle_deg: must have 3 to 100 elements; got an array of 2");
-  EXPECT_EQ(refusal(R"({"angle_deg": [0, 2, 1], "torque_Nmm": [1, 2, 3]})"),
+  EXPECT_EQ(correction_refusal(R"({"angle_deg": [0, 2, 1], "torque_Nmm": [1, 2, 3]})"),
             "rig.json: /torque_correction/angle_deg/2: must exceed the value before it; got 1");
-  EXPECT_EQ(refusal(R"({"angle_deg": [0, 1, 2], "torque_Nmm": [1, 2]})"),
+  EXPECT_EQ(correction_refusal(R"({"angle_deg": [0, 1, 2], "torque_Nmm": [1, 2]})"),
             "rig.json: /torque_correction/torque_Nmm: must have 3 elements; got an array of 2");
-  EXPECT_EQ(
-      refusal(R"({"angle_deg": [0, 1, 2], "rate_rad_s": [0, 1, 2], "torque_Nmm": [[1, 2, 3], [1, 2], [1, 2, 3]]})"),
-      "rig.json: /torque_correction/torque_Nmm/1: must have 3 elements; got an array of 2");
-  EXPECT_EQ(refusal(R"({"angle_deg": [0, 1, 2], "linear_below_rad_s": 1, "torque_Nmm": [1, 2, 3]})"),
+  EXPECT_EQ(correction_refusal(
+                R"({"angle_deg": [0, 1, 2], "rate_rad_s": [0, 1, 2], "torque_Nmm": [[1, 2, 3], [1, 2], [1, 2, 3]]})"),
+            "rig.json: /torque_correction/torque_Nmm/1: must have 3 elements; got an array of 2");
+  EXPECT_EQ(correction_refusal(R"({"angle_deg": [0, 1, 2], "linear_below_rad_s": 1, "torque_Nmm": [1, 2, 3]})"),
             "rig.json: /torque_correction/linear_below_rad_s: must stand beside \"rate_rad_s\"");
-  EXPECT_EQ(refusal(R"({"angle_deg": [0, 1, 2], "torque_mNm": [1, 2, 3]})"),
+  EXPECT_EQ(correction_refusal(R"({"angle_deg": [0, 1, 2], "torque_mNm": [1, 2, 3]})"),
             "rig.json: /torque_correction/torque_mNm: unknown key; did you mean \"torque_Nmm\"?");
-  EXPECT_EQ(refusal(R"({"angle_deg": [0, 1, 2], "joint": 2, "torque_Nmm": [1, 2, 3]})"),
+  EXPECT_EQ(correction_refusal(R"({"angle_deg": [0, 1, 2], "joint": 2, "torque_Nmm": [1, 2, 3]})"),
             "rig.json: /: torque_correction: joint must be 1 to 1; got 2");
-  EXPECT_EQ(refusal(R"({"current_A": [0, 1, 2], "torque_Nmm": [1, 2, 3]})"),
+  EXPECT_EQ(correction_refusal(R"({"current_A": [0, 1, 2], "torque_Nmm": [1, 2, 3]})"),
             "rig.json: /: torque_correction: over the current needs coils, and the model has none");
 }
 

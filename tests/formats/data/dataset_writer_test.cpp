@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
 #include "coilwright/formats/data/dataset_file.hpp"
+#include "degree.hpp"
 #include "temporary_folder.hpp"
 
 namespace coilwright::formats {
@@ -15,8 +15,6 @@ namespace {
 
 using namespace measurement;
 using ::testing::HasSubstr;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 data::Run motion() {
   data::Run run{
@@ -34,7 +32,7 @@ data::Run motion() {
   return run;
 }
 
-data::Run bench() {
+data::Run bench_run() {
   return {.name = "bench.csv",
           .kind = data::RunKind::static_torque,
           .angles = {0.0, 20 * degree},
@@ -70,13 +68,13 @@ TEST(DatasetWriter, WritesReadingsAsAnInstrumentShowsThem) {
                        "0.004,1.4,0,30.04,-1\n"
                        "0.006,1.4,0,30.06,-1.5\n"))
       << text;
-  EXPECT_EQ(table_of(bench()), "angle_deg,current_A,torque_Nmm\n0,1.4,25.1\n20,1.4,12.3\n");
+  EXPECT_EQ(table_of(bench_run()), "angle_deg,current_A,torque_Nmm\n0,1.4,25.1\n20,1.4,12.3\n");
   EXPECT_EQ(table_of(heat()), "time_s,current_A,temperature_degC\n0,1,25\n1,1,25.5\n");
 }
 
 TEST(DatasetWriter, WritesASetThatIsReadBack) {
   const auto fit = motion();
-  const auto other = bench();
+  const auto other = bench_run();
   auto torque = motion();
   torque.name = "torque.csv";
   torque.drive = data::Drive::torque;

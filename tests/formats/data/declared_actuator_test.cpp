@@ -12,6 +12,7 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/units/unit.hpp"
+#include "degree.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
@@ -21,11 +22,10 @@ using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double degree = std::numbers::pi / 180.0;
 
 using Names = std::vector<std::string>;
 
-const std::string lumped = R"({
+const std::string two_joints = R"({
   "format": "lumped-model/1", "name": "two joints",
   "links": [{"length_m": 0.19, "com_along_m": 0.11, "com_offset_m": 0.0, "mass_kg": 0.17, "inertia_kgm2": 0},
             {"length_m": 0.21, "com_along_m": 0.09, "com_offset_m": 0.03, "mass_kg": 0.22, "inertia_kgm2": 1e-4}],
@@ -102,17 +102,17 @@ const Names every_kind = {"joint_stiffness",
                           "/effects/0/parameters/torque_Nmm"};
 
 TEST(DeclaredLumpedModel, IsTheModelOfTheFileAtTheDeclaredNumbers) {
-  const DeclaredActuator actuator = declared(lumped, every_kind);
+  const DeclaredActuator actuator = declared(two_joints, every_kind);
   EXPECT_EQ(actuator.name, "two joints");
   EXPECT_THAT(declared_values(actuator),
               ElementsAre(0.125, 9.81, 0.17, 0.03, 1.3e-3, 0.0, DoubleEq(-3.0 * degree), 0.0, 9e-3, 0.61e-3));
-  expect_same(actuator.model.build(declared_values(actuator)), file_spec(lumped));
+  expect_same(actuator.model.build(declared_values(actuator)), file_spec(two_joints));
   EXPECT_FALSE(actuator.model.build(declared_values(actuator)).coil_resistance);
   EXPECT_FALSE(actuator.model.heat);
 }
 
 TEST(DeclaredLumpedModel, PutsEveryNumberIntoItsPlace) {
-  const DeclaredActuator actuator = declared(lumped, every_kind);
+  const DeclaredActuator actuator = declared(two_joints, every_kind);
   const std::vector<double> values = {0.31, 1.62, 0.41, -0.02, 7e-4, 0.013, -0.1, 2e-5, 0.011, 0.9e-3};
   const actuator::ModelSpec spec = actuator.model.build(values);
   EXPECT_EQ(spec.hinges[0].stiffness, 0.31);
@@ -129,11 +129,11 @@ TEST(DeclaredLumpedModel, PutsEveryNumberIntoItsPlace) {
   EXPECT_NEAR(spec.magnetics.hinge_pairs()[0].torque_per_ampere->value(30.0 * degree), 0.011, 19e-3 * 1e-4);
   EXPECT_EQ(spec.effects[0].values, std::vector{0.9e-3});
   // And the next one starts from the file again.
-  expect_same(actuator.model.build(declared_values(actuator)), file_spec(lumped));
+  expect_same(actuator.model.build(declared_values(actuator)), file_spec(two_joints));
 }
 
 TEST(DeclaredLumpedModel, BoundsNumbersByWhatTheyCanBe) {
-  const DeclaredActuator actuator = declared(lumped, every_kind);
+  const DeclaredActuator actuator = declared(two_joints, every_kind);
   const auto& parameters = actuator.model.calibration;
   EXPECT_EQ(parameters[0].key, "joint_stiffness_Nmm_rad");
   EXPECT_EQ(si_of_one(parameters[0]), 1e-3);
@@ -160,7 +160,7 @@ TEST(DeclaredLumpedModel, BoundsNumbersByWhatTheyCanBe) {
 }
 
 TEST(DeclaredLumpedModel, KeepsTheRatiosOfUnlikeJoints) {
-  const DeclaredActuator actuator = declared(lumped, {"joint_damping"});
+  const DeclaredActuator actuator = declared(two_joints, {"joint_damping"});
   EXPECT_DOUBLE_EQ(actuator.model.calibration[0].declared, 1.5e-3);
   const actuator::ModelSpec spec = actuator.model.build(std::vector{3e-3});
   EXPECT_DOUBLE_EQ(spec.hinges[0].damping, 2.6e-3);
@@ -168,42 +168,44 @@ TEST(DeclaredLumpedModel, KeepsTheRatiosOfUnlikeJoints) {
 }
 
 TEST(DeclaredLumpedModel, LeavesTheSchemaOfItsFileBehind) {
-  const DeclaredActuator actuator = declared(R"({"$schema": "lumped-model.schema.json", )" + lumped.substr(1), {});
-  EXPECT_EQ(to_json(actuator.updated({}, {}), "x").text(), to_json(declared(lumped, {}).updated({}, {}), "x").text());
+  const DeclaredActuator actuator = declared(R"({"$schema": "lumped-model.schema.json", )" + two_joints.substr(1), {});
+  EXPECT_EQ(to_json(actuator.updated({}, {}), "x").text(),
+            to_json(declared(two_joints, {}).updated({}, {}), "x").text());
 }
 
 TEST(DeclaredLumpedModel, SaysWhyNumbersMakeNoModel) {
-  const DeclaredActuator actuator = declared(lumped, {"/magnetics/1/angle_deg/1"});
+  const DeclaredActuator actuator = declared(two_joints, {"/magnetics/1/angle_deg/1"});
   EXPECT_THROW((void)actuator.model.build(std::vector{1.0}), std::invalid_argument);  // beyond the next angle
   EXPECT_THROW((void)actuator.model.build(std::vector{0.1, 0.2}), std::invalid_argument);
 }
 
 TEST(DeclaredLumpedModel, RefusesNamesThatMeanNoNumber) {
   const std::string at = "dataset.json: /calibrate/0: ";
-  EXPECT_EQ(refusal(lumped, {"/links/2/mass_kg"}),
+  EXPECT_EQ(refusal(two_joints, {"/links/2/mass_kg"}),
             at + "must lead to a number of a.json, and leads nowhere; got text \"/links/2/mass_kg\"");
-  EXPECT_EQ(refusal(lumped, {"/links/0/mass"}),
+  EXPECT_EQ(refusal(two_joints, {"/links/0/mass"}),
             at + "must lead to a number of a.json, and leads nowhere; got text \"/links/0/mass\"");
-  EXPECT_EQ(refusal(lumped, {"/joints/1/contact/stiffness_Nm_rad"}),
+  EXPECT_EQ(refusal(two_joints, {"/joints/1/contact/stiffness_Nm_rad"}),
             at + "must lead to a number of a.json, and leads nowhere; got text \"/joints/1/contact/stiffness_Nm_rad\"");
-  EXPECT_EQ(refusal(lumped, {"/links"}), at + "must lead to a number, and leads to an array of 2; got text \"/links\"");
-  EXPECT_EQ(refusal(lumped, {"/name"}),
+  EXPECT_EQ(refusal(two_joints, {"/links"}),
+            at + "must lead to a number, and leads to an array of 2; got text \"/links\"");
+  EXPECT_EQ(refusal(two_joints, {"/name"}),
             at + "must lead to a number, and leads to text \"two joints\"; got text \"/name\"");
-  EXPECT_EQ(refusal(lumped, {"/magnetics/0"}),
+  EXPECT_EQ(refusal(two_joints, {"/magnetics/0"}),
             at + "must lead to a number, and leads to null; got text \"/magnetics/0\"");
-  EXPECT_EQ(refusal(lumped, {"/effects/0/parameters/torque_Nm"}),
+  EXPECT_EQ(refusal(two_joints, {"/effects/0/parameters/torque_Nm"}),
             at + "must lead to a number of a.json, and leads nowhere; got text \"/effects/0/parameters/torque_Nm\"");
-  EXPECT_EQ(refusal(lumped, {"/links~2"}),
+  EXPECT_EQ(refusal(two_joints, {"/links~2"}),
             at + "must be \"joint_stiffness\", \"joint_damping\" or a JSON pointer into the actuator file; got text "
                  "\"/links~2\"");
-  EXPECT_EQ(refusal(lumped, {"joint_stiffness", "/joints/1/stiffness_Nm_rad"}),
+  EXPECT_EQ(refusal(two_joints, {"joint_stiffness", "/joints/1/stiffness_Nm_rad"}),
             "dataset.json: /calibrate/1: must not mean a number that another name means: \"joint_stiffness\"; got text "
             "\"/joints/1/stiffness_Nm_rad\"");
   EXPECT_EQ(refusal("{", {}), "a.json: line 1, column 2: ends before its JSON value is complete");
 }
 
 TEST(DeclaredLumpedModel, IsFastToBuild) {
-  const DeclaredActuator actuator = declared(lumped, {"joint_stiffness", "joint_damping", "/links/0/mass_kg"});
+  const DeclaredActuator actuator = declared(two_joints, {"joint_stiffness", "joint_damping", "/links/0/mass_kg"});
   const auto start = std::chrono::steady_clock::now();
   constexpr int rounds = 1000;
   for (int i = 0; i < rounds; ++i) (void)actuator.model.build(std::vector{0.1 + i * 1e-6, 1e-3, 0.2});

@@ -3,16 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 
 #include "coilwright/formats/data/diagnosis_json.hpp"
+#include "degree.hpp"
 #include "formats/data/named_effect.hpp"
 
 namespace coilwright::testing {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 inline const NamedEffect dry_friction("dry_friction", "Coulomb friction at the hinges");
 inline const NamedEffect coil_heating("coil_heating", "the coil's resistance rises");
@@ -47,7 +46,7 @@ inline measurement::Diagnosis example() {
                         .parameters = {{.key = "torque_Nmm", .value = 0.61e-3, .lower = 0.58e-3, .upper = 0.64e-3}},
                         .evidence = {.chi_square_before = 52000.0,
                                      .chi_square_after = 12000.0,
-                                     .quasi_bic_gain = 800.0,
+                                     .criterion_gain = 800.0,
                                      .cross_validated_gain = 0.97,
                                      .untold_runs = {"hold.csv"},
                                      .correlation_time = 4.0}}};
@@ -59,7 +58,7 @@ inline measurement::Diagnosis example() {
                                 .after = degrees(0.24, 0.30, 1.2),
                                 .noise_floor_rmse = 0.30 * degree}};
   diagnosis.calibration = {{.key = "joint_stiffness_Nmm_rad", .value = 12.4e-3, .lower = 12.3e-3, .upper = 12.5e-3}};
-  diagnosis.after = {.level = 1.01, .whiteness_ratio = 0.8, .where = "step_1.4A.csv, 20 ms"};
+  diagnosis.after = {.level = 1.01, .structure = 0.8, .where = "step_1.4A.csv, 20 ms"};
   return diagnosis;
 }
 

@@ -319,7 +319,7 @@ TEST(DiagnosisJson, ListsOutliers) {
 TEST(DiagnosisJson, StatesOfTheReportedHypothesisWhatTheReportDoes) {
   Diagnosis diagnosis = example();  // chi-square 12000 with dry_friction
   const compare::Evidence of_the_search{
-      .chi_square_before = 52000.0, .chi_square_after = 12345.0, .quasi_bic_gain = 700.0, .correlation_time = 5.0};
+      .chi_square_before = 52000.0, .chi_square_after = 12345.0, .criterion_gain = 700.0, .correlation_time = 5.0};
   diagnosis.compared_hypotheses = {{.effects = {&coil_heating}, .evidence = of_the_search, .remark = ""},
                                    {.effects = {&dry_friction}, .evidence = of_the_search, .remark = ""}};
   auto json = json_of(diagnosis);
@@ -328,7 +328,7 @@ TEST(DiagnosisJson, StatesOfTheReportedHypothesisWhatTheReportDoes) {
   // Of two effects, in whatever order, the evidence is that of both steps.
   diagnosis.effects.push_back(stopped());
   diagnosis.effects[1].evidence = {
-      .chi_square_before = 12000.0, .chi_square_after = 9000.0, .quasi_bic_gain = 150.0, .correlation_time = 2.0};
+      .chi_square_before = 12000.0, .chi_square_after = 9000.0, .criterion_gain = 150.0, .correlation_time = 2.0};
   diagnosis.compared_hypotheses[0].effects = {&end_stop, &dry_friction};
   json = json_of(diagnosis);
   EXPECT_EQ(json["candidates"][0]["evidence"],

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include "degree.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::formats {
@@ -14,10 +14,6 @@ namespace {
 using measurement::data::ChannelKind;
 using measurement::experiment::NextExperiment;
 
-constexpr double deg(double value) {
-  return value * std::numbers::pi / 180.0;
-}
-
 std::string table_of(const NextExperiment& next) {
   std::ostringstream out;
   write_expected_readings(out, next);
@@ -25,20 +21,22 @@ std::string table_of(const NextExperiment& next) {
 }
 
 TEST(ExpectedTable, HasAColumnForEachExplanationInTheUnitOfTheChannel) {
-  const NextExperiment next{
-      .explanations = {{"base_tilt", "dry_friction"}, {"angle_offset"}, {}, {"angle_offset"}},
-      .expected = {{.run = "next_release.csv",
-                    .channel = "bending_angle_deg",
-                    .kind = ChannelKind::bending_angle,
-                    .noise = deg(0.5),
-                    .at = {0.0, 0.25},
-                    .values = {{deg(1.0), deg(2.0)}, {deg(3.0), deg(4.0)}, {0.0, 0.0}, {deg(-8.0), deg(16.0)}}},
-                   {.run = "next_torque.csv",
-                    .channel = "torque_Nmm",
-                    .kind = ChannelKind::torque,
-                    .noise = 0.5 / 1e3,
-                    .at = {deg(5.0)},
-                    .values = {{1.0 / 1e3}, {2.0 / 1e3}, {4.0 / 1e3}, {8.0 / 1e3}}}}};
+  const NextExperiment next{.explanations = {{"base_tilt", "dry_friction"}, {"angle_offset"}, {}, {"angle_offset"}},
+                            .expected = {{.run = "next_release.csv",
+                                          .channel = "bending_angle_deg",
+                                          .kind = ChannelKind::bending_angle,
+                                          .noise = 0.5 * degree,
+                                          .at = {0.0, 0.25},
+                                          .values = {{1.0 * degree, 2.0 * degree},
+                                                     {3.0 * degree, 4.0 * degree},
+                                                     {0.0, 0.0},
+                                                     {-8.0 * degree, 16.0 * degree}}},
+                                         {.run = "next_torque.csv",
+                                          .channel = "torque_Nmm",
+                                          .kind = ChannelKind::torque,
+                                          .noise = 0.5 / 1e3,
+                                          .at = {5.0 * degree},
+                                          .values = {{1.0 / 1e3}, {2.0 / 1e3}, {4.0 / 1e3}, {8.0 / 1e3}}}}};
   EXPECT_EQ(table_of(next),
             "run,channel,time_s,angle_deg,noise,base_tilt+dry_friction,angle_offset,no effect,angle_offset (2)\n"
             "next_release.csv,bending_angle_deg,0,,0.5,1,3,0,-8\n"

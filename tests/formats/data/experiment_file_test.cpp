@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "degree.hpp"
 #include "temporary_folder.hpp"
 #include "text/input_error_text.hpp"
 
@@ -13,21 +12,19 @@ namespace {
 using namespace measurement::data;
 using namespace measurement::experiment;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 std::string with_runs(const std::string& runs) {
   return R"({"format": "experiment/1", "name": "x", "sampling_rate_Hz": 500, "runs": [)" + runs + "]}";
 }
 
-PlannedRun only_run(const std::string& run) {
+PlannedRun planned_run(const std::string& run) {
   return parse_experiment(with_runs(run), "x.json").runs.at(0);
 }
 
 PlannedRun driven_by(const std::string& input) {
-  return only_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "input": )" + input + "}");
+  return planned_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "input": )" + input + "}");
 }
 
-std::string refusal(const std::string& run) {
+std::string experiment_refusal(const std::string& run) {
   return text::testing::error_of([&] { (void)parse_experiment(with_runs(run), "x.json"); });
 }
 
@@ -109,10 +106,11 @@ TEST(ExperimentFile, RefusesWhatNoLaboratoryHas) {
   EXPECT_EQ(with(R"("outliers": {"share": 0.1, "angle_deg": [10, 3]})"),
             "x.json: /outliers/angle_deg: must give the smallest size first; got an array of 2");
   EXPECT_EQ(with(R"("clock_rate": 0.5)"), "x.json: /clock_rate: must be from 0 to 0.2; got 0.5");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "kind": "still", "role": "validate", "duration_s": 5})"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "kind": "still", "role": "validate", "duration_s": 5})"),
             "x.json: /runs/0/role: must be \"fit\": every run uses a still run, and none is held out; got text "
             "\"validate\"");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "start": "free", "start_angles_deg": [9, 9],
+  EXPECT_EQ(experiment_refusal(
+                R"({"file": "a.csv", "role": "fit", "duration_s": 2, "start": "free", "start_angles_deg": [9, 9],
                         "exposure_s": 0.01, "input": {"step": {"after_A": 1, "at_s": 0.1}}})"),
             "x.json: /runs/0/start_angles_deg: must not be there beside input_rate_Hz, clock_offset_s or exposure_s: "
             "the time of the release is that of the first sample");
@@ -162,7 +160,8 @@ TEST(ExperimentFile, TakesAnInputFromAFileBesideIt) {
 }
 
 TEST(ExperimentFile, DrivesByVoltageAndTorqueInTheirUnits) {
-  const PlannedRun torque = only_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "drive": "torque", "joint": 2,
+  const PlannedRun torque =
+      planned_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "drive": "torque", "joint": 2,
       "start": "free", "start_angles_deg": [30, 0], "measure": ["theta1_deg", "theta2_rad", "omega1_rad_s"],
       "input": {"step": {"after_Nmm": 3, "at_s": 0.2}}})");
   EXPECT_EQ(torque.plan.drive, Drive::torque);
@@ -175,13 +174,13 @@ TEST(ExperimentFile, DrivesByVoltageAndTorqueInTheirUnits) {
   EXPECT_EQ(torque.plan.channels[1].kind, ChannelKind::joint_angle);
   EXPECT_EQ(torque.plan.channels[1].joint, 1);
   EXPECT_EQ(torque.plan.channels[2].kind, ChannelKind::joint_rate);
-  const PlannedRun voltage = only_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "drive": "voltage",
+  const PlannedRun voltage = planned_run(R"({"file": "a.csv", "role": "fit", "duration_s": 2, "drive": "voltage",
       "input": {"step": {"after_V": 4, "at_s": 0.2}}})");
   EXPECT_EQ(std::get<StepShape>(voltage.input).after, 4.0);
 }
 
 TEST(ExperimentFile, PlansBenches) {
-  const auto torque = only_run(R"({"file": "a.csv", "role": "fit", "kind": "static_torque", "angles_deg": [0, 45],
+  const auto torque = planned_run(R"({"file": "a.csv", "role": "fit", "kind": "static_torque", "angles_deg": [0, 45],
       "currents_A": [0.7, 1.4]})")
                           .plan;
   EXPECT_EQ(torque.kind, RunKind::static_torque);
@@ -190,12 +189,13 @@ TEST(ExperimentFile, PlansBenches) {
   EXPECT_EQ(torque.inputs[2], std::vector<double>{1.4});
   EXPECT_EQ(torque.channels[0].name, "torque_Nmm");
   const auto stiffness =
-      only_run(R"({"file": "a.csv", "role": "fit", "kind": "joint_stiffness", "angles_deg": [10, 20, 30]})").plan;
+      planned_run(R"({"file": "a.csv", "role": "fit", "kind": "joint_stiffness", "angles_deg": [10, 20, 30]})").plan;
   EXPECT_EQ(stiffness.angles.size(), 3u);
   EXPECT_TRUE(stiffness.inputs.empty());
-  const auto force = only_run(R"({"file": "a.csv", "role": "fit", "kind": "blocked_force", "currents_A": [1]})").plan;
+  const auto force =
+      planned_run(R"({"file": "a.csv", "role": "fit", "kind": "blocked_force", "currents_A": [1]})").plan;
   EXPECT_EQ(force.channels[0].kind, ChannelKind::force);
-  const PlannedRun heat = only_run(R"({"file": "a.csv", "role": "fit", "kind": "temperature", "duration_s": 60,
+  const PlannedRun heat = planned_run(R"({"file": "a.csv", "role": "fit", "kind": "temperature", "duration_s": 60,
       "sampling_rate_Hz": 1, "input": {"hold": {"level_A": 1, "from_s": 0, "until_s": 30}}})");
   EXPECT_EQ(heat.plan.channels[0].name, "temperature_degC");
 }
@@ -203,20 +203,21 @@ TEST(ExperimentFile, PlansBenches) {
 TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
   const std::string head = R"("role": "fit", "duration_s": 2, )";
   const std::string step = R"("input": {"step": {"after_A": 1, "at_s": 0.1}})";
-  EXPECT_EQ(refusal(""), "x.json: /runs: must have 1 to 1000 elements; got an array of 0");
-  EXPECT_EQ(refusal(R"({"file": "../a.csv", )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(""), "x.json: /runs: must have 1 to 1000 elements; got an array of 0");
+  EXPECT_EQ(experiment_refusal(R"({"file": "../a.csv", )" + head + step + "}"),
             R"(x.json: /runs/0/file: must be a plain file name that ends in .csv; got text "../a.csv")");
-  EXPECT_EQ(refusal(R"({"file": "dataset.json", )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "dataset.json", )" + head + step + "}"),
             R"(x.json: /runs/0/file: must be a plain file name that ends in .csv; got text "dataset.json")");
   const std::string good = R"({"file": "a.csv", )" + head + step + "}";
-  EXPECT_EQ(refusal(good + "," + good), R"(x.json: /runs/1/file: must not be there twice; got text "a.csv")");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "role": "train", "duration_s": 2, )" + step + "}"),
+  EXPECT_EQ(experiment_refusal(good + "," + good),
+            R"(x.json: /runs/1/file: must not be there twice; got text "a.csv")");
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "role": "train", "duration_s": 2, )" + step + "}"),
             R"(x.json: /runs/0/role: must be one of "fit", "validate"; got text "train")");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_V": 1, "at_s": 0.1}}})"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_V": 1, "at_s": 0.1}}})"),
             R"(x.json: /runs/0/input/step/after_V: unknown key; did you mean "after_A"?)");
-  EXPECT_EQ(
-      refusal(R"({"file": "a.csv", )" + head + R"("input": {"hold": {"level_A": 1, "from_s": 0.5, "until_s": 0.5}}})"),
-      "x.json: /runs/0/input/hold/until_s: must exceed from_s (0.5); got 0.5");
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head +
+                               R"("input": {"hold": {"level_A": 1, "from_s": 0.5, "until_s": 0.5}}})"),
+            "x.json: /runs/0/input/hold/until_s: must exceed from_s (0.5); got 0.5");
   EXPECT_EQ(text::testing::error_of([] {
               (void)parse_experiment(R"({"format": "experiment/1", "name": "x", "sampling_rate_hz": 60, "runs": [
                   {"file": "a.csv", "role": "fit", "duration_s": 2, "input": {"step": {"after_A": 1, "at_s": 0}}}]})",
@@ -224,33 +225,35 @@ TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
             }),
             R"(x.json: /sampling_rate_hz: unknown key; did you mean "sampling_rate_Hz"?)");
   // Nothing of such a change would be recorded.
-  EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_A": 1, "at_s": 2}}})"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_A": 1, "at_s": 2}}})"),
             "x.json: /runs/0/input/step/at_s: must be below the run's duration, 2 s; got 2");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"release": {"level_A": 1, "at_s": 3}}})"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head + R"("input": {"release": {"level_A": 1, "at_s": 3}}})"),
             "x.json: /runs/0/input/release/at_s: must be below the run's duration, 2 s; got 3");
-  EXPECT_EQ(
-      refusal(R"({"file": "a.csv", )" + head + R"("input": {"hold": {"level_A": 1, "from_s": 2.5, "until_s": 3}}})"),
-      "x.json: /runs/0/input/hold/from_s: must be below the run's duration, 2 s; got 2.5");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "role": "fit", "duration_s": 0.002, )" + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head +
+                               R"("input": {"hold": {"level_A": 1, "from_s": 2.5, "until_s": 3}}})"),
+            "x.json: /runs/0/input/hold/from_s: must be below the run's duration, 2 s; got 2.5");
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "role": "fit", "duration_s": 0.002, )" + step + "}"),
             "x.json: /runs/0: duration_s times sampling_rate_Hz must be from 5 to 1000000; got 1");
   // At 500 Hz, the next picture begins after 2 ms.
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "exposure_s": 0.003, )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "exposure_s": 0.003, )" + head + step + "}"),
             "x.json: /runs/0: exposure_s must be at most the time between two samples, 0.002 s; got 0.003");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "start_angles_deg": [1, 1], )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "start_angles_deg": [1, 1], )" + head + step + "}"),
             R"(x.json: /runs/0/start_angles_deg: must not be there where the start is "at_rest"; got an array of 2)");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "drive": "voltage", "coil": 1, )" + head +
-                    R"("input": {"step": {"after_V": 1, "at_s": 0.1}}})"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "drive": "voltage", "coil": 1, )" + head +
+                               R"("input": {"step": {"after_V": 1, "at_s": 0.1}}})"),
             "x.json: /runs/0/coil: must not be there under a voltage, which all coils share; got 1");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "measure": ["speed"], )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "measure": ["speed"], )" + head + step + "}"),
             "x.json: /runs/0/measure/0: must be measured columns: bending_angle_deg, theta1_deg, .. or omega1_rad_s, "
             R"(..; got text "speed")");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "measure": ["theta2_deg"], )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "measure": ["theta2_deg"], )" + head + step + "}"),
             R"(x.json: /runs/0/measure/0: must be numbered 1, 2, .. in turn; got text "theta2_deg")");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "measure": ["theta1_deg", "theta1_rad"], )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "measure": ["theta1_deg", "theta1_rad"], )" + head + step + "}"),
             R"(x.json: /runs/0/measure/1: must be numbered 1, 2, .. in turn; got text "theta1_rad")");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", "measure": ["bending_angle_deg", "bending_angle_rad"], )" + head + step + "}"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "measure": ["bending_angle_deg", "bending_angle_rad"], )" + head +
+                               step + "}"),
             R"(x.json: /runs/0/measure/1: must not be there twice; got text "bending_angle_rad")");
-  EXPECT_EQ(refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_A": 1, "at_s": 0.1}, "sine": {}}})"),
+  EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head +
+                               R"("input": {"step": {"after_A": 1, "at_s": 0.1}, "sine": {}}})"),
             R"(x.json: /runs/0/input/sine: cannot stand beside "step")");
 }
 

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <stdexcept>
 
 #include "coilwright/formats/data/experiment_file.hpp"
+#include "degree.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
@@ -13,8 +13,6 @@ namespace {
 
 using namespace measurement::data;
 using namespace measurement::experiment;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // Every key of the format, no value a round one in memory.
 constexpr const char* everything = R"({

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "coilwright/formats/data/dataset_draft.hpp"
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/run_file.hpp"
+#include "degree.hpp"
 #include "temporary_folder.hpp"
 #include "text/input_error_text.hpp"
 
@@ -27,7 +27,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double degree = std::numbers::pi / 180.0;
 const fs::path records = COILWRIGHT_SOURCE_DIR "/tests/data/formats/records";
 
 // The same motion as other programs write it; tests/data/formats_SOURCES.md says how they were made.
@@ -42,7 +41,7 @@ const std::vector<std::string> kinds = {"arduino.txt",         "arduino_monitor.
                                         "saleae.csv",          "scope_beside.csv",
                                         "tektronix.csv",       "tracker.txt"};
 
-Record only_run(std::string_view document) {
+Record only_record(std::string_view document) {
   const DatasetFile set = parse_dataset(document, (records / "dataset.json").string());
   EXPECT_EQ(set.data.fit.size(), 1u);
   return set.data.fit.front();
@@ -55,7 +54,7 @@ std::string set_of(const std::string& file, const std::string& keys, const std::
 }
 
 Record plain() {
-  return only_run(set_of("plain.csv", ""));
+  return only_record(set_of("plain.csv", ""));
 }
 
 void expect_plain(const Record& run) {
@@ -88,7 +87,7 @@ TEST(Layout, OfADraftReadsWhatOtherProgramsWrite) {
     SCOPED_TRACE(kind);
     const DatasetDraft draft = draft_dataset(std::vector{records / kind}, records, "actuator.json");
     EXPECT_THAT(draft.asked, IsEmpty());
-    expect_plain(only_run(draft.document.text()));
+    expect_plain(only_record(draft.document.text()));
   }
 }
 
@@ -99,8 +98,8 @@ TEST(Layout, IsToldByTheErrorThatRefusesAFile) {
     const std::string error = refusal_of(set_of(kind, ""));
     if (error == "accepted") continue;
     ++refused;
-    expect_plain(only_run(set_of(kind, cure_in(error))));
-    expect_plain(only_run(set_of(kind, "", cure_in(error))));
+    expect_plain(only_record(set_of(kind, cure_in(error))));
+    expect_plain(only_record(set_of(kind, "", cure_in(error))));
   }
   EXPECT_EQ(refused, kinds.size() - 2);  // plain.csv, and numpy.txt, whose comment has our names
 }
@@ -131,7 +130,7 @@ TEST(Layout, RefusesAReadingThatWrapsAndPutsItTogetherWhereThatIsSaid) {
               EndsWith("wraps at 360 deg. To have it put together, give the column \"wraps_deg\" in dataset.json: "
                        "\"columns\": {\"bending_angle_deg\": {\"as\": \"bending_angle_deg\", \"wraps_deg\": "
                        "360.0}}; got 1.03"));
-  const Record run = only_run(
+  const Record run = only_record(
       set_of("wrapped.csv",
              R"("columns": {"bending_angle_deg": {"as": "bending_angle_deg", "wraps_deg": 360, "offset": 10}})"));
   expect_plain(run);

@@ -16,7 +16,7 @@ using measurement::Replay;
 using measurement::data::ChannelKind;
 
 // As the reader turns a file's degrees into radians: with one rounding for the factor, so that they come back.
-constexpr double deg(double value) {
+constexpr double degrees_read(double value) {
   return value * std::numbers::pi / 180.0;
 }
 
@@ -50,16 +50,16 @@ TEST(ResidualTable, HasARowASampleInTheUnitOfItsChannel) {
                                         .kind = ChannelKind::bending_angle,
                                         .channel = "bending_angle_deg",
                                         .at = {0.0, 0.002},
-                                        .measured = {deg(30.0), deg(30.02)},
-                                        .declared = {deg(31.0), deg(31.5)},
-                                        .before = {deg(30.5), deg(30.25)},
-                                        .after = {deg(30.1), std::numeric_limits<double>::quiet_NaN()},
+                                        .measured = {degrees_read(30.0), degrees_read(30.02)},
+                                        .declared = {degrees_read(31.0), degrees_read(31.5)},
+                                        .before = {degrees_read(30.5), degrees_read(30.25)},
+                                        .after = {degrees_read(30.1), std::numeric_limits<double>::quiet_NaN()},
                                         .left_out = {0, 1}},
                                        {.run = "bench.csv",
                                         .validate = true,
                                         .kind = ChannelKind::torque,
                                         .channel = "torque_Nmm",
-                                        .at = {deg(20.0)},
+                                        .at = {degrees_read(20.0)},
                                         .measured = {12.3 / 1e3},
                                         .declared = {12.1 / 1e3},
                                         .before = {12.2 / 1e3},
@@ -97,7 +97,7 @@ TEST(ResidualTable, HasNoNegativeZero) {
                                         .channel = "bending_angle_deg",
                                         .at = {-0.0},
                                         .measured = {-0.0},
-                                        .declared = {deg(-0.5)},
+                                        .declared = {degrees_read(-0.5)},
                                         .before = {-0.0},
                                         .after = {0.0}}};
   EXPECT_THAT(table_of(replays), ::testing::EndsWith("\na.csv,fit,bending_angle_deg,0,,,0,0,-0.5,0,0\n"));

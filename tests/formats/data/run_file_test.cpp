@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
+#include "degree.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
@@ -18,8 +18,6 @@ using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 measurement::data::Run run_of(std::string_view text, const RunEntry& entry) {
   return parse_run(text, "x.csv", entry).run;
 }
@@ -29,7 +27,7 @@ measurement::data::Run run_of(std::string_view text, RunKind kind) {
 }
 
 // Without what it says to write into dataset.json, for which layout_test.cpp is.
-std::string refusal(std::string_view text, RunKind kind = RunKind::transient) {
+std::string run_refusal(std::string_view text, RunKind kind = RunKind::transient) {
   const std::string error = text::testing::error_of([&] { (void)run_of(text, kind); });
   return error.substr(0, std::min(error.find("; in dataset.json, "), error.find("; the columns are ")));
 }
@@ -109,7 +107,7 @@ TEST(RunFile, ReadsWhereAGraspWasMeasured) {
   EXPECT_THAT(run.openings, ElementsAre(0.0, DoubleEq(60.0 * degree)));
   EXPECT_THAT(run.heights, ElementsAre(DoubleEq(12e-3), DoubleEq(9e-3)));
   EXPECT_THAT(run_of("current_A,force_N\n0.9,0.135\n", RunKind::blocked_force).openings, IsEmpty());
-  EXPECT_EQ(refusal("current_A,opening_deg,force_N\n0.9,-3,0.135\n", RunKind::blocked_force),
+  EXPECT_EQ(run_refusal("current_A,opening_deg,force_N\n0.9,-3,0.135\n", RunKind::blocked_force),
             "x.csv: line 2: column opening_deg: must be >= 0; got -3");
 }
 
@@ -119,7 +117,7 @@ TEST(RunFile, ReadsAStillRunWithoutAnInput) {
   EXPECT_THAT(run.times, ElementsAre(0.0, 0.002));
   EXPECT_THAT(run.inputs, IsEmpty());
   EXPECT_THAT(run.channels[0].values, ElementsAre(DoubleEq(7.1 * degree), DoubleEq(7.2 * degree)));
-  EXPECT_EQ(refusal("time_s,current_A\n0,0\n1,0\n", RunKind::still),
+  EXPECT_EQ(run_refusal("time_s,current_A\n0,0\n1,0\n", RunKind::still),
             "x.csv: line 1: must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
 }
 
@@ -152,78 +150,78 @@ TEST(RunFile, LeavesColumnsAloneThatTheSetNames) {
 }
 
 TEST(RunFile, RefusesMissingColumns) {
-  EXPECT_EQ(refusal("current_A,theta1_deg\n1,2\n"), "x.csv: line 1: column time_s: is missing");
+  EXPECT_EQ(run_refusal("current_A,theta1_deg\n1,2\n"), "x.csv: line 1: column time_s: is missing");
   EXPECT_EQ(run_of("Bench of May,run 3\ntime_s,current_A,theta1_deg\n0,1,2\n1,1,2\n", RunKind::transient).samples(),
             2u);
-  EXPECT_EQ(refusal("time_s,current_A\n1,2\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A\n1,2\n"),
             "x.csv: line 1: must have a measured column: bending_angle_deg, theta1_deg.. or omega1_rad_s..");
-  EXPECT_EQ(refusal("time_s,theta1_deg\n1,2\n"),
+  EXPECT_EQ(run_refusal("time_s,theta1_deg\n1,2\n"),
             "x.csv: line 1: must have an input column: current_A, current1_A.., voltage_V or torque1_Nm..");
-  EXPECT_EQ(refusal("angle_deg,torque_Nmm\n1,2\n", RunKind::static_torque),
+  EXPECT_EQ(run_refusal("angle_deg,torque_Nmm\n1,2\n", RunKind::static_torque),
             "x.csv: line 1: column current_A: is missing");
-  EXPECT_EQ(refusal("angle_deg,force_N\n1,2\n", RunKind::joint_stiffness),
+  EXPECT_EQ(run_refusal("angle_deg,force_N\n1,2\n", RunKind::joint_stiffness),
             "x.csv: line 1: column torque_Nmm: is missing");
-  EXPECT_EQ(refusal("current_A,torque_Nmm\n1,2\n", RunKind::blocked_force),
+  EXPECT_EQ(run_refusal("current_A,torque_Nmm\n1,2\n", RunKind::blocked_force),
             "x.csv: line 1: column force_N: is missing");
-  EXPECT_EQ(refusal("time_s,current_A\n1,2\n", RunKind::temperature),
+  EXPECT_EQ(run_refusal("time_s,current_A\n1,2\n", RunKind::temperature),
             "x.csv: line 1: column temperature_degC: is missing");
 }
 
 TEST(RunFile, RefusesColumnsAndUnitsThatDoNotExist) {
-  EXPECT_EQ(refusal("time_s,current_A,bending_angel_deg\n1,2,3\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,bending_angel_deg\n1,2,3\n"),
             "x.csv: line 1: column bending_angel_deg: unknown column; did you mean \"bending_angle_deg\"?");
   EXPECT_EQ(
-      refusal("time_A,current_A,theta1_deg\n1,2,3\n"),
+      run_refusal("time_A,current_A,theta1_deg\n1,2,3\n"),
       "x.csv: line 1: column time_A: unknown unit; may be \"time_s\" or \"time_ms\" or \"time_us\" or \"time_ns\" or "
       ".., with the numbers in that unit");
   EXPECT_EQ(
-      refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
+      run_refusal("time_s,current_A,theta1_mm\n1,2,3\n"),
       "x.csv: line 1: column theta1_mm: unknown unit; may be \"theta1_rad\" or \"theta1_mrad\" or \"theta1_deg\", "
       "with the numbers in that unit");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta3_deg\n1,2,3,4\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg,theta3_deg\n1,2,3,4\n"),
             "x.csv: line 1: column theta3_deg: unknown column; did you mean \"theta2_deg\"?");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg,theta1_rad\n1,2,3,4\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg,theta1_rad\n1,2,3,4\n"),
             "x.csv: line 1: column theta1_rad: must not be there twice");
-  EXPECT_EQ(refusal("time_s,current_A,voltage_V,theta1_deg\n1,2,3,4\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,voltage_V,theta1_deg\n1,2,3,4\n"),
             "x.csv: line 1: must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
-  EXPECT_EQ(refusal("angle_deg,current_A,torque_Nmm,force_N\n1,2,3,4\n", RunKind::static_torque),
+  EXPECT_EQ(run_refusal("angle_deg,current_A,torque_Nmm,force_N\n1,2,3,4\n", RunKind::static_torque),
             "x.csv: line 1: column force_N: unknown column; there may be angle_deg, current_A, torque_Nmm; what is to "
             "be left "
             "alone is named in \"ignore\" in dataset.json, by name or position (\"#1\")");
 }
 
 TEST(RunFile, RefusesWhatIsNotATableOfNumbers) {
-  EXPECT_EQ(refusal(""), "x.csv: is empty: it must have a header");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n"), "x.csv: must have a row below its header");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1\n"),
+  EXPECT_EQ(run_refusal(""), "x.csv: is empty: it must have a header");
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg\n"), "x.csv: must have a row below its header");
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1\n"),
             "x.csv: line 3: must have 3 fields, as the header has (delete the line if it is damaged); got 2");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,2,3\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,2,3\n"),
             "x.csv: line 3: must have 3 fields, as the header has (are its decimals written with commas?); got 4");
   EXPECT_EQ(
-      refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,abc\n"),
+      run_refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1,abc\n"),
       "x.csv: line 3: column theta1_deg: must be a finite number (delete the line if it is damaged); got \"abc\"");
   EXPECT_EQ(
-      refusal("time_s,current_A,temperature_degC\n0,1,2\n1,1,nan\n", RunKind::temperature),
+      run_refusal("time_s,current_A,temperature_degC\n0,1,2\n1,1,nan\n", RunKind::temperature),
       "x.csv: line 3: column temperature_degC: must be a finite number (delete the rows that have none); got \"nan\"");
   EXPECT_EQ(
-      refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
+      run_refusal("time_s,current_A,theta1_deg\n0,1,2\n1,-inf,2\n"),
       "x.csv: line 3: column current_A: must be a finite number (delete the line if it is damaged); got \"-inf\"");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,\n1,1,\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg\n0,1,\n1,1,\n"),
             "x.csv: line 2: column theta1_deg: must have at least two values in the file; got nan");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1e13,2\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg\n0,1,2\n1,1e13,2\n"),
             "x.csv: line 3: column current_A: must be a number that can be measured, at most 1e12; got 10000000000000");
 }
 
 TEST(RunFile, RefusesATimeThatGoesBackOrStandsStill) {
   EXPECT_EQ(
-      refusal("time_s,current_A,theta1_deg\n0.1,1,2\n0.3,1,2\n0.2,1,2\n"),
+      run_refusal("time_s,current_A,theta1_deg\n0.1,1,2\n0.3,1,2\n0.2,1,2\n"),
       "x.csv: line 4: column time_s: must exceed the value before it (0.3); the clock starts again here, so the "
       "file holds 2 records: make a file of each, with the line of names, and a run of each in dataset.json; got 0.2");
   EXPECT_EQ(
-      refusal("time_s,current_A,temperature_degC\n0.1,1,2\n0.1,1,2\n", RunKind::temperature),
+      run_refusal("time_s,current_A,temperature_degC\n0.1,1,2\n0.1,1,2\n", RunKind::temperature),
       "x.csv: line 3: column time_s: must exceed the value before it (0.1); delete line 3, which repeats the time "
       "of the row above; got 0.1");
-  EXPECT_EQ(refusal("time_s,current_A,theta1_deg\n0.1,1,2\n"),
+  EXPECT_EQ(run_refusal("time_s,current_A,theta1_deg\n0.1,1,2\n"),
             "x.csv: line 2: column time_s: must be followed by a second sample; got 0.1");
 }
 

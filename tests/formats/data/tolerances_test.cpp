@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
+#include "degree.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {
@@ -24,12 +24,10 @@ using measurement::replay::CalibrationParameter;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
 using Names = std::vector<std::string>;
 const Names hinge_names = {"joint_stiffness", "joint_damping"};
 
-const std::string lumped = R"({
+const std::string loose_joints = R"({
   "format": "lumped-model/1", "name": "two joints",
   "links": [{"length_m": 0.0072, "com_along_m": 0.0036, "com_offset_m": 0.0115, "mass_kg": 0.0165, "inertia_kgm2": 0},
             {"length_m": 0.0212, "com_along_m": 0.0091, "com_offset_m": 0.0115, "mass_kg": 0.0225, "inertia_kgm2": 0}],
@@ -80,7 +78,7 @@ std::vector<double> moved(const DeclaredActuator& actuator) {
   return out;
 }
 
-std::vector<double> declared_values(const DeclaredActuator& actuator) {
+std::vector<double> values_as_declared(const DeclaredActuator& actuator) {
   std::vector<double> out;
   for (const CalibrationParameter& each : actuator.model.calibration) out.push_back(each.declared);
   return out;
@@ -180,7 +178,7 @@ TEST(Tolerances, MoveTheLumpedModelAsOneMadeByHand) {
                                   {"joint_damping_ratio", 0.1},
                                   {"face_closing_deg", 2.0},
                                   {"force_curve", 0.03}}};
-  const DeclaredActuator actuator = declared(lumped, {"joint_stiffness"}, said);
+  const DeclaredActuator actuator = declared(loose_joints, {"joint_stiffness"}, said);
   ASSERT_THAT(keys(actuator),
               ElementsAre("joint_stiffness_Nmm_rad", "/links/1/mass_kg", "joint_stiffness_ratio", "joint_damping_ratio",
                           "face_closing_deg", "force_curve_1", "force_curve_2", "force_curve_3"));
@@ -189,7 +187,7 @@ TEST(Tolerances, MoveTheLumpedModelAsOneMadeByHand) {
   EXPECT_NEAR(parameter(actuator, "face_closing_deg").declared, -2.5 * degree, 1e-15);  // the mean
   EXPECT_DOUBLE_EQ(parameter(actuator, "face_closing_deg").tolerance->deviation, 2.0 * degree);
 
-  const ModelSpec nominal = actuator.model.build(declared_values(actuator));
+  const ModelSpec nominal = actuator.model.build(values_as_declared(actuator));
   const ModelSpec spec = actuator.model.build(std::vector{0.013, 0.024, 0.06, -0.1, -4.0 * degree, 0.02, -0.015, 0.01});
   EXPECT_EQ(spec.chain.link(1).mass, 0.024);
   EXPECT_DOUBLE_EQ(spec.hinges[0].stiffness, 0.013 * 0.97);
@@ -206,20 +204,20 @@ TEST(Tolerances, MoveTheLumpedModelAsOneMadeByHand) {
 }
 
 TEST(Tolerances, ReachTheFileThatIsWritten) {
-  for (const std::string& text : {lumped, paper_finger()}) {
+  for (const std::string& text : {loose_joints, paper_finger()}) {
     const DeclaredActuator actuator = declared(text, hinge_names, {});
     const std::vector<double> values = moved(actuator);
     expect_same(actuator.model.build(values), read_back(actuator, values), 1e-12);
     // And that file, declared in its turn, is where it was.
     const std::string written = to_json(actuator.updated(values, {}), "x").text();
     const DeclaredActuator again = declared(written, hinge_names, {});
-    expect_same(actuator.model.build(values), again.model.build(declared_values(again)), 1e-12);
+    expect_same(actuator.model.build(values), again.model.build(values_as_declared(again)), 1e-12);
   }
 }
 
 TEST(Tolerances, OfACalibratedNumberAreItsPrior) {
   const Tolerances said{.others_exact = true, .named = {{"joint_stiffness", 0.4}, {"/links/0/mass_kg", 0.002}}};
-  const DeclaredActuator actuator = declared(lumped, {"joint_stiffness", "/links/0/mass_kg"}, said);
+  const DeclaredActuator actuator = declared(loose_joints, {"joint_stiffness", "/links/0/mass_kg"}, said);
   ASSERT_EQ(actuator.model.calibration.size(), 2u);
   EXPECT_TRUE(actuator.model.calibration[0].calibrated);
   EXPECT_DOUBLE_EQ(actuator.model.calibration[0].tolerance->deviation, 0.4e-3);
@@ -229,10 +227,10 @@ TEST(Tolerances, OfACalibratedNumberAreItsPrior) {
 
 TEST(Tolerances, OfAMagnetStandForTheGainOfALumpedModel) {
   const DeclaredActuator actuator =
-      declared(lumped, hinge_names, {.named = {{"/magnetics/1/magnet/remanence_T", 0.02}}});
+      declared(loose_joints, hinge_names, {.named = {{"/magnetics/1/magnet/remanence_T", 0.02}}});
   EXPECT_EQ(parameter(actuator, "/magnetics/1/magnet/remanence_T").effect, "force_gain");
   EXPECT_THAT(keys(actuator), ::testing::Not(::testing::Contains("force_curve_0")));
-  EXPECT_EQ(parameter(declared(lumped, hinge_names, {}), "force_curve_0").effect, "force_gain");
+  EXPECT_EQ(parameter(declared(loose_joints, hinge_names, {}), "force_curve_0").effect, "force_gain");
 }
 
 TEST(Tolerances, LeaveOutDefaultsThatNoMotionCanTellApart) {
@@ -263,7 +261,7 @@ TEST(Tolerances, OfZeroHoldANumberExact) {
 
 // A mass of 22.5 g known to 500 g is not declared: a fit would take it wherever it helps, and name effects by it.
 TEST(Tolerances, AreRefusedWhereTheyExceedANumberThatCannotBeNegative) {
-  EXPECT_EQ(refusal(lumped, {"joint_damping"}, {.named = {{"/links/1/mass_kg", 0.5}}}),
+  EXPECT_EQ(refusal(loose_joints, {"joint_damping"}, {.named = {{"/links/1/mass_kg", 0.5}}}),
             "dataset.json: /tolerances/~1links~11~1mass_kg: must be at most the declared number, 0.0225; for a number "
             "of which nothing is known, \"calibrate\" it; got 0.5");
   EXPECT_EQ(
@@ -276,16 +274,16 @@ TEST(Tolerances, AreRefusedWhereTheActuatorHasNoSuchNumber) {
   const auto wrong = [](const std::string& text, const std::string& name, double deviation = 0.1) {
     return refusal(text, {"joint_damping"}, {.named = {{name, deviation}}});
   };
-  EXPECT_EQ(wrong(lumped, "/links/2/mass_kg"),
+  EXPECT_EQ(wrong(loose_joints, "/links/2/mass_kg"),
             "dataset.json: /tolerances/~1links~12~1mass_kg: must lead to a number of a.json, and leads nowhere");
-  EXPECT_EQ(wrong(lumped, "/name"),
+  EXPECT_EQ(wrong(loose_joints, "/name"),
             "dataset.json: /tolerances/~1name: must lead to a number, and leads to text \"two joints\"");
   EXPECT_EQ(wrong(paper_finger(), "/coil/turns_axial"),
             "dataset.json: /tolerances/~1coil~1turns_axial: must lead to a number that a fit can move: this one is a "
             "whole number");
-  EXPECT_EQ(wrong(lumped, "joint_damping", 0.0),
+  EXPECT_EQ(wrong(loose_joints, "joint_damping", 0.0),
             "dataset.json: /tolerances/joint_damping: must be > 0, because the number is calibrated; got 0");
-  EXPECT_EQ(wrong(lumped, "/joints/1/damping_Nms_rad"),
+  EXPECT_EQ(wrong(loose_joints, "/joints/1/damping_Nms_rad"),
             "dataset.json: /tolerances/~1joints~11~1damping_Nms_rad: must not mean a number that another name means: "
             "\"joint_damping\"");
   const std::string rod = R"({"format": "lumped-model/1",

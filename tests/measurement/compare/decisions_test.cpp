@@ -51,7 +51,7 @@ TEST(Overdispersion, OfAResidualWithStructureCountsItsCorrelationTime) {
   const data::Run run = slide_run(20, {}, no_error);
   const std::vector runs{replay::prepare_run(run, declared, model_of(declared))};
   FittedHypothesis fitted = left_with(300.0);
-  fitted.whiteness.whiteness_ratio = 2.0;
+  fitted.whiteness.structure = 2.0;
   fitted.fit.runs.resize(1);
   fitted.fit.runs.front().residuals = Eigen::VectorXd::Zero(20);
   fitted.fit.runs.front().residuals.head(2).setOnes();
@@ -64,7 +64,7 @@ TEST(SelectHypothesis, TakesTheSimplestWithinADecisiveGainOfTheBest) {
       select_hypothesis({}, left_with(100.0), {left_with(80.0, {some_drag(0.1)}), left_with(74.0, {some_loop()})}, 1.0);
   ASSERT_EQ(found.ranked.size(), 2u);
   EXPECT_EQ(found.ranked.front().effects.front()->id(), "hysteresis");
-  EXPECT_NEAR(found.ranked.front().evidence->quasi_bic_gain, 26.0 - 2.0 * std::log(100.0), 1e-12);
+  EXPECT_NEAR(found.ranked.front().evidence->criterion_gain, 26.0 - 2.0 * std::log(100.0), 1e-12);
   ASSERT_EQ(found.steps.size(), 1u);
   EXPECT_EQ(found.steps.front().kinds().front()->id(), "quadratic_drag");
   ASSERT_EQ(found.rivals.size(), 1u);

@@ -17,7 +17,7 @@ namespace {
 constexpr double mass_tolerance = 0.02;  // kg
 
 // A slide whose damping is fitted and whose mass is weighed.
-replay::DeclaredModel weighed_slide() {
+replay::DeclaredModel slide_with_tolerance() {
   replay::DeclaredModel declared = slide(true_mass, true_damping);
   declared.calibration.front().tolerance = replay::Tolerance{.deviation = mass_tolerance};
   declared.calibration.front().scale = mass_tolerance;
@@ -59,7 +59,7 @@ double tolerances_moved(const FittedHypothesis& found) {
 // start of every window.
 TEST(ModelError, WeighsPriorsAsThatMuchMoreNoiseDoes) {
   constexpr double times = 40.0;
-  const replay::DeclaredModel declared = weighed_slide();
+  const replay::DeclaredModel declared = slide_with_tolerance();
   const data::Run run = run_in_windows();
   data::Run noisier = run;
   noisier.sigma = times * *run.sigma;
@@ -76,14 +76,14 @@ TEST(ModelError, WeighsPriorsAsThatMuchMoreNoiseDoes) {
 
 TEST(ModelError, IsNoneNearTheNoise) {
   Normal normal(3);
-  const replay::DeclaredModel declared = weighed_slide();
+  const replay::DeclaredModel declared = slide_with_tolerance();
   const data::Run run = slide_run(300, {}, [&] { return noise_sigma * normal(); });
   const std::vector<replay::PreparedRun> runs = prepared(run, declared);
   EXPECT_EQ(model_error_of(runs, fitted(runs, declared)), 1.0);
 }
 
 TEST(ModelError, KeepsDeclaredNumbersNearTheirTolerances) {
-  const replay::DeclaredModel declared = weighed_slide();
+  const replay::DeclaredModel declared = slide_with_tolerance();
   const data::Run run = run_in_windows();
   std::vector<replay::PreparedRun> runs = prepared(run, declared);
   const FittedHypothesis against_noise = fitted(runs, declared);
@@ -97,7 +97,7 @@ TEST(ModelError, KeepsDeclaredNumbersNearTheirTolerances) {
 
 // The whole diagnosis, with no effect that it could name.
 TEST(ModelError, IsThatOfTheAnswer) {
-  const replay::DeclaredModel declared = weighed_slide();
+  const replay::DeclaredModel declared = slide_with_tolerance();
   data::Dataset data;
   data.fit = {run_in_windows()};
   const Diagnosis found = diagnose(data, declared, {.effects = actuator::EffectCatalogue()});

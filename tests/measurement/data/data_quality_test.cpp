@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "degree.hpp"
+
 namespace coilwright::measurement::data {
 namespace {
 
@@ -14,8 +16,6 @@ using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 enum class Noise { none, some };
 

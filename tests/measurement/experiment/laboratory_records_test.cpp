@@ -8,24 +8,24 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "degree.hpp"
 #include "measurement/experiment/apply_instrument.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180.0;
+using std::numbers::pi;
 
-const actuator::Assembly& finger() {
+const actuator::Assembly& default_finger() {
   static const actuator::Assembly assembly = actuator::assemble_or_throw({});
   return assembly;
 }
 
-replay::DeclaredModel finger_rig() {
-  return {.calibration = {}, .build = [](std::span<const double>) { return finger().model.nominal_spec(); }};
+replay::DeclaredModel default_rig() {
+  return {.calibration = {}, .build = [](std::span<const double>) { return default_finger().model.nominal_spec(); }};
 }
 
-PlannedRun motion(InputShape input, double rate = 200.0) {
+PlannedRun run_of(InputShape input, double rate = 200.0) {
   PlannedRun run{.plan = {.name = "a.csv", .kind = data::RunKind::transient, .drive = data::Drive::current},
                  .input = std::move(input),
                  .duration = 0.8,
@@ -35,10 +35,10 @@ PlannedRun motion(InputShape input, double rate = 200.0) {
 }
 
 data::Run record(const PlannedRun& run, std::uint64_t seed = 3, const Instruments& instruments = {}) {
-  return simulate_experiment({.name = "x", .instruments = instruments, .runs = {run}}, finger_rig(), {}, seed).at(0);
+  return simulate_experiment({.name = "x", .instruments = instruments, .runs = {run}}, default_rig(), {}, seed).at(0);
 }
 
-const InputShape sine = SineShape{.amplitude = 0.5, .offset = 0.7, .frequency = 3.0};
+const InputShape slow_sine = SineShape{.amplitude = 0.5, .offset = 0.7, .frequency = 3.0};
 
 // A fine record holds its input for 0.1 ms, and so it is half of that behind the shape.
 constexpr double behind = 0.5e-4;
@@ -52,8 +52,8 @@ double at(const data::Run& fine, double time) {
 }
 
 TEST(LaboratoryRecords, ShowTheMotionAsEarlyOrLateAsTheirClocksAre) {
-  const data::Run fine = record(motion(sine, 10'000.0));
-  PlannedRun planned = motion(sine);
+  const data::Run fine = record(run_of(slow_sine, 10'000.0));
+  PlannedRun planned = run_of(slow_sine);
   planned.plan.clock = {.offset_sigma = 0.01, .rate_sigma = 0.01};
   planned.input_rate = 1000.0;
   const TrueClock clock = true_clocks({.name = "x", .instruments = {}, .runs = {planned}}, 3).at(0);
@@ -74,8 +74,8 @@ TEST(LaboratoryRecords, ShowTheMotionAsEarlyOrLateAsTheirClocksAre) {
 }
 
 TEST(LaboratoryRecords, AreMeansOverTheExposure) {
-  const data::Run fine = record(motion(sine, 10'000.0));
-  PlannedRun planned = motion(sine);
+  const data::Run fine = record(run_of(slow_sine, 10'000.0));
+  PlannedRun planned = run_of(slow_sine);
   planned.plan.clock.exposure = 0.03;
   planned.plan.hold = data::InputHold::linear;
   const data::Run run = record(planned);
@@ -87,10 +87,10 @@ TEST(LaboratoryRecords, AreMeansOverTheExposure) {
 }
 
 TEST(LaboratoryRecords, HaveEdgesBetweenTheSamplesOfTheInput) {
-  PlannedRun planned = motion(StepShape{.before = 0.0, .after = 1.0, .at = 0.1085}, 60.0);
+  PlannedRun planned = run_of(StepShape{.before = 0.0, .after = 1.0, .at = 0.1085}, 60.0);
   planned.plan.hold = data::InputHold::unknown_within_sample;
   const data::Run run = record(planned);
-  const data::Run fine = record(motion(StepShape{.before = 0.0, .after = 1.0, .at = 0.1085}, 10'000.0));
+  const data::Run fine = record(run_of(StepShape{.before = 0.0, .after = 1.0, .at = 0.1085}, 10'000.0));
   EXPECT_EQ(run.inputs[6][0], 0.0);  // at 0.1 s
   EXPECT_EQ(run.inputs[7][0], 1.0);  // at 0.1167 s
   for (std::size_t i = 0; i < run.samples(); ++i)
@@ -100,14 +100,14 @@ TEST(LaboratoryRecords, HaveEdgesBetweenTheSamplesOfTheInput) {
 TEST(LaboratoryRecords, AreOfTheRigAsItWasChanged) {
   const InputShape nothing = StepShape{};
   const auto first = [](const data::Run& run) { return run.channels[0].values.front(); };
-  PlannedRun planned = motion(nothing);
+  PlannedRun planned = run_of(nothing);
   const double rest = first(record(planned));
   planned.plan.rig.base_turn = 0.5;
   EXPECT_GT(std::abs(first(record(planned)) - rest), 5.0 * degree);
   planned.plan.rig = {.tip_mass = 5e-3};
   EXPECT_GT(std::abs(first(record(planned)) - rest), 0.5 * degree);
   // An open coil carries nothing of the command.
-  planned = motion(StepShape{.before = 0.0, .after = 1.0, .at = 0.1});
+  planned = run_of(StepShape{.before = 0.0, .after = 1.0, .at = 0.1});
   planned.plan.rig.coil = data::CoilWiring::open;
   const data::Run open = record(planned);
   for (const double value : open.channels[0].values) EXPECT_NEAR(value, rest, 1e-6);
@@ -121,14 +121,14 @@ TEST(LaboratoryRecords, OfStillRunsRest) {
   const data::Run run = record(planned);
   EXPECT_TRUE(run.inputs.empty());
   EXPECT_EQ(run.samples(), 61u);
-  const double rest = record(motion(StepShape{})).channels[0].values.front();
+  const double rest = record(run_of(StepShape{})).channels[0].values.front();
   for (const double value : run.channels[0].values) EXPECT_NEAR(value, rest, 1e-9);
   for (const double value : run.channels[1].values) EXPECT_EQ(value, 0.0);
 }
 
 TEST(LaboratoryRecords, HaveANoisyInputColumnAndAMotionOfTheTrueOne) {
-  const data::Run clean = record(motion(sine));
-  const data::Run noisy = record(motion(sine), 3, {.input_noise = 0.02});
+  const data::Run clean = record(run_of(slow_sine));
+  const data::Run noisy = record(run_of(slow_sine), 3, {.input_noise = 0.02});
   EXPECT_EQ(noisy.channels[0].values, clean.channels[0].values);
   double square = 0.0;
   for (std::size_t i = 0; i < clean.inputs.size(); ++i)

@@ -7,21 +7,13 @@
 
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "degree.hpp"
+#include "measurement/experiment/prototype_finger.hpp"
 #include "measurement/fit/fit.hpp"
 #include "measurement/replay/recorded_noise.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-const formats::DeclaredActuator& finger() {
-  static const std::vector<std::string> calibrated{"joint_stiffness", "joint_damping"};
-  static const formats::DeclaredActuator declared =
-      formats::parse_declared_actuator(R"({"format": "actuator/1", "configuration": "B"})", "finger.json",
-                                       {.names = calibrated, .file = "dataset.json", .tolerances = {}});
-  return declared;
-}
 
 // Steps before a camera so slow that what rings between two pictures passes as noise.
 Experiment slow_camera() {

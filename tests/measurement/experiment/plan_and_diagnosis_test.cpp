@@ -9,6 +9,7 @@
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/measurement/experiment/experiment_plan.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "degree.hpp"
 #include "measurement/compare/effect_strength.hpp"
 
 namespace coilwright::measurement::experiment {
@@ -17,7 +18,6 @@ namespace {
 using actuator::Effect;
 using actuator::EffectCatalogue;
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr std::uint64_t seeds = 5;
 
 // A short catalogue: a diagnosis of a set takes seconds.

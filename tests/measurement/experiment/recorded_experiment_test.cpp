@@ -8,21 +8,13 @@
 
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"
+#include "degree.hpp"
 #include "measurement/experiment/candidate_runs.hpp"
 #include "measurement/experiment/linearised_records.hpp"
+#include "measurement/experiment/prototype_finger.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-const formats::DeclaredActuator& finger() {
-  static const std::vector<std::string> calibrated{"joint_stiffness", "joint_damping"};
-  static const formats::DeclaredActuator declared =
-      formats::parse_declared_actuator(R"({"format": "actuator/1", "configuration": "B"})", "finger.json",
-                                       {.names = calibrated, .file = "dataset.json", .tolerances = {}});
-  return declared;
-}
 
 PlannedRun motion(std::string name, InputShape input) {
   PlannedRun run{.plan = {.name = std::move(name), .kind = data::RunKind::transient, .drive = data::Drive::current},

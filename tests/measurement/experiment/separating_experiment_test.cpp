@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "degree.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {
@@ -17,8 +17,6 @@ namespace {
 using actuator::Design;
 using actuator::Effect;
 using testing::AnyOf;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Effect effect(const char* id, std::vector<double> values) {
   return {.kind = actuator::standard_effects().find(id), .values = std::move(values)};

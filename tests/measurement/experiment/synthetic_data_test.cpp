@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
@@ -12,6 +11,7 @@
 #include "coilwright/simulation/blocked_grasp.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
 #include "coilwright/simulation/transient.hpp"
+#include "degree.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::measurement::experiment {
@@ -21,8 +21,6 @@ using actuator::Assembly;
 using actuator::Design;
 using actuator::Model;
 using mechanics::JointVector;
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 const Assembly& finger() {
   static const Assembly assembly = [] {

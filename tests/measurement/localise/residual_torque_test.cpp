@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "coilwright/simulation/transient.hpp"
+#include "degree.hpp"
 #include "error_text.hpp"
 #include "measurement/random_numbers.hpp"
 
@@ -19,7 +20,6 @@ using mechanics::JointVector;
 using std::numbers::pi;
 using testing::HasSubstr;
 
-constexpr double degree = pi / 180.0;
 constexpr double interval = 0.002;
 constexpr double gravity = 9.81;
 

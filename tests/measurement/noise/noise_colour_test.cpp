@@ -14,7 +14,7 @@
 namespace coilwright::measurement::noise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> white_noise(std::size_t samples, double sigma, std::uint64_t seed) {
   Normal normal(seed);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "degree.hpp"
 #include "error_text.hpp"
 #include "measurement/random_numbers.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 
 using std::numbers::pi;
 using testing::HasSubstr;
-
-constexpr double degree = pi / 180.0;
 
 data::Run record(const std::vector<double>& times, const std::function<double(double)>& motion, double sigma,
                  double step, std::uint64_t seed) {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "degree.hpp"
+
 namespace coilwright::measurement::noise {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 // What runs of such freedom would say of instruments of such noise: s² f / sigma² is chi-square of f.
 std::vector<NoiseLevel> drawn(const std::vector<double>& sigmas, double freedom, unsigned seed) {

@@ -11,7 +11,7 @@
 namespace coilwright::measurement::records {
 namespace {
 
-constexpr double stiffness = 100.0;  // Nm/rad
+constexpr double declared_stiffness = 100.0;  // Nm/rad
 
 // A record in which the torque steps half-way to what holds the declared model at `held`, rad, and the angle to `seen`.
 data::Run stepped(double held, double seen) {
@@ -19,7 +19,7 @@ data::Run stepped(double held, double seen) {
   run.start = data::Start::at_rest;
   for (std::size_t i = 0; i < run.inputs.size(); ++i) {
     const bool on = i >= run.inputs.size() / 2;
-    run.inputs[i] = {on ? held * stiffness : 0.0};
+    run.inputs[i] = {on ? held * declared_stiffness : 0.0};
     run.channels.front().values[i] = (on ? seen : 0.0) + (i % 2 == 0 ? 1e-3 : -1e-3);
   }
   return run;
@@ -29,8 +29,8 @@ std::vector<data::Warning> warnings_of(const std::vector<data::Run>& runs) {
   replay::DeclaredModel declared = slide(true_mass, 0.1);
   declared.build = [](std::span<const double> values) {
     actuator::ModelSpec spec = slide(true_mass, 0.1).build(values);
-    spec.hinges.front().stiffness = stiffness;
-    spec.hinges.front().damping = 2.0 * stiffness;  // seconds in which it creeps there, without ringing
+    spec.hinges.front().stiffness = declared_stiffness;
+    spec.hinges.front().damping = 2.0 * declared_stiffness;  // seconds in which it creeps there, without ringing
     return spec;
   };
   return unanswered_runs(runs, declared);

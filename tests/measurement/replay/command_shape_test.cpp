@@ -12,7 +12,7 @@
 namespace coilwright::measurement::replay {
 namespace {
 
-constexpr double sigma = 0.02;  // A
+constexpr double current_noise = 0.02;  // A
 
 struct Readings {
   std::vector<double> times{}, true_values{}, values{};
@@ -24,7 +24,7 @@ Readings read(int samples, const std::function<double(double)>& command, unsigne
   for (int i = 0; i < samples; ++i) {
     out.times.push_back(0.002 * i);
     out.true_values.push_back(command(out.times.back()));
-    out.values.push_back(out.true_values.back() + sigma * normal());
+    out.values.push_back(out.true_values.back() + current_noise * normal());
   }
   return out;
 }
@@ -35,12 +35,12 @@ double mean_squared_error(int samples, const std::function<double(double)>& comm
   double sum = 0.0;
   for (unsigned seed = 1; seed <= draws; ++seed) {
     const Readings readings = read(samples, command, seed);
-    const auto shape = command_shape(readings.times, readings.values, {.sigma = sigma});
+    const auto shape = command_shape(readings.times, readings.values, {.sigma = current_noise});
     EXPECT_TRUE(shape) << seed;
     if (!shape) return 0.0;
     EXPECT_EQ(shape->basis.cols(), numbers) << seed;
     for (int i = 0; i < samples; ++i)
-      sum += std::pow((shape->values[i] - readings.true_values[static_cast<std::size_t>(i)]) / sigma, 2);
+      sum += std::pow((shape->values[i] - readings.true_values[static_cast<std::size_t>(i)]) / current_noise, 2);
   }
   return sum / draws;
 }
@@ -73,17 +73,17 @@ TEST(CommandShape, IsASineOfOnePeriod) {
 TEST(CommandShape, IsNothingForACurveOfMoreNumbers) {
   const auto chirp = [](double t) { return std::sin(2.0 * std::numbers::pi * (1.0 + 2.0 * t) * t); };
   const Readings readings = read(1000, chirp, 3);
-  EXPECT_FALSE(command_shape(readings.times, readings.values, {.sigma = sigma}));
+  EXPECT_FALSE(command_shape(readings.times, readings.values, {.sigma = current_noise}));
   const Readings few = read(
       7, [](double) { return 1.0; }, 3);
-  EXPECT_FALSE(command_shape(few.times, few.values, {.sigma = sigma}));
+  EXPECT_FALSE(command_shape(few.times, few.values, {.sigma = current_noise}));
 }
 
 // A level that is known to a tenth may be a fifth too low; one that is exact may not.
 TEST(CommandShape, BearsWithALevelThatIsAnEstimate) {
   const Readings readings = read(
       370, [](double) { return 0.4; }, 7);
-  const double low = 0.82 * sigma;
+  const double low = 0.82 * current_noise;
   EXPECT_FALSE(command_shape(readings.times, readings.values, {.sigma = low}));
   const auto shape = command_shape(readings.times, readings.values, {.sigma = low, .freedom = 50.0});
   ASSERT_TRUE(shape);
@@ -97,7 +97,7 @@ TEST(CommandShape, BearsWithALevelThatIsAnEstimate) {
 TEST(CommandShape, HasOrthonormalColumnsThatSpanItsCurve) {
   const Readings readings = read(
       300, [](double t) { return 0.2 - t * t; }, 5);
-  const auto shape = command_shape(readings.times, readings.values, {.sigma = sigma});
+  const auto shape = command_shape(readings.times, readings.values, {.sigma = current_noise});
   ASSERT_TRUE(shape);
   const Eigen::Index k = shape->basis.cols();
   EXPECT_EQ(k, 3);

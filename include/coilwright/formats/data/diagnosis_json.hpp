@@ -9,6 +9,15 @@
 
 namespace coilwright::formats {
 
+/// A diagnosis in words: what a person is told first, and what a page shows.
+struct DiagnosisSummary {
+  std::string verdict{};                   ///< one sentence
+  std::vector<std::string> cautions{};     ///< what must be known beside it, a sentence or two each
+  std::vector<std::string> assumptions{};  ///< what was taken for granted: lines that spaces align
+  std::vector<std::string> rivals{};       ///< how sure it is, and what else it could be, a line each
+  std::vector<std::string> next_steps{};   ///< what to do next, the most useful first
+};
+
 /// What `diagnose` found, to be written.
 struct DiagnosisReport {
   const measurement::Diagnosis& diagnosis;  ///< must outlive the report
@@ -22,6 +31,7 @@ struct DiagnosisReport {
   /// Why the actuator files are refused as input, a line each: a fit is not bound by what an actuator can be. Empty:
   /// they are taken.
   std::vector<std::string> refused{};
+  DiagnosisSummary summary{};  ///< report::summary_of the rest
 };
 
 /// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it

@@ -13,7 +13,7 @@ namespace coilwright::measurement::compare {
 struct Evidence {
   double chi_square_before{};     ///< sum of squared residuals over the noise variance, without the effect
   double chi_square_after{};      ///< the same with the effect, all parameters refitted
-  double quasi_bic_gain{};        ///< fall of the quasi-BIC (chi-square over the overdispersion, plus the penalty for
+  double criterion_gain{};        ///< fall of the quasi-BIC (chi-square over the overdispersion, plus the penalty for
                                   ///< the number of parameters)
   double cross_validated_gain{};  ///< fraction of the squared residual above the noise that it removes on runs that
                                   ///< are left out in turn; below zero where it makes them worse; where next to nothing

@@ -9,16 +9,16 @@ namespace coilwright::measurement::whiteness {
 
 /// Whether a residual is white noise.
 struct WhitenessResult {
-  double level{};            ///< rms residual over the noise
-  double whiteness_ratio{};  ///< statistic of the worst test over its limit; above 1 the residual is not white
-  std::string where{};       ///< run and scale of that test
+  double level{};       ///< rms residual over the noise
+  double structure{};   ///< statistic of the worst test over its limit; above 1 the residual is not white
+  std::string where{};  ///< run and scale of that test
   /// Whether no test finds structure.
-  [[nodiscard]] bool is_white() const { return whiteness_ratio <= 1.0; }
+  [[nodiscard]] bool is_white() const { return structure <= 1.0; }
 };
 
 /// Tests whether residuals are white noise at every scale, each run alone and all runs pooled.
 ///
-/// `level` is the root mean square, with `fitted_parameters` subtracted from the number of samples. `whiteness_ratio`
+/// `level` is the root mean square, with `fitted_parameters` subtracted from the number of samples. `structure`
 /// is the largest result of four kinds of tests, each expressed as the excess over the expectation divided by the
 /// excess that is allowed: energy at all wavelengths longer than 2, 4, 8, ... samples, of single runs and pooled over
 /// all; spectral lines, likewise; means of blocks of 8, 16, ... samples. Each run is normalised by its own level at

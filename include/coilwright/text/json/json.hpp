@@ -25,7 +25,7 @@ class Json {
  public:
   /// A key and its value.
   using Member = std::pair<std::string, Json>;
-  using Array = std::vector<Json>;
+  using Array = std::vector<Json>;     ///< its elements
   using Object = std::vector<Member>;  ///< in the order of the file
   /// What a value can be. Numbers that were read are doubles.
   using Content = std::variant<std::nullptr_t, bool, double, std::string, Array, Object, std::int64_t>;
@@ -73,8 +73,8 @@ class Json {
   /// Adds an element to an array.
   Json& add(Json value);
 
-  [[nodiscard]] const Content& content() const noexcept { return content_; }
-  [[nodiscard]] Content& content() noexcept { return content_; }
+  [[nodiscard]] const Content& content() const noexcept { return content_; }  ///< What it holds.
+  [[nodiscard]] Content& content() noexcept { return content_; }              ///< The same, to change.
 
   /// The JSON text: two spaces a level, an array of plain values on one line if it fits, a line end at the end.
   /// Text that is not UTF-8 has the replacement character in its place.

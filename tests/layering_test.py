@@ -30,7 +30,7 @@ ROOMS = {
     "formats/simulation": "text control",
     "formats/data": "formats/actuator formats/simulation measurement systems",
     "formats/study": "formats/actuator formats/simulation archive systems",
-    "exports": "formats/actuator",
+    "exports": "formats/actuator control",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
     "page": "exports formats/study validation",

@@ -17,7 +17,7 @@
 #include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/control/reach.hpp"
-#include "coilwright/formats/simulation/controller_header.hpp"
+#include "coilwright/exports/controller_header.hpp"
 #include "coilwright/formats/simulation/reach_json.hpp"
 #include "coilwright/report/simulation/reach_text.hpp"
 #include "coilwright/simulation/equilibrium.hpp"
@@ -95,7 +95,7 @@ control::ReachTask task_of(const ReachOptions& options, const Asked& asked) {
 
 control::Reach answer(const ReachOptions& options, const Asked& asked, const control::ReachTask& task) {
   try {
-    if (!options.header.empty()) formats::require_header_can_say(asked.model);
+    if (!options.header.empty()) exports::require_header_can_say(asked.model);
     return control::reach(asked.model, task);
   } catch (const std::invalid_argument& rule) {
     throw InputError({.file = options.actuator.file, .rule = rule.what()});
@@ -118,7 +118,7 @@ void write(const ReachOptions& options, const Asked& asked, const control::Reach
            const control::ProfileQuality& best) {
   std::optional<text::OutputFile> header;
   std::optional<text::OutputFile> profile;
-  if (!options.header.empty()) header.emplace(options.header).stream() << formats::controller_header(asked.model, best);
+  if (!options.header.empty()) header.emplace(options.header).stream() << exports::controller_header(asked.model, best);
   if (!options.out.empty()) write_profile(profile.emplace(options.out).stream(), best.profile, reach.duration);
   // How each of them begins; the rest of a first line names the profile.
   if (header) keep_other_kind(*header, "coilwright", options.force);

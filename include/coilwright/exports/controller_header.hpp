@@ -5,7 +5,7 @@
 #include "coilwright/actuator/model/model.hpp"
 #include "coilwright/control/reach.hpp"
 
-namespace coilwright::formats {
+namespace coilwright::exports {
 
 /// Throws std::invalid_argument where the model has what the header cannot say: effects, a torque correction, magnets
 /// and coils that act on each other across more than one joint.
@@ -17,4 +17,4 @@ void require_header_can_say(const actuator::Model& model);
 /// require_header_can_say() does.
 [[nodiscard]] std::string controller_header(const actuator::Model& model, const control::ProfileQuality& profile);
 
-}  // namespace coilwright::formats
+}  // namespace coilwright::exports

@@ -42,6 +42,16 @@ class Grip(ProgramTest):
         self.assertTrue(0.0 < answer["least_current_A"] < 1.4)
         self.assertTrue(0.0 < answer["least_friction"] < 0.8)
 
+    def test_says_how_far_the_object_may_be_off(self):
+        text = run("grip", FINGER, *BALL).stdout
+        self.assertRegex(text, r"\n  height of the object  .*mm.* lower to .*mm.* higher\n"
+                               r"  width of the object   .* wider\n  mounting angle        .* further out\n")
+        off = json.loads(run("grip", FINGER, *BALL, "--json").stdout)["placement_tolerance"]
+        moved = [*BALL, "--centre-below-palm-mm", str(16 + off["lower_mm"]), "--json"]
+        self.assertTrue(json.loads(run("grip", FINGER, *moved).stdout)["holds"])
+        lost = run("grip", FINGER, "--width-mm", "60", "--mass-g", "400", "--friction", "0.8", "--json")
+        self.assertIsNone(json.loads(lost.stdout)["placement_tolerance"]["lower_mm"])
+
     def test_says_that_an_object_is_too_heavy(self):
         text = run("grip", FINGER, "--width-mm", "60", "--mass-g", "400", "--friction", "0.8").stdout
         self.assertIn("Not held: 400 g at 1.4 A.", text)

@@ -21,6 +21,7 @@ namespace {
 
 using systems::gripper::GraspTask;
 using systems::gripper::Gripper;
+using systems::gripper::Mounting;
 using systems::gripper::Object;
 using systems::gripper::Polarity;
 
@@ -53,12 +54,11 @@ auto at_place(const std::string& place, const Call& call) {
 GripAnswer answer_of(const GripOptions& options) {
   formats::ActuatorFile file = read_actuator(options.actuator);
   const actuator::Design design = built_design(file, options.actuator, "a gripper needs a design (actuator/1)").design;
-  const Gripper gripper = at_place(options.actuator.file, [&] {
-    return Gripper(design, {.angle = options.mounting_angle / units::degrees_per_radian,
-                            .spacing = options.spacing * 1e-3,
-                            .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
-                            .fingers = options.fingers});
-  });
+  const Mounting mounting{.angle = options.mounting_angle / units::degrees_per_radian,
+                          .spacing = options.spacing * 1e-3,
+                          .polarity = options.polarity == "same" ? Polarity::same : Polarity::opposite,
+                          .fingers = options.fingers};
+  const Gripper gripper = at_place(options.actuator.file, [&] { return Gripper(design, mounting); });
   const Object object = object_of(options);
   const bool is_of_file = !options.current && file.operating_point;
   const double current = is_of_file ? file.operating_point->current : options.current.value_or(paper_current);
@@ -67,6 +67,7 @@ GripAnswer answer_of(const GripOptions& options) {
                  .is_of_file = is_of_file,
                  .grasp = at_place("--shape, --width-mm, --centre-x-mm, --centre-below-palm-mm",
                                    [&] { return systems::gripper::grasp(gripper, object, task); })};
+  if (out.grasp.holds) out.tolerance = systems::gripper::placement_tolerance(design, mounting, object, task);
   out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
   out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), options.fingers);
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;

@@ -4,6 +4,7 @@
 
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
+#include "coilwright/systems/gripper/placement_tolerance.hpp"
 #include "grip_options.hpp"
 
 namespace coilwright::cli {
@@ -13,7 +14,8 @@ struct GripAnswer {
   double current{};   ///< A, in every coil
   bool is_of_file{};  ///< whether it is that of the file's operating point
   systems::gripper::Grasp grasp;
-  double cost{};        ///< US$, of the gripper with driver and supply
+  systems::gripper::PlacementTolerance tolerance{};  ///< of an object that is held
+  double cost{};                                     ///< US$, of the gripper with driver and supply
   double burns_from{};  ///< A: from this current on a finger bent like that has no steady temperature
   std::optional<simulation::Heat> heat{};          ///< of one finger at the pose of the hold
   std::optional<double> demagnetisation_margin{};  ///< of the worst magnet of a straight finger at 20 degC

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "coilwright/actuator/cost.hpp"
@@ -16,7 +17,14 @@ namespace {
 
 using systems::gripper::Grasp;
 using systems::gripper::GraspContact;
+using systems::gripper::PlacementTolerance;
+using systems::gripper::Tolerance;
+using systems::gripper::tried_angles;
+using systems::gripper::tried_lengths;
 using text::Json;
+
+// What objects and fingers are off by where people put them, m.
+constexpr double usual_placement = 1e-3;
 
 // A hold that the fingers do not survive is none.
 std::string held_text(const GripAnswer& answer) {
@@ -91,6 +99,31 @@ std::string heat_text(const GripAnswer& answer) {
   return text + (no_end ? ".\n" : "no part reaches its limit.\n");
 }
 
+// "less than 0.1 mm lower to 5 mm or more higher"
+std::string tolerance_text(const Tolerance& tolerance, std::span<const double> tried, double unit, const char* name,
+                           const char* below, const char* above) {
+  const auto side = [&](double value, const char* way) {
+    if (value < tried.front()) return fmt::format("less than {:.4g} {} {}", tried.front() / unit, name, way);
+    return fmt::format("{:.4g} {}{} {}", value / unit, name, value < tried.back() ? "" : " or more", way);
+  };
+  return side(tolerance.below, below) + " to " + side(tolerance.above, above);
+}
+
+std::string tolerances_text(const GripAnswer& answer) {
+  if (!answer.grasp.holds) return {};
+  const PlacementTolerance& tolerance = answer.tolerance;
+  constexpr double degree = 1.0 / units::degrees_per_radian;
+  return fmt::format(
+      "\nHow far off one of these may be, the others as given, and it is still held\n"
+      "  height of the object  {}\n  width of the object   {}\n  mounting angle        {}\n{}",
+      tolerance_text(tolerance.height, tried_lengths, 1e-3, "mm", "lower", "higher"),
+      tolerance_text(tolerance.width, tried_lengths, 1e-3, "mm", "narrower", "wider"),
+      tolerance_text(tolerance.mounting_angle, tried_angles, degree, "deg", "further in", "further out"),
+      tolerance.smallest_length() < usual_placement
+          ? "MIND: less than a millimetre loses it, and hands and printed palms are off by that.\n"
+          : "");
+}
+
 std::string magnets_text(const GripAnswer& answer) {
   if (!is_demagnetised(answer)) return {};
   return fmt::format(
@@ -124,6 +157,7 @@ std::string as_text(const GripOptions& options, const GripAnswer& answer) {
   else
     text += fmt::format("  bending {:.4g} deg each; magnets that face each other {}, two of them with up to {:.3g} N\n",
                         left, act, grasp.magnet_force);
+  text += tolerances_text(answer);
   if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
   if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
   return text + heat_text(answer) + magnets_text(answer) +
@@ -163,6 +197,16 @@ std::string as_json(const GripOptions& options, const GripAnswer& answer) {
                            {"magnet_force_N", grasp.magnet_force},
                            {"settling_mm", grasp.settling * 1e3},
                            {"contacts", std::move(contacts)}});
+  const auto side = [&](double value) { return grasp.holds ? Json(value) : Json(); };
+  const PlacementTolerance& tolerance = answer.tolerance;
+  out.set(
+      "placement_tolerance",
+      Json::object({{"lower_mm", side(tolerance.height.below * 1e3)},
+                    {"higher_mm", side(tolerance.height.above * 1e3)},
+                    {"narrower_mm", side(tolerance.width.below * 1e3)},
+                    {"wider_mm", side(tolerance.width.above * 1e3)},
+                    {"mounting_further_in_deg", side(tolerance.mounting_angle.below * units::degrees_per_radian)},
+                    {"mounting_further_out_deg", side(tolerance.mounting_angle.above * units::degrees_per_radian)}}));
   out.set("closing_time_ms", grasp.both_touched ? Json(grasp.closing_time * 1e3) : Json());
   if (answer.least_current) out.set("least_current_A", *answer.least_current);
   if (answer.least_friction) out.set("least_friction", *answer.least_friction);

@@ -16,6 +16,7 @@
 #include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
 #include "coilwright/systems/gripper/heat_of_hold.hpp"
+#include "coilwright/systems/gripper/placement_tolerance.hpp"
 
 namespace coilwright::systems::gripper {
 namespace {
@@ -100,6 +101,18 @@ class Results {
           });
           const auto* value = std::get_if<Value>(&least);
           return value == nullptr ? std::nullopt : *value;
+        }),
+        tolerance_([grasp = grasp_](const DesignView& design) -> Value {
+          const auto found = grasp.of(design);
+          const auto* done = std::get_if<Tried>(found.get());
+          if (done == nullptr) return std::nullopt;
+          if (!done->grasp.holds) return 0.0;
+          const auto off = tried(done->task, [&] {
+            return placement_tolerance(design.design, done->task.mounting, done->task.object,
+                                       grasp_task(done->task, design.point.current));
+          });
+          const auto* found_off = std::get_if<PlacementTolerance>(&off);
+          return found_off == nullptr ? Value() : Value(found_off->smallest_length() * 1e3);
         }) {}
 
   ResultQuantity of_grasp(std::string name, std::string meaning, double scale,
@@ -132,6 +145,16 @@ class Results {
                         .pose = HeldCases::gripping});
   }
 
+  ResultQuantity placement_tolerance_quantity() const {
+    return with_reason({.name = "grip_placement_tolerance_mm",
+                        .meaning = "how far height and width of the object may be off, each way, and it is still held; "
+                                   "tried up to 5; 0 where it is not held as planned",
+                        .scale = 1.0,
+                        .value = [tolerance = tolerance_](const DesignView& design) { return *tolerance.of(design); },
+                        .absence = no_grasp,
+                        .pose = HeldCases::gripping});
+  }
+
   ResultQuantity least_current_quantity() const {
     return with_reason({.name = "grip_least_current_A",
                         .meaning = "least current that holds the object, to 0.5 %",
@@ -156,6 +179,7 @@ class Results {
   SharedResult<Try<Tried>> grasp_;
   SharedResult<std::optional<simulation::Heat>> heat_;
   SharedResult<Value> least_;
+  SharedResult<Value> tolerance_;
 };
 
 // What needs no grasp.
@@ -180,6 +204,7 @@ std::vector<ResultQuantity> gripper_quantities(const TaskOf& task) {
       results.of_grasp("grip_margin",
                        "load at which the object slips over its load, less one; below -1 a finger does not reach it",
                        1.0, [](const Tried& done) -> Value { return holding_margin(done.grasp, done.task.object); }),
+      results.placement_tolerance_quantity(),
       results.of_grasp("grip_load_N", "weight of the object and what its acceleration adds", 2.0,
                        [](const Tried& done) -> Value { return done.grasp.load; }),
       results.of_grasp("grip_capacity_N", "load at which the object slips; ten times its load where more holds", 2.0,

@@ -14,8 +14,8 @@
 namespace truth::laboratory {
 namespace {
 
-constexpr double part = 0.25;    // of a standard deviation: the step of a slope
-constexpr double change = 1e-3;  // of stiffness and damping
+constexpr double slope_step = 0.25;  // of a standard deviation: the step of a slope
+constexpr double change = 1e-3;      // of stiffness and damping
 
 // The coefficients of a curve error for one standard deviation of each: as build_finger() draws them.
 std::array<double, 4> curve_deviations(double tolerance) {
@@ -52,13 +52,13 @@ void Absorption::add_numbers() {
       const std::array<double, 4> deviations = curve_deviations(number.tolerance);
       for (std::size_t i = 0; i < deviations.size(); ++i)
         unknowns_.push_back(
-            {[=](Bench& bench, double by) { bench.finger.curve_error[i] += by * deviations[i]; }, part, 1.0});
+            {[=](Bench& bench, double by) { bench.finger.curve_error[i] += by * deviations[i]; }, slope_step, 1.0});
       continue;
     }
     unknowns_.push_back({[name = number.name, share = number.tolerance / number.declared](Bench& bench, double by) {
                            set_number(name, 1.0 + by * share, bench.finger);
                          },
-                         part, 1.0});
+                         slope_step, 1.0});
   }
 }
 
@@ -71,10 +71,10 @@ void Absorption::add_clocks() {
     const bool unknown_edge = hold_of(place_.request, place_.planned[run]) == "unknown_within_sample";
     const double shift = std::hypot(stated_offset(clocks), unknown_edge ? interval / std::sqrt(12.0) : 0.0);
     if (shift > 0.0)
-      unknowns_.push_back({[=](Bench& bench, double by) { bench.clocks[run].offset += by * shift; }, part, 1.0});
+      unknowns_.push_back({[=](Bench& bench, double by) { bench.clocks[run].offset += by * shift; }, slope_step, 1.0});
     if (clocks.rate > 0.0)
       unknowns_.push_back(
-          {[=, rate = clocks.rate](Bench& bench, double by) { bench.clocks[run].rate += by * rate; }, part, 1.0});
+          {[=, rate = clocks.rate](Bench& bench, double by) { bench.clocks[run].rate += by * rate; }, slope_step, 1.0});
   }
 }
 

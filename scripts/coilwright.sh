@@ -27,7 +27,7 @@ progress() {
 (
   cd "$root"
   if [[ ! -x $program ]]; then
-    echo "coilwright.sh: builds the program first, once: about a quarter of an hour on two cores" >&2
+    echo "coilwright.sh: builds the program first, once: about ten minutes on two cores" >&2
   fi
   if ! { cmake --preset release && cmake --build --preset release --target coilwright; } </dev/null 2>&1 |
     tee build.log | progress; then

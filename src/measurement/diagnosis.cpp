@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/curvature.hpp"
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/insensitive_parameters.hpp"
@@ -19,7 +20,6 @@
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/relaxed_tolerances.hpp"
-#include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
 #include "measurement/compare/unseen_effects.hpp"
 #include "measurement/correction/find_correction.hpp"

@@ -20,12 +20,6 @@ namespace coilwright::report {
 /// Where a fit has moved a declared number to: "1.43"; "below -7.85" if it changes nothing there.
 [[nodiscard]] std::string moved_to_text(const measurement::MovedNumber& number);
 
-/// Declared numbers are off all together where fewer of the rigs built to their tolerances are as far off.
-inline constexpr double least_probability = 0.01;
-
-/// A lead in the gain that decides: odds of 20 to 1.
-inline constexpr double decisive_lead = 6.0;
-
 /// "1 run", "2 runs".
 [[nodiscard]] std::string counted(std::size_t count, const char* one);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "report/diagnosis_numbers.hpp"
 
 namespace coilwright::report {
@@ -34,9 +35,10 @@ std::string free_value_text(const Diagnosis& diagnosis, const compare::NumberOff
 std::vector<std::string> rivals_of_numbers(const Diagnosis& diagnosis) {
   double best = 0.0;
   for (const compare::NumberOff& each : diagnosis.numbers_off) best = std::max(best, each.gain);
+  const double least = best - compare::decision_thresholds.decisive_gain;
   std::vector<std::string> out;
   for (const compare::ComparedHypothesis& each : formats::compared_as_reported(diagnosis))
-    if (!each.effects.empty() && each.evidence && each.evidence->criterion_gain > best - decisive_lead)
+    if (!each.effects.empty() && each.evidence && each.evidence->criterion_gain > least)
       out.push_back(fmt::format("{}", fmt::join(formats::ids(each.effects), " + ")));
   constexpr std::size_t most = 3;
   if (out.size() > most) out.resize(most);
@@ -55,7 +57,8 @@ std::string numbers_off_sentence(const Diagnosis& diagnosis) {
   text += rivals.empty() ? ", and decisively better than any missing effect that was tried."
                          : fmt::format(". Or {} is missing, which explains them about as well: measure {} to know.",
                                        fmt::join(rivals, " or "), names.size() > 1 ? "these numbers" : "that number");
-  if (diagnosis.probability_of_declared < least_probability) text += " Others may be off, too.";
+  if (diagnosis.probability_of_declared < compare::decision_thresholds.least_probability)
+    text += " Others may be off, too.";
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "report/diagnosis_numbers.hpp"
 
@@ -136,8 +137,9 @@ std::string compared_text(const Diagnosis& diagnosis) {
   const auto remark_of = [&](const compare::ComparedHypothesis& each) -> std::string {
     if (formats::is_reported(diagnosis, each.effects)) return "reported";
     const compare::ComparedHypothesis& first = compared.front();
-    const bool as_good = &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
-                         first.evidence->criterion_gain - each.evidence->criterion_gain < decisive_lead;
+    const bool as_good =
+        &each != &first && each.evidence && first.evidence && !first.remark.empty() &&
+        first.evidence->criterion_gain - each.evidence->criterion_gain < compare::decision_thresholds.decisive_gain;
     return each.remark.empty() && as_good ? "these data do not tell it from the first of this list" : each.remark;
   };
   // Of a diagnosis that was interrupted the values are not counted: by what the recalibrated model leaves of them.

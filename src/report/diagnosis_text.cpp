@@ -13,6 +13,7 @@
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "report/diagnosis_advice.hpp"
@@ -124,8 +125,8 @@ std::string declared_text(const Diagnosis& diagnosis) {
       "  Without any effect the declared numbers would have to be so far off, all together, that {} of the\n"
       "  rigs built to their tolerances are as far off or further ({}).\n",
       share,
-      probability < least_probability ? "below 1 %: they are off, or an effect is missing"
-      : leaves_structure(diagnosis)   ? "above 1 %: it is not they that are far off"
+      probability < compare::decision_thresholds.least_probability ? "below 1 %: they are off, or an effect is missing"
+      : leaves_structure(diagnosis)                                ? "above 1 %: it is not they that are far off"
       : diagnosis.numbers_off.empty()
           ? "above 1 %: that may be chance"
           : "above 1 %: taken together that may be chance, though the one that is off is none");

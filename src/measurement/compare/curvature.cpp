@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "coilwright/algebra/spectral.hpp"
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/profile_likelihood.hpp"
-#include "measurement/compare/search_effort.hpp"
 #include "measurement/fit/scales.hpp"
 
 namespace coilwright::measurement::compare {

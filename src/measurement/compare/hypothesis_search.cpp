@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/hypothesis_extension.hpp"
 #include "measurement/compare/joint_screening.hpp"
 #include "measurement/compare/level_fits.hpp"

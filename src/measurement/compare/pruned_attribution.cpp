@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/cross_validation.hpp"
 #include "measurement/compare/intervals.hpp"
 #include "measurement/compare/model_error.hpp"
 #include "measurement/compare/relaxed_tolerances.hpp"
-#include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/settled_model_error.hpp"
 
 namespace coilwright::measurement::compare {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/curvature.hpp"
-#include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
 namespace coilwright::measurement::compare {

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/effect_strength.hpp"
-#include "measurement/compare/search_effort.hpp"
 #include "measurement/compare/staged_fit.hpp"
 
 namespace coilwright::measurement::compare {

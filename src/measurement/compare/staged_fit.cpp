@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/effect_strength.hpp"
 #include "measurement/compare/search_effort.hpp"
 

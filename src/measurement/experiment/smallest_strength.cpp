@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/compare/effect_strength.hpp"
-#include "measurement/compare/search_effort.hpp"
 
 namespace coilwright::measurement::experiment {
 namespace {

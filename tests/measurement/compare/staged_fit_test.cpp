@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "measurement/compare/search_effort.hpp"
+#include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "measurement/slider_model.hpp"
 
 namespace coilwright::measurement::compare {

@@ -247,6 +247,13 @@ Section warnings_section(const Node& diagnosis) {
   return section;
 }
 
+// The words of the answer, which a diagnosis by an earlier version did not write.
+Node summary_of(const Node& diagnosis) {
+  if (const auto summary = diagnosis.find("summary")) return *summary;
+  throw diagnosis.error_without_value(
+      R"(must have "summary" (docs/formats.md), which an earlier version did not write: diagnose again)");
+}
+
 }  // namespace
 
 Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, std::string_view made_by) {
@@ -256,7 +263,7 @@ Page diagnosis_page(const std::filesystem::path& folder, const Node& diagnosis, 
     throw verdict.error_without_value(
         "is of a diagnosis that was interrupted: summary.txt has what was known then, and "
         "there is a page once it has ended (diagnose again)");
-  const Node summary = member_of(diagnosis, "summary");
+  const Node summary = summary_of(diagnosis);
   Page page{.title = fmt::format("{}: diagnosis", dataset),
             .verdict = member_of(summary, "verdict").text(),
             .cautions = texts_of(summary, "cautions"),

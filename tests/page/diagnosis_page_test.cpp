@@ -99,6 +99,9 @@ TEST(DiagnosisPage, IsRefusedWithWhatIsMissing) {
   // A page without its verdict or its doubts would say more than is known.
   EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("rivals")", R"("others")")}.fault(),
               EndsWith("diagnosis.json: /summary: must have \"rivals\" (docs/formats.md)"));
+  EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("summary")", R"("words")")}.fault(),
+              EndsWith("diagnosis.json: /: must have \"summary\" (docs/formats.md), which an earlier version did not "
+                       "write: diagnose again"));
   EXPECT_THAT(Folder{.diagnosis = replaced(diagnosis_text, R"("id": "dry_friction", )", "")}.fault(),
               EndsWith("diagnosis.json: /effects/0: must have \"id\" (docs/formats.md)"));
   EXPECT_THAT(

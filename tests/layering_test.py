@@ -22,7 +22,6 @@ ROOMS = {
     "simulation": "actuator",
     "control": "simulation",
     "systems": "simulation",
-    "validation": "simulation",
     "sizing": "simulation",
     "archive": "text sizing",
     "measurement": "algebra simulation",
@@ -33,8 +32,8 @@ ROOMS = {
     "exports": "formats/actuator control",
     "report/simulation": "control",
     "report": "report/simulation formats/data formats/study",
-    "page": "exports formats/study validation",
-    "cli": "validation systems report page",
+    "page": "exports formats/study",
+    "cli": "report page",
 }
 
 # Folders inside a room, in the order of its method: each includes only those before it, and what lies in the room itself

@@ -4,7 +4,7 @@
 
 #include "coilwright/systems/crawl.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
 namespace coilwright::systems {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "coilwright/page/pages.hpp"
+#include "coilwright/systems/validation/paper_comparison.hpp"
 #include "coilwright/text/json/json.hpp"
-#include "coilwright/validation/paper_comparison.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 #include "report_option.hpp"
@@ -18,8 +18,8 @@
 namespace coilwright::cli {
 namespace {
 
+using systems::validation::Comparison;
 using text::Json;
-using validation::Comparison;
 
 Json as_json(const std::vector<Comparison>& rows, bool all_hold) {
   Json list = Json::list(rows, [](const Comparison& row) {
@@ -59,7 +59,7 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
       "Example:\n"
       "  coilwright validate --json");
   command->callback([json, page, &outcome] {
-    const std::vector<Comparison> rows = validation::compare_with_paper();
+    const std::vector<Comparison> rows = systems::validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
     if (*page) write_page(page::comparison_page(rows, made_by()), **page);
     if (*json)

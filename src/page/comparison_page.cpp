@@ -12,7 +12,7 @@
 namespace coilwright::page {
 namespace {
 
-using validation::Comparison;
+using systems::validation::Comparison;
 
 double percent(double ratio) {
   return 100.0 * (ratio - 1.0);

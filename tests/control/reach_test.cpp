@@ -8,7 +8,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/control/input_shaping.hpp"
 #include "coilwright/simulation/step_response.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 #include "degree.hpp"
 #include "error_text.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 using actuator::Model;
 
 const Model& finger() {
-  static const Model model = actuator::assemble_or_throw(validation::paper_finger()).model;
+  static const Model model = actuator::assemble_or_throw(systems::validation::paper_finger()).model;
   return model;
 }
 

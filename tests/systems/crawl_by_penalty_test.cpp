@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "coilwright/systems/crawl.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
 namespace coilwright::systems {
 namespace {

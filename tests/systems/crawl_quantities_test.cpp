@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "coilwright/simulation/evaluate.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
 namespace coilwright::systems {
 namespace {

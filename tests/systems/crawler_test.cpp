@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "coilwright/systems/crawl.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 #include "error_text.hpp"
 
 namespace coilwright::systems {

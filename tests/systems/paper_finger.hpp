@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coilwright/actuator/assemble.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
 namespace coilwright::systems {
 

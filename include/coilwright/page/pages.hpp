@@ -11,7 +11,7 @@
 #include "coilwright/simulation/choice_effects.hpp"
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/sizing/study/study.hpp"
-#include "coilwright/validation/paper_comparison.hpp"
+#include "coilwright/systems/validation/paper_comparison.hpp"
 
 namespace coilwright::page {
 
@@ -38,6 +38,6 @@ struct PageInputs {
 
 /// The page of a comparison of the model with the figures of the paper: every difference with the band in which it
 /// must lie. `made_by` is program and version.
-[[nodiscard]] Page comparison_page(std::span<const validation::Comparison> rows, std::string_view made_by);
+[[nodiscard]] Page comparison_page(std::span<const systems::validation::Comparison> rows, std::string_view made_by);
 
 }  // namespace coilwright::page

@@ -9,7 +9,7 @@
 #include "coilwright/simulation/evaluate.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
 #include "coilwright/systems/gripper/heat_of_hold.hpp"
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
 namespace coilwright::systems::gripper {
 namespace {

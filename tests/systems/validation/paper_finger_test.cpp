@@ -1,4 +1,4 @@
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 
-namespace coilwright::validation {
+namespace coilwright::systems::validation {
 namespace {
 
 TEST(PaperFinger, IsTheShippedFile) {
@@ -25,4 +25,4 @@ TEST(PaperFinger, IsTheShippedFile) {
 }
 
 }  // namespace
-}  // namespace coilwright::validation
+}  // namespace coilwright::systems::validation

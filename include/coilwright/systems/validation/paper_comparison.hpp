@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace coilwright::validation {
+namespace coilwright::systems::validation {
 
 /// One number of the paper (or of its checked errata) beside the model's.
 struct Comparison {
@@ -25,4 +25,4 @@ struct Comparison {
 /// angles, speeds and grasps of the calibrated finger, then what closing a known gap of the model changes.
 [[nodiscard]] std::vector<Comparison> compare_with_paper();
 
-}  // namespace coilwright::validation
+}  // namespace coilwright::systems::validation

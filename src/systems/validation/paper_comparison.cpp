@@ -1,4 +1,4 @@
-#include "coilwright/validation/paper_comparison.hpp"
+#include "coilwright/systems/validation/paper_comparison.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -12,11 +12,11 @@
 #include "coilwright/magnetics/hinge_torque.hpp"
 #include "coilwright/magnetics/inner_field.hpp"
 #include "coilwright/simulation/performance.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/units/angle.hpp"
-#include "coilwright/validation/paper_finger.hpp"
 
-namespace coilwright::validation {
+namespace coilwright::systems::validation {
 namespace {
 
 using actuator::Design;
@@ -205,4 +205,4 @@ std::vector<Comparison> compare_with_paper() {
   return table.take();
 }
 
-}  // namespace coilwright::validation
+}  // namespace coilwright::systems::validation

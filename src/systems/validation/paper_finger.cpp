@@ -1,6 +1,6 @@
-#include "coilwright/validation/paper_finger.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
 
-namespace coilwright::validation {
+namespace coilwright::systems::validation {
 
 // The defaults of a Design are the prototype's sizes; they are repeated here so that a changed default shows.
 actuator::Design paper_finger_geometry() {
@@ -42,4 +42,4 @@ actuator::Design paper_finger() {
   return design;
 }
 
-}  // namespace coilwright::validation
+}  // namespace coilwright::systems::validation

@@ -3,7 +3,7 @@
 #include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/design/design.hpp"
 
-namespace coilwright::validation {
+namespace coilwright::systems::validation {
 
 /// The prototype soft finger of the Mag-Nets paper by its geometry alone, nothing measured: Tables I and II, and the
 /// paper's own conventions of modelling (paper_shells, line_of_centres, points on the axis, no contact in its range).
@@ -15,4 +15,4 @@ namespace coilwright::validation {
 /// The prototype with its measured values as calibration: configs/actuators/paper_finger.json.
 [[nodiscard]] actuator::Design paper_finger();
 
-}  // namespace coilwright::validation
+}  // namespace coilwright::systems::validation

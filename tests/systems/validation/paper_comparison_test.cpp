@@ -1,8 +1,8 @@
-#include "coilwright/validation/paper_comparison.hpp"
+#include "coilwright/systems/validation/paper_comparison.hpp"
 
 #include <gtest/gtest.h>
 
-namespace coilwright::validation {
+namespace coilwright::systems::validation {
 namespace {
 
 TEST(PaperComparison, EveryFigureLiesInItsBand) {
@@ -32,4 +32,4 @@ TEST(PaperComparison, BracketsTheMeasuredGraspForce) {
 }
 
 }  // namespace
-}  // namespace coilwright::validation
+}  // namespace coilwright::systems::validation

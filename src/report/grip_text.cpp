@@ -1,4 +1,4 @@
-#include "grip_text.hpp"
+#include "coilwright/report/grip_text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,37 +6,37 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "coilwright/actuator/cost.hpp"
-#include "coilwright/text/json/json.hpp"
 #include "coilwright/units/angle.hpp"
 
-namespace coilwright::cli {
+namespace coilwright::report {
 namespace {
 
 using systems::gripper::Grasp;
 using systems::gripper::GraspContact;
+using systems::gripper::GripAnswer;
+using systems::gripper::LeastToHold;
 using systems::gripper::PlacementTolerance;
+using systems::gripper::Polarity;
 using systems::gripper::Tolerance;
 using systems::gripper::tried_angles;
 using systems::gripper::tried_lengths;
-using text::Json;
 
 // What objects and fingers are off by where people put them, m.
 constexpr double usual_placement = 1e-3;
 
 // A hold that the fingers do not survive is none.
 std::string held_text(const GripAnswer& answer) {
-  if (is_demagnetised(answer)) return "Not for long: the magnets are lost (see below). Until then held";
+  if (answer.is_demagnetised()) return "Not for long: the magnets are lost (see below). Until then held";
   if (answer.heat && answer.heat->time_to_limit)
     return fmt::format("Held for {:.3g} s from cold, not for good (see below)", *answer.heat->time_to_limit);
-  return burns(answer) ? "Held for moments, until it burns (see below)" : "Held";
+  return answer.burns() ? "Held for moments, until it burns (see below)" : "Held";
 }
 
-std::string verdict_of(const GripOptions& options, const GripAnswer& answer) {
+std::string outcome_text(const GripAnswer& answer) {
   const Grasp& grasp = answer.grasp;
-  const std::string what = fmt::format("{:.6g} g at {:.4g} A{}", options.mass, answer.current,
+  const std::string what = fmt::format("{:.6g} g at {:.4g} A{}", answer.object.mass * 1e3, answer.current,
                                        answer.is_of_file ? " (the actuator's operating point)" : "");
   if (!grasp.both_touched)
     return fmt::format("Not held: {}. A finger does not reach the object{}.\n", what,
@@ -55,37 +55,26 @@ std::string verdict_of(const GripOptions& options, const GripAnswer& answer) {
                      what, grasp.load, grasp.capacity_is_bound ? "more than " : "", grasp.capacity, grasp.margin());
 }
 
-// Of more than two fingers one stands for all.
-bool is_shown(const GripOptions& options, const GraspContact& contact) {
-  return options.fingers == 2 || contact.finger == 0;
-}
-
-const char* finger_name(const GripOptions& options, const GraspContact& contact) {
-  if (options.fingers > 2) return "each";
-  return contact.finger == 0 ? "left" : "right";
-}
-
-std::string contacts_text(const GripOptions& options, const Grasp& grasp) {
-  if (grasp.contacts.empty()) return {};
+std::string contacts_text(const GripAnswer& answer) {
+  if (answer.grasp.contacts.empty()) return {};
   std::string text = fmt::format("  {:<7}{:>6}{:>12}{:>9}{:>9}{:>10}{:>11}\n", "finger", "link", "along mm", "x mm",
                                  "y mm", "normal N", "friction N");
-  for (const GraspContact& each : grasp.contacts)
-    if (is_shown(options, each))
-      text += fmt::format("  {:<7}{:>6}{:>12.2f}{:>9.2f}{:>9.2f}{:>10.4f}{:>11.4f}\n", finger_name(options, each),
-                          each.link, each.along * 1e3, each.position.x() * 1e3, each.position.y() * 1e3, each.normal,
-                          each.friction);
+  for (const GraspContact& each : answer.told_contacts())
+    text +=
+        fmt::format("  {:<7}{:>6}{:>12.2f}{:>9.2f}{:>9.2f}{:>10.4f}{:>11.4f}\n", answer.finger_name(each), each.link,
+                    each.along * 1e3, each.position.x() * 1e3, each.position.y() * 1e3, each.normal, each.friction);
   return text;
 }
 
-std::string least_text(const char* what, const std::optional<double>& least, double most, const char* unit) {
-  if (!least) return fmt::format("The least {}: none up to {:.4g}{} holds it.\n", what, most, unit);
+std::string least_text(const char* what, const LeastToHold& least, const char* unit) {
+  if (!least.found) return fmt::format("The least {}: none up to {:.4g}{} holds it.\n", what, least.most, unit);
   // Rounded up, so that what is printed holds it.
-  const double digits = std::pow(10.0, 3.0 - std::ceil(std::log10(std::max(*least, 1e-9))));
-  return fmt::format("The least {} that holds it: {:.3g}{}.\n", what, std::ceil(*least * digits) / digits, unit);
+  const double digits = std::pow(10.0, 3.0 - std::ceil(std::log10(std::max(*least.found, 1e-9))));
+  return fmt::format("The least {} that holds it: {:.3g}{}.\n", what, std::ceil(*least.found * digits) / digits, unit);
 }
 
 std::string heat_text(const GripAnswer& answer) {
-  const bool no_end = burns(answer);
+  const bool no_end = answer.burns();
   const std::string burning = fmt::format("at {:.4g} A nothing holds its temperature: it burns (from {:.4g} A on)",
                                           answer.current, answer.burns_from);
   if (!answer.heat) return no_end ? fmt::format("\nHeat of one finger bent like that: {}.\n", burning) : std::string();
@@ -125,7 +114,7 @@ std::string tolerances_text(const GripAnswer& answer) {
 }
 
 std::string magnets_text(const GripAnswer& answer) {
-  if (!is_demagnetised(answer)) return {};
+  if (!answer.is_demagnetised()) return {};
   return fmt::format(
       "The coils' field at {:.4g} A demagnetises the magnets for good, even at 20 degC (margin {:.3g}, at least 0): "
       "these forces are there once at most.\n",
@@ -134,23 +123,23 @@ std::string magnets_text(const GripAnswer& answer) {
 
 }  // namespace
 
-std::string as_text(const GripOptions& options, const GripAnswer& answer) {
+std::string to_text(const GripAnswer& answer) {
   const Grasp& grasp = answer.grasp;
-  std::string text = verdict_of(options, answer);
+  const int fingers = answer.mounting.fingers;
+  std::string text = outcome_text(answer);
   if (grasp.both_touched)
-    text += fmt::format(
-        "{} fingers touch it after {:.3g} ms{}.\n",
-        options.fingers == 2 ? "Both" : fmt::format("All {}", options.fingers), grasp.closing_time * 1e3,
-        grasp.contacts.empty()
-            ? fmt::format(", and bend past it: in the end {} touches it", options.fingers == 2 ? "neither" : "none")
-            : "");
+    text += fmt::format("{} fingers touch it after {:.3g} ms{}.\n",
+                        fingers == 2 ? "Both" : fmt::format("All {}", fingers), grasp.closing_time * 1e3,
+                        grasp.contacts.empty() ? fmt::format(", and bend past it: in the end {} touches it",
+                                                             fingers == 2 ? "neither" : "none")
+                                               : "");
   text += fmt::format("\nFingers {}\n", grasp.holds          ? "while they hold it"
                                         : grasp.both_touched ? "on the object, before its support is taken away"
                                                              : "where they end");
-  text += contacts_text(options, grasp);
+  text += contacts_text(answer);
   const double left = grasp.left.sum() * units::degrees_per_radian;
-  const char* act = options.polarity == "same" ? "repel" : "attract";
-  if (options.fingers == 2)
+  const char* act = answer.mounting.polarity == Polarity::same ? "repel" : "attract";
+  if (fingers == 2)
     text +=
         fmt::format("  bending {:.4g} deg left, {:.4g} deg right; their magnets {} each other with up to {:.3g} N\n",
                     left, grasp.right.sum() * units::degrees_per_radian, act, grasp.magnet_force);
@@ -158,66 +147,18 @@ std::string as_text(const GripOptions& options, const GripAnswer& answer) {
     text += fmt::format("  bending {:.4g} deg each; magnets that face each other {}, two of them with up to {:.3g} N\n",
                         left, act, grasp.magnet_force);
   text += tolerances_text(answer);
-  if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, options.most_current, " A");
-  if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, options.most_friction, "");
+  if (answer.least_current) text += '\n' + least_text("current", *answer.least_current, " A");
+  if (answer.least_friction) text += '\n' + least_text("friction", *answer.least_friction, "");
   return text + heat_text(answer) + magnets_text(answer) +
          fmt::format(
              "\n{} such fingers with driver and supply cost {:.0f} USD; the pneumatic gripper of the paper's Table "
              "III "
              "{:.0f} USD.\n",
-             options.fingers == 2 ? "Two" : fmt::format("{}", options.fingers), answer.cost,
-             actuator::PneumaticGripperCost{}.total()) +
+             fingers == 2 ? "Two" : fmt::format("{}", fingers), answer.cost, actuator::PneumaticGripperCost{}.total()) +
          "\nIt rests on: friction and place of the object as given, rigid segments, coils and magnets at 20 degC, an "
          "object that\n" +
-         (options.fingers == 2 ? "moves in the plane of the fingers only.\n"
-                               : "stays on the gripper's axis, and fingers that all do the same.\n");
+         (fingers == 2 ? "moves in the plane of the fingers only.\n"
+                       : "stays on the gripper's axis, and fingers that all do the same.\n");
 }
 
-std::string as_json(const GripOptions& options, const GripAnswer& answer) {
-  const Grasp& grasp = answer.grasp;
-  Json contacts = Json::array();
-  for (const GraspContact& each : grasp.contacts)
-    if (is_shown(options, each))
-      contacts.add(Json::object({{"finger", finger_name(options, each)},
-                                 {"link", each.link},
-                                 {"along_mm", each.along * 1e3},
-                                 {"x_mm", each.position.x() * 1e3},
-                                 {"y_mm", each.position.y() * 1e3},
-                                 {"normal_N", each.normal},
-                                 {"friction_N", each.friction}}));
-  Json out = Json::object({{"fingers", options.fingers},
-                           {"current_A", answer.current},
-                           {"holds", grasp.holds},
-                           {"touches", grasp.both_touched},
-                           {"load_N", grasp.load},
-                           {"capacity_N", grasp.capacity},
-                           {"capacity_is_lower_bound", grasp.capacity_is_bound},
-                           {"bending_left_deg", grasp.left.sum() * units::degrees_per_radian},
-                           {"bending_right_deg", grasp.right.sum() * units::degrees_per_radian},
-                           {"magnet_force_N", grasp.magnet_force},
-                           {"settling_mm", grasp.settling * 1e3},
-                           {"contacts", std::move(contacts)}});
-  const auto side = [&](double value) { return grasp.holds ? Json(value) : Json(); };
-  const PlacementTolerance& tolerance = answer.tolerance;
-  out.set(
-      "placement_tolerance",
-      Json::object({{"lower_mm", side(tolerance.height.below * 1e3)},
-                    {"higher_mm", side(tolerance.height.above * 1e3)},
-                    {"narrower_mm", side(tolerance.width.below * 1e3)},
-                    {"wider_mm", side(tolerance.width.above * 1e3)},
-                    {"mounting_further_in_deg", side(tolerance.mounting_angle.below * units::degrees_per_radian)},
-                    {"mounting_further_out_deg", side(tolerance.mounting_angle.above * units::degrees_per_radian)}}));
-  out.set("closing_time_ms", grasp.both_touched ? Json(grasp.closing_time * 1e3) : Json());
-  if (answer.least_current) out.set("least_current_A", *answer.least_current);
-  if (answer.least_friction) out.set("least_friction", *answer.least_friction);
-  out.set("runaway_current_A", answer.burns_from);
-  if (answer.demagnetisation_margin) out.set("demagnetisation_margin", *answer.demagnetisation_margin);
-  out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
-  if (answer.heat) {
-    out.set("continuous_current_A", answer.heat->current_for_good());
-    out.set("time_to_limit_s", answer.heat->time_to_limit);
-  }
-  return out.text();
-}
-
-}  // namespace coilwright::cli
+}  // namespace coilwright::report

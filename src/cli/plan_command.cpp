@@ -32,9 +32,10 @@ measurement::experiment::ExperimentPlan plan(const PlanOptions& options) {
   // A model that cannot be simulated is an answer here.
   FLAGS_minloglevel = google::GLOG_FATAL;
   const formats::DeclaredActuator rig = formats::read_declared_actuator(
-      options.actuator, {.names = options.calibrate,
-                         .file = "--calibrate",
-                         .tolerances = options.exact ? formats::Tolerances::exact() : formats::Tolerances{}});
+      options.actuator,
+      {.names = options.calibrate,
+       .file = "--calibrate",
+       .tolerances = options.exact ? measurement::replay::Tolerances::exact() : measurement::replay::Tolerances{}});
   const measurement::experiment::Experiment experiment = read_experiment(options.experiment);
   return blaming_the_experiment(options.experiment, [&] {
     return measurement::experiment::plan_experiment(experiment, rig.model,

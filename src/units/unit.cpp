@@ -188,6 +188,13 @@ double from_si(double value, std::string_view name) noexcept {
   return split ? from_si(value, split->unit) : value;
 }
 
+std::string_view key_with_unit(std::string_view name) noexcept {
+  const std::size_t slash = name.rfind('/');
+  const bool is_element = slash != std::string_view::npos && slash + 1 < name.size() &&
+                          name.find_first_not_of("0123456789", slash + 1) == std::string_view::npos;
+  return is_element ? name.substr(0, slash) : name;
+}
+
 double to_memory(double value, std::string_view name) noexcept {
   return to_si(value, difference_unit(name));
 }

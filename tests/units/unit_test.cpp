@@ -124,5 +124,11 @@ TEST(Units, OfADifferenceHaveNoOffset) {
   EXPECT_EQ(difference_unit("damping_ratio").suffix, "");
 }
 
+TEST(Units, OfANumberInAListStandAtTheEndOfItsName) {
+  EXPECT_EQ(key_with_unit("/magnetics/0/torque_Nmm_A/12"), "/magnetics/0/torque_Nmm_A");
+  EXPECT_EQ(key_with_unit("/links/0/mass_kg"), "/links/0/mass_kg");
+  EXPECT_EQ(key_with_unit("torque_Nmm"), "torque_Nmm");
+}
+
 }  // namespace
 }  // namespace coilwright::units

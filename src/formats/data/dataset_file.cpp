@@ -48,6 +48,8 @@ constexpr std::array<std::string_view, 6> tolerance_names = {"force_curve",     
                                                              "joint_damping_ratio", "face_closing_deg",
                                                              "joint_stiffness",     "joint_damping"};
 
+using measurement::replay::Tolerances;
+
 Tolerances read_tolerances(const Node& node) {
   Tolerances out;
   if (node.kind() != Node::Kind::object) {

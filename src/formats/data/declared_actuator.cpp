@@ -6,30 +6,31 @@
 #include <exception>
 #include <memory>
 #include <new>
-#include <set>
 #include <utility>
 #include <variant>
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
 #include "coilwright/measurement/replay/declared_design.hpp"
-#include "coilwright/measurement/replay/declared_duplicates.hpp"
 #include "coilwright/measurement/replay/declared_lumped_model.hpp"
+#include "coilwright/measurement/replay/tolerance_plan.hpp"
+#include "coilwright/text/json/json_pointer.hpp"
 #include "formats/actuator/actuator_reader.hpp"
 #include "formats/data/calibrate_names.hpp"
 #include "formats/data/design_targets.hpp"
 #include "formats/data/lumped_targets.hpp"
-#include "formats/data/tolerance_plan.hpp"
 
 namespace coilwright::formats {
 namespace {
 
 using namespace text;
 using actuator::Effect;
-using measurement::replay::CalibratableNumber;
-using measurement::replay::CalibrationParameter;
 using measurement::replay::DeclaredDesign;
 using measurement::replay::DeclaredLumpedModel;
+using measurement::replay::MovedBy;
+using measurement::replay::PlannedNumber;
+using measurement::replay::ToleranceFault;
+using measurement::replay::TolerancePlan;
 
 const std::vector<Effect>& effects_of(const DesignContent& content) {
   return content.design.effects;
@@ -64,32 +65,22 @@ std::vector<Effect> joined(std::vector<Effect> declared, const std::vector<Effec
   return declared;
 }
 
+std::string place_of_tolerance(const Calibrate& calibrate, std::string_view name) {
+  return std::string(calibrate.tolerances_pointer) + pointer_step(name);
+}
+
 // The names that lead into the file or mean all joints; differences stand behind them.
 CalibrateNames names_in_file(const TolerancePlan& plan, const Calibrate& calibrate, const std::string& actuator) {
   std::vector<CalibrateName> names;
-  for (const PlannedNumber& number : plan.numbers)
-    if (!number.difference)
-      names.push_back({.name = number.name, .place = number.place, .is_value = number.by == MovedBy::calibrate});
-  return {std::move(names), calibrate.file, actuator};
-}
-
-// Adds the differences to the numbers of the file, gives all their tolerances, and leaves out those that are exact.
-template <class Target>
-std::vector<CalibratableNumber<Target>> with_tolerances(std::vector<CalibratableNumber<Target>> in_file,
-                                                        const TolerancePlan& plan) {
-  std::vector<CalibratableNumber<Target>> out;
-  for (std::size_t i = 0; i < plan.numbers.size(); ++i) {
-    const PlannedNumber& number = plan.numbers[i];
-    CalibratableNumber<Target> each =
-        number.difference
-            ? CalibratableNumber<Target>{.parameter = difference_parameter(number),
-                                         .target = std::visit([](const auto& target) { return Target(target); },
-                                                              *number.difference)}
-            : std::move(in_file[i]);
-    set_tolerance(each.parameter, number, plan.file);
-    if (each.parameter.calibrated || each.parameter.tolerance) out.push_back(std::move(each));
+  for (const PlannedNumber& number : plan.numbers) {
+    if (number.difference) continue;
+    CalibrateName& name = names.emplace_back(CalibrateName{.name = number.name, .place = {}});
+    name.is_value = number.by == MovedBy::calibrate;
+    // Those that are calibrated come first.
+    if (name.is_value) name.place = fmt::format("{}/{}", calibrate.pointer, names.size() - 1);
+    if (number.by == MovedBy::tolerances) name.place = place_of_tolerance(calibrate, number.name);
   }
-  return out;
+  return {std::move(names), calibrate.file, actuator};
 }
 
 // A declared model in which the planned numbers move.
@@ -130,31 +121,12 @@ DeclaredActuator declare(const std::shared_ptr<const Document>& file, LumpedMode
           }};
 }
 
-// The plan without defaults that act as other numbers do; what is said by name stays.
-TolerancePlan without_duplicates(TolerancePlan plan, const measurement::replay::DeclaredModel& model) {
-  const auto first = std::ranges::find(model.calibration, false, &CalibrationParameter::calibrated);
-  std::set<std::string> left_out;
-  for (const auto& [number, alike] :
-       measurement::replay::duplicate_numbers(model, static_cast<std::size_t>(first - model.calibration.begin()))) {
-    const CalibrationParameter& parameter = model.calibration[number];
-    if (parameter.tolerance->named) continue;
-    left_out.insert(parameter.key);
-    plan.held_exact.push_back(
-        alike ? fmt::format("{}, which acts as {} does", parameter.key, model.calibration[*alike].key)
-              : fmt::format("{}, which moves nothing", parameter.key));
-  }
-  std::erase_if(plan.numbers, [&](const PlannedNumber& number) {
-    return number.by == MovedBy::defaults && left_out.contains(number.name);
-  });
-  return plan;
-}
-
 // What `declare` makes of the plan, once defaults that act alike have been left out of it.
 template <class Declare>
 DeclaredActuator declared_by_plan(TolerancePlan plan, const Declare& declare) {
   DeclaredActuator all = declare(plan);
   const bool defaults = std::ranges::count(plan.numbers, MovedBy::defaults, &PlannedNumber::by) > 0;
-  return defaults ? declare(without_duplicates(std::move(plan), all.model)) : all;
+  return defaults ? declare(measurement::replay::without_duplicates(std::move(plan), all.model)) : all;
 }
 
 DeclaredActuator declare(const std::shared_ptr<const Document>& file, const DesignContent& content,
@@ -164,14 +136,18 @@ DeclaredActuator declare(const std::shared_ptr<const Document>& file, const Desi
     actuator::Design drawn_design = content.design;
     drawn_design.as_built = {};
     const actuator::ModelSpec drawn = actuator::assemble_or_throw(drawn_design).model.nominal_spec();
-    DeclaredActuator out = declared_by_plan(tolerance_plan(calibrate, content, drawn), [&](const TolerancePlan& plan) {
-      return declare(file, content, drawn, plan, names_in_file(plan, calibrate, file->root().file()));
-    });
+    DeclaredActuator out = declared_by_plan(
+        tolerance_plan(calibrate.names, calibrate.tolerances, content.design, content.measured, drawn),
+        [&](const TolerancePlan& plan) {
+          return declare(file, content, drawn, plan, names_in_file(plan, calibrate, file->root().file()));
+        });
     out.model.heat = actuator::heat_network(content.design, assembly);
     return out;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const InputError&) {
+    throw;
+  } catch (const ToleranceFault&) {
     throw;
   } catch (const std::exception& reason) {
     throw InputError({.file = file->root().file(), .place = "/", .rule = reason.what()});
@@ -180,9 +156,10 @@ DeclaredActuator declare(const std::shared_ptr<const Document>& file, const Desi
 
 DeclaredActuator declare(const std::shared_ptr<const Document>& file, const LumpedModelContent& content,
                          const Calibrate& calibrate) {
-  return declared_by_plan(tolerance_plan(calibrate, content.model), [&](const TolerancePlan& plan) {
-    return declare(file, content, plan, names_in_file(plan, calibrate, file->root().file()));
-  });
+  return declared_by_plan(tolerance_plan(calibrate.names, calibrate.tolerances, content.model),
+                          [&](const TolerancePlan& plan) {
+                            return declare(file, content, plan, names_in_file(plan, calibrate, file->root().file()));
+                          });
 }
 
 DeclaredActuator declared_by(Document document, const Calibrate& calibrate, const actuator::EffectCatalogue& effects) {
@@ -190,11 +167,18 @@ DeclaredActuator declared_by(Document document, const Calibrate& calibrate, cons
   ActuatorContent read = read_actuator_content(*file, effects);
   std::vector<std::string> uncalibrated = uncalibrated_numbers(
       std::visit([](const auto& content) { return effects_of(content); }, read.content), calibrate.names);
-  DeclaredActuator out =
-      std::visit([&](const auto& content) { return declare(file, content, calibrate); }, read.content);
-  out.name = std::move(read.name);
-  out.model.uncalibrated_effect_numbers = std::move(uncalibrated);
-  return out;
+  try {
+    DeclaredActuator out =
+        std::visit([&](const auto& content) { return declare(file, content, calibrate); }, read.content);
+    out.name = std::move(read.name);
+    out.model.uncalibrated_effect_numbers = std::move(uncalibrated);
+    return out;
+  } catch (const ToleranceFault& fault) {
+    throw InputError({.file = calibrate.file,
+                      .place = place_of_tolerance(calibrate, fault.name()),
+                      .rule = fault.what(),
+                      .value = fault.value()});
+  }
 }
 
 }  // namespace

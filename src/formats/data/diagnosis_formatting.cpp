@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "coilwright/text/json/json_pointer.hpp"
 #include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
@@ -33,13 +32,8 @@ std::vector<const ErrorComparison*> main_first(std::span<const ErrorComparison> 
   return out;
 }
 
-std::string_view key_with_unit(std::string_view name) {
-  const std::size_t slash = name.rfind('/');
-  return slash != std::string_view::npos && text::array_index(name.substr(slash + 1)) ? name.substr(0, slash) : name;
-}
-
 EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
-  const std::string_view key = key_with_unit(estimate.key);
+  const std::string_view key = units::key_with_unit(estimate.key);
   return {.value = units::from_memory(estimate.value, key),
           .lower = units::from_memory(estimate.lower, key),
           .upper = units::from_memory(estimate.upper, key),
@@ -47,7 +41,7 @@ EstimateInUnit in_unit(const measurement::compare::Estimate& estimate) {
 }
 
 MovedNumberInUnit in_unit(const measurement::MovedNumber& number) {
-  const std::string_view key = key_with_unit(number.estimate.key);
+  const std::string_view key = units::key_with_unit(number.estimate.key);
   return {.declared = units::from_memory(number.declared, key),
           .tolerance = units::from_si(number.tolerance, units::difference_unit(key)),
           .idle_from = number.idle_from ? std::optional(units::from_memory(*number.idle_from, key)) : std::nullopt};

@@ -1,4 +1,4 @@
-#include "coilwright/measurement/replay/declared_duplicates.hpp"
+#include "measurement/replay/declared_duplicates.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -19,6 +19,7 @@ namespace {
 
 using measurement::data::RunKind;
 using measurement::data::Start;
+using measurement::replay::Tolerances;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;

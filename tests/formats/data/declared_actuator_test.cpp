@@ -56,7 +56,7 @@ std::vector<double> declared_values(const DeclaredActuator& actuator) {
 
 // One of the unit that the parameter's key names, SI.
 double si_of_one(const measurement::replay::CalibrationParameter& parameter) {
-  return units::to_memory(1.0, key_with_unit(parameter.key));
+  return units::to_memory(1.0, units::key_with_unit(parameter.key));
 }
 
 // Everything but curves, of which it only looks at values.

@@ -1,5 +1,5 @@
 // What a data set says of the accuracy of declared numbers, and the models that they then may be.
-#include "coilwright/formats/data/tolerances.hpp"
+#include "coilwright/measurement/replay/tolerances.hpp"
 
 #include <gmock/gmock.h>
 
@@ -21,6 +21,7 @@ namespace {
 
 using actuator::ModelSpec;
 using measurement::replay::CalibrationParameter;
+using measurement::replay::Tolerances;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/formats/data/tolerances.hpp"
 #include "coilwright/measurement/data/dataset.hpp"
+#include "coilwright/measurement/replay/tolerances.hpp"
 
 namespace coilwright::formats {
 
@@ -17,7 +17,7 @@ struct DatasetFile {
   measurement::data::Dataset data{};
   std::vector<std::filesystem::path> run_files{};   ///< of all its runs, and of their inputs
   std::vector<std::string> calibrate{};             ///< numbers of the declared model that may be fitted anew
-  Tolerances tolerances{};                          ///< how well its declared numbers are known
+  measurement::replay::Tolerances tolerances{};     ///< how well its declared numbers are known
   std::optional<std::filesystem::path> actuator{};  ///< the declared model, where the set names one; not opened
 };
 

@@ -9,8 +9,8 @@
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/data/tolerances.hpp"
 #include "coilwright/measurement/replay/declared_model.hpp"
+#include "coilwright/measurement/replay/tolerances.hpp"
 
 namespace coilwright::formats {
 
@@ -31,9 +31,10 @@ struct Calibrate {
   /// `joint_stiffness`, `joint_damping`, or a JSON pointer to a number of the actuator file. The two are one value for
   /// all joints; where a lumped model's joints differ, it is their mean, and each keeps its ratio to it.
   std::span<const std::string> names;
-  std::string file;                             ///< dataset.json, for errors about a name
-  std::string_view pointer = "/calibrate";      ///< of the list in it
-  Tolerances tolerances = Tolerances::exact();  ///< how well the declared numbers are known
+  std::string file;                         ///< dataset.json, for errors about a name
+  std::string_view pointer = "/calibrate";  ///< of the list in it
+  /// How well the declared numbers are known.
+  measurement::replay::Tolerances tolerances = measurement::replay::Tolerances::exact();
   std::string_view tolerances_pointer = "/tolerances";
 };
 

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/actuator/calibrate.hpp"
 #include "coilwright/actuator/model/lumped_model.hpp"
-#include "formats/actuator/design_reader.hpp"
 
-namespace coilwright::formats {
+namespace coilwright::measurement::replay {
 
 /// How well a number of a built actuator is known where nobody says: docs/decisions/0019-tolerances.md.
 struct DefaultTolerance {
@@ -20,8 +20,8 @@ struct DefaultTolerance {
   std::vector<std::string> instead_of{};  ///< names in whose place it stands: left out where one of them is said
 };
 
-/// All of them, with the strongest first where two act alike.
-[[nodiscard]] std::vector<DefaultTolerance> default_tolerances(const DesignContent& content);
+/// All of them, with the strongest first where two act alike; of a design, by what was measured on it.
+[[nodiscard]] std::vector<DefaultTolerance> default_tolerances(const actuator::Measured& measured);
 [[nodiscard]] std::vector<DefaultTolerance> default_tolerances(const actuator::LumpedModel& model);
 
 /// What is taken as exact where nobody says otherwise, in plain words.
@@ -47,4 +47,4 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 3> ef
      {"/calibration/coil_segment_mass_factor", "added_mass"},
      {"/surroundings/base_tilt_deg", "base_tilt"}}};
 
-}  // namespace coilwright::formats
+}  // namespace coilwright::measurement::replay

@@ -1,28 +1,21 @@
-#include "formats/data/tolerance_plan.hpp"
+#include "coilwright/measurement/replay/tolerance_plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
-#include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "coilwright/text/json/json_pointer.hpp"
-#include "coilwright/units/angle.hpp"
-#include "coilwright/units/unit.hpp"
-#include "formats/data/default_tolerances.hpp"
+#include "measurement/replay/declared_duplicates.hpp"
+#include "measurement/replay/default_tolerances.hpp"
 
-namespace coilwright::formats {
+namespace coilwright::measurement::replay {
 namespace {
 
-using namespace text;
 using actuator::AsBuilt;
 using actuator::Hinge;
 using actuator::TorqueCurveError;
-using measurement::replay::AsBuiltNumber;
-using measurement::replay::CalibrationParameter;
-using measurement::replay::ForceCurveNumber;
 
 // What a model can differ in.
 struct Differing {
@@ -88,13 +81,11 @@ std::vector<PlannedNumber> differences(std::string_view name, double deviation, 
   return out;
 }
 
-InputError cannot_differ(const Calibrate& said, const NamedTolerance& named) {
-  const std::string rule = named.name == "force_curve"        ? "no coil beside a magnet"
-                           : named.name == "face_closing_deg" ? "no faces that touch"
-                                                              : "no two joints to differ in it";
-  return InputError({.file = said.file,
-                     .place = std::string(said.tolerances_pointer) + pointer_step(named.name),
-                     .rule = "must not be there: the actuator has " + rule});
+ToleranceFault cannot_differ(const std::string& name) {
+  const std::string rule = name == "force_curve"        ? "no coil beside a magnet"
+                           : name == "face_closing_deg" ? "no faces that touch"
+                                                        : "no two joints to differ in it";
+  return {name, "must not be there: the actuator has " + rule};
 }
 
 // Whether the name is of a number that stands in the file, or of all joints.
@@ -104,17 +95,15 @@ bool in_file(std::string_view name) {
 
 class Planner {
  public:
-  Planner(const Calibrate& said, Differing model) : said_(said), model_(std::move(model)) {
-    plan_.file = said.file;
-    for (std::size_t i = 0; i < said.names.size(); ++i)
-      plan_.numbers.push_back(
-          {.name = said.names[i], .by = MovedBy::calibrate, .place = fmt::format("{}/{}", said.pointer, i)});
+  Planner(std::span<const std::string> calibrated, const Tolerances& said, Differing model)
+      : said_(said), model_(std::move(model)) {
+    for (const std::string& name : calibrated) plan_.numbers.push_back({.name = name, .by = MovedBy::calibrate});
   }
 
   TolerancePlan plan(const std::vector<DefaultTolerance>& defaults, const std::vector<std::string>& exact) && {
     std::vector<PlannedNumber> differ;
-    for (const NamedTolerance& named : said_.tolerances.named) take(named, differ);
-    if (said_.tolerances.others_exact) {
+    for (const NamedTolerance& named : said_.named) take(named, differ);
+    if (said_.others_exact) {
       plan_.held_exact.emplace_back("all declared numbers that are not calibrated");
     } else {
       for (const DefaultTolerance& each : defaults) take(each, differ);
@@ -129,32 +118,24 @@ class Planner {
 
  private:
   void take(const NamedTolerance& named, std::vector<PlannedNumber>& differ) {
-    const std::string place = std::string(said_.tolerances_pointer) + pointer_step(named.name);
     const auto same = std::ranges::find(plan_.numbers, named.name, &PlannedNumber::name);
     if (same != plan_.numbers.end()) {
       if (named.deviation == 0.0)
-        throw InputError({.file = said_.file,
-                          .place = place,
-                          .rule = "must be > 0, because the number is calibrated",
-                          .value = "0"});
+        throw ToleranceFault(named.name, "must be > 0, because the number is calibrated", "0");
       same->deviation = named.deviation;
-      same->tolerance_place = place;
       return;
     }
     if (in_file(named.name)) {
       // One that is exact is looked up all the same, and then left alone.
       plan_.numbers.push_back({.name = named.name,
                                .by = MovedBy::tolerances,
-                               .place = place,
-                               .tolerance_place = place,
                                .deviation = named.deviation,
                                .effect = effect_of(named.name)});
     } else {
       std::vector<PlannedNumber> numbers = differences(named.name, named.deviation, model_);
-      if (numbers.empty()) throw cannot_differ(said_, named);
+      if (numbers.empty()) throw cannot_differ(named.name);
       for (PlannedNumber& number : numbers) {
         number.by = MovedBy::tolerances;
-        number.place = place;
         if (named.deviation > 0.0) differ.push_back(std::move(number));
       }
     }
@@ -164,7 +145,7 @@ class Planner {
   void take(const DefaultTolerance& each, std::vector<PlannedNumber>& differ) {
     const auto names_it = [&](const std::string& name) {
       return std::ranges::count(plan_.numbers, name, &PlannedNumber::name) > 0 ||
-             std::ranges::count(said_.tolerances.named, name, &NamedTolerance::name) > 0;
+             std::ranges::count(said_.named, name, &NamedTolerance::name) > 0;
     };
     if (names_it(each.name) || std::ranges::any_of(each.instead_of, names_it)) return;
     if (in_file(each.name)) {
@@ -187,7 +168,7 @@ class Planner {
     return "";
   }
 
-  const Calibrate& said_;
+  const Tolerances& said_;
   Differing model_;
   TolerancePlan plan_;
 };
@@ -203,68 +184,46 @@ TorqueCurveError range_of(const std::optional<TorqueCurveError>& declared,
   return out;
 }
 
-// One standard deviation of a number that cannot be negative: with more than the number itself nothing is declared, and
-// a fit takes the number wherever it helps.
-void require_plausible(const CalibrationParameter& parameter, const PlannedNumber& number, std::string_view file) {
-  if (!number.deviation || parameter.declared <= 0.0 || parameter.lower < 0.0) return;
-  const double declared = units::from_memory(parameter.declared, key_with_unit(parameter.key));
-  if (*number.deviation <= declared) return;
-  throw InputError({.file = std::string(file),
-                    .place = number.tolerance_place,
-                    .rule = fmt::format("must be at most the declared number, {:.6g}; for a number of which nothing is "
-                                        "known, \"calibrate\" it",
-                                        declared),
-                    .value = fmt::format("{:.6g}", *number.deviation)});
-}
-
 }  // namespace
 
-TolerancePlan tolerance_plan(const Calibrate& said, const DesignContent& content, const actuator::ModelSpec& drawn) {
-  const AsBuilt& declared = content.design.as_built;
-  return Planner(said, {.hinges = drawn.hinges,
-                        .coils = true,
-                        .declared = declared,
-                        .force_curve = range_of(declared.force_curve, {})})
-      .plan(default_tolerances(content), exact_by_default_of_design());
+TolerancePlan tolerance_plan(std::span<const std::string> calibrated, const Tolerances& said,
+                             const actuator::Design& design, const actuator::Measured& measured,
+                             const actuator::ModelSpec& drawn) {
+  const AsBuilt& declared = design.as_built;
+  return Planner(calibrated, said,
+                 {.hinges = drawn.hinges,
+                  .coils = true,
+                  .declared = declared,
+                  .force_curve = range_of(declared.force_curve, {})})
+      .plan(default_tolerances(measured), exact_by_default_of_design());
 }
 
-TolerancePlan tolerance_plan(const Calibrate& said, const actuator::LumpedModel& model) {
-  return Planner(said, {.hinges = model.hinges,
-                        .coils = !model.pairs.empty(),
-                        .declared = model.as_built,
-                        .force_curve = range_of(model.as_built.force_curve, model.pairs)})
+TolerancePlan tolerance_plan(std::span<const std::string> calibrated, const Tolerances& said,
+                             const actuator::LumpedModel& model) {
+  return Planner(calibrated, said,
+                 {.hinges = model.hinges,
+                  .coils = !model.pairs.empty(),
+                  .declared = model.as_built,
+                  .force_curve = range_of(model.as_built.force_curve, model.pairs)})
       .plan(default_tolerances(model), exact_by_default_of_lumped_model());
 }
 
-CalibrationParameter difference_parameter(const PlannedNumber& number) {
-  CalibrationParameter out{.key = number.name, .declared = number.declared};
-  if (const auto* curve = std::get_if<ForceCurveNumber>(&*number.difference)) {
-    // The force of a coil keeps its sense.
-    out.lower = curve->order == 0 ? -0.9 : -0.3;
-    out.upper = curve->order == 0 ? 9.0 : 0.3;
-  } else if (number.name == "face_closing_deg") {
-    out.lower = number.declared - 45.0 * units::degree;
-    out.upper = number.declared + 45.0 * units::degree;
-  } else {
-    out.lower = -1.9;  // beyond 2, a joint has less than nothing
-    out.upper = 1.9;
+TolerancePlan without_duplicates(TolerancePlan plan, const DeclaredModel& model) {
+  const auto first = std::ranges::find(model.calibration, false, &CalibrationParameter::calibrated);
+  std::set<std::string> left_out;
+  for (const auto& [number, alike] :
+       duplicate_numbers(model, static_cast<std::size_t>(first - model.calibration.begin()))) {
+    const CalibrationParameter& parameter = model.calibration[number];
+    if (parameter.tolerance->named) continue;
+    left_out.insert(parameter.key);
+    plan.held_exact.push_back(
+        alike ? fmt::format("{}, which acts as {} does", parameter.key, model.calibration[*alike].key)
+              : fmt::format("{}, which moves nothing", parameter.key));
   }
-  return out;
+  std::erase_if(plan.numbers, [&](const PlannedNumber& number) {
+    return number.by == MovedBy::defaults && left_out.contains(number.name);
+  });
+  return plan;
 }
 
-void set_tolerance(CalibrationParameter& parameter, const PlannedNumber& number, std::string_view file) {
-  require_plausible(parameter, number, file);
-  parameter.calibrated = number.by == MovedBy::calibrate;
-  parameter.effect = number.effect;
-  const double deviation = number.deviation ? units::to_memory(*number.deviation, key_with_unit(parameter.key))
-                                            : number.share * std::abs(parameter.declared);
-  if (deviation <= 0.0) return;
-  parameter.tolerance = {.deviation = deviation, .named = number.by != MovedBy::defaults};
-  parameter.scale = deviation;
-  const auto* curve = number.difference ? std::get_if<ForceCurveNumber>(&*number.difference) : nullptr;
-  if (curve != nullptr && curve->order > 0) parameter.function = "force_curve";
-  // Faces that the actuator does not have: they touch nowhere in its motion.
-  if (number.name == "face_closing_deg") parameter.other_start = parameter.lower;
-}
-
-}  // namespace coilwright::formats
+}  // namespace coilwright::measurement::replay

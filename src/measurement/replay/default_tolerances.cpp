@@ -1,10 +1,10 @@
-#include "formats/data/default_tolerances.hpp"
+#include "measurement/replay/default_tolerances.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-namespace coilwright::formats {
+namespace coilwright::measurement::replay {
 namespace {
 
 // A kitchen scale over 20 g; drawings and callipers on silicone; makers' tables of remanence; two mouldings of one
@@ -31,7 +31,7 @@ void add_differences(std::vector<DefaultTolerance>& out, const std::vector<std::
 
 }  // namespace
 
-std::vector<DefaultTolerance> default_tolerances(const DesignContent& content) {
+std::vector<DefaultTolerance> default_tolerances(const actuator::Measured& measured) {
   std::vector<DefaultTolerance> out{
       {.name = "joint_stiffness",
        .deviation = stiffness,
@@ -40,11 +40,10 @@ std::vector<DefaultTolerance> default_tolerances(const DesignContent& content) {
        .deviation = damping,
        .instead_of = {"/measured/joint_damping_Nmms_rad", "/calibration/joint_damping_factor"}}};
   // Where it was measured, the number that a person knows; otherwise its factor.
-  const auto add = [&](std::optional<double> actuator::Measured::*member, std::string measured, std::string factor,
+  const auto add = [&](std::optional<double> actuator::Measured::*member, std::string value, std::string factor,
                        double deviation) {
-    const bool known = (content.measured.*member).has_value();
-    out.push_back(
-        {.name = known ? measured : factor, .deviation = deviation, .instead_of = {known ? factor : measured}});
+    const bool known = (measured.*member).has_value();
+    out.push_back({.name = known ? value : factor, .deviation = deviation, .instead_of = {known ? factor : value}});
   };
   add(&actuator::Measured::tip_segment_mass, "/measured/tip_segment_mass_g", "/calibration/coil_segment_mass_factor",
       mass);
@@ -95,4 +94,4 @@ std::vector<std::string> exact_by_default_of_lumped_model() {
           "stiffness and damping of faces that touch", "zero and scale of the angle sensor"};
 }
 
-}  // namespace coilwright::formats
+}  // namespace coilwright::measurement::replay

@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "coilwright/measurement/replay/mean_of_joints.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
 #include "formats/actuator/lumped_model_reader.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
@@ -24,6 +25,8 @@ using measurement::replay::CalibrationParameter;
 using measurement::replay::GravityNumber;
 using measurement::replay::LumpedNumber;
 using measurement::replay::LumpedShare;
+using measurement::replay::mean_of_joints;
+using measurement::replay::MeanOfJoints;
 using measurement::replay::PartNumber;
 using measurement::replay::TableNumber;
 
@@ -133,22 +136,18 @@ class LumpedNumberResolver {
 
   // One value for all joints: the mean, to which each keeps its ratio.
   void add_hinges(std::size_t i, double Hinge::*member, const std::string& key, const std::string& name) {
-    const std::vector<Hinge>& hinges = model_.hinges;
-    double mean = 0.0;
-    for (const Hinge& hinge : hinges) mean += hinge.*member / static_cast<double>(hinges.size());
-    const bool alike =
-        std::ranges::all_of(hinges, [&](const Hinge& hinge) { return hinge.*member == hinges.front().*member; });
-    if (alike) mean = hinges.front().*member;  // to the bit
+    const MeanOfJoints value = mean_of_joints(model_.hinges, member);
     std::vector<LumpedShare> target;
     std::vector<std::string> pointers;
-    for (std::size_t j = 0; j < hinges.size(); ++j) {
+    for (std::size_t j = 0; j < value.ratios.size(); ++j) {
       const LumpedNumber number = PartNumber<Hinge>{j, member};
-      target.push_back({.number = number, .ratio = alike ? 1.0 : hinges[j].*member / mean});
+      target.push_back({.number = number, .ratio = value.ratios[j]});
       pointers.push_back(fmt::format("/joints/{}/{}", j, key));
       found_.in_file.push_back({pointers.back(), units::split_unit(key)->unit, number});
     }
     names_.claim(i, pointers);
-    found_.numbers.push_back({.parameter = parameter(name, name, mean, non_negative), .target = std::move(target)});
+    found_.numbers.push_back(
+        {.parameter = parameter(name, name, value.mean, non_negative), .target = std::move(target)});
   }
 
   [[nodiscard]] std::optional<KnownNumber> find(std::size_t i, std::span<const std::string> steps) const {

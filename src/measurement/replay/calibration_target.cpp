@@ -1,5 +1,9 @@
 #include "coilwright/measurement/replay/calibration_target.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 namespace coilwright::measurement::replay {
 namespace {
 
@@ -47,6 +51,11 @@ void set_number(actuator::AsBuilt& differences, const ForceCurveNumber& number, 
 
 void set_number(actuator::AsBuilt& differences, const AsBuiltNumber& number, double value) {
   differences.*number.member = value - number.from;
+}
+
+void require_values(std::span<const double> values, std::size_t numbers) {
+  if (values.size() != numbers)
+    throw std::invalid_argument(fmt::format("calibration must have {} values; got {}", numbers, values.size()));
 }
 
 double& number_in(LumpedModel& model, const LumpedNumber& number) {

@@ -10,6 +10,8 @@
 
 #include "coilwright/actuator/assemble.hpp"
 #include "coilwright/actuator/heat.hpp"
+#include "coilwright/measurement/replay/calibration_target.hpp"
+#include "coilwright/measurement/replay/mean_of_joints.hpp"
 
 namespace coilwright::measurement::replay {
 namespace {
@@ -17,29 +19,18 @@ namespace {
 using actuator::Hinge;
 using actuator::ModelSpec;
 
-// A number of all joints: its mean, SI, and what each joint has of it.
+// A number of all joints that a fit may move.
 struct SharedNumber {
   double Hinge::*member{};
-  double mean{};
-  std::vector<double> ratios{};
+  MeanOfJoints value{};
 };
 
-SharedNumber shared(const std::vector<Hinge>& hinges, double Hinge::*member) {
-  SharedNumber number{.member = member};
-  const double first = hinges.front().*member;
-  const bool alike = std::ranges::all_of(hinges, [&](const Hinge& hinge) { return hinge.*member == first; });
-  for (const Hinge& hinge : hinges) number.mean += hinge.*member / static_cast<double>(hinges.size());
-  if (alike) number.mean = first;  // to the bit
-  for (const Hinge& hinge : hinges) number.ratios.push_back(alike ? 1.0 : hinge.*member / number.mean);
-  return number;
-}
-
-CalibrationParameter parameter_of(JointNumber which, const SharedNumber& number) {
+CalibrationParameter parameter_of(JointNumber which, double mean) {
   return {.key = which == JointNumber::stiffness ? "joint_stiffness_Nmm_rad" : "joint_damping_Nmms_rad",
-          .declared = number.mean,
+          .declared = mean,
           .lower = 0.0,
           .upper = std::numeric_limits<double>::infinity(),
-          .scale = number.mean};
+          .scale = mean};
 }
 
 // Numbers of declared effects that a fit could move and that stay as they are.
@@ -60,20 +51,18 @@ DeclaredModel declare(ModelSpec spec, const std::vector<JointNumber>& calibrated
   for (auto which = calibrated.begin(); which != calibrated.end(); ++which) {
     if (std::find(calibrated.begin(), which, *which) != which)
       throw std::invalid_argument("calibrated: must not name a number twice");
-    const SharedNumber number =
-        shared(spec.hinges, *which == JointNumber::stiffness ? &Hinge::stiffness : &Hinge::damping);
-    if (number.mean == 0.0) continue;
-    numbers.push_back(number);
-    declared.calibration.push_back(parameter_of(*which, number));
+    double Hinge::*const member = *which == JointNumber::stiffness ? &Hinge::stiffness : &Hinge::damping;
+    const MeanOfJoints value = mean_of_joints(spec.hinges, member);
+    if (value.mean == 0.0) continue;
+    numbers.push_back({.member = member, .value = value});
+    declared.calibration.push_back(parameter_of(*which, value.mean));
   }
   declared.build = [spec = std::move(spec), numbers = std::move(numbers)](std::span<const double> values) {
-    if (values.size() != numbers.size())
-      throw std::invalid_argument(
-          fmt::format("calibration must have {} values; got {}", numbers.size(), values.size()));
+    require_values(values, numbers.size());
     ModelSpec built = spec;
     for (std::size_t i = 0; i < numbers.size(); ++i)
       for (std::size_t j = 0; j < built.hinges.size(); ++j)
-        built.hinges[j].*numbers[i].member = values[i] * numbers[i].ratios[j];
+        built.hinges[j].*numbers[i].member = values[i] * numbers[i].value.ratios[j];
     return built;
   };
   return declared;

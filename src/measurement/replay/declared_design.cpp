@@ -1,7 +1,5 @@
 #include "coilwright/measurement/replay/declared_design.hpp"
 
-#include <fmt/format.h>
-
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -48,11 +46,7 @@ class DeclaredDesign::State {
     (void)assembled_.get(declared, [&] { return std::move(assembled); });
   }
 
-  [[nodiscard]] std::vector<CalibrationParameter> parameters() const {
-    std::vector<CalibrationParameter> all;
-    for (const auto& number : numbers_) all.push_back(number.parameter);
-    return all;
-  }
+  [[nodiscard]] std::vector<CalibrationParameter> parameters() const { return parameters_of(numbers_); }
 
   [[nodiscard]] ModelSpec spec_at(std::span<const double> values) {
     const Design design = without_hinges(values);
@@ -82,9 +76,7 @@ class DeclaredDesign::State {
  private:
   // The design with all values but those of its hinges.
   Design without_hinges(std::span<const double> values) {
-    if (values.size() != numbers_.size())
-      throw std::invalid_argument(
-          fmt::format("calibration must have {} values; got {}", numbers_.size(), values.size()));
+    require_values(values, numbers_.size());
     Design design = calibrated_at(values);
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       if (const auto* number = std::get_if<DesignParameter>(&numbers_[i].target))

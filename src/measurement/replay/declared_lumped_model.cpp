@@ -1,9 +1,6 @@
 #include "coilwright/measurement/replay/declared_lumped_model.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -55,16 +52,10 @@ class DeclaredLumpedModel::State {
     for (const auto& number : numbers_) coils_move_ = coils_move_ || any_of(number.target, &moves_coils);
   }
 
-  [[nodiscard]] std::vector<CalibrationParameter> parameters() const {
-    std::vector<CalibrationParameter> all;
-    for (const auto& number : numbers_) all.push_back(number.parameter);
-    return all;
-  }
+  [[nodiscard]] std::vector<CalibrationParameter> parameters() const { return parameters_of(numbers_); }
 
   [[nodiscard]] LumpedModel model_at(std::span<const double> values) const {
-    if (values.size() != numbers_.size())
-      throw std::invalid_argument(
-          fmt::format("calibration must have {} values; got {}", numbers_.size(), values.size()));
+    require_values(values, numbers_.size());
     LumpedModel model = model_;
     for (std::size_t i = 0; i < numbers_.size(); ++i)
       std::visit(Setter{.model = model, .value = values[i]}, numbers_[i].target);

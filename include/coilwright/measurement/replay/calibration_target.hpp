@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -96,5 +97,16 @@ struct CalibratableNumber {
   CalibrationParameter parameter;
   Target target;
 };
+
+/// What a fit must know of such numbers, in their order.
+template <class Target>
+[[nodiscard]] std::vector<CalibrationParameter> parameters_of(const std::vector<CalibratableNumber<Target>>& numbers) {
+  std::vector<CalibrationParameter> out;
+  for (const CalibratableNumber<Target>& number : numbers) out.push_back(number.parameter);
+  return out;
+}
+
+/// Throws std::invalid_argument where there are more or fewer values than `numbers`.
+void require_values(std::span<const double> values, std::size_t numbers);
 
 }  // namespace coilwright::measurement::replay

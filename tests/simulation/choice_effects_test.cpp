@@ -40,7 +40,7 @@ TEST(PartLimits, AreKeptBelowTheContinuousCurrentAndBrokenAbove) {
   EXPECT_EQ(limit_of(runaway, "coil_").margin(), -1.0);
 }
 
-// In still air the magnets of the straight finger bear 0.575 A (docs/decisions/0017-heat-network.md), with the film of
+// In still air the magnets of the straight finger bear 0.575 A (docs/theory/thermal.md, "The film"), with the film of
 // the paper's remark 0.958 A.
 TEST(PartLimits, OfStillAirAreConditionalWhereTheFilmIsCalibrated) {
   actuator::Design design = actuator::paper_finger();

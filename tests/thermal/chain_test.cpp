@@ -90,7 +90,7 @@ TEST(Calibration, GivesTheCurrentItWasMadeFor) {
 }
 
 TEST(Calibration, OfTheFingerIsAboveStillAirAndBelowAFan) {
-  // Still air has about 18 W/(m2 K) here (docs/decisions/0017-heat-network.md), forced air 25 to 250; the
+  // Still air has about 18 W/(m2 K) here (docs/theory/thermal.md, "The film"), forced air 25 to 250; the
   // paper's 1.1 A must lie between or something is amiss with areas or heat.
   HeatChain chain = finger();
   chain.joint_angles = {0.5236, 0.5236};

@@ -12,7 +12,7 @@
 
 namespace coilwright::measurement::replay {
 
-/// How well a number of a built actuator is known where nobody says: docs/decisions/0019-tolerances.md.
+/// How well a number of a built actuator is known where nobody says: docs/formats-dataset.md, "Tolerances".
 struct DefaultTolerance {
   std::string name;    ///< as in `tolerances`
   double deviation{};  ///< one standard deviation: of a number in the file over that number; of a difference in the

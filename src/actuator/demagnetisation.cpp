@@ -10,6 +10,7 @@
 #include "actuator/pair_curves.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/magnetics/constants.hpp"
+#include "coilwright/magnetics/irreversible_loss.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -67,17 +68,22 @@ class ByDistance {
 }  // namespace
 
 InnerFields::InnerFields(const Design& design, const Assembly& assembly)
-    : grade_{}, remanence_(design.magnet.remanence), factor_{}, face_factors_{}, components_(design.layout.size()) {
+    : grade_{},
+      remanence_(design.magnet.remanence),
+      size_{},
+      factor_{},
+      face_factors_{},
+      components_(design.layout.size()) {
   if (design.magnet.grade == nullptr) throw std::invalid_argument("magnets without a grade have no coercivity");
   grade_ = *design.magnet.grade;
-  const magnetics::CylinderSize size{.radius = design.magnet.radius, .length = design.magnet.length};
-  factor_ = magnetics::demagnetisation_factor(size);
-  face_factors_ = magnetics::face_demagnetisation_factors(size);
+  size_ = {.radius = design.magnet.radius, .length = design.magnet.length};
+  factor_ = magnetics::demagnetisation_factor(size_);
+  face_factors_ = magnetics::face_demagnetisation_factors(size_);
   PairCurves parts(design, assembly.dimensions);
   const magnetics::ThickCoil coil = parts.coil();
   const magnetics::CylinderMagnet magnet = parts.magnet();
-  ByDistance of_coil([&](double distance) { return magnetics::axial_field(coil, 1.0, size, distance); });
-  ByDistance of_magnet([&](double distance) { return magnetics::axial_field(magnet, size, distance); });
+  ByDistance of_coil([&](double distance) { return magnetics::axial_field(coil, 1.0, size_, distance); });
+  ByDistance of_magnet([&](double distance) { return magnetics::axial_field(magnet, size_, distance); });
   const std::vector<double> places = centres(design, assembly);
   const std::vector<double> shares = current_shares(design);
   for (std::size_t i = 0; i < components_; ++i) {
@@ -108,7 +114,7 @@ Demagnetisation InnerFields::demagnetisation(std::span<const double> temperature
     throw std::invalid_argument(
         fmt::format("temperatures: one per component, {} here; got {}", components_, temperatures.size()));
   const double susceptibility = grade_.recoil_permeability - 1.0;
-  Demagnetisation worst{.margin = 1.0, .margin_worst_point = 1.0};
+  Demagnetisation worst{.margin = 1.0, .margin_worst_point = 1.0, .irreversible_loss = 0.0};
   for (const Inside& magnet : magnets_) {
     const double temperature = temperatures[magnet.component];
     AxialField outside{};
@@ -125,10 +131,19 @@ Demagnetisation InnerFields::demagnetisation(std::span<const double> temperature
       return -field <= coercivity ? 1.0 + field / coercivity : -coercivity / field - 1.0;
     };
     worst.margin = std::min(worst.margin, margin(mean_outside - factor_ * magnetisation));
+    double worst_point = 1.0;
     for (std::size_t p = 0; p < magnetics::face_points; ++p) {
-      const double field = outside.faces[p] - std::abs(current * magnet.coils.faces[p]);
-      worst.margin_worst_point = std::min(worst.margin_worst_point, margin(field - face_factors_[p] * magnetisation));
+      outside.faces[p] -= std::abs(current * magnet.coils.faces[p]);
+      worst_point = std::min(worst_point, margin(outside.faces[p] - face_factors_[p] * magnetisation));
     }
+    worst.margin_worst_point = std::min(worst.margin_worst_point, worst_point);
+    // Where its worst point is above the knee, so is all of it.
+    if (worst_point < magnetics::DemagnetisationCurve::knee_margin)
+      worst.irreversible_loss =
+          std::max(worst.irreversible_loss,
+                   magnetics::irreversible_loss(
+                       size_, {.magnetisation = unloaded, .coercivity = coercivity, .susceptibility = susceptibility},
+                       outside.faces));
   }
   worst.margin_worst_point = std::min(worst.margin_worst_point, worst.margin);
   return worst;

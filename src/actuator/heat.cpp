@@ -13,6 +13,7 @@
 #include "actuator/heat_chain.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/thermal/paths.hpp"
+#include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/winding/copper.hpp"
 
 namespace coilwright::actuator {
@@ -67,15 +68,42 @@ void check_angles(const Assembly& assembly, const mechanics::JointVector& angles
       throw std::invalid_argument(fmt::format("joint_angles[{}]: must be finite; got {}", j, angles[j]));
 }
 
-thermal::HeatChain in_still_air(thermal::HeatChain chain, const Design& design, const Assembly& assembly) {
-  chain.heat_transfer = still_air_film(design, assembly);
+// Mean surface temperature of the chain while the first part is at its limit in the film of a surface that is `assumed`
+// degC warm; never above `most`.
+double surface_at_limit(thermal::HeatChain& chain, double assumed, double most) {
+  chain.heat_transfer =
+      thermal::still_air_film({.height = chain.height, .ambient = chain.ambient, .surface_temperature = assumed});
+  const thermal::Network network = thermal::build_network(chain);
+  const double current = thermal::current_limits(network).for_good();
+  const thermal::SteadyState held =
+      thermal::steady_state(network, thermal::same_in_every_coil(network, current * current));
+  if (held.outcome == thermal::Outcome::runaway) return most;
+  return std::clamp(thermal::mean_surface_temperature(chain, held.temperatures), chain.ambient, most);
+}
+
+// A warmer surface has the better film and so is cooler: the temperature that both agree on lies between ambient and
+// the coils' limit, and secants find it.
+thermal::HeatChain in_still_air(thermal::HeatChain chain, const Design& design) {
+  constexpr double same = 1e-6;  // K: 1e-8 of the film
+  constexpr int most_rounds = 30;
+  const double most = std::max(chain.ambient, design.surroundings.coil_limit);
+  double before = 0.5 * (chain.ambient + most);
+  double fault_before = surface_at_limit(chain, before, most) - before;
+  double surface = before + fault_before;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double fault = surface_at_limit(chain, surface, most) - surface;
+    if (std::abs(fault) < same || fault == fault_before) break;
+    const double next = surface - fault * (surface - before) / (fault - fault_before);
+    before = std::exchange(surface, std::clamp(next, chain.ambient, most));
+    fault_before = fault;
+  }
   return chain;
 }
 
 thermal::HeatChain chain_in_its_film(const Design& design, const Assembly& assembly,
                                      const mechanics::JointVector& joint_angles) {
   thermal::HeatChain chain = heat_chain(design, assembly, joint_angles);
-  return design.choices.film == FilmChoice::still_air ? in_still_air(std::move(chain), design, assembly) : chain;
+  return design.choices.film == FilmChoice::still_air ? in_still_air(std::move(chain), design) : chain;
 }
 
 }  // namespace
@@ -135,17 +163,13 @@ double calibrated_film(const Design& design) {
   return design.surroundings.heat_transfer * design.calibration.heat_transfer;
 }
 
-double still_air_film(const Design& design, const Assembly& assembly) {
-  const double ambient = design.surroundings.ambient;
-  return thermal::still_air_film(
-      {.height = assembly.dimensions.height,
-       .ambient = ambient,
-       .surface_temperature = 0.5 * (ambient + std::max(ambient, design.surroundings.coil_limit))});
+double still_air_film(const Design& design, const Assembly& assembly, const mechanics::JointVector& joint_angles) {
+  return in_still_air(heat_chain(design, assembly, joint_angles), design).heat_transfer;
 }
 
 thermal::Network still_air_network(const Design& design, const Assembly& assembly,
                                    const mechanics::JointVector& joint_angles) {
-  return thermal::build_network(in_still_air(heat_chain(design, assembly, joint_angles), design, assembly));
+  return thermal::build_network(in_still_air(heat_chain(design, assembly, joint_angles), design));
 }
 
 }  // namespace coilwright::actuator

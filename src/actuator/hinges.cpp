@@ -52,8 +52,14 @@ double silicone_damping(const Design& design, const CrossSection& section, doubl
   return design.calibration.joint_damping * derived_stiffness(design, section) * silicone_loss_time(design, first_mode);
 }
 
-double constant_damping(const Design& design) {
-  return design.calibration.constant_damping * design.body.constant_damping;
+// What a linear loss of whatever cause scales by between fingers of one shape: a viscosity times a volume.
+double volume_scale(double width) {
+  const double ratio = width / prototype_width;
+  return ratio * ratio * ratio;
+}
+
+double constant_damping(const Design& design, double width) {
+  return design.calibration.constant_damping * design.body.constant_damping * volume_scale(width);
 }
 
 CrossSection section_of(const HingeReference& reference) {
@@ -73,7 +79,7 @@ void calibrate_damping(Design& design, double measured, const Dimensions& size, 
   factors.constant_damping = 0.0;
   const double silicone = hinge_damping(design, size, first_mode);
   if (design.body.constant_damping > 0.0 && measured >= silicone) {
-    factors.constant_damping = (measured - silicone) / design.body.constant_damping;
+    factors.constant_damping = (measured - silicone) / (design.body.constant_damping * volume_scale(size.width));
     return;
   }
   if (silicone <= 0.0)
@@ -90,7 +96,7 @@ double hinge_stiffness(const Design& design, const Dimensions& dimensions) {
 
 double hinge_damping(const Design& design, const Dimensions& dimensions, double first_mode) {
   const CrossSection section{.width = dimensions.width, .bottom_layer = design.body.bottom_layer};
-  return silicone_damping(design, section, first_mode) + constant_damping(design);
+  return silicone_damping(design, section, first_mode) + constant_damping(design, section.width);
 }
 
 double first_mode_frequency(const mechanics::PlanarChain& chain, double stiffness) {
@@ -105,11 +111,12 @@ double first_mode_frequency(const mechanics::PlanarChain& chain, double stiffnes
 HingeReference hinge_reference(const Design& design) {
   if (design.calibration.hinge) return *design.calibration.hinge;
   const CrossSection prototype{.width = prototype_width, .bottom_layer = prototype_bottom_layer};
-  return {.width = prototype.width,
-          .bottom_layer = prototype.bottom_layer,
-          .stiffness = design.calibration.joint_stiffness * derived_stiffness(design, prototype),
-          .damping = silicone_damping(design, prototype, prototype_first_mode) + constant_damping(design),
-          .first_mode = prototype_first_mode};
+  return {
+      .width = prototype.width,
+      .bottom_layer = prototype.bottom_layer,
+      .stiffness = design.calibration.joint_stiffness * derived_stiffness(design, prototype),
+      .damping = silicone_damping(design, prototype, prototype_first_mode) + constant_damping(design, prototype.width),
+      .first_mode = prototype_first_mode};
 }
 
 Design with_measured_hinge(Design design, std::optional<double> stiffness, std::optional<double> damping) {
@@ -145,7 +152,7 @@ Design with_hinge_law(Design design, HingeLaw law) {
 DampingSplit damping_split(const Design& design) {
   const HingeReference reference = hinge_reference(design);
   const double silicone = silicone_damping(design, section_of(reference), reference.first_mode);
-  const double all = silicone + constant_damping(design);
+  const double all = silicone + constant_damping(design, reference.width);
   return {.law = design.choices.damping, .share = all > 0.0 ? silicone / all : 0.0};
 }
 
@@ -160,7 +167,7 @@ Design with_damping(Design design, const DampingSplit& split) {
   else
     design.body.loss_time = loss_time;
   design.calibration.joint_damping = design.calibration.joint_stiffness;
-  design.body.constant_damping = (1.0 - split.share) * reference.damping;
+  design.body.constant_damping = (1.0 - split.share) * reference.damping / volume_scale(reference.width);
   design.calibration.constant_damping = 1.0;
   return design;
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,12 +10,10 @@
 #include <vector>
 
 #include "actuator_input.hpp"
-#include "coilwright/actuator/heat.hpp"
 #include "coilwright/systems/crawl.hpp"
+#include "coilwright/systems/crawl_heat.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/json.hpp"
-#include "coilwright/thermal/steady_state.hpp"
-#include "coilwright/thermal/transient.hpp"
 #include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"
@@ -55,42 +52,11 @@ systems::CrawlerParts parts_of(const CrawlOptions& options) {
           .drive = {.frequency = options.frequency, .duty = options.duty, .lead_resistance = options.lead_resistance}};
 }
 
-// What a film lets the robot bear.
-struct Bearing {
-  double for_good{};              // A rms in every coil, while neither coil nor magnet passes its limit
-  std::optional<double> until{};  // s from a cold start until one does at the rms current; nothing if none ever does
-};
-
-// Heat of the coils while it crawls, as if it lay straight: there coils and magnets are nearest to each other.
-struct CrawlHeat {
-  double rms_current{};  // A, of a coil
-  Bearing taken{};       // by the film of the actuator's file
-  Bearing still_air{};
-};
-
 struct Answer {
   double mass{};  // kg
   systems::Crawl crawl;
-  CrawlHeat heat;
+  systems::CrawlHeat heat;
 };
-
-Bearing bearing_of(const thermal::Network& network, double rms_current) {
-  Bearing out{.for_good = thermal::current_limits(network).for_good()};
-  if (rms_current <= out.for_good) return out;
-  const auto reached = thermal::time_to_limit(network, {.holding_current = 0.0, .overload_current = rms_current});
-  if (reached) out.until = reached->time;
-  return out;
-}
-
-CrawlHeat heat_of(const actuator::Design& design, const actuator::Assembly& assembly, const systems::Crawler& crawler,
-                  const systems::Crawl& crawl) {
-  const double resistance = assembly.coils * crawler.coil_resistance();
-  const mechanics::JointVector straight = mechanics::JointVector::Zero(assembly.model.joints());
-  CrawlHeat out{.rms_current = std::sqrt(crawl.powers.copper / resistance)};
-  out.taken = bearing_of(actuator::heat_network(design, assembly, straight), out.rms_current);
-  out.still_air = bearing_of(actuator::still_air_network(design, assembly, straight), out.rms_current);
-  return out;
-}
 
 Answer answer_of(const CrawlOptions& options) {
   const BuiltDesign built =
@@ -104,7 +70,9 @@ Answer answer_of(const CrawlOptions& options) {
   }();
   const systems::Crawl crawl = systems::crawl(
       crawler, {.settling_periods = options.settling_periods, .periods = options.periods, .step = options.step * 1e-3});
-  return {.mass = crawler.mass(), .crawl = crawl, .heat = heat_of(built.design, built.assembly, crawler, crawl)};
+  return {.mass = crawler.mass(),
+          .crawl = crawl,
+          .heat = systems::heat_of_crawl(built.design, built.assembly, crawler, crawl)};
 }
 
 std::string point_name(std::size_t i, std::size_t count) {
@@ -164,7 +132,7 @@ std::string as_json(const Rows& rows) {
 // A part that is at its limit only after the cell is empty is none to speak of.
 std::string remarks(const Answer& answer) {
   const double run_time = answer.crawl.run_time;
-  const auto sentence = [&](const Bearing& bearing, const char* where) {
+  const auto sentence = [&](const systems::Bearing& bearing, const char* where) {
     return fmt::format(
         "MIND: {}coils of {:.3g} A rms bring a coil or a magnet to its limit {:.3g} s after a cold start, before the "
         "cell is empty ({:.3g} s); for good they bear {:.3g} A.\n",

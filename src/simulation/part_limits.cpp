@@ -27,10 +27,12 @@ constexpr std::string_view magnet_temperature = "magnet_temperature_degC";
 constexpr std::string_view still_air = "thermal_load_still_air";
 constexpr std::string_view load_free = "thermal_load_free";
 constexpr std::string_view load_gripping = "thermal_load_gripping";
-constexpr std::string_view mean_field = "demagnetisation_margin";
+constexpr std::string_view loss = "irreversible_loss_pct";
 constexpr std::string_view smallest_joint = "smallest_joint_angle_deg";
 constexpr std::string_view smallest_rest_joint = "smallest_rest_joint_angle_deg";
-constexpr std::string_view worst_field = "demagnetisation_margin_worst_point";
+
+// Percent of the moment: what remanences of one grade differ by anyway.
+constexpr double most_irreversible_loss = 1.0;
 
 // A conditional limit says nothing new where its part is beyond an unconditional one.
 struct SaidBy {
@@ -42,8 +44,7 @@ constexpr std::array said_by{SaidBy{.conditional = still_air, .part = hot_spot},
                              SaidBy{.conditional = load_gripping, .part = hot_spot},
                              SaidBy{.conditional = load_gripping, .part = magnet_temperature},
                              SaidBy{.conditional = load_free, .part = hot_spot},
-                             SaidBy{.conditional = load_free, .part = magnet_temperature},
-                             SaidBy{.conditional = worst_field, .part = mean_field}};
+                             SaidBy{.conditional = load_free, .part = magnet_temperature}};
 
 // Where one pose alone counts, the other one is the condition.
 std::optional<PartLimit> limit_in_other_pose(const DesignView& design) {
@@ -107,19 +108,13 @@ std::vector<PartLimit> part_limits(const DesignView& design) {
        .limit = 1.0,
        .consequence = "the wire carries more than its chassis-wiring ampacity; heat decides whether it may"},
   };
-  if (design.design.magnet.grade != nullptr) {
-    limits.push_back({.quantity = mean_field,
-                      .value = value(mean_field),
-                      .limit = 0.0,
-                      .at_most = false,
-                      .consequence = "the magnets lose most of their magnetisation for good"});
-    limits.push_back({.quantity = worst_field,
-                      .value = value(worst_field),
-                      .limit = 0.0,
-                      .at_most = false,
-                      .consequence = "a rim of a magnet loses magnetisation for good, though not the whole magnet",
-                      .conditional = true});
-  }
+  if (design.design.magnet.grade != nullptr)
+    limits.push_back({.quantity = loss,
+                      .value = value(loss),
+                      .limit = most_irreversible_loss,
+                      .consequence =
+                          "the worst magnet is weaker from then on, from the middle of its faces inwards: every "
+                          "force falls by as much"});
   if (design.design.choices.film == actuator::FilmChoice::calibrated)
     limits.push_back({.quantity = still_air,
                       .value = value(still_air),

@@ -41,7 +41,8 @@ std::optional<actuator::Demagnetisation> demagnetisation_of(const Design& design
   const actuator::Demagnetisation one = at(free);
   const actuator::Demagnetisation other = at(gripping);
   return actuator::Demagnetisation{.margin = std::min(one.margin, other.margin),
-                                   .margin_worst_point = std::min(one.margin_worst_point, other.margin_worst_point)};
+                                   .margin_worst_point = std::min(one.margin_worst_point, other.margin_worst_point),
+                                   .irreversible_loss = std::max(one.irreversible_loss, other.irreversible_loss)};
 }
 
 // Why there is no motion, and that heat forbids the current anyway where it does: who asks for milliamperes in amperes

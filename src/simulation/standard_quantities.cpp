@@ -234,6 +234,14 @@ std::vector<ResultQuantity> rows() {
           "demagnetisation_margin_worst_point", "the same of the worst point of any magnet", 0.3,
           [](const DesignView& d) { return part_of(d.performance, &actuator::Demagnetisation::margin_worst_point); },
           no_coercivity),
+      of_design(
+          "irreversible_loss_pct", "what of its moment the worst magnet loses for good at its temperature and current",
+          1.0,
+          [](const DesignView& d) -> Value {
+            const Value loss = part_of(d.performance, &actuator::Demagnetisation::irreversible_loss);
+            return loss ? Value(*loss * 100.0) : Value();
+          },
+          no_coercivity),
       of_design("mass_g", "mass of the whole actuator without wires", 70.0,
                 [](const DesignView& d) -> Value { return d.performance.mass * 1e3; }),
       of_design("width_mm", "width of the cross-section", 22.0,

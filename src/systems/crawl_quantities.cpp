@@ -1,4 +1,6 @@
 #include "coilwright/systems/crawl_quantities.hpp"
+
+#include "coilwright/systems/crawl_heat.hpp"
 #include "coilwright/units/angle.hpp"
 
 #include <algorithm>
@@ -19,7 +21,11 @@ using simulation::Settings;
 using simulation::SharedResult;
 using Value = std::optional<double>;
 using TaskOf = std::function<CrawlTask(const Settings&)>;
-using CrawlResult = std::variant<Crawl, NoValue>;
+// With the load of coils and magnets at its rms current.
+struct Tried : Crawl {
+  double thermal_load{};
+};
+using CrawlResult = std::variant<Tried, NoValue>;
 
 constexpr auto no_crawl = "the robot cannot be tried on the ground";
 
@@ -31,7 +37,13 @@ double cell_load(const CrawlTask& task, const DesignView& design) {
 CrawlResult try_crawl(const TaskOf& task_of, const DesignView& design) {
   const CrawlTask task = task_of(simulation::settings_of(design));
   try {
-    return crawl(Crawler(design.design, design.assembly, task.parts), task.timing);
+    const Crawler crawler(design.design, design.assembly, task.parts);
+    Tried out{crawl(crawler, task.timing)};
+    const CrawlHeat heat = heat_of_crawl(design.design, design.assembly, crawler, out);
+    if (heat.taken.for_good == 0.0)
+      return NoValue{.reason = "the surroundings are as hot as a limit already", .infeasibility = 1.0};
+    out.thermal_load = heat.rms_current / heat.taken.for_good;
+    return out;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& failure) {
@@ -40,13 +52,13 @@ CrawlResult try_crawl(const TaskOf& task_of, const DesignView& design) {
 }
 
 ResultQuantity of_crawl(const SharedResult<CrawlResult>& result, std::string name, std::string meaning, double scale,
-                        double (*value)(const Crawl&)) {
+                        double (*value)(const Tried&)) {
   return {.name = std::move(name),
           .meaning = std::move(meaning),
           .scale = scale,
           .value = [result, value](const DesignView& design) -> Value {
             const auto found = result.of(design);
-            const auto* done = std::get_if<Crawl>(found.get());
+            const auto* done = std::get_if<Tried>(found.get());
             return done == nullptr ? Value() : Value(value(*done));
           },
           .absence = no_crawl,
@@ -87,21 +99,24 @@ std::vector<ResultQuantity> crawl_quantities(const TaskOf& task) {
           of_robot(task, "crawl_cell_load", "current of all coils in a pulse over the most that the cell delivers", 1.0,
                    [](const CrawlTask& t, const DesignView& d) { return cell_load(t, d); }),
           of_crawl(result, "crawl_speed_mm_s", "mean speed towards the fingertip", 50.0,
-                   [](const Crawl& crawl) { return 1e3 * crawl.speed; }),
+                   [](const Tried& crawl) { return 1e3 * crawl.speed; }),
           of_crawl(result, "crawl_speed_scatter_mm_s", "standard deviation of the speeds of single periods", 5.0,
-                   [](const Crawl& crawl) { return 1e3 * crawl.speed_scatter; }),
+                   [](const Tried& crawl) { return 1e3 * crawl.speed_scatter; }),
           of_crawl(result, "crawl_mean_current_A", "mean current out of the cell", 1.0,
-                   [](const Crawl& crawl) { return crawl.mean_current; }),
+                   [](const Tried& crawl) { return crawl.mean_current; }),
           of_crawl(result, "crawl_power_W", "mean power out of the cell", 4.0,
-                   [](const Crawl& crawl) { return crawl.powers.electrical; }),
+                   [](const Tried& crawl) { return crawl.powers.electrical; }),
+          of_crawl(result, "crawl_thermal_load",
+                   "rms current over the smaller continuous current of coils and magnets, lying straight", 1.0,
+                   [](const Tried& crawl) { return crawl.thermal_load; }),
           of_crawl(result, "crawl_run_time_s", "on one charge, at the cell's full voltage", 500.0,
-                   [](const Crawl& crawl) { return crawl.run_time; }),
+                   [](const Tried& crawl) { return crawl.run_time; }),
           of_crawl(result, "crawl_distance_per_charge_m", "distance on one charge, at the cell's full voltage", 30.0,
-                   [](const Crawl& crawl) { return crawl.distance_per_charge; }),
+                   [](const Tried& crawl) { return crawl.distance_per_charge; }),
           of_crawl(result, "crawl_largest_bending_deg", "largest bending angle on the ground", 30.0,
-                   [](const Crawl& crawl) { return crawl.largest_bending * units::degrees_per_radian; }),
+                   [](const Tried& crawl) { return crawl.largest_bending * units::degrees_per_radian; }),
           of_crawl(result, "crawl_smallest_bending_deg", "smallest bending angle on the ground", 10.0,
-                   [](const Crawl& crawl) { return crawl.smallest_bending * units::degrees_per_radian; })};
+                   [](const Tried& crawl) { return crawl.smallest_bending * units::degrees_per_radian; })};
 }
 
 }  // namespace coilwright::systems

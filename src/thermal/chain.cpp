@@ -205,6 +205,13 @@ class Builder {
     }
     return hottest;
   }
+  // What leaves through the film, per its area, degC.
+  [[nodiscard]] double mean_surface(const NodeVector& temperatures) const {
+    double lost = 0.0;
+    for (std::size_t i = 0; i < nodes(); ++i)
+      lost += spec_.nodes[i].ambient_conductance * (temperatures[static_cast<Eigen::Index>(i)] - chain_.ambient);
+    return chain_.ambient + lost / (chain_.heat_transfer * exposed_);
+  }
   [[nodiscard]] std::size_t nodes() const { return spec_.nodes.size(); }
 
  private:
@@ -257,7 +264,9 @@ class Builder {
     const double swell = round_bar * side / segment.core_radius;  // outer radius over the core's
     const double turn = std::log(swell);
     const double fall = swell * swell / (swell * swell - 1.0) - 0.5 / turn;  // of the mean, of that to the surface
-    const double outside = chain_.heat_transfer * 2.0 * (chain_.width + chain_.height) * box.length;
+    const double surface = 2.0 * (chain_.width + chain_.height) * box.length;
+    const double outside = chain_.heat_transfer * surface;
+    exposed_ += surface;
     const double inside = 1.0 / (1.0 / through_sides(i) - 1.0 / outside);
     spec_.nodes.push_back(
         {.kind = NodeKind::silicone,
@@ -290,6 +299,7 @@ class Builder {
     const double share = open_face_share(angle, (chain_.height - chain_.hinge_layer) / chain_.width);
     const double between = face_radiation * (1.0 - share);
     const double lost = chain_.heat_transfer * share;
+    exposed_ += 2.0 * share * (cores + rims);
     // Air across the faces, whose distance grows from the hinge axis: over the cores and over all, W/K.
     const double air_cores =
         chain_.air_conductivity * cores /
@@ -314,13 +324,15 @@ class Builder {
     const double rim = jacket_to_face(i, boxes_[i].rim, section_.conductivity);
     double core = core_to_face(i, boxes_[i].core_face);
     if (length == 0.0) return add_bare_end(i, core, rim);
+    const double perimeter = 2.0 * (chain_.width + chain_.height);
+    exposed_ += perimeter * length + section;
     // From the bar's mean to its surface: 7.1 k over the hydraulic diameter, of a square section with even heat.
     const double hydraulic = 2.0 * section / (chain_.width + chain_.height);
     const double within = square_section * section_.conductivity / hydraulic;
     const double film = chain_.heat_transfer * within / (chain_.heat_transfer + within);
     const SolidEndNode end = solid_end_node({.length = length,
                                              .section = section,
-                                             .perimeter = 2.0 * (chain_.width + chain_.height),
+                                             .perimeter = perimeter,
                                              .conductivity = section_.conductivity,
                                              .heat_capacity = section_.heat_capacity,
                                              .heat_transfer = film});
@@ -336,6 +348,7 @@ class Builder {
 
   void add_bare_end(std::size_t i, double core, double rim) {
     const auto in_series = [](double a, double b) { return a * b / (a + b); };
+    exposed_ += boxes_[i].core_face + boxes_[i].rim;
     spec_.nodes[core_node(i)].ambient_conductance += in_series(core, chain_.heat_transfer * boxes_[i].core_face);
     spec_.nodes[jacket(i)].ambient_conductance += in_series(rim, chain_.heat_transfer * boxes_[i].rim);
   }
@@ -363,7 +376,15 @@ class Builder {
   std::vector<Box> boxes_;
   // Of each segment: what of the fall from its core's mean to its jacket's lies within the core.
   std::vector<double> within_core_;
+  double exposed_{};  // area that loses heat to ambient, m2
 };
+
+Builder builder_for(const HeatChain& chain, const NodeVector& temperatures) {
+  check(chain);
+  Builder builder(chain);
+  require_count({"temperatures"}, static_cast<std::size_t>(temperatures.size()), builder.nodes(), builder.nodes());
+  return builder;
+}
 
 }  // namespace
 
@@ -373,10 +394,11 @@ Network build_network(const HeatChain& chain) {
 }
 
 double skin_temperature(const HeatChain& chain, const NodeVector& temperatures) {
-  check(chain);
-  const Builder builder(chain);
-  require_count({"temperatures"}, static_cast<std::size_t>(temperatures.size()), builder.nodes(), builder.nodes());
-  return builder.skin(temperatures);
+  return builder_for(chain, temperatures).skin(temperatures);
+}
+
+double mean_surface_temperature(const HeatChain& chain, const NodeVector& temperatures) {
+  return builder_for(chain, temperatures).mean_surface(temperatures);
 }
 
 }  // namespace coilwright::thermal

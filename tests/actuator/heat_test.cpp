@@ -7,6 +7,7 @@
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/thermal/paths.hpp"
 #include "coilwright/thermal/steady_state.hpp"
 #include "degree.hpp"
 #include "error_text.hpp"
@@ -65,7 +66,8 @@ TEST(HeatNetwork, HeatsTheMagnetLessWhereJointsStandOpen) {
     return thermal::continuous_current(heat_network(design, a, angle), watch).current;
   };
   std::printf("  film %.5g W/(m2 K), still air %.4g\n",
-              design.calibration.heat_transfer * design.surroundings.heat_transfer, still_air_film(design, a));
+              design.calibration.heat_transfer * design.surroundings.heat_transfer,
+              still_air_film(design, a, mechanics::JointVector::Zero(2)));
   std::printf("  joint angle, deg: continuous current of coils, magnets, in still air, A\n");
   for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0}) {
     const auto still =
@@ -83,6 +85,31 @@ TEST(HeatNetwork, HeatsTheMagnetLessWhereJointsStandOpen) {
   // The default of a design's surroundings is the prototype's.
   EXPECT_NEAR(design.calibration.heat_transfer * design.surroundings.heat_transfer, Design{}.surroundings.heat_transfer,
               0.05);
+}
+
+// The film of still air and the surface that it keeps belong together. Closed, all heat leaves by a box whose area is
+// known: the law of the film, looked up at that heat over film and area, is the film that the search found. Where the
+// magnet limits, an audit with finite volumes has 43 degC and 13.5 W/(m2 K); in open joints coils limit, and the
+// surface is hotter.
+TEST(StillAirFilm, IsThatOfItsOwnSurface) {
+  Design design = paper_finger();
+  design.magnet.temperature_limit = 60.0;  // N52
+  const Assembly a = assemble_or_throw(design);
+  const auto closed = mechanics::JointVector::Zero(2);
+  const double film = still_air_film(design, a, closed);
+  const thermal::Network network = still_air_network(design, a, closed);
+  const double current = thermal::current_limits(network).for_good();
+  const double heat =
+      thermal::steady_state(network, thermal::same_in_every_coil(network, current * current)).heat.sum();
+  const Dimensions& size = a.dimensions;
+  const double length = size.effective_length + design.body.rear_length;
+  const double area = 2.0 * (size.width + size.height) * length + 2.0 * size.width * size.height;
+  const double surface = 25.0 + heat / (film * area);
+  EXPECT_NEAR(film, thermal::still_air_film({.height = size.height, .ambient = 25.0, .surface_temperature = surface}),
+              1e-6);
+  EXPECT_NEAR(surface, 43.0, 2.0);
+  EXPECT_NEAR(film, 13.5, 0.4);
+  EXPECT_GT(still_air_film(design, a, mechanics::JointVector::Constant(2, 30.0 * degree)), film + 1.0);
 }
 
 // Each joint opens its own way: the one that is closed passes what it passes when all are.

@@ -102,6 +102,28 @@ TEST(DampingLaw, SplitsWhatWasMeasuredByTheLossFactor) {
   expect_relative(hinge_reference(prototype).first_mode, omega / two_pi);
 }
 
+// A third of the prototype in every length: without the cube the constant part would be 27 times what it is, and most
+// of b.
+TEST(DampingLaw, ShrinksTheConstantPartWithTheVolume) {
+  const Design prototype = paper_finger();
+  Design small = prototype;
+  for (double BodyDesign::*length :
+       {&BodyDesign::bottom_layer, &BodyDesign::side_wall, &BodyDesign::bottom_wall, &BodyDesign::top_wall,
+        &BodyDesign::front_length, &BodyDesign::rear_length, &BodyDesign::gap})
+    small.body.*length /= 3.0;
+  small.magnet.radius /= 3.0;
+  small.magnet.length /= 3.0;
+  small.coil.inner_radius /= 3.0;
+  small.coil.turns_radial /= 3;
+  const auto constant_part = [](const Design& design) {
+    return (1.0 - damping_split(with_measured_hinge(design, std::nullopt, std::nullopt)).share) *
+           first_hinge(design).damping;
+  };
+  const double ratio = assemble_or_throw(small).dimensions.width / 22e-3;
+  EXPECT_NEAR(ratio, 1.0 / 3.0, 1e-3);
+  expect_relative(constant_part(small), constant_part(prototype) * ratio * ratio * ratio, 1e-9);
+}
+
 // b of another design under the three tenable laws, each from the prototype's k, b and frequency.
 TEST(DampingLaw, CarriesEachEndToAnotherDesign) {
   const Design other = thinner_and_wider(paper_finger());
@@ -113,11 +135,12 @@ TEST(DampingLaw, CarriesEachEndToAnotherDesign) {
     return first_hinge(with_damping(other, {.law = law, .share = share})).damping;
   };
   const double proportional = 1.29e-4 * k / 12.5e-3;
+  const double constant = 1.29e-4 * std::pow(assembly.dimensions.width / 22e-3, 3.0);
   expect_relative(damping(DampingLaw::proportional, 1.0), proportional);
   expect_relative(damping(DampingLaw::loss_factor, 1.0), proportional * measured.first_mode / frequency);
-  expect_relative(damping(DampingLaw::loss_factor, 0.0), 1.29e-4);
-  expect_relative(damping(DampingLaw::proportional, 0.0), 1.29e-4);
-  expect_relative(damping(DampingLaw::proportional, 0.3), 0.3 * proportional + 0.7 * 1.29e-4);
+  expect_relative(damping(DampingLaw::loss_factor, 0.0), constant);
+  expect_relative(damping(DampingLaw::proportional, 0.0), constant);
+  expect_relative(damping(DampingLaw::proportional, 0.3), 0.3 * proportional + 0.7 * constant);
 }
 
 TEST(DampingLaw, RefusesAShareThatIsNone) {

@@ -91,8 +91,8 @@ TEST(WarmState, MarksADemagnetisedMagnetAsABrokenLimit) {
   const auto broken = [](const Design& design, double current) {
     const EvaluatedDesign found = evaluate(design, {.current = current});
     const std::vector<PartLimit> limits = part_limits(found.view());
-    const auto margin = std::ranges::find(limits, "demagnetisation_margin", &PartLimit::quantity);
-    return margin == limits.end() ? std::nullopt : std::optional(margin->is_broken());
+    const auto loss = std::ranges::find(limits, "irreversible_loss_pct", &PartLimit::quantity);
+    return loss == limits.end() ? std::nullopt : std::optional(loss->is_broken());
   };
   EXPECT_EQ(broken(graded(), 1.4), true);
   EXPECT_EQ(broken(graded(), 0.3), false);

@@ -15,6 +15,7 @@ namespace coilwright::actuator {
 struct Demagnetisation {
   double margin{};              ///< of the field's mean over the volume of the worst magnet; < 0: it is demagnetised
   double margin_worst_point{};  ///< of the worst point of any magnet's faces; the margin or less
+  double irreversible_loss{};   ///< share of its moment that the worst magnet loses for good: irreversible_loss()
 };
 
 /// The fields inside the magnets of an assembled design whose magnets have a grade, per magnet and ampere: all that
@@ -44,7 +45,8 @@ class InnerFields {
 
   magnetics::MagnetGrade grade_;
   double remanence_;  // T, at 20 degC
-  double factor_;     // N
+  magnetics::CylinderSize size_;
+  double factor_;  // N
   magnetics::FaceValues face_factors_;
   std::size_t components_;
   std::vector<Inside> magnets_;

@@ -24,9 +24,7 @@ inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 18
 [[nodiscard]] thermal::Network heat_network(const Design& design, const Assembly& assembly,
                                             const mechanics::JointVector& joint_angles);
 
-/// The same in still air instead of the calibrated heat transfer: with the film of natural convection and radiation
-/// from a surface as high as the cross-section, halfway between ambient and the coils' limit, as it is about when a
-/// coil is at its limit.
+/// The same in the film of still air, still_air_film(), instead of the calibrated heat transfer.
 [[nodiscard]] thermal::Network still_air_network(const Design& design, const Assembly& assembly,
                                                  const mechanics::JointVector& joint_angles);
 
@@ -39,7 +37,10 @@ inline constexpr double thermal_joint_angle = 30.0 * 3.14159265358979323846 / 18
 /// The film that a continuous current asked for, W/(m^2 K): that of the surroundings, calibrated.
 [[nodiscard]] double calibrated_film(const Design& design);
 
-/// The film of still air, W/(m^2 K).
-[[nodiscard]] double still_air_film(const Design& design, const Assembly& assembly);
+/// The film of still air, W/(m^2 K): natural convection and radiation from a surface as high as the cross-section and
+/// as warm as it is in that film while the first coil or magnet is at its limit. At a quarter of that heat the film is
+/// up to a fifth lower and the rise as much higher than this one says; above the limit it is the other way round.
+[[nodiscard]] double still_air_film(const Design& design, const Assembly& assembly,
+                                    const mechanics::JointVector& joint_angles);
 
 }  // namespace coilwright::actuator

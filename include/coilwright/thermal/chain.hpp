@@ -72,6 +72,11 @@ struct HeatChain {
 /// Throws as build_network, and std::invalid_argument where there are not as many temperatures as nodes.
 [[nodiscard]] double skin_temperature(const HeatChain& chain, const NodeVector& temperatures);
 
+/// Mean temperature of the surface by which heat leaves, degC, at `temperatures` of the nodes of build_network(chain),
+/// degC: all heat over the film and the area, where faces in an open joint count by what they see of the surroundings.
+/// Throws as skin_temperature.
+[[nodiscard]] double mean_surface_temperature(const HeatChain& chain, const NodeVector& temperatures);
+
 /// The heat transfer coefficient, W/(m2 K), at which the hottest coil of `chain` is exactly at its temperature limit
 /// under `continuous_current` (A, > 0; the same in every coil). `chain.heat_transfer` is not used.
 ///

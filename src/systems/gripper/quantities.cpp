@@ -108,11 +108,10 @@ class Results {
           if (done == nullptr) return std::nullopt;
           if (!done->grasp.holds) return 0.0;
           const auto off = tried(done->task, [&] {
-            return placement_tolerance(design.design, done->task.mounting, done->task.object,
-                                       grasp_task(done->task, design.point.current));
+            return length_tolerance(done->gripper, done->task.object, grasp_task(done->task, design.point.current));
           });
-          const auto* found_off = std::get_if<PlacementTolerance>(&off);
-          return found_off == nullptr ? Value() : Value(found_off->smallest_length() * 1e3);
+          const auto* found_off = std::get_if<double>(&off);
+          return found_off == nullptr ? Value() : Value(*found_off * 1e3);
         }) {}
 
   ResultQuantity of_grasp(std::string name, std::string meaning, double scale,
@@ -148,7 +147,7 @@ class Results {
   ResultQuantity placement_tolerance_quantity() const {
     return with_reason({.name = "grip_placement_tolerance_mm",
                         .meaning = "how far height and width of the object may be off, each way, and it is still held; "
-                                   "tried up to 5; 0 where it is not held as planned",
+                                   "tried up to 2; 0 where it is not held as planned",
                         .scale = 1.0,
                         .value = [tolerance = tolerance_](const DesignView& design) { return *tolerance.of(design); },
                         .absence = no_grasp,

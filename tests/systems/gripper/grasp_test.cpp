@@ -228,6 +228,7 @@ TEST(Grasp, PressesNearAJointAsShorterStepsSay) {
   design.magnet.radius = 8e-3;
   design.magnet.length = 8e-3;
   design.body.bottom_layer = 3.2e-3;
+  design.body.constant_damping *= std::pow(22e-3 / actuator::dimensions(design).width, 3.0);  // measured with that
   const Gripper gripper(design, {.angle = 30.0 * degree, .spacing = 0.065});
   const Object glass{
       .shape = ObjectShape::cylinder, .width = 0.07, .mass = 0.2, .friction = 0.8, .centre = {0.0, -0.017}};

@@ -91,8 +91,8 @@ struct BodyDesign : SiliconeDesign {
   double poisson_ratio = 0.5;    ///< 0 to 0.5; silicone's bulk modulus is a thousand times its E: 0.4998 and more
   double loss_factor = 0.15;     ///< of the silicone at the finger's first mode; DampingLaw::loss_factor alone
   double loss_time = 4.8e-3;     ///< damping over stiffness of the silicone, s; DampingLaw::proportional alone
-  /// Damping of a joint that does not follow its hinge (wires, faces that rub at the cut), N m s/rad; what the
-  /// prototype's 0.129 N mm s/rad leave beside 0.15.
+  /// Damping of a joint that does not follow its hinge (wires, faces that rub at the cut), N m s/rad, in a body 22 mm
+  /// wide; what the prototype's 0.129 N mm s/rad leave beside 0.15. In another it goes with the cube of the width.
   double constant_damping = 0.0692e-3;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "coilwright/systems/gripper/grasp.hpp"
 
@@ -10,6 +11,7 @@ namespace coilwright::systems::gripper {
 /// mounting angle (a quarter of a degree to 15 degrees).
 inline constexpr std::array<double, 9> tried_lengths = {0.1e-3, 0.25e-3, 0.5e-3, 0.75e-3, 1e-3,
                                                         1.5e-3, 2e-3,    3e-3,   5e-3};
+inline constexpr std::size_t lengths_of_studies = 7;  // those up to 2 mm
 inline constexpr std::array<double, 9> tried_angles = {0.004363323129985824, 0.008726646259971648, 0.017453292519943295,
                                                        0.03490658503988659,  0.05235987755982989,  0.08726646259971647,
                                                        0.1308996938995747,   0.17453292519943295,  0.2617993877991494};
@@ -36,6 +38,10 @@ struct PlacementTolerance {
 /// contact from one segment onto the next shows as the jump that it is. Throws as Gripper and grasp() do for the plan
 /// itself.
 [[nodiscard]] PlacementTolerance placement_tolerance(const actuator::Design& finger, const Mounting& mounting,
-                                                     const Object& object, GraspTask task);
+                                                     const Object& object, const GraspTask& task);
+
+/// The smallest of those of height and width, m, tried up to 2 mm, of an object that is held as planned: for searches.
+/// Up to 28 grasps, the fewer the less is left. Throws as grasp().
+[[nodiscard]] double length_tolerance(const Gripper& gripper, const Object& object, const GraspTask& task);
 
 }  // namespace coilwright::systems::gripper

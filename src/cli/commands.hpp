@@ -51,6 +51,7 @@ void add_archive_command(CLI::App& app, Outcome& outcome);
 void add_twin_command(CLI::App& app, Outcome& outcome);
 void add_validate_command(CLI::App& app, Outcome& outcome);
 void add_version_command(CLI::App& app, Outcome& outcome);
+void add_yield_command(CLI::App& app, Outcome& outcome);
 
 /// Each adds one command below `archive`.
 void add_archive_list(CLI::App& command);

@@ -34,6 +34,8 @@ constexpr std::array choices = {
            "Of Shore A: by Gent's relation, 30 % below to 30 % above those of a name; of Shore 00: by Hertz, within a "
            "factor of 2.2.\n"
            "Measure joint_stiffness_Nmm_rad where it matters."},
+    Choice{"spreads", spread_listing,
+           "Standard deviations of one build about its design: what \"parts\": \"usual\" of a study's spread takes."},
 };
 
 std::vector<std::string> words() {
@@ -63,8 +65,10 @@ void run_list(const ListOptions& options) {
 
 void add_list_command(CLI::App& app, Outcome&) {
   auto options = std::make_shared<ListOptions>();
-  CLI::App* command = app.add_subcommand("list", "List quantities, parameters, effects, gauges, magnets or silicones");
-  command->add_option("WHAT", options->what, "One of quantities, parameters, effects, gauges, magnets, silicones")
+  CLI::App* command =
+      app.add_subcommand("list", "List quantities, parameters, effects, gauges, magnets, silicones or spreads");
+  command
+      ->add_option("WHAT", options->what, "One of quantities, parameters, effects, gauges, magnets, silicones, spreads")
       ->required()
       ->check(word_rule(words()));
   add_json_option(*command, options->json);

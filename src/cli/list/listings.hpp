@@ -19,6 +19,9 @@ namespace coilwright::cli {
 /// The grades of magnets.
 [[nodiscard]] Listing magnet_listing();
 
+/// How numbers of an actuator usually scatter.
+[[nodiscard]] Listing spread_listing();
+
 /// The hardness of silicones and the modulus that goes with it.
 [[nodiscard]] Listing silicone_listing();
 

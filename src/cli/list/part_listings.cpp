@@ -3,6 +3,7 @@
 #include "coilwright/magnetics/magnet_grade.hpp"
 #include "coilwright/mechanics/silicone_grade.hpp"
 #include "coilwright/mechanics/silicone_hinge.hpp"
+#include "coilwright/sizing/study/usual_scatters.hpp"
 #include "coilwright/units/unit.hpp"
 #include "coilwright/winding/wire.hpp"
 #include "listings.hpp"
@@ -43,6 +44,16 @@ Listing magnet_listing() {
     listing.rows.push_back({std::string(grade.name), grade.remanence, grade.least_remanence,
                             grade.coercivity / kiloampere, grade.recoil_permeability, grade.remanence_coefficient,
                             grade.coercivity_coefficient, grade.temperature_limit, grade.density, grade.price_ratio});
+  return listing;
+}
+
+Listing spread_listing() {
+  Listing listing{.columns = {"number", "sd", "relative_sd", "source"}, .rows = {}};
+  for (const sizing::UsualScatter& usual : sizing::usual_scatters()) {
+    const double deviation = std::get<sizing::NormalDeviation>(usual.scatter.about).sd;
+    const auto where = [&](bool relative) { return stated(usual.scatter.relative == relative ? deviation : 0.0); };
+    listing.rows.push_back({usual.scatter.name, where(false), where(true), std::string(usual.source)});
+  }
   return listing;
 }
 

@@ -22,6 +22,7 @@
 #include "formats/actuator/operating_point_format.hpp"
 #include "formats/study/crawler_block.hpp"
 #include "formats/study/gripper_block.hpp"
+#include "formats/study/spread_block.hpp"
 #include "formats/study/study_changes.hpp"
 #include "formats/study/wanted_quantities.hpp"
 
@@ -346,14 +347,19 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
     if (operation) read_operation(*operation, blocks.crawler, study);
-    StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities};
+    study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
+    StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}};
+    if (const auto spread = in.find("spread")) {
+      study.spread = read_spread(*spread, study.base, variables_of(blocks));
+      if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;
+      wanted.spread.emplace(*study.spread);
+    }
     study.objectives = read_objectives(in.at("objectives"), wanted);
     if (const auto limits = in.find("constraints")) study.limits = read_limits(*limits, wanted);
     if (const auto columns = in.find("columns")) read_columns(*columns, wanted);
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")
         variable = read_polarities(*in.at("variables").find("polarity"), study.base.layout);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -36,8 +37,38 @@ void refuse_without_block(const Node& node, const std::string& name) {
       throw node.error(fmt::format("needs the block \"{}\" in the study", block));
 }
 
-ResultQuantity read_expression(const Node& node, ObjectReader& in, const QuantityTable& quantities) {
+// The first name in an expression that is no quantity; nothing where there is none, or where it cannot be read.
+std::optional<std::string> unknown_symbol(const std::string& text, const QuantityTable& quantities) {
+  try {
+    (void)expression_quantity({.text = text, .name = "any", .unit = "1"}, quantities);
+  } catch (const UnknownSymbol& unknown) {
+    return unknown.symbol();
+  } catch (const std::invalid_argument&) {
+    // said where it is read
+  }
+  return std::nullopt;
+}
+
+// A name that asks for a statistic of the spread becomes known; whether it was one.
+bool make_known(StudyQuantities& quantities, const std::string& name) {
+  if (quantities.known.find(name) != nullptr) return true;
+  if (!quantities.spread) return false;
+  const std::optional<ResultQuantity> statistic = quantities.spread->find(name, quantities.known);
+  if (statistic) quantities.known = quantities.known.with(*statistic);
+  return statistic.has_value();
+}
+
+void refuse_without_spread(const Node& node, const StudyQuantities& quantities, const std::string& name) {
+  const std::optional<StatisticName> parts = statistic_named(name);
+  if (parts && !quantities.spread && quantities.known.find(parts->quantity) != nullptr)
+    throw node.error("is a statistic of builds: needs the block \"spread\" in the study");
+}
+
+ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantities& all) {
   const std::string& text = node.text();
+  while (const std::optional<std::string> unknown = unknown_symbol(text, all.known))
+    if (!make_known(all, *unknown)) break;
+  const QuantityTable& quantities = all.known;
   Expression expression{.text = text, .name = {}, .unit = {}};
   try {
     // First the expression alone: that its name is missing says nothing to a person who misspelt a quantity.
@@ -52,6 +83,7 @@ ResultQuantity read_expression(const Node& node, ObjectReader& in, const Quantit
     return quantity;
   } catch (const UnknownSymbol& unknown) {
     refuse_without_block(node, unknown.symbol());
+    refuse_without_spread(node, all, unknown.symbol());
     throw node.error(unknown.what() + nearest_quantity(unknown.symbol(), quantities));
   } catch (const std::invalid_argument& mistake) {
     throw node.error(mistake.what());
@@ -66,6 +98,7 @@ void add_once(QuantityTable& table, const ResultQuantity& quantity) {
 // it.
 ResultQuantity read_quantity(const Node& node, ObjectReader& in, StudyQuantities& quantities) {
   const std::string& text = node.text();
+  (void)make_known(quantities, text);
   if (const ResultQuantity* found = quantities.known.find(text)) {
     ResultQuantity quantity = *found;
     add_once(quantities.listed, quantity);
@@ -73,20 +106,30 @@ ResultQuantity read_quantity(const Node& node, ObjectReader& in, StudyQuantities
   }
   if (is_name(text)) {
     refuse_without_block(node, text);
+    refuse_without_spread(node, quantities, text);
     throw node.error("must be a quantity that evaluate prints" + nearest_quantity(text, quantities.known));
   }
-  ResultQuantity quantity = read_expression(node, in, quantities.known);
+  ResultQuantity quantity = read_expression(node, in, quantities);
   add_once(quantities.known, quantity);
   add_once(quantities.listed, quantity);
   return quantity;
+}
+
+// What a statistic of builds is of; nothing for another quantity.
+std::optional<ResultQuantity> of_build(const ResultQuantity& quantity, const StudyQuantities& quantities) {
+  const std::optional<StatisticName> parts = statistic_named(quantity.name);
+  const ResultQuantity* of = quantities.spread && parts ? quantities.known.find(parts->quantity) : nullptr;
+  return of == nullptr ? std::nullopt : std::optional(*of);
 }
 
 StudyObjective read_objective(const Node& node, StudyQuantities& quantities) {
   return read_object(node, [&quantities](ObjectReader& in) {
     // British as everything is written, and American as many people type it.
     const std::string sense = in.one_of({"maximise", "minimise", "maximize", "minimize"});
-    return StudyObjective{.quantity = read_quantity(in.at(sense), in, quantities),
-                          .sense = sense.starts_with("max") ? Sense::maximise : Sense::minimise};
+    StudyObjective objective{.quantity = read_quantity(in.at(sense), in, quantities),
+                             .sense = sense.starts_with("max") ? Sense::maximise : Sense::minimise};
+    objective.of_build = of_build(objective.quantity, quantities);
+    return objective;
   });
 }
 
@@ -96,6 +139,7 @@ Limit read_limit(const Node& node, StudyQuantities& quantities) {
     const std::string side = in.one_of({"at_most", "at_least"});
     limit.side = side == "at_most" ? Limit::Side::at_most : Limit::Side::at_least;
     limit.value = in.number(side, limit_rule);
+    limit.of_build = of_build(limit.quantity, quantities);
     return limit;
   });
 }

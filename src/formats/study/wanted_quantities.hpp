@@ -1,10 +1,11 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "coilwright/simulation/quantity.hpp"
+#include "coilwright/sizing/study/spread.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
@@ -14,6 +15,7 @@ namespace coilwright::formats {
 struct StudyQuantities {
   simulation::QuantityTable known;   ///< by name: the table of the reader, and what the study's blocks bring
   simulation::QuantityTable listed;  ///< what results list: the reader's table, and of the rest what was asked for
+  std::optional<sizing::SpreadQuantities> spread;  ///< of a study that has one: statistics of all that is known
 };
 
 /// The key "objectives".

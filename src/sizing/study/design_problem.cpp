@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "coilwright/units/unit.hpp"
 #include "sizing/problem/design_space.hpp"
 #include "sizing/study/base_current.hpp"
+#include "sizing/study/evaluate_design.hpp"
 
 namespace coilwright::sizing {
 namespace {
@@ -40,46 +40,6 @@ std::optional<double> varied_current(const Study& study, std::span<const double>
     if (std::holds_alternative<CurrentVariable>(study.variables[i]))
       return std::get<double>(value_at(study.variables[i], point[i]));
   return std::nullopt;
-}
-
-NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
-  double excess = 0.0;
-  for (const actuator::ConstructionFault& fault : faults) excess += fault.excess;
-  return {.reason = faults.front().rule, .infeasibility = 1.0 + excess};
-}
-
-// `current` is asked for only once the design is known to have a wire that exists; it gives the current where a
-// variable sets it.
-template <class Current>
-DesignResult evaluate_buildable(const Study& study, actuator::Design design, simulation::Settings settings,
-                                const Current& current) {
-  std::variant<actuator::Assembly, actuator::ConstructionFaults> assembled = actuator::assemble(design);
-  if (const auto* faults = std::get_if<actuator::ConstructionFaults>(&assembled)) return not_buildable(*faults);
-  actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
-  const actuator::OperatingPoint operating = operating_of(study, design, assembly, settings, current(design));
-  std::variant<simulation::Performance, simulation::NoPerformance> performance =
-      simulation::performance_of(design, assembly, operating);
-  if (const auto* none = std::get_if<simulation::NoPerformance>(&performance))
-    return NotEvaluated{.reason = none->reason, .infeasibility = 1.0};
-  return EvaluatedDesign{.design = std::move(design),
-                         .assembly = std::move(assembly),
-                         .point = operating,
-                         .performance = std::get<simulation::Performance>(std::move(performance)),
-                         .settings = std::move(settings)};
-}
-
-// A design far outside all hardware may break a rule of the physics rooms that assemble() does not name, or an
-// interpolation may fail. Then that design cannot be evaluated, and the search goes on.
-template <class Current>
-DesignResult evaluate_design(const Study& study, actuator::Design design, simulation::Settings settings,
-                             const Current& current) {
-  try {
-    return evaluate_buildable(study, std::move(design), std::move(settings), current);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& failure) {
-    return NotEvaluated{.reason = failure.what(), .infeasibility = 1.0};
-  }
 }
 
 // The failure of a design that does not have a value of a quantity that the study asks for.
@@ -189,13 +149,14 @@ simulation::Settings DesignProblem::settings_at(std::span<const double> point) c
 }
 
 DesignResult DesignProblem::evaluate(std::span<const double> point) const {
-  return evaluate_design(study(), design_at(point), settings_at(point),
-                         [&](const actuator::Design&) { return varied_current(study(), point).value_or(0.0); });
+  return evaluate_design(design_at(point), settings_at(point), [&](const auto&... of) {
+    return operating_of(study(), of..., varied_current(study(), point).value_or(0.0));
+  });
 }
 
 DesignResult DesignProblem::evaluate_base() const {
   const auto at = [this](double current) {
-    return evaluate_design(study(), study().base, {}, [current](const actuator::Design&) { return current; });
+    return evaluate_design(study().base, {}, [&](const auto&... of) { return operating_of(study(), of..., current); });
   };
   const auto varied = std::ranges::find_if(
       study().variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });

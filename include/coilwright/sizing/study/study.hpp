@@ -13,6 +13,7 @@
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/sizing/problem/options.hpp"
 #include "coilwright/sizing/problem/problem.hpp"
+#include "coilwright/sizing/study/scatter.hpp"
 
 namespace coilwright::sizing {
 
@@ -93,6 +94,7 @@ using VariableValue = std::variant<double, std::string_view>;
 struct StudyObjective {
   simulation::ResultQuantity quantity;  ///< of the study's table or the program's own
   Sense sense = Sense::maximise;
+  std::optional<simulation::ResultQuantity> of_build{};  ///< where `quantity` is a statistic of builds, what it is of
 };
 
 /// A quantity that must not pass a limit, in the unit of its name.
@@ -102,7 +104,14 @@ struct Limit {
   simulation::ResultQuantity quantity;
   Side side = Side::at_most;
   double value{};
+  std::optional<simulation::ResultQuantity> of_build{};  ///< as that of an objective
 };
+
+/// What an objective or a limit is about in one build.
+template <class Wanted>
+[[nodiscard]] const simulation::ResultQuantity& of_one_build(const Wanted& wanted) {
+  return wanted.of_build ? *wanted.of_build : wanted.quantity;
+}
 
 /// "mass_g <= 70".
 [[nodiscard]] std::string name_of(const Limit& limit);
@@ -127,17 +136,6 @@ struct ShareOfLimit {
   double share{};  ///< > 0
 };
 
-/// Current and duty follow from the design: what a cell drives through its coils.
-struct DrivenCurrent {
-  /// Of one design.
-  struct Drive {
-    double current{};  ///< in every coil while it is on, A
-    double duty{};     ///< 0 to 1
-  };
-  /// Pure; never empty.
-  std::function<Drive(const actuator::Assembly&, const simulation::Settings&)> drive;
-};
-
 /// What to search for: which numbers of a design vary, its objectives, its limits.
 struct Study {
   std::string name;
@@ -150,6 +148,8 @@ struct Study {
   std::vector<StudyObjective> objectives;
   std::vector<Limit> limits;
   SearchOptions search;
+  /// What builds differ by, where the study says so; its statistics are among the quantities.
+  std::optional<Spread> spread{};
   /// All quantities that results list. Each is worked out for every design.
   simulation::QuantityTable quantities = simulation::standard_quantities();
 };

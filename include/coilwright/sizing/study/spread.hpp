@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coilwright/simulation/quantity.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/sizing/study/scatter.hpp"
+
+namespace coilwright::sizing {
+
+/// What of an operating point may scatter: "current_A", "grasp_opening_deg".
+[[nodiscard]] std::vector<std::string> operating_number_names();
+
+/// Places in the unit cube, `count` of `dimension` numbers > 0 and < 1 each: Sobol's sequence (Boost.Random, directions
+/// of Joe and Kuo), moved by a random vector of `seed` modulo 1. The mean over them of a smooth function errs by about
+/// 1 / count. The same for all designs, so that what is computed by them is as smooth as the design.
+[[nodiscard]] std::vector<std::vector<double>> sobol_shares(std::size_t dimension, std::size_t count,
+                                                            std::uint64_t seed);
+
+/// The same of a pseudorandom generator: fresh dice, which know nothing of those above.
+[[nodiscard]] std::vector<std::vector<double>> random_shares(std::size_t dimension, std::size_t count,
+                                                             std::uint64_t seed);
+
+/// One build of a design: its numbers at the deviations of `shares`, one per scatter. A length that would leave its
+/// range stays at its end. Why there is none where it cannot be built or has no performance.
+[[nodiscard]] DesignResult built(const Spread& spread, const simulation::DesignView& design,
+                                 std::span<const double> shares);
+
+/// What a statistic says of the values that a quantity has in the builds of one design.
+struct Statistic {
+  enum class Kind { mean, deviation, percentile };
+  Kind kind{};
+  int percent{};  ///< 1 to 99, of a percentile
+};
+
+/// The statistic and the quantity in names such as "p05_grasp_force_N", "p95_coil_hot_spot_degC", "mean_mass_g" and
+/// "sd_mass_g"; nothing for another name.
+struct StatisticName {
+  Statistic statistic;
+  std::string quantity;
+};
+[[nodiscard]] std::optional<StatisticName> statistic_named(std::string_view name);
+
+/// A percentile by linear interpolation between order statistics (Hyndman and Fan, type 7), `percent` 0 to 100. A build
+/// without a value counts as beyond all others at the end of the percentile, the lower one below 50: nothing where that
+/// leaves none.
+[[nodiscard]] std::optional<double> percentile(std::vector<std::optional<double>> values, double percent);
+
+/// Makes quantities of the builds of a design, for objectives, limits, expressions and columns. Every design is built
+/// `Spread::draws` times, by the same places, when the first of them is asked for.
+class SpreadQuantities {
+ public:
+  explicit SpreadQuantities(Spread spread);
+
+  /// The quantity of that name, of one in `known`; nothing where the name is no statistic or `known` lacks what it is
+  /// of. Call it for every quantity before the first is asked for a value: builds are made for all of them.
+  [[nodiscard]] std::optional<simulation::ResultQuantity> find(std::string_view name,
+                                                               const simulation::QuantityTable& known);
+
+  [[nodiscard]] const Spread& spread() const noexcept { return *spread_; }
+
+ private:
+  // By quantity and build.
+  using Values = std::vector<std::vector<std::optional<double>>>;
+
+  std::shared_ptr<const Spread> spread_;
+  std::shared_ptr<std::vector<simulation::ResultQuantity>> wanted_;
+  simulation::SharedResult<Values> values_;
+};
+
+}  // namespace coilwright::sizing

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "coilwright/sizing/study/spread.hpp"
+#include "coilwright/sizing/study/study.hpp"
+
+namespace coilwright::sizing {
+
+/// A share of builds with its 95 % interval by Clopper and Pearson.
+struct Share {
+  double value{};  ///< 0 to 1, as are the others
+  double low{};
+  double high{};
+};
+
+/// What a quantity of a study is in the builds of one design.
+struct BuiltQuantity {
+  std::string name;                 ///< of one build: "grasp_force_N"
+  std::optional<double> nominal{};  ///< of the design itself
+  std::optional<double> p05{}, p50{}, p95{};
+  std::string limit{};           ///< "mass_g <= 70"; empty for an objective
+  std::optional<Share> keeps{};  ///< of the builds that keep that limit; nothing for an objective
+};
+
+/// What share of a quantity's variance a scatter has, with its 95 % interval by bootstrap: by itself, and with all that
+/// it does together with others (Saltelli et al., Computer Physics Communications 181 (2010) 259, with Jansen's sums).
+struct SobolIndex {
+  double value{};
+  double low{};
+  double high{};
+};
+struct ScatterWorth {
+  std::string scatter;
+  /// One a quantity, in their order; nothing where a quantity does not vary or some build lacks it.
+  std::vector<std::optional<SobolIndex>> first{}, total{};
+  Share keeps_all{};  ///< of builds in which this one deviates half as far, by the same dice
+};
+
+/// What becomes of a design when it is built.
+struct Yield {
+  std::size_t builds{};
+  std::size_t not_built{};  ///< without a performance
+  Share keeps_all{};        ///< of the builds that keep every limit
+  std::vector<BuiltQuantity> quantities{};
+  std::vector<ScatterWorth> worths{};  ///< one a scatter; empty where none were asked for
+};
+
+/// How builds are drawn.
+struct YieldOptions {
+  std::size_t builds = 1000;     ///< by fresh dice, which know nothing of those of a search; >= 10
+  std::size_t worth_builds = 0;  ///< of every sum of a Sobol index and of every halved scatter; 0: no worths
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  ///< 0: one per core; the answer does not depend on it
+  std::stop_token stop{};
+  std::function<void(std::size_t done, std::size_t of)> progress{};  ///< on any thread; may be empty
+};
+
+/// Builds a design of `study` many times. Of a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130")
+/// each build is held against the limit itself. Nothing after a stop. Throws std::invalid_argument for a study without
+/// a spread.
+[[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
+                                            const YieldOptions& options);
+
+/// First and total indices of `outputs` from Saltelli's three designs: values at A, at B, and for each input at A with
+/// that input from B. Exposed for tests against other programs.
+struct SaltelliValues {
+  std::vector<double> a, b;
+  std::vector<std::vector<double>> mixed;  ///< by input
+};
+struct SobolIndices {
+  std::vector<SobolIndex> first, total;  ///< by input
+};
+[[nodiscard]] std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed);
+
+}  // namespace coilwright::sizing

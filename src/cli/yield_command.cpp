@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/formats/study/yield_json.hpp"
+#include "coilwright/report/yield_text.hpp"
+#include "coilwright/sizing/study/yield.hpp"
+#include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/document.hpp"
+#include "commands.hpp"
+#include "options.hpp"
+#include "progress_line.hpp"
+#include "study_run.hpp"
+
+namespace coilwright::cli {
+namespace {
+
+struct YieldCommandOptions {
+  std::string study;
+  std::string actuator;
+  std::vector<std::string> changes;
+  std::size_t builds = 1000;
+  std::size_t worth_builds = 0;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool quiet = false;
+  bool json = false;
+};
+
+// Whatever the study varies stands still: its actuator is the one given, at the current that its file states.
+sizing::Study study_of_one(const YieldCommandOptions& options) {
+  require_names_once(options.changes);
+  const text::InputText actuator = text::read_text(options.actuator, text::json_size_limit);
+  const text::InputText file = text::read_text(options.study, text::json_size_limit);
+  sizing::Study study = formats::parse_study(file.text, file.file, actuator, options.changes);
+  if (!study.spread)
+    throw text::InputError({.file = file.file,
+                            .rule = "needs the block \"spread\" ({\"parts\": \"usual\"}): without one every build is "
+                                    "the design"});
+  if (!std::holds_alternative<sizing::VariedCurrent>(study.current)) return study;
+  const formats::ActuatorFile given = formats::parse_actuator(actuator.text, actuator.file);
+  if (!given.operating_point)
+    throw text::InputError({.file = actuator.file,
+                            .place = "/operating_point",
+                            .rule = "must be there: the study varies the current, and does not say with which one"});
+  std::erase_if(study.variables, [](const sizing::StudyVariable& variable) {
+    return std::holds_alternative<sizing::CurrentVariable>(variable);
+  });
+  study.current = sizing::FixedCurrent{given.operating_point->current};
+  return study;
+}
+
+std::optional<sizing::Yield> draw(const sizing::Study& study, const sizing::EvaluatedDesign& design,
+                                  const YieldCommandOptions& options, const Interruption& interruption) {
+  std::atomic<std::size_t> built = 0;
+  std::atomic<std::size_t> of = 0;
+  const ProgressLine::Place place = progress_place(options.quiet);
+  const ProgressLine line(std::cerr, place, progress_interval(place),
+                          [&] { return fmt::format("{} of {} builds", built.load(), of.load()); });
+  return sizing::yield_of(study, design,
+                          {.builds = options.builds,
+                           .worth_builds = options.worth_builds,
+                           .seed = options.seed,
+                           .threads = static_cast<unsigned>(options.threads),
+                           .stop = interruption.token(),
+                           .progress = [&](std::size_t done, std::size_t all) {
+                             built = done;
+                             of = all;
+                           }});
+}
+
+ExitCode run_yield(const YieldCommandOptions& options) {
+  const sizing::Study study = study_of_one(options);
+  const sizing::DesignResult design = sizing::DesignProblem(study).evaluate_base();
+  if (const auto* none = std::get_if<sizing::NotEvaluated>(&design))
+    throw text::InputError({.file = options.actuator, .rule = none->reason});
+  const Interruption interruption;
+  const std::optional<sizing::Yield> yield =
+      draw(study, std::get<sizing::EvaluatedDesign>(design), options, interruption);
+  if (!yield) return ExitCode::interrupted;
+  std::cout << (options.json ? formats::to_json(*yield).text() : report::to_text(*yield));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_yield_command(CLI::App& app, Outcome& outcome) {
+  auto options = std::make_shared<YieldCommandOptions>();
+  CLI::App* command = app.add_subcommand("yield", "Build a design many times by dice: how many keep a study's limits");
+  command->add_option("STUDY.json", options->study, "File of a study (study/1) with a spread")->required();
+  command->add_option("ACTUATOR.json", options->actuator, "The design, as size writes it (actuator/1)")->required();
+  command
+      ->add_option("--set", options->changes,
+                   "NAME=VALUE: change one number of the actuator, for example gap_mm=1.2, or, by its JSON pointer, of "
+                   "the study: /spread/gap_mm/sd=0.1; may be repeated")
+      ->allow_extra_args(false);
+  add_whole_number(*command, "--builds", options->builds, text::Rule::between(10, 1e7), "How many (default 1000)");
+  add_whole_number(*command, "--worth", options->worth_builds, text::Rule::between(0, 1e6),
+                   "Also say which scatter matters: builds of each of 2 N + 2 sums for N scatters, 256 or more "
+                   "(default 0: leave it out)");
+  add_seed_option(*command, options->seed, "Random seed of the dice (default 1)");
+  add_threads_option(*command, options->threads, "Number of builds evaluated at the same time");
+  add_flag(*command, "--quiet", options->quiet, "Show no progress");
+  add_json_option(*command, options->json);
+  command->footer(
+      "Every number of the study's spread is drawn anew for each build, independently of the others and of the builds\n"
+      "by which a search has judged; a limit on a statistic (p95_mass_g <= 70) is held against each build's own "
+      "figure\n"
+      "(mass_g <= 70). Prints 5, 50 and 95 % of each objective and limit, and how many builds keep each limit and "
+      "all.\n"
+      "With --worth also Sobol's indices, and what half of each scatter would bring. What the spread leaves out (a\n"
+      "modelling choice, an effect that nobody knows) is not in it.\n\n"
+      "Example:\n"
+      "  coilwright yield configs/studies/robust_finger.json results/robust_finger/actuator.json");
+  command->callback([options, &outcome] { outcome.code = run_yield(*options); });
+}
+
+}  // namespace coilwright::cli

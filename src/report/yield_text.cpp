@@ -1,0 +1,88 @@
+#include "coilwright/report/yield_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "coilwright/report/text_table.hpp"
+
+namespace coilwright::report {
+namespace {
+
+using Align = TextTable::Align;
+
+std::string number_or_none(const std::optional<double>& value) {
+  return value ? short_number(*value) : "none";
+}
+
+std::string percent(const sizing::Share& share) {
+  return fmt::format("{:.4g} % ({:.4g} to {:.4g})", 100.0 * share.value, 100.0 * share.low, 100.0 * share.high);
+}
+
+std::string quantities_text(const sizing::Yield& yield) {
+  TextTable table;
+  table.row({"of the builds", "designed", "5 %", "50 %", "95 %", "limit", "kept by (95 % interval)"});
+  for (const sizing::BuiltQuantity& each : yield.quantities)
+    table.row({each.name, number_or_none(each.nominal), number_or_none(each.p05), number_or_none(each.p50),
+               number_or_none(each.p95), each.keeps ? each.limit.substr(each.limit.find(' ') + 1) : "",
+               each.keeps ? percent(*each.keeps) : ""});
+  return table.text(0,
+                    {Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left});
+}
+
+std::string index_text(const std::optional<sizing::SobolIndex>& index) {
+  return index ? fmt::format("{:.2f} ({:.2f} to {:.2f})", index->value, index->low, index->high) : "-";
+}
+
+// The share that a scatter has in any quantity, by which it is worth its line.
+double largest_share(const sizing::ScatterWorth& worth) {
+  double out = 0.0;
+  for (const auto& total : worth.total)
+    if (total) out = std::max(out, total->value);
+  return out;
+}
+
+// Of the variance of one quantity, largest first; scatters of less than a hundredth are left out.
+std::string shares_text(const sizing::Yield& yield, std::size_t quantity) {
+  std::vector<const sizing::ScatterWorth*> order;
+  for (const sizing::ScatterWorth& worth : yield.worths)
+    if (const auto& total = worth.total[quantity]; total && total->value >= 0.01) order.push_back(&worth);
+  if (order.empty()) return {};
+  std::ranges::stable_sort(order, [quantity](const auto* one, const auto* other) {
+    return one->total[quantity]->value > other->total[quantity]->value;
+  });
+  TextTable table;
+  for (const sizing::ScatterWorth* worth : order)
+    table.row({worth->scatter, index_text(worth->first[quantity]), index_text(worth->total[quantity])});
+  return fmt::format("{}: share of its variance by itself, and with others (95 %)\n", yield.quantities[quantity].name) +
+         table.text(2, {Align::left, Align::left, Align::left});
+}
+
+std::string halves_text(const sizing::Yield& yield) {
+  std::vector<const sizing::ScatterWorth*> order;
+  for (const sizing::ScatterWorth& worth : yield.worths)
+    if (largest_share(worth) >= 0.01) order.push_back(&worth);
+  std::ranges::stable_sort(
+      order, [](const auto* one, const auto* other) { return one->keeps_all.value > other->keeps_all.value; });
+  TextTable table;
+  for (const sizing::ScatterWorth* worth : order) table.row({worth->scatter, percent(worth->keeps_all)});
+  return "If one of them scattered half as far, every limit would be kept by\n" +
+         table.text(2, {Align::left, Align::left});
+}
+
+}  // namespace
+
+std::string to_text(const sizing::Yield& yield) {
+  std::string out =
+      fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
+  if (yield.not_built > 0) out += fmt::format("{} could not be built, or have no performance\n", yield.not_built);
+  out += "\n" + quantities_text(yield);
+  if (yield.worths.empty()) return out;
+  for (std::size_t i = 0; i < yield.quantities.size(); ++i)
+    if (const std::string shares = shares_text(yield, i); !shares.empty()) out += "\n" + shares;
+  return out + "\n" + halves_text(yield);
+}
+
+}  // namespace coilwright::report

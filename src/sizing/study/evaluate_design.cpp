@@ -1,0 +1,46 @@
+#include "sizing/study/evaluate_design.hpp"
+
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace coilwright::sizing {
+namespace {
+
+NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
+  double excess = 0.0;
+  for (const actuator::ConstructionFault& fault : faults) excess += fault.excess;
+  return {.reason = faults.front().rule, .infeasibility = 1.0 + excess};
+}
+
+DesignResult evaluate_buildable(actuator::Design design, simulation::Settings settings,
+                                const OperatingPointOf& operating_point) {
+  std::variant<actuator::Assembly, actuator::ConstructionFaults> assembled = actuator::assemble(design);
+  if (const auto* faults = std::get_if<actuator::ConstructionFaults>(&assembled)) return not_buildable(*faults);
+  actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
+  const actuator::OperatingPoint operating = operating_point(design, assembly, settings);
+  std::variant<simulation::Performance, simulation::NoPerformance> performance =
+      simulation::performance_of(design, assembly, operating);
+  if (const auto* none = std::get_if<simulation::NoPerformance>(&performance))
+    return NotEvaluated{.reason = none->reason, .infeasibility = 1.0};
+  return EvaluatedDesign{.design = std::move(design),
+                         .assembly = std::move(assembly),
+                         .point = operating,
+                         .performance = std::get<simulation::Performance>(std::move(performance)),
+                         .settings = std::move(settings)};
+}
+
+}  // namespace
+
+DesignResult evaluate_design(actuator::Design design, simulation::Settings settings,
+                             const OperatingPointOf& operating_point) {
+  try {
+    return evaluate_buildable(std::move(design), std::move(settings), operating_point);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return NotEvaluated{.reason = failure.what(), .infeasibility = 1.0};
+  }
+}
+
+}  // namespace coilwright::sizing

@@ -1,0 +1,259 @@
+#include "coilwright/sizing/study/spread.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/sobol.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "coilwright/actuator/design/value_limits.hpp"
+#include "coilwright/units/unit.hpp"
+#include "sizing/study/evaluate_design.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+constexpr double cut = 4.0;  // standard deviations
+constexpr std::uint64_t seed_of_builds = 20260101;
+constexpr std::string_view mean_prefix = "mean_";
+constexpr std::string_view deviation_prefix = "sd_";
+
+std::vector<double> random_vector(boost::random::mt19937_64& generator, std::size_t dimension) {
+  boost::random::uniform_01<double> uniform;
+  std::vector<double> out(dimension);
+  for (double& value : out) value = uniform(generator);
+  return out;
+}
+
+double inside(double share) {
+  constexpr double least = 1e-12;
+  return std::clamp(share, least, 1.0 - least);
+}
+
+double displaced(double value, const Scatter& scatter, double share) {
+  const double deviation = scatter.deviation(share);
+  return scatter.relative ? value * (1.0 + deviation) : value + deviation;
+}
+
+// A number of the operating point, in the unit of its name.
+struct OperatingNumber {
+  std::string_view name;
+  double (*get)(const actuator::OperatingPoint&);
+  void (*set)(actuator::OperatingPoint&, double);
+};
+
+constexpr std::array operating_numbers{
+    OperatingNumber{.name = "current_A",
+                    .get = [](const actuator::OperatingPoint& point) { return point.current; },
+                    .set = [](actuator::OperatingPoint& point, double value) { point.current = value; }},
+    OperatingNumber{
+        .name = "grasp_opening_deg",
+        .get =
+            [](const actuator::OperatingPoint& point) {
+              return units::from_memory(point.grasp.opening, "grasp_opening_deg");
+            },
+        .set = [](actuator::OperatingPoint& point,
+                  double value) { point.grasp.opening = std::max(0.0, units::to_memory(value, "grasp_opening_deg")); }},
+};
+
+const OperatingNumber* find_operating_number(std::string_view name) {
+  const auto found = std::ranges::find(operating_numbers, name, &OperatingNumber::name);
+  return found == operating_numbers.end() ? nullptr : &*found;
+}
+
+// Nothing that is built has a length of 0; what else would leave its range says so when it is assembled.
+double kept_in_range(double value, actuator::ParameterRule rule) {
+  using enum actuator::ParameterRule;
+  if (rule == length) return std::max(value, actuator::shortest_length);
+  return rule == positive || rule == not_negative ? std::max(value, 0.0) : value;
+}
+
+std::vector<std::vector<std::optional<double>>> values_of_builds(const Spread& spread,
+                                                                 const std::vector<simulation::ResultQuantity>& wanted,
+                                                                 const simulation::DesignView& design) {
+  std::vector<std::vector<std::optional<double>>> out(wanted.size());
+  for (const std::vector<double>& shares : sobol_shares(spread.scatters.size(), spread.draws, seed_of_builds)) {
+    const DesignResult one = built(spread, design, shares);
+    const auto* built_one = std::get_if<EvaluatedDesign>(&one);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      std::optional<double> value = built_one == nullptr ? std::nullopt : wanted[i].value(built_one->view());
+      if (value && !std::isfinite(*value)) value.reset();
+      out[i].push_back(value);
+    }
+  }
+  return out;
+}
+
+std::optional<double> mean_of(const std::vector<std::optional<double>>& values) {
+  double sum = 0.0;
+  for (const std::optional<double>& value : values) {
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+std::optional<double> deviation_of(const std::vector<std::optional<double>>& values) {
+  const std::optional<double> mean = mean_of(values);
+  if (!mean) return std::nullopt;
+  double sum = 0.0;
+  for (const std::optional<double>& value : values) sum += (*value - *mean) * (*value - *mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+std::optional<double> value_of(const Statistic& statistic, const std::vector<std::optional<double>>& values) {
+  switch (statistic.kind) {
+    case Statistic::Kind::mean:
+      return mean_of(values);
+    case Statistic::Kind::deviation:
+      return deviation_of(values);
+    case Statistic::Kind::percentile:
+      break;
+  }
+  return percentile(values, statistic.percent);
+}
+
+std::string meaning_of(const Statistic& statistic, std::size_t draws) {
+  switch (statistic.kind) {
+    case Statistic::Kind::mean:
+      return fmt::format("mean over {} builds of the spread", draws);
+    case Statistic::Kind::deviation:
+      return fmt::format("standard deviation over {} builds of the spread", draws);
+    case Statistic::Kind::percentile:
+      break;
+  }
+  return fmt::format("what {} % of {} builds of the spread stay below", statistic.percent, draws);
+}
+
+}  // namespace
+
+std::vector<std::string> operating_number_names() {
+  std::vector<std::string> out;
+  for (const OperatingNumber& number : operating_numbers) out.emplace_back(number.name);
+  return out;
+}
+
+double Scatter::deviation(double share) const {
+  if (const auto* uniform = std::get_if<UniformDeviation>(&about))
+    return uniform->low + share * (uniform->high - uniform->low);
+  const boost::math::normal standard;
+  const double outside = boost::math::cdf(standard, -cut);
+  return std::get<NormalDeviation>(about).sd *
+         boost::math::quantile(standard, outside + inside(share) * (1.0 - 2.0 * outside));
+}
+
+std::vector<std::vector<double>> sobol_shares(std::size_t dimension, std::size_t count, std::uint64_t seed) {
+  boost::random::mt19937_64 generator(seed);
+  const std::vector<double> move = random_vector(generator, dimension);
+  boost::random::sobol sequence(std::max<std::size_t>(dimension, 1));
+  boost::random::uniform_01<double> uniform;
+  std::vector<std::vector<double>> out(count, std::vector<double>(dimension));
+  for (std::vector<double>& place : out)
+    for (std::size_t i = 0; i < dimension; ++i) {
+      const double moved = uniform(sequence) + move[i];
+      place[i] = inside(moved - std::floor(moved));
+    }
+  return out;
+}
+
+std::vector<std::vector<double>> random_shares(std::size_t dimension, std::size_t count, std::uint64_t seed) {
+  boost::random::mt19937_64 generator(seed);
+  std::vector<std::vector<double>> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    out.push_back(random_vector(generator, dimension));
+    for (double& share : out.back()) share = inside(share);
+  }
+  return out;
+}
+
+DesignResult built(const Spread& spread, const simulation::DesignView& design, std::span<const double> shares) {
+  actuator::Design other = design.design;
+  actuator::OperatingPoint point = design.point;
+  simulation::Settings settings = simulation::settings_of(design);
+  for (std::size_t i = 0; i < spread.scatters.size(); ++i) {
+    const Scatter& scatter = spread.scatters[i];
+    if (const OperatingNumber* number = find_operating_number(scatter.name)) {
+      number->set(point, displaced(number->get(point), scatter, shares[i]));
+    } else if (const actuator::Parameter* parameter = actuator::find_parameter(scatter.name)) {
+      const double value = units::from_memory(parameter->get(other), parameter->key);
+      parameter->set(other, kept_in_range(units::to_memory(displaced(value, scatter, shares[i]), parameter->key),
+                                          parameter->rule));
+    } else {
+      const auto set = settings.find(scatter.name);
+      const double value = set != settings.end() ? set->second : spread.block_values[i].value();
+      settings.insert_or_assign(
+          scatter.name,
+          units::to_memory(displaced(units::from_memory(value, scatter.name), scatter, shares[i]), scatter.name));
+    }
+  }
+  return evaluate_design(std::move(other), std::move(settings),
+                         [&](const actuator::Design&, const actuator::Assembly& assembly, const auto& set) {
+                           if (spread.driven.drive) {
+                             const DrivenCurrent::Drive drive = spread.driven.drive(assembly, set);
+                             point.current = drive.current;
+                             point.duty = drive.duty;
+                           }
+                           return point;
+                         });
+}
+
+std::optional<StatisticName> statistic_named(std::string_view name) {
+  for (const auto& [prefix, kind] :
+       {std::pair{mean_prefix, Statistic::Kind::mean}, std::pair{deviation_prefix, Statistic::Kind::deviation}})
+    if (name.starts_with(prefix))
+      return StatisticName{.statistic = {.kind = kind}, .quantity = std::string(name.substr(prefix.size()))};
+  if (name.size() < 5 || name[0] != 'p' || name[3] != '_') return std::nullopt;
+  int percent = 0;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + 3, percent);
+  if (error != std::errc() || end != name.data() + 3 || percent < 1) return std::nullopt;
+  return StatisticName{.statistic = {.kind = Statistic::Kind::percentile, .percent = percent},
+                       .quantity = std::string(name.substr(4))};
+}
+
+std::optional<double> percentile(std::vector<std::optional<double>> values, double percent) {
+  const double missing = percent < 50.0 ? -HUGE_VAL : HUGE_VAL;
+  std::vector<double> sorted;
+  for (const std::optional<double>& value : values) sorted.push_back(value.value_or(missing));
+  std::ranges::sort(sorted);
+  const double place = 0.01 * percent * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(below);
+  double out = sorted[below];
+  if (share > 0.0) out += share * (sorted[below + 1] - out);
+  return std::isfinite(out) ? std::optional(out) : std::nullopt;
+}
+
+SpreadQuantities::SpreadQuantities(Spread spread)
+    : spread_(std::make_shared<const Spread>(std::move(spread))),
+      wanted_(std::make_shared<std::vector<simulation::ResultQuantity>>()),
+      values_([spread = spread_, wanted = wanted_](const simulation::DesignView& design) {
+        return values_of_builds(*spread, *wanted, design);
+      }) {}
+
+std::optional<simulation::ResultQuantity> SpreadQuantities::find(std::string_view name,
+                                                                 const simulation::QuantityTable& known) {
+  const std::optional<StatisticName> parts = statistic_named(name);
+  const simulation::ResultQuantity* of = parts ? known.find(parts->quantity) : nullptr;
+  if (of == nullptr) return std::nullopt;
+  auto place = std::ranges::find(*wanted_, of->name, &simulation::ResultQuantity::name);
+  const auto index = static_cast<std::size_t>(place - wanted_->begin());
+  if (place == wanted_->end()) wanted_->push_back(*of);
+  simulation::ResultQuantity out = *of;
+  out.name = std::string(name);
+  out.meaning = fmt::format("{}: {}", meaning_of(parts->statistic, spread_->draws), of->meaning);
+  out.value = [values = values_, index, statistic = parts->statistic](const simulation::DesignView& design) {
+    return value_of(statistic, (*values.of(design))[index]);
+  };
+  out.value_of_lumped = {};
+  out.absence = "it has none in too many builds of the spread";
+  out.why_absent = {};
+  return out;
+}
+
+}  // namespace coilwright::sizing

@@ -1,0 +1,296 @@
+#include "coilwright/sizing/study/yield.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "sizing/problem/workers.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+using Shares = std::vector<std::vector<double>>;
+using simulation::ResultQuantity;
+
+constexpr double outside = 0.025;  // of a 95 % interval, each side
+
+// A quantity on one build, with its limit where it has one.
+struct Asked {
+  const ResultQuantity* quantity{};
+  const Limit* limit{};
+};
+
+std::vector<Asked> asked_of(const Study& study) {
+  std::vector<Asked> out;
+  for (const StudyObjective& objective : study.objectives) out.push_back({.quantity = &of_one_build(objective)});
+  for (const Limit& limit : study.limits) out.push_back({.quantity = &of_one_build(limit), .limit = &limit});
+  return out;
+}
+
+// Values of the builds, by quantity; nothing of a build after a stop.
+using Values = std::vector<std::vector<std::optional<double>>>;
+
+Share share_of(std::size_t met, std::size_t all) {
+  using Binomial = boost::math::binomial;
+  const auto n = static_cast<double>(all);
+  const auto k = static_cast<double>(met);
+  return {.value = k / n,
+          .low = met == 0 ? 0.0 : Binomial::find_lower_bound_on_p(n, k, outside),
+          .high = met == all ? 1.0 : Binomial::find_upper_bound_on_p(n, k, outside)};
+}
+
+bool keeps(const Asked& asked, const std::optional<double>& value) {
+  return asked.limit == nullptr || (value && margin(*asked.limit, *value) >= 0.0);
+}
+
+std::size_t count_keeping_all(const std::vector<Asked>& asked, const Values& values) {
+  std::size_t count = 0;
+  for (std::size_t build = 0; build < values.front().size(); ++build) {
+    bool all = true;
+    for (std::size_t i = 0; i < asked.size(); ++i) all = all && keeps(asked[i], values[i][build]);
+    count += all ? 1 : 0;
+  }
+  return count;
+}
+
+// Builds designs on all threads.
+class Builder {
+ public:
+  Builder(const Study& study, const EvaluatedDesign& design, const YieldOptions& options, std::size_t of)
+      : asked_(asked_of(study)), design_{design}, options_{options}, of_{of}, workers_(options.threads) {}
+
+  [[nodiscard]] const std::vector<Asked>& asked() const noexcept { return asked_; }
+
+  // Nothing after a stop.
+  [[nodiscard]] std::optional<Values> values(const Spread& spread, const Shares& shares) {
+    Values out(asked_.size(), std::vector<std::optional<double>>(shares.size()));
+    workers_.run(shares.size(), [&](std::size_t build) {
+      if (options_.stop.stop_requested()) return;
+      const DesignResult one = built(spread, design_.view(), shares[build]);
+      if (const auto* done = std::get_if<EvaluatedDesign>(&one))
+        for (std::size_t i = 0; i < asked_.size(); ++i) {
+          const std::optional<double> value = asked_[i].quantity->value(done->view());
+          if (value && std::isfinite(*value)) out[i][build] = value;
+        }
+      else
+        ++not_built_;
+      if (options_.progress) options_.progress(++done_, of_);
+    });
+    if (options_.stop.stop_requested()) return std::nullopt;
+    return out;
+  }
+
+  [[nodiscard]] std::size_t not_built() const noexcept { return not_built_; }
+
+ private:
+  std::vector<Asked> asked_;
+  const EvaluatedDesign& design_;
+  const YieldOptions& options_;
+  std::size_t of_;
+  Workers workers_;
+  std::atomic<std::size_t> done_ = 0;
+  std::atomic<std::size_t> not_built_ = 0;
+};
+
+BuiltQuantity built_quantity(const Asked& asked, const std::vector<std::optional<double>>& values,
+                             const EvaluatedDesign& design) {
+  BuiltQuantity out{.name = asked.quantity->name,
+                    .nominal = asked.quantity->value(design.view()),
+                    .p05 = percentile(values, 5.0),
+                    .p50 = percentile(values, 50.0),
+                    .p95 = percentile(values, 95.0)};
+  if (asked.limit == nullptr) return out;
+  out.limit = name_of(Limit{.quantity = *asked.quantity, .side = asked.limit->side, .value = asked.limit->value});
+  const auto met = std::ranges::count_if(values, [&](const auto& value) { return keeps(asked, value); });
+  out.keeps = share_of(static_cast<std::size_t>(met), values.size());
+  return out;
+}
+
+double variance_of(const std::vector<double>& values) {
+  double mean = 0.0;
+  for (const double value : values) mean += value;
+  mean /= static_cast<double>(values.size());
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return sum / static_cast<double>(values.size() - 1);
+}
+
+struct Pair {
+  double first{};
+  double total{};
+};
+
+// Jansen's sums over the rows of `chosen`.
+Pair jansen(const SaltelliValues& values, const std::vector<double>& mixed, const std::vector<std::size_t>& chosen,
+            double variance) {
+  double first = 0.0;
+  double total = 0.0;
+  for (const std::size_t row : chosen) {
+    first += (values.b[row] - mixed[row]) * (values.b[row] - mixed[row]);
+    total += (values.a[row] - mixed[row]) * (values.a[row] - mixed[row]);
+  }
+  const double unit = 2.0 * static_cast<double>(chosen.size()) * variance;
+  return {.first = 1.0 - first / unit, .total = total / unit};
+}
+
+double variance_of(const SaltelliValues& values, const std::vector<std::size_t>& chosen) {
+  std::vector<double> all;
+  for (const std::size_t row : chosen) {
+    all.push_back(values.a[row]);
+    all.push_back(values.b[row]);
+  }
+  return variance_of(all);
+}
+
+SobolIndex index_of(double value, std::vector<double> resampled) {
+  std::ranges::sort(resampled);
+  const auto at = [&](double share) {
+    return resampled[static_cast<std::size_t>(std::lround(share * static_cast<double>(resampled.size() - 1)))];
+  };
+  return {.value = value, .low = at(outside), .high = at(1.0 - outside)};
+}
+
+// Values at A, B and the mixed designs of one quantity; nothing where one is missing.
+std::optional<SaltelliValues> complete(const std::vector<Values>& designs, std::size_t quantity) {
+  const auto numbers = [&](const Values& values) -> std::optional<std::vector<double>> {
+    std::vector<double> out;
+    for (const std::optional<double>& value : values[quantity]) {
+      if (!value) return std::nullopt;
+      out.push_back(*value);
+    }
+    return out;
+  };
+  SaltelliValues out;
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    std::optional<std::vector<double>> each = numbers(designs[i]);
+    if (!each) return std::nullopt;
+    if (i == 0)
+      out.a = std::move(*each);
+    else if (i == 1)
+      out.b = std::move(*each);
+    else
+      out.mixed.push_back(std::move(*each));
+  }
+  return out;
+}
+
+// A, B, and for each scatter A with its column from B.
+std::vector<Shares> saltelli_designs(std::size_t dimension, std::size_t count, std::uint64_t seed) {
+  Shares a;
+  Shares b;
+  for (const std::vector<double>& both : sobol_shares(2 * dimension, count, seed)) {
+    const auto middle = both.begin() + static_cast<std::ptrdiff_t>(dimension);
+    a.emplace_back(both.begin(), middle);
+    b.emplace_back(middle, both.end());
+  }
+  std::vector<Shares> out{a, b};
+  for (std::size_t input = 0; input < dimension; ++input) {
+    Shares mixed = a;
+    for (std::size_t row = 0; row < count; ++row) mixed[row][input] = b[row][input];
+    out.push_back(std::move(mixed));
+  }
+  return out;
+}
+
+Spread with_half(Spread spread, std::size_t index) {
+  std::variant<NormalDeviation, UniformDeviation>& about = spread.scatters[index].about;
+  if (auto* normal = std::get_if<NormalDeviation>(&about)) {
+    normal->sd *= 0.5;
+  } else {
+    auto& uniform = std::get<UniformDeviation>(about);
+    const double middle = 0.5 * (uniform.low + uniform.high);
+    uniform = {.low = 0.5 * (uniform.low + middle), .high = 0.5 * (uniform.high + middle)};
+  }
+  return spread;
+}
+
+std::optional<std::vector<ScatterWorth>> worths_of(const Spread& spread, Builder& builder,
+                                                   const YieldOptions& options) {
+  const std::size_t dimension = spread.scatters.size();
+  std::vector<Values> designs;
+  for (const Shares& shares : saltelli_designs(dimension, options.worth_builds, options.seed)) {
+    std::optional<Values> values = builder.values(spread, shares);
+    if (!values) return std::nullopt;
+    designs.push_back(std::move(*values));
+  }
+  std::vector<ScatterWorth> out;
+  const Shares dice = random_shares(dimension, options.worth_builds, options.seed + 1);
+  for (std::size_t input = 0; input < dimension; ++input) {
+    const std::optional<Values> values = builder.values(with_half(spread, input), dice);
+    if (!values) return std::nullopt;
+    out.push_back({.scatter = spread.scatters[input].name,
+                   .keeps_all = share_of(count_keeping_all(builder.asked(), *values), dice.size())});
+  }
+  for (std::size_t quantity = 0; quantity < builder.asked().size(); ++quantity) {
+    const std::optional<SaltelliValues> values = complete(designs, quantity);
+    const std::optional<SobolIndices> indices =
+        values ? sobol_indices(*values, options.seed) : std::optional<SobolIndices>();
+    for (std::size_t input = 0; input < dimension; ++input) {
+      out[input].first.push_back(indices ? std::optional(indices->first[input]) : std::nullopt);
+      out[input].total.push_back(indices ? std::optional(indices->total[input]) : std::nullopt);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed) {
+  constexpr int resamples = 400;
+  std::vector<std::size_t> all(values.a.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  const double variance = variance_of(values, all);
+  double largest = 0.0;
+  for (const double value : values.a) largest = std::max(largest, std::abs(value));
+  constexpr double rounding = 1e-9;  // relative: what does not vary has no shares
+  if (std::sqrt(variance) <= rounding * largest) return std::nullopt;
+  std::vector<std::vector<double>> firsts(values.mixed.size());
+  std::vector<std::vector<double>> totals(values.mixed.size());
+  boost::random::mt19937_64 generator(seed);
+  const boost::random::uniform_int_distribution<std::size_t> any(0, all.size() - 1);
+  for (int resample = 0; resample < resamples; ++resample) {
+    std::vector<std::size_t> rows(all.size());
+    for (std::size_t& row : rows) row = any(generator);
+    const double spread = variance_of(values, rows);
+    for (std::size_t input = 0; input < values.mixed.size(); ++input) {
+      const Pair pair = jansen(values, values.mixed[input], rows, spread);
+      firsts[input].push_back(pair.first);
+      totals[input].push_back(pair.total);
+    }
+  }
+  SobolIndices out;
+  for (std::size_t input = 0; input < values.mixed.size(); ++input) {
+    const Pair pair = jansen(values, values.mixed[input], all, variance);
+    out.first.push_back(index_of(pair.first, std::move(firsts[input])));
+    out.total.push_back(index_of(pair.total, std::move(totals[input])));
+  }
+  return out;
+}
+
+std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design, const YieldOptions& options) {
+  if (!study.spread) throw std::invalid_argument("a yield needs a study with a spread");
+  const Spread& spread = *study.spread;
+  const std::size_t dimension = spread.scatters.size();
+  const std::size_t of = options.builds + options.worth_builds * (2 + 2 * dimension);
+  Builder builder(study, design, options, of);
+  const std::optional<Values> values = builder.values(spread, random_shares(dimension, options.builds, options.seed));
+  if (!values) return std::nullopt;
+  Yield out{.builds = options.builds,
+            .not_built = builder.not_built(),
+            .keeps_all = share_of(count_keeping_all(builder.asked(), *values), options.builds)};
+  for (std::size_t i = 0; i < builder.asked().size(); ++i)
+    out.quantities.push_back(built_quantity(builder.asked()[i], (*values)[i], design));
+  if (options.worth_builds == 0) return out;
+  std::optional<std::vector<ScatterWorth>> worths = worths_of(spread, builder, options);
+  if (!worths) return std::nullopt;
+  out.worths = std::move(*worths);
+  return out;
+}
+
+}  // namespace coilwright::sizing

@@ -1,0 +1,110 @@
+"""A study's spread, and `coilwright yield`: builds of a design by dice."""
+
+import json
+import unittest
+
+from program import ProgramTest, run
+from study import write_study
+
+SPREAD = {"spread": {"gap_mm": {"sd": 0.05}, "current_A": {"relative_sd": 0.02}}}
+ROBUST = {**SPREAD, "objectives": [{"maximise": "p05_peak_bending_speed_deg_s"}],
+          "constraints": [{"quantity": "p95_mass_g", "at_most": 66}]}
+
+
+class Spread(ProgramTest):
+    def refused(self, message, **changes):
+        write_study(self, **changes)
+        self.assert_refused(["size", "study.json", "--out", "out"], "study.json: " + message)
+
+    def test_bad_spreads_are_named(self):
+        for spread, message in (
+            ({}, '/spread: needs "parts" or a number that scatters'),
+            ({"parts": "all"}, '/spread/parts: must be "usual" (coilwright list spreads); got text "all"'),
+            ({"gap": {"sd": 0.1}}, '/spread/gap: is no number of an actuator or a block that may scatter; did you mean "gap_mm"?'),
+            ({"turns_radial": {"sd": 1}}, "/spread/turns_radial: is no number of an actuator or a block that may scatter"),
+            ({"gap_mm": {}}, '/spread/gap_mm: needs one of "sd", "relative_sd", "uniform", "relative_uniform"'),
+            ({"gap_mm": {"sd": 0}}, "/spread/gap_mm/sd: must be > 0 and <= 1000000; got 0"),
+            ({"gap_mm": {"relative_sd": 0.3}}, "/spread/gap_mm/relative_sd: must be > 0 and <= 0.25; got 0.3"),
+            ({"gap_mm": {"uniform": [0.1, -0.1]}}, "/spread/gap_mm/uniform/1: must be above the other end (0.1); got -0.1"),
+            ({"gap_mm": {"relative_uniform": [-1, 1]}},
+             "/spread/gap_mm/relative_uniform/0: must be above -1: a share of the designed value; got -1"),
+            ({"gap_mm": {"sd": 0.3}}, "/spread/gap_mm: would make gap_mm -0.195 in one of 10,000 builds of the study's own "
+             "actuator (0.9): give less, or a relative_sd"),
+            ({"parts": "usual", "draws": 4}, "/spread/draws: must be from 8 to 4096; got 4"),
+        ):
+            with self.subTest(message):
+                self.refused(message, spread=spread)
+
+    def test_a_statistic_needs_a_spread_and_a_quantity(self):
+        self.refused('/objectives/0/maximise: is a statistic of builds: needs the block "spread" in the study; '
+                     'got text "p05_mass_g"', objectives=[{"maximise": "p05_mass_g"}])
+        write_study(self, **SPREAD, objectives=[{"maximise": "p05_mas_g"}])
+        result = run("size", "study.json", "--out", "out", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("/objectives/0/maximise: must be a quantity that evaluate prints", result.stderr)
+
+    def test_size_seeks_what_builds_reach(self):
+        write_study(self, **ROBUST, columns=[{"quantity": "p05_peak_bending_speed_deg_s / peak_bending_speed_deg_s",
+                                              "name": "kept", "unit": "1"}])
+        self.assertEqual(run("size", "study.json", "--out", "out", "--answer-only", cwd=self.folder).returncode, 0)
+        rows = [row for row in self.table("out/evaluations.csv") if row["status"] == "ok"]
+        self.assertGreater(len(rows), 10)
+        for row in rows:
+            self.assertLess(float(row["p05_peak_bending_speed_deg_s"]), float(row["peak_bending_speed_deg_s"]))
+            self.assertLessEqual(float(row["p95_mass_g"]), 66)
+            self.assertAlmostEqual(float(row["kept"]) * float(row["peak_bending_speed_deg_s"]),
+                                   float(row["p05_peak_bending_speed_deg_s"]), delta=0.01)
+
+    def test_the_same_bytes_on_any_number_of_threads(self):
+        write_study(self, **ROBUST)
+        for threads in "12":
+            run("size", "study.json", "--out", "out" + threads, "--threads", threads, "--answer-only", cwd=self.folder)
+        self.assertEqual((self.folder / "out1/evaluations.csv").read_bytes(),
+                         (self.folder / "out2/evaluations.csv").read_bytes())
+
+
+class Yield(ProgramTest):
+    def answer(self, *arguments):
+        result = run("yield", "study.json", "finger.json", "--json", "--quiet", *arguments, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return json.loads(result.stdout)
+
+    def test_builds_the_actuator_at_the_study_s_current(self):
+        # A limit in the middle of what builds have: half of them keep it.
+        evaluated = json.loads(run("evaluate", "configs/actuators/paper_finger.json", "--current-A", "1.2", "--json").stdout)
+        write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[
+            {"quantity": "current_A", "at_most": 1.2}, {"quantity": "p95_mass_g", "at_most": evaluated["mass_g"] * 1.2}])
+        answer = self.answer("--builds", "2000")
+        self.assertEqual(answer["builds"], 2000)
+        of = {row["quantity"]: row for row in answer["quantities"]}
+        self.assertEqual(set(of), {"peak_bending_speed_deg_s", "current_A", "mass_g"})
+        self.assertAlmostEqual(of["mass_g"]["nominal"], evaluated["mass_g"], places=9)
+        low, high = (of["current_A"]["keeps"][end] for end in ("low", "high"))
+        self.assertTrue(low < 0.5 < high and high - low < 0.05, (low, high))
+        self.assertEqual(of["mass_g"]["keeps"]["share"], 1)
+        self.assertEqual(answer["keeps_all"], of["current_A"]["keeps"])
+        self.assertEqual(self.answer("--builds", "2000", "--threads", "1"), answer)
+        self.assertNotEqual(self.answer("--builds", "2000", "--seed", "2"), answer)
+
+    def test_says_which_scatter_matters(self):
+        write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[{"quantity": "current_A", "at_most": 1.22}])
+        answer = self.answer("--builds", "50", "--worth", "64")
+        gap, current = answer["scatters"]
+        self.assertEqual((gap["scatter"], current["scatter"]), ("gap_mm", "current_A"))
+        self.assertGreater(current["total"][1]["value"], 0.9)
+        text = run("yield", "study.json", "finger.json", "--builds", "50", "--worth", "64", "--quiet", cwd=self.folder).stdout
+        self.assertIn("builds by fresh dice keep every limit", text)
+        self.assertIn("If one of them scattered half as far, every limit would be kept by", text)
+
+    def test_refuses_what_it_cannot_build(self):
+        write_study(self)
+        self.assert_refused(["yield", "study.json", "finger.json"],
+                            'study.json: needs the block "spread" ({"parts": "usual"}): without one every build is the design')
+        write_study(self, **SPREAD, operating_point=None, variables={"current_A": {"lower": 0.5, "upper": 1}})
+        self.assert_refused(["yield", "study.json", "finger.json"],
+                            "finger.json: /operating_point: must be there: the study varies the current, and does not say "
+                            "with which one")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,253 @@
+#include "coilwright/sizing/study/spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "coilwright/actuator/design/value_limits.hpp"
+#include "coilwright/sizing/study/usual_scatters.hpp"
+#include "coilwright/sizing/study/yield.hpp"
+#include "error_text.hpp"
+#include "sizing/small_study.hpp"
+
+namespace coilwright::sizing {
+namespace {
+
+Scatter normal(const char* name, double sd, bool relative = false) {
+  return {.name = name, .about = NormalDeviation{sd}, .relative = relative};
+}
+
+Scatter uniform(const char* name, double low, double high, bool relative = false) {
+  return {.name = name, .about = UniformDeviation{.low = low, .high = high}, .relative = relative};
+}
+
+Spread spread_of(std::vector<Scatter> scatters, std::size_t draws = 32) {
+  Spread out{.scatters = std::move(scatters), .block_values = {}, .draws = draws};
+  out.block_values.resize(out.scatters.size());
+  return out;
+}
+
+EvaluatedDesign paper_like(double current = 1.0) {
+  return simulation::evaluate(actuator::Design{}, {.current = current});
+}
+
+double value(const char* name, const EvaluatedDesign& design) {
+  return simulation::standard_quantities().at(name).value(design.view()).value();
+}
+
+// Quantiles of the normal law from tables, to their digits; the cut at 4 standard deviations moves them by less.
+TEST(Scatter, DeviatesByItsLaw) {
+  const Scatter gap = normal("gap_mm", 0.1);
+  EXPECT_NEAR(gap.deviation(0.5), 0.0, 1e-12);
+  EXPECT_NEAR(gap.deviation(0.975), 0.195996, 2e-4);
+  EXPECT_NEAR(gap.deviation(0.025), -gap.deviation(0.975), 1e-12);
+  EXPECT_NEAR(gap.deviation(0.0), -0.4, 1e-3);
+  EXPECT_NEAR(gap.deviation(1.0), 0.4, 1e-3);
+  EXPECT_NEAR(uniform("gap_mm", -0.1, 0.3).deviation(0.75), 0.2, 1e-15);
+}
+
+// As R's quantile(c(1, 2, 3, 4, 10), p), type 7.
+TEST(Percentile, InterpolatesBetweenOrderStatistics) {
+  const std::vector<std::optional<double>> values{4.0, 1.0, 10.0, 2.0, 3.0};
+  EXPECT_NEAR(percentile(values, 5.0).value(), 1.2, 1e-12);
+  EXPECT_NEAR(percentile(values, 50.0).value(), 3.0, 1e-12);
+  EXPECT_NEAR(percentile(values, 95.0).value(), 8.8, 1e-12);
+}
+
+// What could not be built is worse than all that could.
+TEST(Percentile, CountsWhatIsMissingAtTheBadEnd) {
+  std::vector<std::optional<double>> values(40, 1.0);
+  values[7].reset();
+  EXPECT_EQ(percentile(values, 5.0), 1.0);  // between the second and the third of 40
+  EXPECT_EQ(percentile(values, 95.0), 1.0);
+  values[8].reset();
+  values[9].reset();
+  EXPECT_EQ(percentile(values, 5.0), std::nullopt);
+  EXPECT_EQ(percentile(values, 95.0), std::nullopt);
+  EXPECT_EQ(percentile(values, 50.0), 1.0);
+}
+
+TEST(StatisticName, IsAPrefixOfAQuantity) {
+  const auto parts = statistic_named("p05_grasp_force_N");
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(parts->statistic.kind, Statistic::Kind::percentile);
+  EXPECT_EQ(parts->statistic.percent, 5);
+  EXPECT_EQ(parts->quantity, "grasp_force_N");
+  EXPECT_EQ(statistic_named("sd_mass_g")->statistic.kind, Statistic::Kind::deviation);
+  EXPECT_EQ(statistic_named("mean_mass_g")->quantity, "mass_g");
+  for (const char* name : {"peak_angle_deg", "p00_mass_g", "p5_mass_g", "p105_mass_g", "p+5_mass_g", "power_W", "p05"})
+    EXPECT_EQ(statistic_named(name), std::nullopt) << name;
+}
+
+// Of 64 places moved as one, each sixteenth of every side holds four; their mean of a smooth function beats dice by
+// far.
+TEST(SobolShares, FillTheCubeEvenly) {
+  const auto places = sobol_shares(5, 64, 3);
+  double mean = 0.0;
+  for (std::size_t side = 0; side < 5; ++side) {
+    std::vector<int> count(16, 0);
+    for (const auto& place : places) ++count.at(static_cast<std::size_t>(place[side] * 16.0));
+    for (const int each : count) EXPECT_NEAR(each, 4, 1) << side;
+  }
+  for (const auto& place : places) mean += std::exp(place[0] + place[1]) * place[2] / 64.0;
+  const double exact = (std::numbers::e - 1.0) * (std::numbers::e - 1.0) / 2.0;
+  EXPECT_NEAR(mean, exact, 0.069);  // half of what dice err by, sqrt(((e^2 - 1) / 2)^2 / 3 - exact^2) / 8
+  EXPECT_EQ(places, sobol_shares(5, 64, 3));
+  EXPECT_NE(places, sobol_shares(5, 64, 4));
+}
+
+TEST(Built, IsTheDesignWithItsNumbersDisplaced) {
+  const EvaluatedDesign design = paper_like();
+  const Spread spread = spread_of({uniform("gap_mm", -0.2, 0.2), uniform("current_A", -0.1, 0.1, true),
+                                   uniform("joint_stiffness_factor", -0.5, 0.5, true)});
+  const DesignResult result = built(spread, design.view(), std::vector<double>{0.75, 0.75, 0.25});
+  const auto& one = std::get<EvaluatedDesign>(result);
+  EXPECT_NEAR(one.design.body.gap, design.design.body.gap + 0.1e-3, 1e-15);
+  EXPECT_NEAR(one.point.current, 1.05, 1e-12);
+  EXPECT_NEAR(value("joint_stiffness_Nmm_rad", one), 0.75 * value("joint_stiffness_Nmm_rad", design), 1e-9);
+  // In the middle it is the design itself, to the last bit.
+  const DesignResult middle = built(spread, design.view(), std::vector<double>{0.5, 0.5, 0.5});
+  EXPECT_EQ(value("peak_bending_speed_deg_s", std::get<EvaluatedDesign>(middle)),
+            value("peak_bending_speed_deg_s", design));
+}
+
+TEST(Built, SaysWhyItCannotBe) {
+  const Spread wide = spread_of({uniform("magnet_radius_mm", -100.0, 100.0)});
+  const EvaluatedDesign design = paper_like();
+  const DesignResult thin = built(wide, design.view(), std::vector<double>{0.1});
+  const auto* none = std::get_if<NotEvaluated>(&thin);
+  const auto* some = std::get_if<EvaluatedDesign>(&thin);
+  ASSERT_TRUE(none != nullptr || some != nullptr);
+  if (some != nullptr) {
+    EXPECT_EQ(some->design.magnet.radius, actuator::shortest_length);
+  }
+  const Spread shares = spread_of({uniform("coil_inner_radius_mm", -100.0, 1000.0)});
+  const DesignResult huge = built(shares, design.view(), std::vector<double>{0.9999});
+  if (const auto* why = std::get_if<NotEvaluated>(&huge)) {
+    EXPECT_FALSE(why->reason.empty());
+  }
+}
+
+// A quantity that is the number itself has the law's own percentiles, mean and deviation, but for what 512 places may
+// be moved by together: 1/512 of the share, 0.02 standard deviations at 5 %.
+TEST(SpreadQuantities, AreStatisticsOfTheBuilds) {
+  SpreadQuantities statistics(spread_of({normal("current_A", 0.02, true)}, 512));
+  const simulation::QuantityTable& known = simulation::standard_quantities();
+  const auto p05 = statistics.find("p05_current_A", known);
+  const auto p95 = statistics.find("p95_current_A", known);
+  const auto mean = statistics.find("mean_current_A", known);
+  const auto sd = statistics.find("sd_current_A", known);
+  ASSERT_TRUE(p05 && p95 && mean && sd);
+  EXPECT_EQ(statistics.find("p05_current", known), std::nullopt);
+  EXPECT_EQ(statistics.find("current_A", known), std::nullopt);
+  const EvaluatedDesign design = paper_like(1.2);
+  EXPECT_NEAR(p05->value(design.view()).value(), 1.2 * (1.0 - 0.02 * 1.644854), 5e-4);
+  EXPECT_NEAR(p95->value(design.view()).value(), 1.2 * (1.0 + 0.02 * 1.644854), 5e-4);
+  EXPECT_NEAR(mean->value(design.view()).value(), 1.2, 5e-4);
+  EXPECT_NEAR(sd->value(design.view()).value(), 1.2 * 0.02, 5e-4);
+}
+
+TEST(UsualScatters, AreOfNumbersThatThereAre) {
+  for (const UsualScatter& usual : usual_scatters()) {
+    const actuator::Parameter* parameter = actuator::find_parameter(usual.scatter.name);
+    ASSERT_NE(parameter, nullptr) << usual.scatter.name;
+    EXPECT_FALSE(parameter->whole) << usual.scatter.name;
+    EXPECT_GT(usual.scatter.deviation(0.9), 0.0) << usual.scatter.name;
+    EXPECT_FALSE(usual.source.empty()) << usual.scatter.name;
+  }
+}
+
+Study study_with(Spread spread, double most_current) {
+  Study study{.name = "one",
+              .base = {},
+              .current = FixedCurrent{1.2},
+              .variables = {},
+              .objectives = {},
+              .limits = {},
+              .search = {}};
+  study.spread = std::move(spread);
+  study.limits.push_back({.quantity = simulation::standard_quantities().at("current_A"), .value = most_current});
+  return study;
+}
+
+// 95.22 % lie below 5/3 standard deviations; by dice, so within the interval that is stated with it.
+TEST(YieldOf, IsTheShareThatTheLawKeeps) {
+  const Study study = study_with(spread_of({normal("current_A", 0.02, true)}), 1.24);
+  const EvaluatedDesign design = paper_like(1.2);
+  const auto yield = yield_of(study, design, {.builds = 2000, .seed = 7, .threads = 2});
+  ASSERT_TRUE(yield);
+  EXPECT_EQ(yield->not_built, 0u);
+  EXPECT_LT(yield->keeps_all.low, 0.9522);
+  EXPECT_GT(yield->keeps_all.high, 0.9522);
+  EXPECT_LT(yield->keeps_all.high - yield->keeps_all.low, 0.025);
+  ASSERT_EQ(yield->quantities.size(), 1u);
+  EXPECT_EQ(yield->quantities[0].nominal, 1.2);
+  EXPECT_NEAR(yield->quantities[0].p50.value(), 1.2, 0.002);
+  EXPECT_EQ(yield->quantities[0].limit, "current_A <= 1.24");
+  const auto again = yield_of(study, design, {.builds = 2000, .seed = 7, .threads = 1});
+  EXPECT_EQ(again->keeps_all.value, yield->keeps_all.value);
+  EXPECT_EQ(again->quantities[0].p05, yield->quantities[0].p05);
+}
+
+TEST(YieldOf, GivesTheWorthOfEachScatter) {
+  const Study study =
+      study_with(spread_of({normal("current_A", 0.02, true), normal("magnet_length_mm", 0.05)}), 1.2 * 1.02);
+  const auto yield = yield_of(study, paper_like(1.2), {.builds = 100, .worth_builds = 512});
+  ASSERT_TRUE(yield);
+  ASSERT_EQ(yield->worths.size(), 2u);
+  EXPECT_NEAR(yield->worths[0].first[0].value().value, 1.0, 0.02);
+  EXPECT_NEAR(yield->worths[1].total[0].value().value, 0.0, 1e-9);
+  EXPECT_NEAR(yield->worths[0].keeps_all.value, 0.97725, 0.02);  // two standard deviations
+  EXPECT_NEAR(yield->worths[1].keeps_all.value, 0.84134, 0.04);  // one, as it is
+}
+
+TEST(YieldOf, NeedsASpread) {
+  Study study = study_with({}, 1.0);
+  study.spread.reset();
+  EXPECT_EQ(error_text([&] { (void)yield_of(study, paper_like(), {}); }), "a yield needs a study with a spread");
+}
+
+// Ishigami and Homma's function, a = 7 and b = 0.1, in closed form: first 0.3139, 0.4424, 0; total 0.5576, 0.4424,
+// 0.2437.
+TEST(SobolIndices, AreThoseOfIshigami) {
+  const auto ishigami = [](const std::vector<double>& shares) {
+    constexpr double pi = std::numbers::pi;
+    const double x = pi * (2.0 * shares[0] - 1.0);
+    const double y = pi * (2.0 * shares[1] - 1.0);
+    const double z = pi * (2.0 * shares[2] - 1.0);
+    return std::sin(x) + 7.0 * std::sin(y) * std::sin(y) + 0.1 * std::pow(z, 4.0) * std::sin(x);
+  };
+  SaltelliValues values{.a = {}, .b = {}, .mixed = {{}, {}, {}}};
+  for (const std::vector<double>& both : sobol_shares(6, 4096, 11)) {
+    const std::vector<double> a(both.begin(), both.begin() + 3);
+    const std::vector<double> b(both.begin() + 3, both.end());
+    values.a.push_back(ishigami(a));
+    values.b.push_back(ishigami(b));
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<double> mixed = a;
+      mixed[i] = b[i];
+      values.mixed[i].push_back(ishigami(mixed));
+    }
+  }
+  const auto indices = sobol_indices(values, 1);
+  ASSERT_TRUE(indices);
+  const double first[] = {0.3139, 0.4424, 0.0};
+  const double total[] = {0.5576, 0.4424, 0.2437};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(indices->first[i].value, first[i], 0.02) << i;
+    EXPECT_NEAR(indices->total[i].value, total[i], 0.02) << i;
+    EXPECT_LT(indices->first[i].low, first[i]) << i;
+    EXPECT_GT(indices->first[i].high, first[i]) << i;
+    EXPECT_LT(indices->total[i].low, total[i]) << i;
+    EXPECT_GT(indices->total[i].high, total[i]) << i;
+  }
+}
+
+TEST(SobolIndices, AreNoneOfAConstant) {
+  EXPECT_EQ(sobol_indices({.a = {1.0, 1.0}, .b = {1.0, 1.0}, .mixed = {{1.0, 1.0}}}, 1), std::nullopt);
+}
+
+}  // namespace
+}  // namespace coilwright::sizing

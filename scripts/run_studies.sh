@@ -63,6 +63,18 @@ for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size
 run strongest_grip size
 run least_ringing size
+run robust_finger size
+run robust_grip size
+# What dice make of the nominal design and of the robust one.
+for pair in "robust_finger fastest_finger" "robust_grip strongest_grip"; do
+  read -r robust nominal <<<"$pair"
+  for of in "$nominal" "$robust"; do
+    "$program" yield "configs/studies/$robust.json" "results/reference/$of/actuator.json" --builds 10000 --quiet \
+      >"results/reference/$robust/yield_of_$of.txt"
+  done
+  "$program" yield "configs/studies/$robust.json" "results/reference/$robust/actuator.json" --builds 1000 --worth 1024 \
+    --quiet >"results/reference/$robust/worth.txt"
+done
 run grip_per_mass size
 run split_currents size
 run speed_against_grip pareto

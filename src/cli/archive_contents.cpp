@@ -46,7 +46,7 @@ archive::Contents contents_of(const sizing::Study& study, const Provenance& prov
   contents.question = hash_of(provenance);
   contents.physics = {.actuator = sha256(formats::to_json(study.base, "").text()),
                       .operation = sha256(operation_text(study)),
-                      .systems = builds_a_system ? contents.question : ""};
+                      .systems = builds_a_system || study.spread ? contents.question : ""};
   if (provenance.seed) {
     contents.algorithm = std::string(sizing::name_of(study.search.algorithm));
     contents.seed = provenance.seed;

@@ -63,7 +63,7 @@ class Evaluate(ProgramTest):
         self.assertEqual([key for key in PROMISED if key not in got], [])
         # Nothing without a period, a supply's voltage or a grade.
         absent = {"temperature_ripple_K", "supply_driven_current_A", "demagnetisation_margin",
-                  "demagnetisation_margin_worst_point"}
+                  "demagnetisation_margin_worst_point", "irreversible_loss_pct"}
         for key, value in got.items():
             if key in absent:
                 self.assertIsNone(value, key)

@@ -35,7 +35,7 @@ class StudyInput(ProgramTest):
              "/operating_point/wiring: must be parallel where coils have shares of the current: in series there is one"),
             ({"objective": FRONT[0]}, '/objective: unknown key; the keys here are "actuator", "columns", '
              '"constraints", "crawler", "description", "format", "gripper", "name", "objectives", "operating_point", "search", '
-             '"variables"'),
+             '"spread", "variables"'),
             ({"objectives": None, "objective": FRONT},
              '/objectives: is missing; is "objective" meant to be it?'),
             ({"variables": None}, "/variables: is missing"),

@@ -55,6 +55,14 @@ class Spread(ProgramTest):
             self.assertAlmostEqual(float(row["kept"]) * float(row["peak_bending_speed_deg_s"]),
                                    float(row["p05_peak_bending_speed_deg_s"]), delta=0.01)
 
+    def test_another_spread_is_another_question(self):
+        write_study(self, **ROBUST)
+        run("size", "study.json", "--out", "one", "--answer-only", cwd=self.folder)
+        write_study(self, **{**ROBUST, "spread": {**SPREAD["spread"], "gap_mm": {"sd": 0.1}}})
+        result = run("size", "study.json", "--out", "two", "--reuse", "one", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("another study of what is built from the actuator (gripper, crawler, spread)", result.stderr)
+
     def test_the_same_bytes_on_any_number_of_threads(self):
         write_study(self, **ROBUST)
         for threads in "12":

@@ -41,20 +41,6 @@ Scatter read_scatter(const Node& node, const std::string& name) {
   });
 }
 
-// What no number of a file has to be but a build must: a length or a factor that is there.
-void require_buildable(const Node& node, const Scatter& scatter, const actuator::Parameter& parameter,
-                       const actuator::Design& base) {
-  if (scatter.relative || parameter.rule == actuator::ParameterRule::any) return;
-  const double value = units::from_memory(parameter.get(base), parameter.key);
-  constexpr double nearly_all = 1e-4;
-  const double lowest = value + scatter.deviation(nearly_all);
-  if (lowest > 0.0) return;
-  throw node.error_without_value(
-      fmt::format("would make {} {:.3g} in one of 10,000 builds of the study's own actuator ({:.4g}): give less, or a "
-                  "relative_sd",
-                  scatter.name, lowest, value));
-}
-
 [[noreturn]] void refuse_name(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
   std::vector<std::string> names = sizing::operating_number_names();
   names.insert(names.end(), {"parts", "draws"});
@@ -74,7 +60,7 @@ void add(Spread& spread, Scatter scatter, std::optional<double> block_value) {
   spread.block_values.push_back(block_value);
 }
 
-void read_scatter_into(Spread& spread, const Node& node, const std::string& name, const actuator::Design& base,
+void read_scatter_into(Spread& spread, const Node& node, const std::string& name,
                        const std::vector<BlockVariable>& of_blocks) {
   if (const auto block = std::ranges::find(of_blocks, name, &BlockVariable::name); block != of_blocks.end())
     return add(spread, read_scatter(node, name), units::to_memory(block->base, name));
@@ -82,14 +68,12 @@ void read_scatter_into(Spread& spread, const Node& node, const std::string& name
   const std::vector<std::string> operating = sizing::operating_number_names();
   if (std::ranges::count(operating, name) == 0 && (parameter == nullptr || parameter->whole))
     refuse_name(node, name, of_blocks);
-  Scatter scatter = read_scatter(node, name);
-  if (parameter != nullptr) require_buildable(node, scatter, *parameter, base);
-  add(spread, std::move(scatter), std::nullopt);
+  add(spread, read_scatter(node, name), std::nullopt);
 }
 
 }  // namespace
 
-Spread read_spread(const Node& node, const actuator::Design& base, const std::vector<BlockVariable>& of_blocks) {
+Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks) {
   Spread spread;
   node.expect_object();
   if (const auto parts = node.find("parts")) {
@@ -99,9 +83,27 @@ Spread read_spread(const Node& node, const actuator::Design& base, const std::ve
   if (const auto draws = node.find("draws"))
     spread.draws = static_cast<std::size_t>(draws->integer<int>(Rule::between(fewest_draws, most_draws)));
   for (const std::string& name : node.keys())
-    if (name != "parts" && name != "draws") read_scatter_into(spread, *node.find(name), name, base, of_blocks);
+    if (name != "parts" && name != "draws") read_scatter_into(spread, *node.find(name), name, of_blocks);
   if (spread.scatters.empty()) throw node.error_without_value("needs \"parts\" or a number that scatters");
   return spread;
+}
+
+// What no number of a file has to be but a build must: a length or a factor that is there.
+void require_buildable(const Node& node, const Spread& spread, const actuator::Design& base) {
+  constexpr double one_in_ten_thousand = 1e-4;
+  for (const Scatter& scatter : spread.scatters) {
+    const actuator::Parameter* parameter = actuator::find_parameter(scatter.name);
+    if (parameter == nullptr || scatter.relative || parameter->rule == actuator::ParameterRule::any) continue;
+    const double value = units::from_memory(parameter->get(base), parameter->key);
+    const double lowest = value + scatter.deviation(one_in_ten_thousand);
+    if (lowest > 0.0) continue;
+    const auto place = node.find(scatter.name);
+    throw(place ? *place : node)
+        .error_without_value(
+            fmt::format("would make {} {:.3g} in one of 10,000 builds of the study's own actuator ({:.4g}): give less, "
+                        "or a relative_sd",
+                        scatter.name, lowest, value));
+  }
 }
 
 }  // namespace coilwright::formats

@@ -8,8 +8,10 @@
 
 namespace coilwright::formats {
 
-/// The key "spread" of a study: what builds of `base` differ by, with the numbers of blocks that may scatter too.
-[[nodiscard]] sizing::Spread read_spread(const text::Node& node, const actuator::Design& base,
-                                         const std::vector<BlockVariable>& of_blocks);
+/// The key "spread" of a study, with the numbers of blocks that may scatter too.
+[[nodiscard]] sizing::Spread read_spread(const text::Node& node, const std::vector<BlockVariable>& of_blocks);
+
+/// Throws InputError where a number of `base` would be 0 or less in one of 10,000 builds. `node` is the key "spread".
+void require_buildable(const text::Node& node, const sizing::Spread& spread, const actuator::Design& base);
 
 }  // namespace coilwright::formats

@@ -347,10 +347,9 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
     if (operation) read_operation(*operation, blocks.crawler, study);
-    study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
     StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}};
     if (const auto spread = in.find("spread")) {
-      study.spread = read_spread(*spread, study.base, variables_of(blocks));
+      study.spread = read_spread(*spread, variables_of(blocks));
       if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;
       wanted.spread.emplace(*study.spread);
     }
@@ -360,6 +359,8 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
+    study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
+    if (study.spread) require_buildable(*in.find("spread"), *study.spread, study.base);
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")
         variable = read_polarities(*in.at("variables").find("polarity"), study.base.layout);

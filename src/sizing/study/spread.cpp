@@ -221,7 +221,8 @@ std::optional<double> percentile(std::vector<std::optional<double>> values, doub
   std::vector<double> sorted;
   for (const std::optional<double>& value : values) sorted.push_back(value.value_or(missing));
   std::ranges::sort(sorted);
-  const double place = 0.01 * percent * static_cast<double>(sorted.size() - 1);
+  const double last = static_cast<double>(sorted.size() - 1);
+  const double place = std::clamp(0.01 * percent * (last + 1.0) - 0.5, 0.0, last);
   const auto below = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(below);
   double out = sorted[below];

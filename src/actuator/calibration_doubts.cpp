@@ -1,7 +1,6 @@
 #include "coilwright/actuator/calibration_doubts.hpp"
 
 #include <array>
-#include <utility>
 
 #include "coilwright/actuator/hinges.hpp"
 
@@ -14,11 +13,7 @@ constexpr double plausible = 1.25;
 // left.
 double damping_factor(const Design& design) {
   if (!design.calibration.hinge) return 1.0;
-  Design derived = design;
-  derived.calibration.joint_stiffness = 1.0;
-  derived.calibration.joint_damping = 1.0;
-  derived.calibration.constant_damping = 1.0;
-  const double damping = with_measured_hinge(std::move(derived), {}, {}).calibration.hinge->damping;
+  const double damping = derived_reference_damping(design);
   return damping > 0.0 ? design.calibration.hinge->damping / damping : 1.0;
 }
 

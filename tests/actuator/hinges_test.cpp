@@ -7,6 +7,8 @@
 
 #include "actuator/paper_finger.hpp"
 #include "coilwright/actuator/assemble.hpp"
+#include "coilwright/actuator/calibrate.hpp"
+#include "coilwright/actuator/calibration_doubts.hpp"
 
 namespace coilwright::actuator {
 namespace {
@@ -122,6 +124,22 @@ TEST(DampingLaw, ShrinksTheConstantPartWithTheVolume) {
   const double ratio = assemble_or_throw(small).dimensions.width / 22e-3;
   EXPECT_NEAR(ratio, 1.0 / 3.0, 1e-3);
   expect_relative(constant_part(small), constant_part(prototype) * ratio * ratio * ratio, 1e-9);
+}
+
+// What was measured on the prototype is no less plausible in a design that lies away from it.
+TEST(CalibrationDoubts, AreOfTheJointThatWasMeasured) {
+  const Design prototype = paper_finger();
+  const std::vector<CalibrationDoubt> doubts = calibration_doubts(prototype);
+  Design wide = thinner_and_wider(prototype);
+  wide.magnet.radius = 13e-3;
+  for (const Design& other : {thinner_and_wider(prototype), wide}) {
+    const std::vector<CalibrationDoubt> same = calibration_doubts(other);
+    ASSERT_EQ(same.size(), doubts.size());
+    for (std::size_t i = 0; i < same.size(); ++i) expect_relative(same[i].factor, doubts[i].factor);
+  }
+  Design odd = prototype;
+  odd.calibration = calibrate(prototype, {.joint_damping = 5e-4});
+  EXPECT_EQ(calibration_doubts(odd).back().quantity, "joint damping");
 }
 
 // b of another design under the three tenable laws, each from the prototype's k, b and frequency.

@@ -34,7 +34,8 @@ struct Program {
 struct Physics {
   std::string actuator{};   ///< of the study's actuator, with what --set changes
   std::string operation{};  ///< of its operating point
-  std::string systems{};    ///< of the whole question where the study builds something from the actuator, or scatters it; else empty
+  std::string systems{};  ///< of the whole question where the study builds something from the actuator, or scatters it;
+                          ///< else empty
 
   friend bool operator==(const Physics&, const Physics&) = default;
 };

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import ProgramTest, run
+from program import PAPER_FINGER, ProgramTest, run
 from study import write_study
 
 SPREAD = {"spread": {"gap_mm": {"sd": 0.05}, "current_A": {"relative_sd": 0.02}}}
@@ -79,7 +79,7 @@ class Yield(ProgramTest):
 
     def test_builds_the_actuator_at_the_study_s_current(self):
         # A limit in the middle of what builds have: half of them keep it.
-        evaluated = json.loads(run("evaluate", "configs/actuators/paper_finger.json", "--current-A", "1.2", "--json").stdout)
+        evaluated = json.loads(run("evaluate", PAPER_FINGER, "--current-A", "1.2", "--json").stdout)
         write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[
             {"quantity": "current_A", "at_most": 1.2}, {"quantity": "p95_mass_g", "at_most": evaluated["mass_g"] * 1.2}])
         answer = self.answer("--builds", "2000")

@@ -1,6 +1,7 @@
 #include "coilwright/actuator/calibration_doubts.hpp"
 
 #include <array>
+#include <utility>
 
 #include "coilwright/actuator/hinges.hpp"
 
@@ -13,8 +14,14 @@ constexpr double plausible = 1.25;
 // left.
 double damping_factor(const Design& design) {
   if (!design.calibration.hinge) return 1.0;
-  const double damping = derived_reference_damping(design);
-  return damping > 0.0 ? design.calibration.hinge->damping / damping : 1.0;
+  Design derived = design;
+  derived.calibration.joint_stiffness = 1.0;
+  derived.calibration.joint_damping = 1.0;
+  derived.calibration.constant_damping = 1.0;
+  // Both at the design's own size, each in the mode of its own stiffness.
+  const auto damping = [](Design of) { return with_measured_hinge(std::move(of), {}, {}).calibration.hinge->damping; };
+  const double by_laws = damping(std::move(derived));
+  return by_laws > 0.0 ? damping(design) / by_laws : 1.0;
 }
 
 }  // namespace

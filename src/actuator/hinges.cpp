@@ -119,16 +119,6 @@ HingeReference hinge_reference(const Design& design) {
       .first_mode = prototype_first_mode};
 }
 
-double derived_reference_damping(const Design& design) {
-  Design derived = design;
-  derived.calibration.joint_stiffness = 1.0;
-  derived.calibration.joint_damping = 1.0;
-  derived.calibration.constant_damping = 1.0;
-  const HingeReference reference = hinge_reference(design);
-  return silicone_damping(derived, section_of(reference), reference.first_mode) +
-         constant_damping(derived, reference.width);
-}
-
 Design with_measured_hinge(Design design, std::optional<double> stiffness, std::optional<double> damping) {
   const Dimensions size = dimensions(design);
   if (stiffness) {

@@ -33,9 +33,6 @@ namespace coilwright::actuator {
 /// of 0.1) a joint of the prototype's cross-section and frequency with this design's own laws, factors and hardness.
 [[nodiscard]] HingeReference hinge_reference(const Design& design);
 
-/// Its damping by the design's laws alone, N m s/rad: with all calibration factors of stiffness and damping 1.
-[[nodiscard]] double derived_reference_damping(const Design& design);
-
 /// The same design under another law of its hinges. The joint of hinge_reference() keeps its stiffness and damping, and
 /// so does this design if it has that cross-section.
 [[nodiscard]] Design with_hinge_law(Design design, HingeLaw law);

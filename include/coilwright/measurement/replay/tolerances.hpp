@@ -27,6 +27,7 @@ struct Tolerances {
 /// A tolerance that the model cannot have. what() is the rule that it breaks: "must be > 0, because ...".
 class ToleranceFault : public std::invalid_argument {
  public:
+  /// Of the number `name`, whose `value` breaks `rule`.
   ToleranceFault(std::string name, const std::string& rule, std::string value = {})
       : std::invalid_argument(rule), name_(std::move(name)), value_(std::move(value)) {}
   /// Of the number, as in Tolerances::named.

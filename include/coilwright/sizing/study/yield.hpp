@@ -36,6 +36,8 @@ struct SobolIndex {
   double low{};
   double high{};
 };
+
+/// What one scatter of the spread does to each quantity and to the yield.
 struct ScatterWorth {
   std::string scatter;
   /// One a quantity, in their order; nothing where a quantity does not vary or some build lacks it.
@@ -74,6 +76,8 @@ struct SaltelliValues {
   std::vector<double> a, b;
   std::vector<std::vector<double>> mixed;  ///< by input
 };
+
+/// Sobol's indices of every input.
 struct SobolIndices {
   std::vector<SobolIndex> first, total;  ///< by input
 };

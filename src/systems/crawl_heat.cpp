@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "coilwright/actuator/heat.hpp"
-#include "coilwright/thermal/steady_state.hpp"
 #include "coilwright/thermal/transient.hpp"
 
 namespace coilwright::systems {
@@ -21,6 +20,10 @@ Bearing bearing_of(const thermal::Network& network, double current) {
 
 double rms_current(const Crawler& crawler, const Crawl& crawl) {
   return std::sqrt(crawl.powers.copper / (crawler.model().coils() * crawler.coil_resistance()));
+}
+
+thermal::CurrentLimits lying_limits(const actuator::Design& design, const actuator::Assembly& assembly) {
+  return thermal::current_limits(actuator::heat_network(design, assembly, 0.0));
 }
 
 CrawlHeat heat_of_crawl(const actuator::Design& design, const actuator::Assembly& assembly, const Crawler& crawler,

@@ -39,10 +39,11 @@ CrawlResult try_crawl(const TaskOf& task_of, const DesignView& design) {
   try {
     const Crawler crawler(design.design, design.assembly, task.parts);
     Tried out{crawl(crawler, task.timing)};
-    const CrawlHeat heat = heat_of_crawl(design.design, design.assembly, crawler, out);
-    if (heat.taken.for_good == 0.0)
+    // Of all that heat_of_crawl() knows the search asks for one figure.
+    const double for_good = lying_limits(design.design, design.assembly).for_good();
+    if (for_good == 0.0)
       return NoValue{.reason = "the surroundings are as hot as a limit already", .infeasibility = 1.0};
-    out.thermal_load = heat.rms_current / heat.taken.for_good;
+    out.thermal_load = rms_current(crawler, out) / for_good;
     return out;
   } catch (const std::bad_alloc&) {
     throw;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "coilwright/systems/crawl.hpp"
+#include "coilwright/thermal/steady_state.hpp"
 
 namespace coilwright::systems {
 
@@ -21,6 +22,9 @@ struct CrawlHeat {
 
 /// Current of a coil whose heat is what the pulses of `crawl` make in the copper, A rms.
 [[nodiscard]] double rms_current(const Crawler& crawler, const Crawl& crawl);
+
+/// What limits the current of an actuator that lies straight, by the film of its design.
+[[nodiscard]] thermal::CurrentLimits lying_limits(const actuator::Design& design, const actuator::Assembly& assembly);
 
 /// Of the robot of `design` that crawls as `crawl` says.
 [[nodiscard]] CrawlHeat heat_of_crawl(const actuator::Design& design, const actuator::Assembly& assembly,

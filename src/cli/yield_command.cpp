@@ -100,9 +100,10 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
   command->add_option("STUDY.json", options->study, "File of a study (study/1) with a spread")->required();
   command->add_option("ACTUATOR.json", options->actuator, "The design, as size writes it (actuator/1)")->required();
   command
-      ->add_option("--set", options->changes,
-                   "NAME=VALUE: change one number of the actuator, for example gap_mm=1.2, or, by its JSON pointer, of "
-                   "the study: /spread/gap_mm/sd=0.1; may be repeated")
+      ->add_option(
+          "--set", options->changes,
+          "NAME=VALUE: change one number of the actuator that the study does not vary, for example ambient_degC=30, "
+          "or, by its JSON pointer, of the study: /spread/current_A/relative_uniform/1=0.05; may be repeated")
       ->allow_extra_args(false);
   add_whole_number(*command, "--builds", options->builds, text::Rule::between(10, 1e7), "How many (default 1000)");
   add_whole_number(*command, "--worth", options->worth_builds, text::Rule::between(0, 1e6),

@@ -32,7 +32,8 @@ CellValues field_of_solenoid(const CylinderSize& size, double radius) {
   CellValues axial{};
   for (std::size_t i = 0; i < cells; ++i) {
     radii[i] = size.radius * (static_cast<double>(i % rings) + 0.5) / rings;
-    heights[i] = size.length * static_cast<double>(i / rings) / slices;
+    const std::size_t slice = i / rings;
+    heights[i] = size.length * static_cast<double>(slice) / slices;
   }
   const SheetBody sheet{.inner_radius = radius,
                         .outer_radius = radius,
@@ -78,7 +79,8 @@ CellValues at_cells(const FaceValues& faces) {
   };
   CellValues out{};
   for (std::size_t i = 0; i < cells; ++i) {
-    const double upper = (static_cast<double>(i / rings) + 0.5) / slices;
+    const std::size_t slice = i / rings;
+    const double upper = (static_cast<double>(slice) + 0.5) / slices;
     out[i] = (1.0 - upper) * on_face(0, i % rings) + upper * on_face(1, i % rings);
   }
   return out;

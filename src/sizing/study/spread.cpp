@@ -216,7 +216,7 @@ std::optional<StatisticName> statistic_named(std::string_view name) {
                        .quantity = std::string(name.substr(4))};
 }
 
-std::optional<double> percentile(std::vector<std::optional<double>> values, double percent) {
+std::optional<double> percentile(const std::vector<std::optional<double>>& values, double percent) {
   const double missing = percent < 50.0 ? -HUGE_VAL : HUGE_VAL;
   std::vector<double> sorted;
   for (const std::optional<double>& value : values) sorted.push_back(value.value_or(missing));

@@ -51,7 +51,7 @@ struct StatisticName {
 /// A percentile by linear interpolation between order statistics, each in the middle of its share (Hyndman and Fan,
 /// type 5): without bias for places that fill a line evenly. `percent` 0 to 100. A build without a value counts as
 /// beyond all others at the end of the percentile, the lower one below 50: nothing where that leaves none.
-[[nodiscard]] std::optional<double> percentile(std::vector<std::optional<double>> values, double percent);
+[[nodiscard]] std::optional<double> percentile(const std::vector<std::optional<double>>& values, double percent);
 
 /// Makes quantities of the builds of a design, for objectives, limits, expressions and columns. Every design is built
 /// `Spread::draws` times, by the same places, when the first of them is asked for.

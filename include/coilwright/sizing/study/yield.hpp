@@ -70,8 +70,7 @@ struct YieldOptions {
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 
-/// First and total indices of `outputs` from Saltelli's three designs: values at A, at B, and for each input at A with
-/// that input from B. Exposed for tests against other programs.
+/// Values of one output at Saltelli's designs: at A, at B, and for each input at A with that input from B.
 struct SaltelliValues {
   std::vector<double> a, b;
   std::vector<std::vector<double>> mixed;  ///< by input
@@ -81,6 +80,8 @@ struct SaltelliValues {
 struct SobolIndices {
   std::vector<SobolIndex> first, total;  ///< by input
 };
+/// Their estimates, with intervals from 400 resamples of the rows by `seed`; nothing where the output does not vary.
+/// Exposed for tests against closed forms.
 [[nodiscard]] std::optional<SobolIndices> sobol_indices(const SaltelliValues& values, std::uint64_t seed);
 
 }  // namespace coilwright::sizing

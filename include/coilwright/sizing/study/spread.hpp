@@ -35,6 +35,7 @@ namespace coilwright::sizing {
 
 /// What a statistic says of the values that a quantity has in the builds of one design.
 struct Statistic {
+  /// The average, the standard deviation, or the value below which `percent` of the builds are.
   enum class Kind { mean, deviation, percentile };
   Kind kind{};
   int percent{};  ///< 1 to 99, of a percentile
@@ -57,6 +58,7 @@ struct StatisticName {
 /// `Spread::draws` times, by the same places, when the first of them is asked for.
 class SpreadQuantities {
  public:
+  /// Makes quantities of builds of `spread`.
   explicit SpreadQuantities(Spread spread);
 
   /// The quantity of that name, of one in `known`; nothing where the name is no statistic or `known` lacks what it is

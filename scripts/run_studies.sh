@@ -41,6 +41,22 @@ run undeclared_after size
   --set turns_radial=18 --set turns_axial=13 --set wire_gauge_AWG=29 --set magnet_radius_mm=10 \
   --set magnet_length_mm=14 --set gap_mm=0.6 --set bottom_layer_mm=1.8 \
   >results/reference/undeclared_effect/uncorrected_design.txt
+run undeclared_robust size
+# What builds of the three designs do on the finger as it really is.
+truth() {
+  local of=$1
+  shift
+  "$program" yield configs/studies/undeclared_truth.json studies/undeclared_effect/truth.json --current-A 1.2 --builds 10000 \
+    --quiet "${@/#/--set=}" >"results/reference/undeclared_robust/truth_of_$of.txt"
+}
+truth undeclared_before wire_gauge_AWG=29 turns_radial=18 turns_axial=13 magnet_radius_mm=10 magnet_length_mm=14 gap_mm=0.6 \
+  bottom_layer_mm=1.8
+truth undeclared_after wire_gauge_AWG=29 turns_radial=23 turns_axial=17 magnet_radius_mm=10 magnet_length_mm=6 gap_mm=0.6 \
+  bottom_layer_mm=3.6
+truth undeclared_robust wire_gauge_AWG=29 turns_radial=22 turns_axial=16 magnet_radius_mm=10 magnet_length_mm=6.5 gap_mm=0.6 \
+  bottom_layer_mm=3.6
+"$program" yield configs/studies/undeclared_robust.json results/reference/undeclared_robust/actuator.json --builds 10000 --quiet \
+  >results/reference/undeclared_robust/yield_of_undeclared_robust.txt
 
 echo "== paper_residual"
 mkdir -p results/reference/paper_residual

@@ -104,6 +104,11 @@ DiagnosisTexts write_diagnosis(const Diagnosis& diagnosis, const formats::Datase
                                   .seed = provenance.seed.value_or(0),
                                   .next_experiment_file = next_experiment.empty() ? "" : next_name,
                                   .refused = actuators.refused};
+  if (actuators.is_design)
+    answer.posterior = measurement::design_posterior(
+        diagnosis, [&](std::span<const double> calibration, const std::vector<Effect>& added) {
+          return std::get<actuator::Design>(declared.updated(calibration, added));
+        });
   answer.summary = report::summary_of(answer);
   text::OutputFolder folder(out);
   DiagnosisTexts texts{.summary = report::to_text(answer), .json = formats::to_json(answer).text()};

@@ -75,7 +75,7 @@ void add_search_options(CLI::App& command, StudyOptions& options) {
 StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objectives) {
   require_names_once(options.changes);
   const text::InputText file = text::read_text(options.study, text::json_size_limit);
-  auto [study, actuator, builds_a_system] = formats::parse_study_file(file.text, file.file, options.changes);
+  auto [study, actuator, posterior, builds_a_system] = formats::parse_study_file(file.text, file.file, options.changes);
   const std::size_t count = study.objectives.size();
   if (count < objectives.least || count > objectives.most)
     throw text::InputError({.file = file.file,
@@ -87,8 +87,10 @@ StudyInput read_study(const StudyOptions& options, const ObjectiveCount& objecti
   if (options.max_evaluations) study.search.max_evaluations = *options.max_evaluations;
   if (options.answer_only) study.search.afterwards = sizing::Afterwards::nothing;
   if (options.algorithm) study.search.algorithm = sizing::algorithm_named(*options.algorithm);
+  std::vector<InputRecord> inputs{record_of(file), record_of(actuator)};
+  if (posterior) inputs.push_back(record_of(*posterior));
   return {.study = std::move(study),
-          .provenance = {.inputs = {record_of(file), record_of(actuator)}, .changes = options.changes},
+          .provenance = {.inputs = std::move(inputs), .changes = options.changes},
           .builds_a_system = builds_a_system};
 }
 

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/actuator/assignment.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/formats/study/yield_json.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/sizing/study/yield.hpp"
+#include "coilwright/text/argument.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "commands.hpp"
@@ -29,6 +31,7 @@ struct YieldCommandOptions {
   std::string study;
   std::string actuator;
   std::vector<std::string> changes;
+  std::optional<double> current;
   std::size_t builds = 1000;
   std::size_t worth_builds = 0;
   std::uint64_t seed = 1;
@@ -42,21 +45,31 @@ sizing::Study study_of_one(const YieldCommandOptions& options) {
   require_names_once(options.changes);
   const text::InputText actuator = text::read_text(options.actuator, text::json_size_limit);
   const text::InputText file = text::read_text(options.study, text::json_size_limit);
-  sizing::Study study = formats::parse_study(file.text, file.file, actuator, options.changes);
+  std::vector<std::string> of_study;
+  std::vector<std::string> of_actuator;
+  for (const std::string& change : options.changes)
+    (change.starts_with('/') ? of_study : of_actuator).push_back(change);
+  sizing::Study study = formats::parse_study(file.text, file.file, {.actuator = &actuator}, of_study);
+  for (const std::string& change : of_actuator) study.base = formats::with_assignment(std::move(study.base), change);
   if (!study.spread)
     throw text::InputError({.file = file.file,
                             .rule = "needs the block \"spread\" ({\"parts\": \"usual\"}): without one every build is "
                                     "the design"});
-  if (!std::holds_alternative<sizing::VariedCurrent>(study.current)) return study;
+  if (!std::holds_alternative<sizing::VariedCurrent>(study.current)) {
+    if (options.current)
+      throw text::argument_error("--current-A", "must not be given: the study itself says which current flows");
+    return study;
+  }
   const formats::ActuatorFile given = formats::parse_actuator(actuator.text, actuator.file);
-  if (!given.operating_point)
+  if (!options.current && !given.operating_point)
     throw text::InputError({.file = actuator.file,
                             .place = "/operating_point",
-                            .rule = "must be there: the study varies the current, and does not say with which one"});
+                            .rule = "must be there, or --current-A: the study varies the current, and does not say "
+                                    "with which one"});
   std::erase_if(study.variables, [](const sizing::StudyVariable& variable) {
     return std::holds_alternative<sizing::CurrentVariable>(variable);
   });
-  study.current = sizing::FixedCurrent{given.operating_point->current};
+  study.current = sizing::FixedCurrent{options.current ? *options.current : given.operating_point->current};
   return study;
 }
 
@@ -102,9 +115,12 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
   command
       ->add_option(
           "--set", options->changes,
-          "NAME=VALUE: change one number of the actuator that the study does not vary, for example ambient_degC=30, "
-          "or, by its JSON pointer, of the study: /spread/current_A/relative_uniform/1=0.05; may be repeated")
+          "NAME=VALUE: change one number of the actuator, for example ambient_degC=30, or, by its JSON pointer, of the "
+          "study: /spread/current_A/relative_uniform/1=0.05; may be repeated")
       ->allow_extra_args(false);
+  add_number(
+      *command, "--current-A", options->current, text::Rule::between(-1e6, 1e6),
+      "Current in every coil, A, where the study varies it. Default: that of the operating_point of ACTUATOR.json");
   add_whole_number(*command, "--builds", options->builds, text::Rule::between(10, 1e7), "How many (default 1000)");
   add_whole_number(*command, "--worth", options->worth_builds, text::Rule::between(0, 1e6),
                    "Also say which scatter matters: builds of each of 2 N + 2 sums for N scatters, 256 or more "
@@ -114,13 +130,13 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
   add_flag(*command, "--quiet", options->quiet, "Show no progress");
   add_json_option(*command, options->json);
   command->footer(
-      "Every number of the study's spread is drawn anew for each build, independently of the others and of the builds\n"
-      "by which a search has judged; a limit on a statistic (p95_mass_g <= 70) is held against each build's own "
+      "Every number of the study's spread is drawn anew for each build, by dice that know nothing of those by which a\n"
+      "search has judged; a limit on a statistic (p95_mass_g <= 70) is held against each build's own "
       "figure\n"
       "(mass_g <= 70). Prints 5, 50 and 95 % of each objective and limit, and how many builds keep each limit and "
       "all.\n"
-      "With --worth also Sobol's indices, and what half of each scatter would bring. What the spread leaves out (a\n"
-      "modelling choice, an effect that nobody knows) is not in it.\n\n"
+      "With --worth also Sobol's indices, and what half of each scatter would bring. What the spread leaves out (an\n"
+      "effect that nobody knows) is not in it.\n\n"
       "Example:\n"
       "  coilwright yield configs/studies/robust_finger.json results/robust_finger/actuator.json");
   command->callback([options, &outcome] { outcome.code = run_yield(*options); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,7 @@
 #include "measurement/compare/hypothesis_search.hpp"
 #include "measurement/compare/insensitive_parameters.hpp"
 #include "measurement/compare/intervals.hpp"
+#include "measurement/compare/profile_likelihood.hpp"
 #include "measurement/compare/pruned_attribution.hpp"
 #include "measurement/compare/recalibration.hpp"
 #include "measurement/compare/relaxed_tolerances.hpp"
@@ -99,6 +101,32 @@ void set_declared_numbers(Diagnosis& out, const replay::DeclaredModel& declared,
       set_if_idle(out.nominal.back(), idle, static_cast<Eigen::Index>(i));
     }
   }
+}
+
+// As Diagnosis::covariance has it, of the last step.
+Eigen::MatrixXd reported_covariance(const compare::FittedHypothesis& fitted, double overdispersion,
+                                    std::span<const compare::Estimate> estimates) {
+  const Eigen::MatrixXd of_fit = compare::covariance(fitted, overdispersion);
+  Eigen::VectorXd wider = Eigen::VectorXd::Ones(of_fit.rows());
+  for (Eigen::Index i = 0; i < wider.size(); ++i) {
+    const compare::Estimate& estimate = estimates[static_cast<std::size_t>(i)];
+    const double of_interval = (estimate.upper - estimate.lower) / (2.0 * compare::normal_95);
+    const double deviation = std::sqrt(of_fit(i, i));
+    if (std::isfinite(of_interval) && deviation > 0.0) wider[i] = std::max(1.0, of_interval / deviation);
+  }
+  // Choices are no numbers of the fit, but of the effects.
+  std::vector<Eigen::Index> places;
+  for (std::size_t i = 0; i < fitted.hypothesis.declared().calibration.size(); ++i)
+    places.push_back(static_cast<Eigen::Index>(i));
+  auto size = static_cast<Eigen::Index>(places.size());
+  for (std::size_t effect = 0; effect < fitted.hypothesis.effects().size(); ++effect) {
+    for (const std::size_t number : fitted.hypothesis.parameters_of(effect).numbers)
+      places.push_back(size + static_cast<Eigen::Index>(number));
+    size += static_cast<Eigen::Index>(fitted.hypothesis.effects()[effect].values.size());
+  }
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size, size);
+  out(places, places) = wider.asDiagonal() * of_fit * wider.asDiagonal();
+  return out;
 }
 
 template <typename Value>
@@ -223,6 +251,7 @@ Diagnosis diagnose_in_arena(const data::Dataset& data, const replay::DeclaredMod
   out.hinted = std::move(hinted);
   out.indistinguishable = found.indistinguishable;
   set_declared_numbers(out, declared, estimates, idle_after);
+  out.covariance = reported_covariance(found.after(), pruned.overdispersion, estimates);
   for (std::size_t i = 0; i < found.after().hypothesis.effects().size(); ++i)
     out.effects.push_back({.kind = found.after().hypothesis.effects()[i].kind,
                            .parameters = compare::estimates_of_effect(found.after(), estimates, i),

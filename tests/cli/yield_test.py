@@ -17,6 +17,9 @@ class Spread(ProgramTest):
         self.assert_refused(["size", "study.json", "--out", "out"], "study.json: " + message)
 
     def test_bad_spreads_are_named(self):
+        for name, posterior in (("old", None), ("nothing", {"posterior": None}),
+                                ("another", {"posterior": {"numbers": {"gap_mm": {"value": 0.7, "sd": 0.01}}, "correlations": [[1]]}})):
+            (self.folder / f"{name}.json").write_text(json.dumps({"format": "diagnosis/1", **(posterior or {})}))
         for spread, message in (
             ({}, '/spread: needs "parts" or a number that scatters'),
             ({"parts": "all"}, '/spread/parts: must be "usual" (coilwright list spreads); got text "all"'),
@@ -30,10 +33,44 @@ class Spread(ProgramTest):
              "/spread/gap_mm/relative_uniform/0: must be above -1: a share of the designed value; got -1"),
             ({"gap_mm": {"sd": 0.3}}, "/spread/gap_mm: would make gap_mm -0.195 in one of 10,000 builds of the study's own "
              "actuator (0.9): give less, or a relative_sd"),
+            ({"quadratic_drag.drag_Nmms2_rad2": {"sd": 1}},
+             "/spread/quadratic_drag.drag_Nmms2_rad2: has quadratic_drag.drag_Nmms2_rad2, of an effect that the study's actuator "
+             "does not have"),
+            ({"parts": "usual", "correlations": [{"of": ["gap_mm", "mass_g"], "value": 0.5}]},
+             '/spread/correlations/0/of/1: must be a number that scatters in this spread; got text "mass_g"'),
+            ({"parts": "usual", "correlations": [{"of": ["gap_mm", "gap_mm"], "value": 0.5}]},
+             '/spread/correlations/0/of/1: must not be correlated twice; got text "gap_mm"'),
+            ({"parts": "usual", "correlations": [{"of": ["gap_mm", "magnet_length_mm", "magnet_radius_mm"], "value": -0.8}]},
+             "/spread/correlations/0/value: must be at least -0.5: 3 numbers cannot all go against each other; got -0.8"),
+            ({"parts": "usual", "correlations": [{"of": ["gap_mm"], "value": 0.5}]}, "/spread/correlations/0/of: must have at least 2 elements; got an array of 1"),
+            ({"assumptions": {"as_designed": 1}}, "/spread/assumptions/as_designed: must be > 0 and < 1; got 1"),
+            ({"posterior": "finger.json"}, '/spread/posterior: must name the diagnosis.json of a diagnosis; got text "finger.json"'),
+            ({"posterior": "old.json"}, '/spread/posterior: must be of a diagnosis that states its numbers together: this one is of an '
+             'earlier version, diagnose again; got text "old.json"'),
+            ({"posterior": "nothing.json"}, '/spread/posterior: must be of a design that a diagnosis knows something of; got text "nothing.json"'),
+            ({"posterior": "another.json"}, "/spread/posterior: is of another actuator, whose gap_mm is 0.7: the study's has 0.9; give the "
+             "actuator.json that the diagnosis wrote beside it"),
             ({"parts": "usual", "draws": 4}, "/spread/draws: must be from 8 to 4096; got 4"),
         ):
             with self.subTest(message):
                 self.refused(message, spread=spread)
+
+    def test_a_posterior_is_read_with_its_own_rules(self):
+        one = {"gap_mm": {"value": 0.9, "sd": 0.01}}
+        three = {name: {"value": 1, "sd": 0.01} for name in ("joint_stiffness_factor", "joint_damping_factor", "tip_com_factor")}
+        for posterior, message in (
+            ({"numbers": one}, "/posterior/correlations: is missing"),
+            ({"numbers": {"gap_mm": {"value": 0.9}}, "correlations": [[1]]}, "/posterior/numbers/gap_mm/sd: is missing"),
+            ({"numbers": one, "correlations": [[1, 0]]}, "/posterior/correlations/0: must have 1 element"),
+            ({"numbers": three, "correlations": [[1, 0.9, -0.9], [0.9, 1, 0.9], [-0.9, 0.9, 1]]},
+             "/posterior/correlations: no numbers can be correlated so: what some of them imply contradicts others"),
+        ):
+            with self.subTest(message):
+                (self.folder / "found.json").write_text(json.dumps({"format": "diagnosis/1", "posterior": posterior}))
+                write_study(self, spread={"posterior": "found.json"})
+                result = run("size", "study.json", "--out", "out", cwd=self.folder)
+                self.assertEqual(result.returncode, 2)
+                self.assertIn("found.json: " + message, result.stderr)
 
     def test_a_statistic_needs_a_spread_and_a_quantity(self):
         self.refused('/objectives/0/maximise: is a statistic of builds: needs the block "spread" in the study; '
@@ -108,9 +145,15 @@ class Yield(ProgramTest):
         write_study(self)
         self.assert_refused(["yield", "study.json", "finger.json"],
                             'study.json: needs the block "spread" ({"parts": "usual"}): without one every build is the design')
+        write_study(self, **SPREAD, operating_point={"current_A": 1.2})
+        self.assert_refused(["yield", "study.json", "finger.json", "--current-A", "1"],
+                            "--current-A: must not be given: the study itself says which current flows")
         write_study(self, **SPREAD, operating_point=None, variables={"current_A": {"lower": 0.5, "upper": 1}})
+        result = run("yield", "study.json", "finger.json", "--current-A", "0.7", "--builds", "10", "--set", "gap_mm=1", "--json",
+                     cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
         self.assert_refused(["yield", "study.json", "finger.json"],
-                            "finger.json: /operating_point: must be there: the study varies the current, and does not say "
+                            "finger.json: /operating_point: must be there, or --current-A: the study varies the current, and does not say "
                             "with which one")
 
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -72,6 +73,10 @@ struct Diagnosis {
   std::vector<std::vector<const actuator::EffectKind*>> indistinguishable{};
   std::vector<compare::Estimate> calibration{};
   std::vector<MovedNumber> nominal{};  ///< declared numbers within their tolerances, in the order of the model
+  /// What the records leave of the numbers together, SI, (n, n): calibration_of() first, then the numbers of each
+  /// effect in turn. Zeros in rows and columns of a choice and of what they do not determine. Its standard deviations
+  /// are at least those of the intervals.
+  Eigen::MatrixXd covariance{};
   /// The probability that declared numbers lie at least as far from what the data say, in the recalibrated model.
   double probability_of_declared = 1.0;
   /// The declared numbers of which one is off by itself, where no effect is reported and that leaves noise: the best

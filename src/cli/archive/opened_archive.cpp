@@ -43,11 +43,14 @@ archive::Row row_of(const archive::Reader& archive, std::int64_t row) {
 }
 
 sizing::DesignProblem problem_of(const archive::Contents& contents) {
-  if (contents.inputs.size() != 2) throw std::runtime_error("the archive has not the texts of a study and an actuator");
-  const archive::Input& study = contents.inputs[0];
-  const archive::Input& actuator = contents.inputs[1];
+  const std::size_t count = contents.inputs.size();
+  if (count < 2 || count > 3)
+    throw std::runtime_error("the archive has not the texts of a study, an actuator and perhaps a diagnosis");
+  std::vector<text::InputText> texts;
+  for (const archive::Input& input : contents.inputs) texts.push_back({.file = input.file, .text = input.text});
   return sizing::DesignProblem(
-      formats::parse_study(study.text, study.file, {.file = actuator.file, .text = actuator.text}, contents.changes));
+      formats::parse_study(texts[0].text, texts[0].file,
+                           {.actuator = &texts[1], .posterior = count == 3 ? &texts[2] : nullptr}, contents.changes));
 }
 
 std::vector<double> point_of(const sizing::DesignProblem& problem, const archive::Reader& archive,

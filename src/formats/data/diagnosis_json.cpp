@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 #include "coilwright/formats/data/measured_unit.hpp"
@@ -213,6 +214,17 @@ Json warning_json(const data::Warning& warning) {
   return Json::object({{"run", text_or_null(warning.run)}, {"text", warning.text}});
 }
 
+Json posterior_json(const std::optional<DesignPosterior>& posterior) {
+  if (!posterior || posterior->numbers.empty()) return nullptr;
+  Json numbers = Json::object();
+  for (const DesignPosterior::Number& each : posterior->numbers)
+    numbers.set(each.name, Json::object({{"value", each.value}, {"sd", each.sd}}));
+  std::vector<std::vector<double>> rows;
+  for (const auto& row : posterior->correlation.rowwise()) rows.emplace_back(row.begin(), row.end());
+  return Json::object({{"numbers", std::move(numbers)},
+                       {"correlations", Json::list(rows, [](const auto& row) { return Json::numbers(row); })}});
+}
+
 Json summary_json(const DiagnosisSummary& summary) {
   return Json::object({{"verdict", summary.verdict},
                        {"cautions", Json::list(summary.cautions)},
@@ -255,6 +267,7 @@ Json to_json(const DiagnosisReport& report) {
   out.set("unanswered_runs", Json::list(diagnosis.unanswered_runs, warning_json));
   out.set("frozen_runs", Json::list(diagnosis.frozen_runs));
   out.set("far_first_pose", diagnosis.far_first_pose ? warning_json(*diagnosis.far_first_pose) : Json());
+  out.set("posterior", posterior_json(report.posterior));
   out.set("summary", summary_json(report.summary));
   return out;
 }

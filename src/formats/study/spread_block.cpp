@@ -3,12 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "coilwright/actuator/design/effect_number.hpp"
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/sizing/study/usual_scatters.hpp"
+#include "coilwright/text/json/document.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -21,6 +30,8 @@ using sizing::Spread;
 
 constexpr int fewest_draws = 8;
 constexpr int most_draws = 4096;
+// What is no name of a number.
+constexpr std::array<std::string_view, 5> keys_of_spread{"parts", "assumptions", "posterior", "correlations", "draws"};
 constexpr Rule any_deviation = Rule::between(-1e6, 1e6);
 
 // {"sd": 0.08}, {"relative_sd": 0.015}, {"uniform": [-1, 1]} or {"relative_uniform": [-0.1, 0.1]}.
@@ -43,66 +54,169 @@ Scatter read_scatter(const Node& node, const std::string& name) {
 
 [[noreturn]] void refuse_name(const Node& node, const std::string& name, const std::vector<BlockVariable>& of_blocks) {
   std::vector<std::string> names = sizing::operating_number_names();
-  names.insert(names.end(), {"parts", "draws"});
+  names.insert(names.end(), std::begin(keys_of_spread), std::end(keys_of_spread));
   for (const BlockVariable& known : of_blocks) names.push_back(known.name);
   for (const actuator::Parameter& known : actuator::parameters())
     if (!known.whole) names.emplace_back(known.name);
   throw node.error_without_value("is no number of an actuator or a block that may scatter" + did_you_mean(name, names));
 }
 
-void add(Spread& spread, Scatter scatter, std::optional<double> block_value) {
+void add(Spread& spread, Scatter scatter) {
   const auto same = std::ranges::find(spread.scatters, scatter.name, &Scatter::name);
-  if (same != spread.scatters.end()) {  // what a study says itself counts
-    *same = std::move(scatter);
-    return;
-  }
-  spread.scatters.push_back(std::move(scatter));
-  spread.block_values.push_back(block_value);
+  if (same != spread.scatters.end())
+    *same = std::move(scatter);  // what a study says itself counts
+  else
+    spread.scatters.push_back(std::move(scatter));
 }
 
 void read_scatter_into(Spread& spread, const Node& node, const std::string& name,
                        const std::vector<BlockVariable>& of_blocks) {
-  if (const auto block = std::ranges::find(of_blocks, name, &BlockVariable::name); block != of_blocks.end())
-    return add(spread, read_scatter(node, name), units::to_memory(block->base, name));
+  Scatter scatter = read_scatter(node, name);
+  if (const auto block = std::ranges::find(of_blocks, name, &BlockVariable::name); block != of_blocks.end()) {
+    scatter.block_value = units::to_memory(block->base, name);
+    return add(spread, std::move(scatter));
+  }
   const actuator::Parameter* parameter = actuator::find_parameter(name);
   const std::vector<std::string> operating = sizing::operating_number_names();
-  if (std::ranges::count(operating, name) == 0 && (parameter == nullptr || parameter->whole))
+  const bool of_an_effect = name.find('.') != std::string::npos;
+  if (!of_an_effect && std::ranges::count(operating, name) == 0 && (parameter == nullptr || parameter->whole))
     refuse_name(node, name, of_blocks);
-  add(spread, read_scatter(node, name), std::nullopt);
+  add(spread, std::move(scatter));
+}
+
+// {"of": ["gap_mm", "bottom_layer_mm"], "value": 0.8}: each with each other.
+void read_correlation_into(Spread& spread, const Node& node, std::set<std::size_t>& taken) {
+  ObjectReader in(node);
+  sizing::CorrelatedScatters group;
+  for (const Node& name : in.elements("of", Length::at_least(2))) {
+    const auto found = std::ranges::find(spread.scatters, name.text(), &Scatter::name);
+    if (found == spread.scatters.end()) throw name.error("must be a number that scatters in this spread");
+    const auto index = static_cast<std::size_t>(found - spread.scatters.begin());
+    if (!taken.insert(index).second) throw name.error("must not be correlated twice");
+    group.scatters.push_back(index);
+    group.name += (group.name.empty() ? "" : " + ") + name.text();
+  }
+  const auto count = static_cast<Eigen::Index>(group.scatters.size());
+  const double lowest = -1.0 / static_cast<double>(count - 1);
+  const double value = in.number("value", Rule::between(-1.0, 1.0));
+  if (value < lowest)
+    throw in.at("value").error(
+        fmt::format("must be at least {:.4g}: {} numbers cannot all go against each other", lowest, count));
+  in.finish();
+  Eigen::MatrixXd correlation = Eigen::MatrixXd::Constant(count, count, value);
+  correlation.diagonal().setOnes();
+  group.root = sizing::correlation_root(correlation);
+  spread.correlated.push_back(std::move(group));
+}
+
+// What a diagnosis knows of the actuator that it wrote. Beside what builds scatter: a number may be in both.
+void read_posterior_into(Spread& spread, const Node& node, const InputText* text) {
+  const Document document = text != nullptr ? parse_json(text->text, text->file) : read_json(node.path());
+  const Node root = document.root();
+  const auto format = root.find("format");
+  if (!format || format->kind() != Node::Kind::text || format->text() != "diagnosis/1")
+    throw node.error("must name the diagnosis.json of a diagnosis");
+  const auto posterior = root.find("posterior");
+  if (!posterior)
+    throw node.error(
+        "must be of a diagnosis that states its numbers together: this one is of an earlier version, "
+        "diagnose again");
+  if (posterior->is_null()) throw node.error("must be of a design that a diagnosis knows something of");
+  ObjectReader in(*posterior);
+  sizing::CorrelatedScatters group{.name = "posterior", .scatters = {}, .root = {}};
+  const Node numbers = in.at("numbers");
+  for (const std::string& name : numbers.keys()) {
+    ObjectReader number(*numbers.find(name));
+    group.scatters.push_back(spread.scatters.size());
+    spread.scatters.push_back({.name = name,
+                               .about = sizing::NormalDeviation{number.number("sd", positive)},
+                               .measured = number.number("value")});
+  }
+  const std::size_t count = group.scatters.size();
+  Eigen::MatrixXd correlation(count, count);
+  const std::vector<Node> rows = in.elements("correlations", Length::exactly(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<double> row = rows[i].numbers(Length::exactly(count), Rule::between(-1.0, 1.0));
+    for (std::size_t j = 0; j < count; ++j)
+      correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
+  }
+  try {
+    group.root = sizing::correlation_root(correlation);
+  } catch (const std::invalid_argument& rule) {
+    throw in.at("correlations").error_without_value(rule.what());
+  }
+  spread.correlated.push_back(std::move(group));
+}
+
+// The value of a number of `base` that scatters, in the unit of its name, and whether it has to be above 0; nothing for
+// what is no number of it.
+struct BaseNumber {
+  double value{};
+  bool positive{};
+};
+
+std::optional<BaseNumber> number_of(actuator::Design base, std::string_view name) {
+  if (const actuator::Parameter* parameter = actuator::find_parameter(name))
+    return BaseNumber{.value = units::from_memory(parameter->get(base), parameter->key),
+                      .positive = parameter->rule != actuator::ParameterRule::any};
+  if (const actuator::EffectNumber number = actuator::find_effect_number(base, name); number.value != nullptr)
+    return BaseNumber{.value = units::from_memory(*number.value, number.parameter->key)};
+  return std::nullopt;
 }
 
 }  // namespace
 
-Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks) {
+Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks, const InputText* text) {
   Spread spread;
   node.expect_object();
   if (const auto parts = node.find("parts")) {
     if (parts->text() != "usual") throw parts->error("must be \"usual\" (coilwright list spreads)");
-    for (const sizing::UsualScatter& usual : sizing::usual_scatters()) add(spread, usual.scatter, std::nullopt);
+    for (const sizing::UsualScatter& usual : sizing::usual_scatters()) add(spread, usual.scatter);
   }
   if (const auto draws = node.find("draws"))
     spread.draws = static_cast<std::size_t>(draws->integer<int>(Rule::between(fewest_draws, most_draws)));
   for (const std::string& name : node.keys())
-    if (name != "parts" && name != "draws") read_scatter_into(spread, *node.find(name), name, of_blocks);
+    if (name != comment_key && std::ranges::find(keys_of_spread, name) == keys_of_spread.end())
+      read_scatter_into(spread, *node.find(name), name, of_blocks);
+  if (const auto correlations = node.find("correlations")) {
+    std::set<std::size_t> taken;
+    for (const Node& each : correlations->elements()) read_correlation_into(spread, each, taken);
+  }
+  if (const auto assumptions = node.find("assumptions"))
+    read_object(*assumptions, [&spread](ObjectReader& in) {
+      spread.scatters.push_back(
+          {.name = "assumptions",
+           .about = sizing::OtherChoices{in.number("as_designed", Rule::above(0.0).and_also(Rule::below(1.0)))}});
+    });
+  if (const auto posterior = node.find("posterior")) read_posterior_into(spread, *posterior, text);
   if (spread.scatters.empty()) throw node.error_without_value("needs \"parts\" or a number that scatters");
   return spread;
 }
 
 // What no number of a file has to be but a build must: a length or a factor that is there.
-void require_buildable(const Node& node, const Spread& spread, const actuator::Design& base) {
+void require_suits(const Node& node, const Spread& spread, const actuator::Design& base) {
   constexpr double one_in_ten_thousand = 1e-4;
+  constexpr double rounding = 1e-9;
   for (const Scatter& scatter : spread.scatters) {
-    const actuator::Parameter* parameter = actuator::find_parameter(scatter.name);
-    if (parameter == nullptr || scatter.relative || parameter->rule == actuator::ParameterRule::any) continue;
-    const double value = units::from_memory(parameter->get(base), parameter->key);
-    const double lowest = value + scatter.deviation(one_in_ten_thousand);
+    const auto place = node.find(scatter.measured ? "posterior" : scatter.name);
+    const Node& at = place ? *place : node;
+    const std::optional<BaseNumber> number = number_of(base, scatter.name);
+    if (!number && (scatter.measured || scatter.name.find('.') != std::string::npos))
+      throw at.error_without_value(
+          fmt::format("has {}, of an effect that the study's actuator does not have", scatter.name));
+    if (!number) continue;
+    if (scatter.measured && std::abs(number->value - *scatter.measured) > rounding * std::abs(*scatter.measured))
+      throw at.error_without_value(
+          fmt::format("is of another actuator, whose {} is {:.6g}: the study's has {:.6g}; give the actuator.json that "
+                      "the diagnosis wrote beside it",
+                      scatter.name, *scatter.measured, number->value));
+    if (!number->positive || scatter.relative || scatter.measured) continue;
+    const double lowest = number->value + scatter.deviation(one_in_ten_thousand);
     if (lowest > 0.0) continue;
-    const auto place = node.find(scatter.name);
-    throw(place ? *place : node)
-        .error_without_value(
-            fmt::format("would make {} {:.3g} in one of 10,000 builds of the study's own actuator ({:.4g}): give less, "
-                        "or a relative_sd",
-                        scatter.name, lowest, value));
+    throw at.error_without_value(
+        fmt::format("would make {} {:.3g} in one of 10,000 builds of the study's own actuator ({:.4g}): give less, "
+                    "or a relative_sd",
+                    scatter.name, lowest, number->value));
   }
 }
 

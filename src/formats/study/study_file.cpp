@@ -336,7 +336,7 @@ void require_suitable(const Blocks& blocks, const actuator::Design& base, const 
 
 Study read_study_file(const Document& document, const QuantityTable& quantities,
                       const actuator::EffectCatalogue& effects, const StudyChanges& changes,
-                      const InputText* actuator = nullptr) {
+                      const StudyTexts& texts = {}) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
@@ -349,7 +349,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     if (operation) read_operation(*operation, blocks.crawler, study);
     StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}};
     if (const auto spread = in.find("spread")) {
-      study.spread = read_spread(*spread, variables_of(blocks));
+      study.spread = read_spread(*spread, variables_of(blocks), texts.posterior);
       if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;
       wanted.spread.emplace(*study.spread);
     }
@@ -359,8 +359,8 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.quantities = wanted.listed;
     if (!operation || !operation->find("cases")) study.operating.cases = poses_of_use(study);
     if (const auto search = in.find("search")) study.search = read_search(*search);
-    study.base = changed(read_base(in.at("actuator"), effects, actuator), study, changes);
-    if (study.spread) require_buildable(*in.find("spread"), *study.spread, study.base);
+    study.base = changed(read_base(in.at("actuator"), effects, texts.actuator), study, changes);
+    if (study.spread) require_suits(*in.find("spread"), *study.spread, study.base);
     for (StudyVariable& variable : study.variables)
       if (name_of(variable) == "polarity")
         variable = read_polarities(*in.at("variables").find("polarity"), study.base.layout);
@@ -389,15 +389,18 @@ StudyFile parse_study_file(std::string_view text, std::string file, const StudyC
   const Document document = changed(parse_json(text, std::move(file)), changes);
   sizing::Study study = read_study_file(document, quantities, effects, changes);
   const Node root = document.root();
+  const auto spread = root.find("spread");
+  const auto posterior = spread ? spread->find("posterior") : std::nullopt;
   return {.study = std::move(study),
           .actuator = root.find("actuator")->path(),
+          .posterior = posterior ? std::optional(posterior->path()) : std::nullopt,
           .builds_a_system = root.find("gripper") || root.find("crawler")};
 }
 
-sizing::Study parse_study(std::string_view text, std::string file, const InputText& actuator,
+sizing::Study parse_study(std::string_view text, std::string file, const StudyTexts& texts,
                           const StudyChanges& changes) {
   return read_study_file(changed(parse_json(text, std::move(file)), changes), simulation::standard_quantities(),
-                         actuator::standard_effects(), changes, &actuator);
+                         actuator::standard_effects(), changes, texts);
 }
 
 }  // namespace coilwright::formats

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "coilwright/algebra/spectral.hpp"
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
@@ -32,31 +33,65 @@ Eigen::MatrixXd information(const FittedHypothesis& fitted) {
   return there.normal_matrix - (1.0 - 1.0 / squared_ratio) * prior.transpose() * prior;
 }
 
+// The directions that the data determine, in scaled numbers.
+struct DeterminedModes {
+  Eigen::VectorXd scales;
+  algebra::SymmetricModes modes;
+  std::vector<bool> of_modes{};    // whether a direction is determined
+  std::vector<bool> of_numbers{};  // whether a number is: others contribute to a direction that is not
+};
+
+DeterminedModes determined_modes(const FittedHypothesis& fitted) {
+  constexpr double undetermined = 1e-12;  // fraction of the largest eigenvalue
+  constexpr double contribution = 1e-6;   // squared component of a parameter
+  const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
+  DeterminedModes out{
+      .scales = scales,
+      .modes = algebra::symmetric_modes(scales.asDiagonal() * information(fitted) * scales.asDiagonal())};
+  const double least = undetermined * out.modes.values.maxCoeff();
+  for (const double value : out.modes.values) out.of_modes.push_back(value > least);
+  for (Eigen::Index i = 0; i < scales.size(); ++i) {
+    double hidden = 0.0;
+    for (Eigen::Index k = 0; k < scales.size(); ++k)
+      if (!out.of_modes[static_cast<std::size_t>(k)]) hidden += out.modes.vectors(i, k) * out.modes.vectors(i, k);
+    out.of_numbers.push_back(hidden <= contribution);
+  }
+  return out;
+}
+
+// Of two scaled numbers, without the overdispersion.
+double scaled_covariance(const DeterminedModes& there, Eigen::Index i, Eigen::Index j) {
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < there.modes.values.size(); ++k)
+    if (there.of_modes[static_cast<std::size_t>(k)])
+      sum += there.modes.vectors(i, k) * there.modes.vectors(j, k) / there.modes.values[k];
+  return sum;
+}
+
 }  // namespace
 
 Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overdispersion) {
   const Eigen::Index p = fitted.hypothesis.size();
-  const Eigen::VectorXd scales = fit::scales_at(fitted.hypothesis, fitted.fit.values);
-  const Eigen::MatrixXd scaled = scales.asDiagonal() * information(fitted) * scales.asDiagonal();
   Eigen::VectorXd out = Eigen::VectorXd::Constant(p, infinity);
   if (p == 0) return out;
-  // A direction that the data do not determine leaves only those parameters undetermined that contribute to it.
-  constexpr double undetermined = 1e-12;  // fraction of the largest eigenvalue
-  constexpr double contribution = 1e-6;   // squared component of a parameter
-  const algebra::SymmetricModes modes = algebra::symmetric_modes(scaled);
-  const double least = undetermined * modes.values.maxCoeff();
+  const DeterminedModes there = determined_modes(fitted);
   for (Eigen::Index i = 0; i < p; ++i) {
-    double variance = 0.0;
-    double hidden = 0.0;
-    for (Eigen::Index k = 0; k < p; ++k) {
-      const double share = modes.vectors(i, k) * modes.vectors(i, k);
-      if (modes.values[k] > least)
-        variance += share / modes.values[k];
-      else
-        hidden += share;
-    }
-    if (hidden <= contribution && variance > 0.0) out[i] = scales[i] * std::sqrt(overdispersion * variance);
+    const double variance = scaled_covariance(there, i, i);
+    if (there.of_numbers[static_cast<std::size_t>(i)] && variance > 0.0)
+      out[i] = there.scales[i] * std::sqrt(overdispersion * variance);
   }
+  return out;
+}
+
+Eigen::MatrixXd covariance(const FittedHypothesis& fitted, double overdispersion) {
+  const Eigen::Index p = fitted.hypothesis.size();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(p, p);
+  if (p == 0) return out;
+  const DeterminedModes there = determined_modes(fitted);
+  for (Eigen::Index i = 0; i < p; ++i)
+    for (Eigen::Index j = 0; j < p; ++j)
+      if (there.of_numbers[static_cast<std::size_t>(i)] && there.of_numbers[static_cast<std::size_t>(j)])
+        out(i, j) = there.scales[i] * there.scales[j] * overdispersion * scaled_covariance(there, i, j);
   return out;
 }
 

@@ -13,6 +13,10 @@ namespace coilwright::measurement::compare {
 /// 40 (1932) 207): nobody knows those of the others to be better.
 [[nodiscard]] Eigen::VectorXd standard_deviations(const FittedHypothesis& fitted, double overdispersion);
 
+/// What the data leave of all parameters together, SI: zeros in the rows and columns of those that they do not
+/// determine. Elsewhere its diagonal is the square of standard_deviations().
+[[nodiscard]] Eigen::MatrixXd covariance(const FittedHypothesis& fitted, double overdispersion);
+
 /// The 95 % interval of a normal distribution, open where it passes a physical bound.
 [[nodiscard]] Estimate local_estimate(const fit::FitParameter& parameter, double value, double deviation);
 

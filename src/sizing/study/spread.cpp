@@ -10,9 +10,13 @@
 #include <boost/random/uniform_01.hpp>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "coilwright/actuator/design/effect_number.hpp"
 #include "coilwright/actuator/design/value_limits.hpp"
+#include "coilwright/actuator/modelling_choices.hpp"
+#include "coilwright/algebra/spectral.hpp"
 #include "coilwright/units/unit.hpp"
 #include "sizing/study/evaluate_design.hpp"
 
@@ -34,6 +38,24 @@ std::vector<double> random_vector(boost::random::mt19937_64& generator, std::siz
 double inside(double share) {
   constexpr double least = 1e-12;
   return std::clamp(share, least, 1.0 - least);
+}
+
+double normal_quantile(double share) {
+  return boost::math::quantile(boost::math::normal(), inside(share));
+}
+
+// Shares of the scatters that move together, from independent ones.
+std::vector<double> correlated(const Spread& spread, std::span<const double> shares) {
+  std::vector<double> out(shares.begin(), shares.end());
+  for (const CorrelatedScatters& group : spread.correlated) {
+    Eigen::VectorXd deviates(static_cast<Eigen::Index>(group.scatters.size()));
+    for (Eigen::Index i = 0; i < deviates.size(); ++i)
+      deviates[i] = normal_quantile(shares[group.scatters[static_cast<std::size_t>(i)]]);
+    deviates = group.root * deviates;
+    for (Eigen::Index i = 0; i < deviates.size(); ++i)
+      out[group.scatters[static_cast<std::size_t>(i)]] = boost::math::cdf(boost::math::normal(), deviates[i]);
+  }
+  return out;
 }
 
 double displaced(double value, const Scatter& scatter, double share) {
@@ -65,6 +87,14 @@ constexpr std::array operating_numbers{
 const OperatingNumber* find_operating_number(std::string_view name) {
   const auto found = std::ranges::find(operating_numbers, name, &OperatingNumber::name);
   return found == operating_numbers.end() ? nullptr : &*found;
+}
+
+// The design by another modelling choice, where the share falls on one.
+void choose(actuator::Design& design, const OtherChoices& about, double share) {
+  if (share < about.as_designed) return;
+  std::vector<actuator::OtherChoice> choices = actuator::other_choices(design);
+  const double place = (share - about.as_designed) / (1.0 - about.as_designed) * static_cast<double>(choices.size());
+  design = std::move(choices[std::min(static_cast<std::size_t>(place), choices.size() - 1)].design);
 }
 
 // Nothing that is built has a length of 0; what else would leave its range says so when it is assembled.
@@ -139,6 +169,14 @@ std::vector<std::string> operating_number_names() {
   return out;
 }
 
+Eigen::MatrixXd correlation_root(const Eigen::MatrixXd& correlation) {
+  constexpr double rounding = 1e-9;
+  const algebra::SymmetricModes modes = algebra::symmetric_modes(correlation);
+  if (modes.values.minCoeff() < -rounding)
+    throw std::invalid_argument("no numbers can be correlated so: what some of them imply contradicts others");
+  return modes.vectors * modes.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
 double Scatter::deviation(double share) const {
   if (const auto* uniform = std::get_if<UniformDeviation>(&about))
     return uniform->low + share * (uniform->high - uniform->low);
@@ -172,21 +210,30 @@ std::vector<std::vector<double>> random_shares(std::size_t dimension, std::size_
   return out;
 }
 
-DesignResult built(const Spread& spread, const simulation::DesignView& design, std::span<const double> shares) {
+DesignResult built(const Spread& spread, const simulation::DesignView& design, std::span<const double> independent) {
   actuator::Design other = design.design;
   actuator::OperatingPoint point = design.point;
   simulation::Settings settings = simulation::settings_of(design);
+  const std::vector<double> shares = correlated(spread, independent);
+  for (std::size_t i = 0; i < spread.scatters.size(); ++i)
+    if (const auto* about = std::get_if<OtherChoices>(&spread.scatters[i].about)) choose(other, *about, shares[i]);
   for (std::size_t i = 0; i < spread.scatters.size(); ++i) {
     const Scatter& scatter = spread.scatters[i];
+    if (std::holds_alternative<OtherChoices>(scatter.about)) continue;
     if (const OperatingNumber* number = find_operating_number(scatter.name)) {
       number->set(point, displaced(number->get(point), scatter, shares[i]));
     } else if (const actuator::Parameter* parameter = actuator::find_parameter(scatter.name)) {
       const double value = units::from_memory(parameter->get(other), parameter->key);
       parameter->set(other, kept_in_range(units::to_memory(displaced(value, scatter, shares[i]), parameter->key),
                                           parameter->rule));
+    } else if (const actuator::EffectNumber effect = actuator::find_effect_number(other, scatter.name);
+               effect.value != nullptr) {
+      const double value = units::from_memory(*effect.value, effect.parameter->key);
+      *effect.value = std::clamp(units::to_memory(displaced(value, scatter, shares[i]), effect.parameter->key),
+                                 effect.parameter->lower, effect.parameter->upper);
     } else {
       const auto set = settings.find(scatter.name);
-      const double value = set != settings.end() ? set->second : spread.block_values[i].value();
+      const double value = set != settings.end() ? set->second : scatter.block_value.value();
       settings.insert_or_assign(
           scatter.name,
           units::to_memory(displaced(units::from_memory(value, scatter.name), scatter, shares[i]), scatter.name));

@@ -180,8 +180,27 @@ std::optional<SaltelliValues> complete(const std::vector<Values>& designs, std::
   return out;
 }
 
-// A, B, and for each scatter A with its column from B.
-std::vector<Shares> saltelli_designs(std::size_t dimension, std::size_t count, std::uint64_t seed) {
+// What is drawn independently of all else: scatters that move together, or one by itself.
+struct Input {
+  std::string name;
+  std::vector<std::size_t> scatters;
+};
+
+std::vector<Input> inputs_of(const Spread& spread) {
+  std::vector<Input> out;
+  std::vector<bool> together(spread.scatters.size());
+  for (const CorrelatedScatters& group : spread.correlated) {
+    out.push_back({.name = group.name, .scatters = group.scatters});
+    for (const std::size_t index : group.scatters) together[index] = true;
+  }
+  for (std::size_t i = 0; i < spread.scatters.size(); ++i)
+    if (!together[i]) out.push_back({.name = spread.scatters[i].name, .scatters = {i}});
+  return out;
+}
+
+// A, B, and for each input A with its columns from B.
+std::vector<Shares> saltelli_designs(const std::vector<Input>& inputs, std::size_t dimension, std::size_t count,
+                                     std::uint64_t seed) {
   Shares a;
   Shares b;
   for (const std::vector<double>& both : sobol_shares(2 * dimension, count, seed)) {
@@ -190,48 +209,55 @@ std::vector<Shares> saltelli_designs(std::size_t dimension, std::size_t count, s
     b.emplace_back(middle, both.end());
   }
   std::vector<Shares> out{a, b};
-  for (std::size_t input = 0; input < dimension; ++input) {
+  for (const Input& input : inputs) {
     Shares mixed = a;
-    for (std::size_t row = 0; row < count; ++row) mixed[row][input] = b[row][input];
+    for (std::size_t row = 0; row < count; ++row)
+      for (const std::size_t column : input.scatters) mixed[row][column] = b[row][column];
     out.push_back(std::move(mixed));
   }
   return out;
 }
 
-Spread with_half(Spread spread, std::size_t index) {
-  std::variant<NormalDeviation, UniformDeviation>& about = spread.scatters[index].about;
-  if (auto* normal = std::get_if<NormalDeviation>(&about)) {
+// Half as far, or half as likely to be otherwise.
+void halve(Scatter& scatter) {
+  if (auto* normal = std::get_if<NormalDeviation>(&scatter.about)) {
     normal->sd *= 0.5;
+  } else if (auto* uniform = std::get_if<UniformDeviation>(&scatter.about)) {
+    const double middle = 0.5 * (uniform->low + uniform->high);
+    *uniform = {.low = 0.5 * (uniform->low + middle), .high = 0.5 * (uniform->high + middle)};
   } else {
-    auto& uniform = std::get<UniformDeviation>(about);
-    const double middle = 0.5 * (uniform.low + uniform.high);
-    uniform = {.low = 0.5 * (uniform.low + middle), .high = 0.5 * (uniform.high + middle)};
+    auto& choices = std::get<OtherChoices>(scatter.about);
+    choices.as_designed = 0.5 * (1.0 + choices.as_designed);
   }
+}
+
+Spread with_half(Spread spread, const Input& input) {
+  for (const std::size_t index : input.scatters) halve(spread.scatters[index]);
   return spread;
 }
 
-std::optional<std::vector<ScatterWorth>> worths_of(const Spread& spread, Builder& builder,
-                                                   const YieldOptions& options) {
+std::optional<std::vector<ScatterWorth>> worths_of(const Spread& spread, const std::vector<Input>& inputs,
+                                                   Builder& builder, const YieldOptions& options) {
   const std::size_t dimension = spread.scatters.size();
   std::vector<Values> designs;
-  for (const Shares& shares : saltelli_designs(dimension, options.worth_builds, options.seed)) {
+  for (const Shares& shares : saltelli_designs(inputs, dimension, options.worth_builds, options.seed)) {
     std::optional<Values> values = builder.values(spread, shares);
     if (!values) return std::nullopt;
     designs.push_back(std::move(*values));
   }
   std::vector<ScatterWorth> out;
   const Shares dice = random_shares(dimension, options.worth_builds, options.seed + 1);
-  for (std::size_t input = 0; input < dimension; ++input) {
+  for (const Input& input : inputs) {
     const std::optional<Values> values = builder.values(with_half(spread, input), dice);
     if (!values) return std::nullopt;
-    out.push_back({.scatter = spread.scatters[input].name,
-                   .keeps_all = share_of(count_keeping_all(builder.asked(), *values), dice.size())});
+    out.push_back(
+        {.scatter = input.name, .keeps_all = share_of(count_keeping_all(builder.asked(), *values), dice.size())});
   }
   for (std::size_t quantity = 0; quantity < builder.asked().size(); ++quantity) {
     const std::optional<SaltelliValues> values = complete(designs, quantity);
     const std::optional<SobolIndices> indices =
         values ? sobol_indices(*values, options.seed) : std::optional<SobolIndices>();
-    for (std::size_t input = 0; input < dimension; ++input) {
+    for (std::size_t input = 0; input < inputs.size(); ++input) {
       out[input].first.push_back(indices ? std::optional(indices->first[input]) : std::nullopt);
       out[input].total.push_back(indices ? std::optional(indices->total[input]) : std::nullopt);
     }
@@ -277,7 +303,8 @@ std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
   if (!study.spread) throw std::invalid_argument("a yield needs a study with a spread");
   const Spread& spread = *study.spread;
   const std::size_t dimension = spread.scatters.size();
-  const std::size_t of = options.builds + options.worth_builds * (2 + 2 * dimension);
+  const std::vector<Input> inputs = inputs_of(spread);
+  const std::size_t of = options.builds + options.worth_builds * (2 + 2 * inputs.size());
   Builder builder(study, design, options, of);
   const std::optional<Values> values = builder.values(spread, random_shares(dimension, options.builds, options.seed));
   if (!values) return std::nullopt;
@@ -287,7 +314,7 @@ std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
   for (std::size_t i = 0; i < builder.asked().size(); ++i)
     out.quantities.push_back(built_quantity(builder.asked()[i], (*values)[i], design));
   if (options.worth_builds == 0) return out;
-  std::optional<std::vector<ScatterWorth>> worths = worths_of(spread, builder, options);
+  std::optional<std::vector<ScatterWorth>> worths = worths_of(spread, inputs, builder, options);
   if (!worths) return std::nullopt;
   out.worths = std::move(*worths);
   return out;

@@ -176,7 +176,8 @@ TEST_F(StudyFile, DoesNotGiveUpARowForALetter) {
       "objectives": [{"maximise": "stroke_deg"}]})";
   const auto with_row = [&](const std::string& row) {
     return text::testing::error_of([&] {
-      (void)parse_study(study, "s.json", {.file = "row.json", .text = R"({"format": "actuator/1", )" + row + "}"});
+      const text::InputText actuator{.file = "row.json", .text = R"({"format": "actuator/1", )" + row + "}"};
+      (void)parse_study(study, "s.json", {.actuator = &actuator});
     });
   };
   EXPECT_EQ(with_row(R"("layout": ["coil", "magnet", "coil"], "polarity": [1, -1, 1])"),

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "coilwright/actuator/design/value_limits.hpp"
+#include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/actuator/modelling_choices.hpp"
 #include "coilwright/sizing/study/usual_scatters.hpp"
 #include "coilwright/sizing/study/yield.hpp"
 #include "error_text.hpp"
@@ -24,9 +26,7 @@ Scatter uniform(const char* name, double low, double high, bool relative = false
 }
 
 Spread spread_of(std::vector<Scatter> scatters, std::size_t draws = 32) {
-  Spread out{.scatters = std::move(scatters), .block_values = {}, .draws = draws};
-  out.block_values.resize(out.scatters.size());
-  return out;
+  return {.scatters = std::move(scatters), .draws = draws};
 }
 
 EvaluatedDesign paper_like(double current = 1.0) {
@@ -123,6 +123,75 @@ TEST(Built, IsTheDesignWithItsNumbersDisplaced) {
             value("peak_bending_speed_deg_s", design));
 }
 
+// A Gaussian copula: 1000 builds of two numbers have the correlation that was asked, within four of its standard
+// errors, (1 - r^2) / sqrt(1000), and each keeps its own law.
+TEST(Built, CorrelatesWhatScattersTogether) {
+  Spread spread = spread_of({normal("current_A", 0.01), normal("gap_mm", 0.02)});
+  Eigen::MatrixXd correlation(2, 2);
+  correlation << 1.0, -0.8, -0.8, 1.0;
+  spread.correlated.push_back({.name = "both", .scatters = {0, 1}, .root = correlation_root(correlation)});
+  const EvaluatedDesign design = paper_like(1.0);
+  double products = 0.0;
+  double squares_of_gap = 0.0;
+  double squares_of_current = 0.0;
+  for (const std::vector<double>& shares : random_shares(2, 1000, 5)) {
+    const DesignResult result = built(spread, design.view(), shares);
+    const auto& one = std::get<EvaluatedDesign>(result);
+    const double current = (one.point.current - 1.0) / 0.01;
+    const double gap = (one.design.body.gap - design.design.body.gap) / 0.02e-3;
+    products += current * gap / 1000.0;
+    squares_of_gap += gap * gap / 1000.0;
+    squares_of_current += current * current / 1000.0;
+  }
+  EXPECT_NEAR(products, -0.8, 4.0 * (1.0 + 0.64) / std::sqrt(1000.0));
+  EXPECT_NEAR(products / std::sqrt(squares_of_gap * squares_of_current), -0.8, 4.0 * 0.36 / std::sqrt(1000.0));
+  EXPECT_NEAR(squares_of_gap, 1.0, 4.0 * std::sqrt(2.0 / 1000.0));
+}
+
+TEST(CorrelationRoot, IsOneOfSingularMatricesToo) {
+  const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(3, 3);
+  const Eigen::MatrixXd root = correlation_root(ones);
+  EXPECT_TRUE((root * root.transpose()).isApprox(ones, 1e-12));
+  Eigen::MatrixXd contradictory = Eigen::MatrixXd::Constant(3, 3, -0.9);
+  contradictory.diagonal().setOnes();
+  EXPECT_EQ(error_text([&] { (void)correlation_root(contradictory); }),
+            "no numbers can be correlated so: what some of them imply contradicts others");
+}
+
+// Below its probability the design is as it was; above, each other choice has an equal part of what is left.
+TEST(Built, MakesModellingChoicesOtherwise) {
+  const Spread spread = spread_of({{.name = "assumptions", .about = OtherChoices{0.6}}});
+  const EvaluatedDesign design = paper_like(1.0);
+  const std::vector<actuator::OtherChoice> others = actuator::other_choices(design.design);
+  const auto speed_at = [&](double share) {
+    return value("peak_bending_speed_deg_s",
+                 std::get<EvaluatedDesign>(built(spread, design.view(), std::vector<double>{share})));
+  };
+  EXPECT_EQ(speed_at(0.59), value("peak_bending_speed_deg_s", design));
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const double middle = 0.6 + 0.4 * (static_cast<double>(i) + 0.5) / static_cast<double>(others.size());
+    const EvaluatedDesign other = simulation::evaluate(others[i].design, {.current = 1.0});
+    EXPECT_EQ(speed_at(middle), value("peak_bending_speed_deg_s", other)) << others[i].otherwise;
+  }
+}
+
+// The number of an effect moves, and stays inside its bounds.
+TEST(Built, DisplacesNumbersOfEffects) {
+  const actuator::EffectKind* drag = actuator::standard_effects().find("quadratic_drag");
+  ASSERT_NE(drag, nullptr);
+  actuator::Design dragged;
+  dragged.effects.push_back({.kind = drag, .values = {1e-5}});
+  const EvaluatedDesign design = simulation::evaluate(dragged, {.current = 1.0});
+  const Spread spread = spread_of({uniform("quadratic_drag.drag_Nmms2_rad2", -0.1, 0.1)});
+  const auto drag_at = [&](double share) {
+    return std::get<EvaluatedDesign>(built(spread, design.view(), std::vector<double>{share}))
+        .design.effects[0]
+        .values[0];
+  };
+  EXPECT_NEAR(drag_at(0.52), 1e-5 + 4e-6, 1e-12);
+  EXPECT_EQ(drag_at(0.1), drag->parameters()[0].lower);
+}
+
 TEST(Built, SaysWhyItCannotBe) {
   const Spread wide = spread_of({uniform("magnet_radius_mm", -100.0, 100.0)});
   const EvaluatedDesign design = paper_like();
@@ -211,6 +280,21 @@ TEST(YieldOf, GivesTheWorthOfEachScatter) {
   EXPECT_NEAR(yield->worths[1].total[0].value().value, 0.0, 1e-9);
   EXPECT_NEAR(yield->worths[0].keeps_all.value, 0.97725, 0.02);  // two standard deviations
   EXPECT_NEAR(yield->worths[1].keeps_all.value, 0.84134, 0.04);  // one, as it is
+}
+
+// Together they are one input: its share is all, whatever each has of it.
+TEST(YieldOf, TakesWhatScattersTogetherAsOne) {
+  Spread spread =
+      spread_of({normal("current_A", 0.02, true), normal("gap_mm", 0.05), normal("magnet_length_mm", 0.05)});
+  const Eigen::MatrixXd correlation = Eigen::MatrixXd::Ones(2, 2);
+  spread.correlated.push_back({.name = "two", .scatters = {0, 1}, .root = correlation_root(correlation)});
+  const auto yield =
+      yield_of(study_with(std::move(spread), 1.25), paper_like(1.2), {.builds = 100, .worth_builds = 256});
+  ASSERT_TRUE(yield);
+  ASSERT_EQ(yield->worths.size(), 2u);
+  EXPECT_EQ(yield->worths[0].scatter, "two");
+  EXPECT_NEAR(yield->worths[0].first[0].value().value, 1.0, 0.02);
+  EXPECT_EQ(yield->worths[1].scatter, "magnet_length_mm");
 }
 
 TEST(YieldOf, NeedsASpread) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "coilwright/measurement/design_posterior.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -31,6 +33,7 @@ struct DiagnosisReport {
   /// Why the actuator files are refused as input, a line each: a fit is not bound by what an actuator can be. Empty:
   /// they are taken.
   std::vector<std::string> refused{};
+  std::optional<measurement::DesignPosterior> posterior{};  ///< of a design's numbers; nothing for a lumped model
   DiagnosisSummary summary{};  ///< report::summary_of the rest
 };
 

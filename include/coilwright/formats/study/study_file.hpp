@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,7 @@ using StudyChanges = std::vector<std::string>;
 struct StudyFile {
   sizing::Study study;
   std::filesystem::path actuator;  ///< the file of its own actuator
+  std::optional<std::filesystem::path> posterior;  ///< the diagnosis of its spread; nothing: it has none
   bool builds_a_system{};          ///< it has a block "gripper" or "crawler"
 };
 
@@ -49,8 +51,14 @@ struct StudyFile {
     const simulation::QuantityTable& quantities = simulation::standard_quantities(),
     const actuator::EffectCatalogue& effects = actuator::standard_effects());
 
-/// The same where the actuator is a text too, whatever file the study names: no file is read.
-[[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file, const text::InputText& actuator,
+/// Texts in place of files that a study names; nullptr: the file is read.
+struct StudyTexts {
+  const text::InputText* actuator{};
+  const text::InputText* posterior{};
+};
+
+/// The same with those, whatever files the study names.
+[[nodiscard]] sizing::Study parse_study(std::string_view text, std::string file, const StudyTexts& texts,
                                         const StudyChanges& changes = {});
 
 }  // namespace coilwright::formats

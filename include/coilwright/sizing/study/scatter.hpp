@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -34,22 +35,44 @@ struct UniformDeviation {
   double high{};
 };
 
+/// Not a number: how hinges, damping, film, faces, winding and ampacity are modelled. As the design has it with that
+/// probability, otherwise by one of actuator::other_choices(), all alike.
+struct OtherChoices {
+  double as_designed{};  ///< > 0 and < 1
+};
+
 /// How one number of what is built lies about what was designed.
 struct Scatter {
-  std::string name;  ///< of a parameter of designs, of operating_number_names(), or of a block of the study
-  std::variant<NormalDeviation, UniformDeviation> about;  ///< in the unit of the name, or relative
-  bool relative{};                                        ///< whether deviations are shares of the designed value
+  /// Of a parameter of designs, of an effect's number ("dry_friction.torque_Nmm"), of operating_number_names(), or of a
+  /// block of the study.
+  std::string name;
+  std::variant<NormalDeviation, UniformDeviation, OtherChoices> about;  ///< in the unit of the name, or relative
+  bool relative{};  ///< whether deviations are shares of the designed value
+  /// Of a number of a block, its value where no variable sets it, in SI; nothing for other numbers.
+  std::optional<double> block_value{};
+  /// Of a number that was measured, what it was found to be, in the unit of the name; nothing for others.
+  std::optional<double> measured{};
 
-  /// The deviation below which a share of all lies, 0 < share < 1; relative, or in the unit of the name.
+  /// The deviation below which a share of all lies, 0 < share < 1; relative, or in the unit of the name. Precondition:
+  /// not OtherChoices.
   [[nodiscard]] double deviation(double share) const;
 };
 
-/// What builds, objects and supplies differ by: independent scatters. Immutable.
+/// Scatters that move together: the normal deviates behind their shares are correlated (a Gaussian copula).
+struct CorrelatedScatters {
+  std::string name;                   ///< as results show them: "posterior"
+  std::vector<std::size_t> scatters;  ///< their indices
+  Eigen::MatrixXd root;               ///< times its transpose it is their correlation, (n, n)
+};
+
+/// A root of a correlation matrix, which may be singular. Throws std::invalid_argument for a matrix that is none.
+[[nodiscard]] Eigen::MatrixXd correlation_root(const Eigen::MatrixXd& correlation);
+
+/// What builds, objects and supplies differ by. Immutable.
 struct Spread {
   std::vector<Scatter> scatters;
-  /// Of a number of a block, its value where no variable sets it, in SI: one per scatter, nothing for other numbers.
-  std::vector<std::optional<double>> block_values;
-  std::size_t draws = 32;  ///< of which statistics of one design are made; >= 8
+  std::vector<CorrelatedScatters> correlated{};  ///< all others are independent
+  std::size_t draws = 32;                        ///< of which statistics of one design are made; >= 8
   /// Where the current follows from the built design; empty: it is that of the operating point.
   DrivenCurrent driven{};
 };

@@ -28,8 +28,9 @@ namespace coilwright::sizing {
 [[nodiscard]] std::vector<std::vector<double>> random_shares(std::size_t dimension, std::size_t count,
                                                              std::uint64_t seed);
 
-/// One build of a design: its numbers at the deviations of `shares`, one per scatter. A length that would leave its
-/// range stays at its end. Why there is none where it cannot be built or has no performance.
+/// One build of a design: its numbers at the deviations of `shares`, one per scatter and independent of each other:
+/// correlations are made here. A length, or a number of an effect, that would leave its range stays at its end. Why
+/// there is none where it cannot be built or has no performance.
 [[nodiscard]] DesignResult built(const Spread& spread, const simulation::DesignView& design,
                                  std::span<const double> shares);
 

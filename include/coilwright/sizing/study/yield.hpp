@@ -37,12 +37,12 @@ struct SobolIndex {
   double high{};
 };
 
-/// What one scatter of the spread does to each quantity and to the yield.
+/// What one scatter of the spread, or those that move together, does to each quantity and to the yield.
 struct ScatterWorth {
-  std::string scatter;
+  std::string scatter;  ///< its name, or that of those that move together
   /// One a quantity, in their order; nothing where a quantity does not vary or some build lacks it.
   std::vector<std::optional<SobolIndex>> first{}, total{};
-  Share keeps_all{};  ///< of builds in which this one deviates half as far, by the same dice
+  Share keeps_all{};  ///< of builds in which it deviates half as far, by the same dice
 };
 
 /// What becomes of a design when it is built.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "coilwright/simulation/part_limits.hpp"
+#include "coilwright/systems/driver_quantities.hpp"
 #include "report/assumptions_text.hpp"
 #include "report/design_text.hpp"
 #include "report/search_text.hpp"
@@ -63,6 +65,23 @@ std::string variables_text(const formats::SizeReport& report) {
   return table.text(2, {TextTable::Align::left, TextTable::Align::right});
 }
 
+// What the pulses of the usual driver would add to a current that the study takes as steady.
+std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
+  const bool is_driven = std::ranges::any_of(
+      study.quantities, [](const simulation::ResultQuantity& each) { return each.name.starts_with("driver_"); });
+  if (is_driven || std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
+  constexpr systems::DriverTask usual{.voltage = 24.0, .switch_resistance = 0.565};  // as `drive` has it
+  const simulation::QuantityTable of_driver(
+      systems::driver_quantities([](const simulation::Settings&) { return usual; }));
+  const std::optional<double> heat = of_driver.at("driver_ripple_heat_pct").value(best.view());
+  constexpr double worth_a_line = 5.0;  // per cent, from which `drive` warns
+  if (!heat || *heat < worth_a_line) return {};
+  return fmt::format(
+      "taken as a steady current: pulses from {} V at {} Hz would make {} % more heat (coilwright drive says "
+      "which do not; the block \"driver\" of a study limits it)\n",
+      short_number(usual.voltage), short_number(usual.frequency), fmt::format("{:.3g}", *heat));
+}
+
 std::string objective_lines(const formats::SizeReport& report) {
   const Evaluation& best = report.result.best->evaluation;
   const simulation::ResultQuantity& quantity = report.study.objectives.front().quantity;
@@ -75,7 +94,8 @@ std::string objective_lines(const formats::SizeReport& report) {
   if (report.best)
     if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
       text += fmt::format("with {}, duty {}\n", coil_currents_text(evaluated->design, evaluated->point.current),
-                          short_number(evaluated->point.duty));
+                          short_number(evaluated->point.duty)) +
+              pulses_line(report.study, *evaluated);
   if (report.base_seen.failure.empty()) {
     const std::string reasons = reasons_for_infeasibility(report.study, report.base_seen);
     const bool varies = std::ranges::any_of(report.study.variables, [](const StudyVariable& each) {

@@ -21,7 +21,7 @@ class List(ProgramTest):
         self.assertEqual([row["key"] for row in listed if row["of"] == "evaluate"], names)
         of_blocks = json.loads((CONFIGS / "schemas/study.schema.json").read_text())["$defs"]["quantity_of_block"]["enum"]
         self.assertEqual([row["key"] for row in listed if row["of"] != "evaluate"], of_blocks)
-        self.assertEqual({row["of"] for row in listed}, {"evaluate", "gripper", "crawler"})
+        self.assertEqual({row["of"] for row in listed}, {"evaluate", "gripper", "crawler", "driver"})
         for row in listed:
             self.assertTrue(row["meaning"], row["key"])
             self.assertTrue(row["key"].endswith(row["unit"]), row)

@@ -29,7 +29,9 @@ BLOCKS = {"gripper": {"mounting_angle_deg": 30, "spacing_mm": 65, "polarity": "s
                       "open_current_A": -0.5, "acceleration_m_s2": 1, "least_current_up_to_A": 1.4},
           "crawler": {"friction_forwards": 0.3, "friction_backwards": 0.6, "frequency_Hz": 10, "duty": 0.5,
                       "cell_voltage_V": 4.2, "cell_capacity_mAh": 150, "cell_limit_A": 3, "lead_resistance_Ohm": 0.12,
-                      "payload_mass_g": 23, "payload_length_mm": 30, "step_ms": 0.2, "settling_periods": 1, "periods": 1}}
+                      "payload_mass_g": 23, "payload_length_mm": 30, "step_ms": 0.2, "settling_periods": 1, "periods": 1},
+          "driver": {"kind": "h_bridge", "voltage_V": 24, "resistance_Ohm": 0.1, "switch_resistance_Ohm": 0.5, "frequency_Hz": 20000,
+                     "most_current_A": 3}}
 
 
 def validator(name):
@@ -440,21 +442,22 @@ class SchemasAndProgram(ProgramTest):
     def test_know_every_quantity_of_a_block(self):
         names = SCHEMAS["study.schema.json"]["$defs"]["quantity_of_block"]["enum"]
         cells = [line.split("|")[1] for line in (ROOT / "docs/formats-study.md").read_text().splitlines()
-                 if re.match(r"\| `(grip|crawl)", line)]
-        documented = re.findall(r"`((?:grip|gripper|crawl|crawler)_\w+)`", " ".join(cells))
+                 if re.match(r"\| `(grip|crawl|driver_)", line)]
+        documented = re.findall(r"`((?:grip|gripper|crawl|crawler|driver)_\w+)`", " ".join(cells))
         self.assertEqual(names, documented)
         study = {**data_file("study.json"), **BLOCKS, "columns": [{"quantity": name} for name in names]}
         self.assertEqual(faults(study), [])
         self.assertEqual(self.refusal("study", study, searches=True), "")
         # Each needs its block.
         for name in names:
-            self.assertIn(f' /objectives/0/maximise: needs the block "{"gripper" if name.startswith("grip") else "crawler"}"',
+            self.assertIn(f' /objectives/0/maximise: needs the block "{ {"g": "gripper", "c": "crawler", "d": "driver"}[name[0]] }"',
                           self.refusal("study", changed(data_file("study.json"), "/objectives/0/maximise", name)))
 
     def test_bound_the_numbers_of_the_blocks_alike(self):
         study = {**data_file("study.json"), **BLOCKS}
         self.assert_same_bounds("study", study, "/gripper/")
         self.assert_same_bounds("study", study, "/crawler/")
+        self.assert_same_bounds("study", study, "/driver/")
 
     def test_know_every_variable_and_algorithm_of_a_study(self):
         study = data_file("study.json")

@@ -34,7 +34,7 @@ class StudyInput(ProgramTest):
             ({"variables": share, "operating_point": {"current_A": 1, "wiring": "series"}},
              "/operating_point/wiring: must be parallel where coils have shares of the current: in series there is one"),
             ({"objective": FRONT[0]}, '/objective: unknown key; the keys here are "actuator", "columns", '
-             '"constraints", "crawler", "description", "format", "gripper", "name", "objectives", "operating_point", "search", '
+             '"constraints", "crawler", "description", "driver", "format", "gripper", "name", "objectives", "operating_point", "search", '
              '"spread", "variables"'),
             ({"objectives": None, "objective": FRONT},
              '/objectives: is missing; is "objective" meant to be it?'),

@@ -1,4 +1,4 @@
-"""Every way to get the blocks of a gripper and a crawler in a study wrong: one line, exit code 2."""
+"""Every way to get the blocks of a gripper, a crawler and a driver in a study wrong: one line, exit code 2."""
 
 import json
 import unittest
@@ -46,6 +46,12 @@ class SystemStudyInput(ProgramTest):
             (crawler(periods=1.5), "/crawler/periods: must be a whole number; got 1.5"),
             (crawler(cell_capacity_Ah=1), '/crawler/cell_capacity_Ah: unknown key; did you mean "cell_capacity_mAh"?'),
             ({"crawler": {"friction_forwards": 0.3}}, "/crawler/friction_backwards: is missing"),
+            ({"driver": {"kind": "h_bridge"}}, "/driver/voltage_V: is missing"),
+            ({"driver": {"kind": "battery", "voltage_V": 4}}, '/driver/kind: must be one of "h_bridge", "cell"; got text "battery"'),
+            ({"driver": {"kind": "cell", "voltage_V": 4, "frequency_Hz": 0}}, "/driver/frequency_Hz: must be from 0.1 to 1000000; got 0"),
+            (wanted("driver_duty"), '/objectives/0/maximise: needs the block "driver" in the study; got text "driver_duty"'),
+            ({"driver": {"kind": "cell", "voltage_V": 4}, "variables": {"gap_mm": GAP["gap_mm"], "current_share_2": {"lower": 0, "upper": 1}}},
+             "/variables/current_share_2: would give coils currents of their own, and the driver drives them all alike"),
             (wanted("grip_margin"), '/objectives/0/maximise: needs the block "gripper" in the study; '
              'got text "grip_margin"'),
             ({**gripper(), **wanted("crawl_speed_mm_s")},

@@ -3,6 +3,7 @@
 
 #include "coilwright/simulation/quantity.hpp"
 #include "coilwright/systems/crawl_quantities.hpp"
+#include "coilwright/systems/driver_quantities.hpp"
 #include "coilwright/systems/gripper/quantities.hpp"
 #include "coilwright/units/unit.hpp"
 #include "listings.hpp"
@@ -33,6 +34,8 @@ Listing quantity_listing() {
   for (const ResultQuantity& each : systems::gripper::gripper_quantities(no_grip)) add(listing, each, "gripper");
   const auto no_crawl = [](const Settings&) { return systems::CrawlTask{}; };
   for (const ResultQuantity& each : systems::crawl_quantities(no_crawl)) add(listing, each, "crawler");
+  const auto no_driver = [](const Settings&) { return systems::DriverTask{}; };
+  for (const ResultQuantity& each : systems::driver_quantities(no_driver)) add(listing, each, "driver");
   return listing;
 }
 

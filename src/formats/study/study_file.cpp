@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -21,6 +23,7 @@
 #include "formats/actuator/design_reader.hpp"
 #include "formats/actuator/operating_point_format.hpp"
 #include "formats/study/crawler_block.hpp"
+#include "formats/study/driver_block.hpp"
 #include "formats/study/gripper_block.hpp"
 #include "formats/study/spread_block.hpp"
 #include "formats/study/study_changes.hpp"
@@ -38,31 +41,28 @@ constexpr Rule largest_share = positive.and_also(Rule::at_most(1e3));
 
 using simulation::QuantityTable;
 
-// What a study builds from its actuator.
-struct Blocks {
-  std::optional<SystemBlock> gripper, crawler;
-};
+// What a study builds from its actuator, by the keys of its blocks.
+using Blocks = std::map<std::string, SystemBlock>;
 
 Blocks read_blocks(ObjectReader& in) {
   Blocks out;
-  if (const auto node = in.find("gripper")) out.gripper = read_gripper_block(*node);
-  if (const auto node = in.find("crawler")) out.crawler = read_crawler_block(*node);
+  using Reader = SystemBlock (*)(const Node&);
+  for (const auto& [key, read] : std::initializer_list<std::pair<const char*, Reader>>{
+           {"gripper", read_gripper_block}, {"crawler", read_crawler_block}, {"driver", read_driver_block}})
+    if (const auto node = in.find(key)) out.emplace(key, read(*node));
   return out;
 }
 
 std::vector<BlockVariable> variables_of(const Blocks& blocks) {
   std::vector<BlockVariable> out;
-  for (const auto* block : {&blocks.gripper, &blocks.crawler})
-    if (*block) out.insert(out.end(), (*block)->variables.begin(), (*block)->variables.end());
+  for (const auto& [key, block] : blocks) out.insert(out.end(), block.variables.begin(), block.variables.end());
   return out;
 }
 
 QuantityTable with_quantities_of(const Blocks& blocks, QuantityTable table) {
   for (const simulation::ResultQuantity& each : simulation::joint_quantities()) table = table.with(each);
-  for (const auto* block : {&blocks.gripper, &blocks.crawler}) {
-    if (!*block) continue;
-    for (const simulation::ResultQuantity& each : (*block)->quantities) table = table.with(each);
-  }
+  for (const auto& [key, block] : blocks)
+    for (const simulation::ResultQuantity& each : block.quantities) table = table.with(each);
   return table;
 }
 
@@ -261,14 +261,16 @@ bool varies_current(const Study& study) {
 }
 
 // The current that the crawler's cell drives, with the duty of its pulses.
-void read_driven(ObjectReader& in, const std::optional<SystemBlock>& crawler, Study& study) {
+void read_driven(ObjectReader& in, const Blocks& blocks, Study& study) {
   in.literal("current_of", "crawler");
-  if (!crawler) throw in.at("current_of").error_without_value("needs the block \"crawler\" in the study");
+  const auto crawler = blocks.find("crawler");
+  if (crawler == blocks.end())
+    throw in.at("current_of").error_without_value("needs the block \"crawler\" in the study");
   if (const auto duty = in.find("duty")) throw duty->error_without_value("is the crawler's, with its current");
-  study.current = crawler->driven;
+  study.current = crawler->second.driven;
 }
 
-void read_operation(const Node& node, const std::optional<SystemBlock>& crawler, Study& study) {
+void read_operation(const Node& node, const Blocks& blocks, Study& study) {
   ObjectReader in(node);
   read_operating_conditions(in, study.operating);
   if (varies_current(study)) {
@@ -278,11 +280,11 @@ void read_operation(const Node& node, const std::optional<SystemBlock>& crawler,
     in.finish();
     return;
   }
-  const std::string key = crawler || node.find("current_of")
+  const std::string key = blocks.contains("crawler") || node.find("current_of")
                               ? in.one_of({"current_A", "share_of_current_limit", "current_of"})
                               : in.one_of({"current_A", "share_of_current_limit"});
   if (key == "current_of") {
-    read_driven(in, crawler, study);
+    read_driven(in, blocks, study);
   } else if (key == "current_A") {
     study.current = FixedCurrent{in.number("current_A", current_rule())};
   } else {
@@ -304,6 +306,14 @@ void require_shares_suit(const Study& study, const Node& root) {
   for (int i = coils; i < actuator::most_current_shares && !varies_layout; ++i)
     if (const auto variable = root.find("variables")->find(fmt::format("current_share_{}", i + 1)))
       throw variable->error_without_value(fmt::format("must be of a coil that there is: the actuator has {}", coils));
+  const auto of_share = std::ranges::find_if(study.variables, [](const StudyVariable& variable) {
+    const auto* number = std::get_if<ParameterVariable>(&variable);
+    return number != nullptr && number->parameter->rule == actuator::ParameterRule::share;
+  });
+  if (root.find("driver") && of_share != study.variables.end())
+    throw root.find("variables")
+        ->find(name_of(*of_share))
+        ->error_without_value("would give coils currents of their own, and the driver drives them all alike");
   if (shares && study.operating.supply.wiring == actuator::Wiring::series)
     throw root.find("operating_point")
         ->find("wiring")
@@ -324,10 +334,9 @@ void require_lettered(const Study& study, const Node& variables) {
 }
 
 void require_suitable(const Blocks& blocks, const actuator::Design& base, const Node& root) {
-  for (const auto& [key, block] : {std::pair{"gripper", &blocks.gripper}, std::pair{"crawler", &blocks.crawler}}) {
-    if (!*block) continue;
+  for (const auto& [key, block] : blocks) {
     try {
-      (*block)->require_suitable(base);
+      block.require_suitable(base);
     } catch (const std::invalid_argument& rule) {
       throw root.find(key)->error_without_value(rule.what());
     }
@@ -346,7 +355,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.variables = read_variables(in.at("variables"), variables_of(blocks));
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
-    if (operation) read_operation(*operation, blocks.crawler, study);
+    if (operation) read_operation(*operation, blocks, study);
     StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}};
     if (const auto spread = in.find("spread")) {
       study.spread = read_spread(*spread, variables_of(blocks), texts.posterior);

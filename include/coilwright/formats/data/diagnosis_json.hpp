@@ -34,7 +34,7 @@ struct DiagnosisReport {
   /// they are taken.
   std::vector<std::string> refused{};
   std::optional<measurement::DesignPosterior> posterior{};  ///< of a design's numbers; nothing for a lumped model
-  DiagnosisSummary summary{};  ///< report::summary_of the rest
+  DiagnosisSummary summary{};                               ///< report::summary_of the rest
 };
 
 /// diagnosis.json, format `diagnosis/1`: the keys of the format first, in its order, then what goes beyond it

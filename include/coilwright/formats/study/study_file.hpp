@@ -40,9 +40,9 @@ using StudyChanges = std::vector<std::string>;
 /// A study and what of its file it does not keep.
 struct StudyFile {
   sizing::Study study;
-  std::filesystem::path actuator;  ///< the file of its own actuator
+  std::filesystem::path actuator;                  ///< the file of its own actuator
   std::optional<std::filesystem::path> posterior;  ///< the diagnosis of its spread; nothing: it has none
-  bool builds_a_system{};          ///< it has a block "gripper" or "crawler"
+  bool builds_a_system{};                          ///< it has a block "gripper" or "crawler"
 };
 
 /// The same with that.

@@ -1,0 +1,136 @@
+#include "coilwright/systems/driver_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "coilwright/actuator/coil_bank.hpp"
+#include "coilwright/drive/driver.hpp"
+#include "coilwright/drive/settings.hpp"
+
+namespace coilwright::systems {
+namespace {
+
+using simulation::DesignView;
+using simulation::NoValue;
+using simulation::ResultQuantity;
+using simulation::SharedResult;
+using Task = DriverTask;
+
+drive::Driver driver_of_task(const Task& task) {
+  if (task.kind == Task::Kind::cell)
+    return driver_of(drive::CellSwitch{
+        .emf = task.voltage, .resistance = task.resistance, .switch_resistance = task.switch_resistance});
+  drive::HBridge bridge{.supply_voltage = task.voltage, .supply_resistance = task.resistance};
+  const double of_usual = task.switch_resistance / (bridge.high_resistance + bridge.low_resistance);
+  bridge.high_resistance *= of_usual;
+  bridge.low_resistance *= of_usual;
+  return driver_of(bridge);
+}
+
+drive::ReducedBank bank_at(const DesignView& design, const Eigen::VectorXd& temperatures) {
+  const bool in_series = design.point.supply.wiring == actuator::Wiring::series;
+  return reduce(coil_bank(design.design, design.assembly,
+                          in_series ? drive::BankWiring::series : drive::BankWiring::parallel, temperatures));
+}
+
+struct DriverAnswer {
+  double duty{};
+  double most_current{};        // mean of a coil that is to be had, A
+  drive::SteadyCurrent cold{};  // of the driver at that mean current
+  double peak_over_limit{};
+};
+using Driven = std::variant<DriverAnswer, NoValue>;
+
+Driven answer_of(const Task& task, const DesignView& design) {
+  const double wanted = std::abs(design.point.current);
+  const auto& nodes = design.performance.free.heat.temperatures;
+  if (nodes.size() == 0) return NoValue{.reason = "its coils have no steady temperature"};
+  const std::vector<int> places = actuator::coil_places(design.design.layout);
+  Eigen::VectorXd warm(static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < warm.size(); ++i) warm[i] = nodes[places[static_cast<std::size_t>(i)]];
+  const drive::Driver driver = driver_of_task(task);
+  const auto at_full = [&](const drive::ReducedBank& bank) {
+    return bank.shares.maxCoeff() *
+           steady_current(bank.circuit, driver, {.frequency = task.frequency, .duty = 1.0}).mean;
+  };
+  const drive::ReducedBank warm_bank = bank_at(design, warm);
+  DriverAnswer out{.most_current = at_full(warm_bank)};
+  if (wanted == 0.0) return out;
+  if (wanted > out.most_current)
+    return NoValue{.reason = fmt::format("the driver gives a coil {:.4g} A at most", out.most_current),
+                   .infeasibility = wanted / out.most_current - 1.0};
+  const auto setting = [&](const drive::ReducedBank& bank) {
+    return duty_for_mean(bank.circuit, driver, task.frequency, wanted / bank.shares.maxCoeff());
+  };
+  out.duty = setting(warm_bank).value.value_or(1.0);
+  out.cold = setting(bank_at(design, Eigen::VectorXd::Constant(warm.size(), 20.0))).current;
+  out.peak_over_limit = out.cold.peak / task.most_current;
+  return out;
+}
+
+Driven tried(const std::function<Task(const simulation::Settings&)>& task, const DesignView& design) {
+  try {
+    return answer_of(task(simulation::settings_of(design)), design);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return NoValue{.reason = failure.what()};
+  }
+}
+
+// Heat in the coils over that of their mean current.
+double heat_ratio(const drive::SteadyCurrent& current) {
+  return current.mean > 0.0 ? std::pow(current.rms / current.mean, 2) : 1.0;
+}
+
+}  // namespace
+
+std::vector<ResultQuantity> driver_quantities(const std::function<Task(const simulation::Settings&)>& task) {
+  const SharedResult<Driven> result([task](const DesignView& design) { return tried(task, design); });
+  const auto row = [&result](std::string name, std::string meaning, double scale,
+                             std::optional<double> (*value)(const DriverAnswer&, const DesignView&)) {
+    return ResultQuantity{.name = std::move(name),
+                          .meaning = std::move(meaning),
+                          .scale = scale,
+                          .value = [result, value](const DesignView& design) -> std::optional<double> {
+                            const auto found = result.of(design);
+                            const auto* done = std::get_if<DriverAnswer>(found.get());
+                            return done == nullptr ? std::nullopt : value(*done, design);
+                          },
+                          .absence = "the driver cannot drive this current",
+                          .pose = actuator::HeldCases::free,
+                          .why_absent = [result](const DesignView& design) -> NoValue {
+                            const auto found = result.of(design);
+                            const auto* none = std::get_if<NoValue>(found.get());
+                            return none == nullptr ? NoValue{.reason = "it is not finite"} : *none;
+                          }};
+  };
+  using Value = std::optional<double>;
+  return {row("driver_duty", "share of a period that is switched on for the current as a mean, coils warm", 1.0,
+              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.duty; }),
+          row("driver_most_current_A", "mean current of a coil with the switch closed for good, coils warm", 1.0,
+              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.most_current; }),
+          row("driver_peak_A", "largest current of the driver, coils at 20 degC", 1.0,
+              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.cold.peak; }),
+          row("driver_peak_over_limit", "that over the most that bridge or cell bears", 1.0,
+              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.peak_over_limit; }),
+          row("driver_ripple_heat_pct", "heat of the coils beyond that of their mean current, coils at 20 degC", 5.0,
+              [](const DriverAnswer& driven, const DesignView&) -> Value {
+                return 100.0 * (heat_ratio(driven.cold) - 1.0);
+              }),
+          row("driver_thermal_load", "thermal_load of the current with its ripple", 1.0,
+              [](const DriverAnswer& driven, const DesignView& design) -> Value {
+                static const ResultQuantity load = simulation::standard_quantities().at("thermal_load");
+                const Value mean = load.value(design);
+                return mean ? Value(*mean * std::sqrt(heat_ratio(driven.cold))) : std::nullopt;
+              })};
+}
+
+}  // namespace coilwright::systems

@@ -1,0 +1,78 @@
+#include "coilwright/systems/driver_quantities.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coilwright/simulation/evaluate.hpp"
+#include "coilwright/systems/driven_actuator.hpp"
+#include "coilwright/systems/validation/paper_finger.hpp"
+
+namespace coilwright::systems {
+namespace {
+
+simulation::QuantityTable table_of(const DriverTask& task) {
+  return simulation::QuantityTable(driver_quantities([task](const simulation::Settings&) { return task; }));
+}
+
+// The paper's bridge, and the switches of its data sheet.
+DriverTask bridge() {
+  return {.voltage = 24.0, .switch_resistance = 0.565};
+}
+
+class DriverQuantities : public ::testing::Test {
+ protected:
+  [[nodiscard]] double value(const DriverTask& task, const char* name) const {
+    const simulation::QuantityTable table = table_of(task);
+    return table.at(name).value(design.view()).value();
+  }
+  simulation::EvaluatedDesign design = simulation::evaluate(validation::paper_finger(), {.current = 1.0, .duty = 0.6});
+};
+
+// By the same circuits, but through all that `drive` knows.
+TEST_F(DriverQuantities, AreThoseOfTheDrivenActuator) {
+  const DriverTask task = bridge();
+  const DrivenActuator driven =
+      drive_actuator(design.design, design.assembly, {.driver = drive::HBridge{.supply_voltage = 24.0}, .mean = 1.0});
+  EXPECT_NEAR(value(task, "driver_peak_A"), driven.driver.peak, 1e-9);
+  EXPECT_NEAR(value(task, "driver_peak_over_limit"), driven.driver.peak / 3.6, 1e-9);
+  EXPECT_NEAR(value(task, "driver_ripple_heat_pct"), 100.0 * (driven.driver.powers.coils / driven.heat_by_mean - 1.0),
+              1e-6);
+  const double load = simulation::standard_quantities().at("thermal_load").value(design.view()).value();
+  EXPECT_NEAR(value(task, "driver_thermal_load"), load * driven.coil.rms / driven.coil.mean, 1e-9);
+}
+
+// Far above R/L there is no ripple: the duty is that of resistances alone, on coils as warm as they are.
+TEST_F(DriverQuantities, HaveNoRippleAtHighFrequencies) {
+  DriverTask task = bridge();
+  task.frequency = 1e6;
+  EXPECT_LT(value(task, "driver_ripple_heat_pct"), 1e-3);
+  const double warm = design.performance.free.heat.electrics.resistance.value();
+  // The bridge's dead time of 0.22 us is taken off every pulse: 0.22 of a period at 1 MHz. While off, two low switches
+  // are 0.516 ohm against 0.565 while on, and for the dead times 0.8 V of two diodes drive against the current.
+  const double most = value(task, "driver_most_current_A");
+  EXPECT_NEAR(most, 24.0 / (0.565 + 0.5 * warm) / 2.0, 1e-2 * most);
+  EXPECT_GT(value(task, "driver_duty"), 1.0 / most);
+}
+
+TEST_F(DriverQuantities, SayWhatTheDriverCannotGive) {
+  DriverTask task{.kind = DriverTask::Kind::cell, .voltage = 3.0, .resistance = 1.0, .switch_resistance = 0.05};
+  const simulation::QuantityTable table = table_of(task);
+  const simulation::ResultQuantity& duty = table.at("driver_duty");
+  EXPECT_FALSE(duty.value(design.view()));
+  const simulation::NoValue why = duty.why_absent(design.view());
+  EXPECT_EQ(why.reason.find("the driver gives a coil 0.456 A"), 0u) << why.reason;
+  EXPECT_GT(why.infeasibility, 0.5);
+}
+
+// A design that is not driven needs nothing of its driver.
+TEST_F(DriverQuantities, AreNothingWithoutCurrent) {
+  design = simulation::evaluate(validation::paper_finger(), {.current = 0.0});
+  EXPECT_EQ(value(bridge(), "driver_duty"), 0.0);
+  EXPECT_EQ(value(bridge(), "driver_peak_A"), 0.0);
+  EXPECT_EQ(value(bridge(), "driver_ripple_heat_pct"), 0.0);
+  EXPECT_EQ(value(bridge(), "driver_thermal_load"), 0.0);
+}
+
+}  // namespace
+}  // namespace coilwright::systems

@@ -425,7 +425,7 @@ class SchemasAndProgram(ProgramTest):
         whole = {key: 1 for key in properties["coil"]["properties"] if key.startswith("current_share_")}
         self.assertEqual(len(whole), 4)
         # And but for an enamel and a silicone that are as usual.
-        written["coil"] = {**whole, "enamel": "grade_1", **written["coil"]}
+        written["coil"] = {**whole, "enamel": "grade_1", "filler": "unstated", **written["coil"]}
         written["body"] = {"silicone": "none", **written["body"]}
         for section in ("coil", "magnet", "body", "surroundings", "model", "calibration"):
             self.assertEqual(defaults(properties[section]), written[section])

@@ -131,6 +131,14 @@ class Yield(ProgramTest):
         self.assertEqual(self.answer("--builds", "2000", "--threads", "1"), answer)
         self.assertNotEqual(self.answer("--builds", "2000", "--seed", "2"), answer)
 
+    def test_an_expression_of_statistics_is_one_of_numbers_in_a_build(self):
+        write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[
+            {"quantity": "2 * p95_current_A", "name": "twice", "unit": "A", "at_most": 2.4}])
+        twice = self.answer("--builds", "400")["quantities"][1]
+        self.assertEqual((twice["quantity"], twice["nominal"]), ("twice_A", 2.4))
+        self.assertAlmostEqual(twice["p50"], 2.4, delta=0.01)
+        self.assertTrue(twice["keeps"]["low"] < 0.5 < twice["keeps"]["high"], twice)
+
     def test_says_which_scatter_matters(self):
         write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[{"quantity": "current_A", "at_most": 1.22}])
         answer = self.answer("--builds", "50", "--worth", "64")

@@ -79,6 +79,7 @@ auto row_in(double index) {
 }
 
 constexpr std::array<std::string_view, 2> enamel_names{"grade_1", "grade_2"};
+constexpr std::array<std::string_view, 3> filler_names{"unstated", "silicone", "air"};
 
 // The wire: by one of two numbers, of which the one that is set last counts, as for an overall diameter that was set
 // for another wire.
@@ -207,6 +208,15 @@ constexpr std::array table = {
               .get = [](const Design& design) { return wire_of(design.coil).insulated_diameter; },
               .set = [](Design& design, double value) { design.coil.wire_overall = value; },
               .needed = [](const Design& design) { return design.coil.wire_overall > 0.0; }},
+    Parameter{.section = "coil",
+              .key = "filler",
+              .name = "filler",
+              .whole = true,
+              .rule = any,
+              .get = [](const Design& design) { return static_cast<double>(design.coil.filler); },
+              .set = [](Design& design, double value) { design.coil.filler = static_cast<Filler>(std::lround(value)); },
+              .name_list = [] { return std::span<const std::string_view>(filler_names); },
+              .needed = [](const Design& design) { return design.coil.filler != Filler::unstated; }},
     current_share<0>("current_share_1"),
     current_share<1>("current_share_2"),
     current_share<2>("current_share_3"),

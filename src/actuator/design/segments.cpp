@@ -50,6 +50,7 @@ struct Materials {
   const Design& design;
   const Dimensions& size;
   double copper_mass;
+  double filler_mass;  // of what is cast between the turns of one coil
 
   [[nodiscard]] Body box(double start, double length) const {
     const double mass = design.body.density * size.width * size.height * length;
@@ -77,13 +78,31 @@ struct Materials {
   }
 
   [[nodiscard]] double core_mass(ComponentKind kind) const {
-    return kind == ComponentKind::magnet ? design.magnet.density * core(kind).volume() : copper_mass;
+    return kind == ComponentKind::magnet ? design.magnet.density * core(kind).volume() : copper_mass + filler_mass;
+  }
+
+  [[nodiscard]] double core_heat(ComponentKind kind) const {
+    return kind == ComponentKind::magnet ? core_mass(kind) * magnet_specific_heat
+                                         : copper_mass * copper_specific_heat + filler_mass * design.body.heat_capacity;
   }
 
   [[nodiscard]] Body core_body(ComponentKind kind, double mass, double centre) const {
     return {.mass = mass, .along = centre, .offset = size.axis_offset, .inertia = core(kind).inertia(mass)};
   }
 };
+
+// Of the silicone between enamelled turns; their enamel weighs nothing, as elsewhere.
+double filler_mass(const Design& design, const Dimensions& size) {
+  if (design.coil.filler != Filler::silicone) return 0.0;
+  const double inner = design.coil.inner_radius;
+  const double ring =
+      Ring{.inner_radius = inner, .outer_radius = size.coil_outer_radius, .length = size.coil_length}.volume();
+  const double diameter = wire_of(design.coil).insulated_diameter;
+  const double wire_length =
+      design.coil.turns_radial * design.coil.turns_axial * std::numbers::pi * (inner + size.coil_outer_radius);
+  const double wires = 0.25 * std::numbers::pi * diameter * diameter * wire_length;
+  return design.body.density * std::max(0.0, ring - wires);
+}
 
 // The segment from `start` (negative for a rear part) to its joint-side end plus `front`, its core at half_pitch.
 struct Extent {
@@ -122,14 +141,14 @@ Segment segment(const Materials& materials, const Extent& extent) {
   out.inertia = points ? 0.0 : factor * whole.inertia;
   out.silicone_mass = silicone.mass;
   out.bottom_mass = bottom_mass;
-  out.heat_capacity = silicone_heat + core_mass * (magnet ? magnet_specific_heat : copper_specific_heat);
+  out.heat_capacity = silicone_heat + materials.core_heat(extent.kind);
   return out;
 }
 
 }  // namespace
 
 std::vector<Segment> segments(const Design& design, const Dimensions& dimensions) {
-  const Materials materials{design, dimensions, winding_of(design).copper_mass()};
+  const Materials materials{design, dimensions, winding_of(design).copper_mass(), filler_mass(design, dimensions)};
   std::vector<Segment> out;
   out.reserve(design.layout.size());
   for (std::size_t i = 0; i < design.layout.size(); ++i) {

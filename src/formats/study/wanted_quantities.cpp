@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "coilwright/sizing/study/expression.hpp"
 #include "coilwright/text/spelling.hpp"
@@ -66,6 +67,20 @@ void refuse_without_spread(const Node& node, const StudyQuantities& quantities, 
     throw node.error("is a statistic of builds: needs the block \"spread\" in the study");
 }
 
+// The table in which each statistic is what it is of, under its name; nothing where it has none.
+std::optional<QuantityTable> table_of_builds(const QuantityTable& known) {
+  std::vector<ResultQuantity> out;
+  bool any = false;
+  for (const ResultQuantity& each : known) {
+    const std::optional<StatisticName> parts = statistic_named(each.name);
+    const ResultQuantity* of = parts ? known.find(parts->quantity) : nullptr;
+    out.push_back(of == nullptr ? each : *of);
+    out.back().name = each.name;
+    any = any || of != nullptr;
+  }
+  return any ? std::optional(QuantityTable(std::move(out))) : std::nullopt;
+}
+
 ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantities& all) {
   const std::string& text = node.text();
   while (const std::optional<std::string> unknown = unknown_symbol(text, all.known))
@@ -82,6 +97,8 @@ ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantiti
     const ResultQuantity* same = quantities.find(quantity.name);
     if (same != nullptr && same->meaning != quantity.meaning)
       throw in.at("name").error(fmt::format("makes a name that is taken (\"{}\")", quantity.name));
+    if (const auto builds = all.spread ? table_of_builds(quantities) : std::nullopt)
+      all.of_builds.insert_or_assign(quantity.name, expression_quantity(expression, *builds));
     return quantity;
   } catch (const UnknownSymbol& unknown) {
     refuse_without_block(node, unknown.symbol());
@@ -117,8 +134,10 @@ ResultQuantity read_quantity(const Node& node, ObjectReader& in, StudyQuantities
   return quantity;
 }
 
-// What a statistic of builds is of; nothing for another quantity.
+// What a statistic of builds, or an expression of some, is in one build; nothing for another quantity.
 std::optional<ResultQuantity> of_build(const ResultQuantity& quantity, const StudyQuantities& quantities) {
+  if (const auto found = quantities.of_builds.find(quantity.name); found != quantities.of_builds.end())
+    return found->second;
   const std::optional<StatisticName> parts = statistic_named(quantity.name);
   const ResultQuantity* of = quantities.spread && parts ? quantities.known.find(parts->quantity) : nullptr;
   return of == nullptr ? std::nullopt : std::optional(*of);

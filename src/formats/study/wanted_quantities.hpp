@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ struct StudyQuantities {
   simulation::QuantityTable known;   ///< by name: the table of the reader, and what the study's blocks bring
   simulation::QuantityTable listed;  ///< what results list: the reader's table, and of the rest what was asked for
   std::optional<sizing::SpreadQuantities> spread;  ///< of a study that has one: statistics of all that is known
+  /// By its name, what an expression of statistics is in one build: the same of what they are statistics of.
+  std::map<std::string, simulation::ResultQuantity> of_builds{};
 };
 
 /// The key "objectives".

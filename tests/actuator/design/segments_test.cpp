@@ -161,5 +161,24 @@ TEST(Segments, StoreTheHeatOfWhatTheyConsistOf) {
   EXPECT_NEAR(magnet.heat_capacity, silicone * 1300.0 + 7500.0 * core * 460.0, 1e-9);
 }
 
+// By hand for the coil at the tip: the ring less 450 turns of 0.36 mm over the enamel at a mean radius of 6.25 mm, of
+// silicone. An independent audit has 1.4 g for it.
+TEST(Segments, WeighWhatTheirCoilsArePottedWith) {
+  Design design = paper_geometry();
+  const Segment dry = segments(design, dimensions(design)).back();
+  design.coil.filler = Filler::silicone;
+  const Segment potted = segments(design, dimensions(design)).back();
+  const double outer = dimensions(design).coil_outer_radius;
+  const double length = dimensions(design).coil_length;
+  const double ring = M_PI * (outer * outer - 3e-3 * 3e-3) * length;
+  const double overall = winding_of(design).wire().insulated_diameter;
+  const double wires = 450.0 * 0.25 * M_PI * overall * overall * M_PI * (outer + 3e-3);
+  EXPECT_NEAR(potted.mass - dry.mass, 1130.0 * (ring - wires), 1e-9);
+  EXPECT_NEAR(potted.mass - dry.mass, 1.4e-3, 0.15e-3);
+  EXPECT_NEAR(potted.heat_capacity - dry.heat_capacity, 1300.0 * (potted.mass - dry.mass), 1e-9);
+  design.coil.filler = Filler::air;
+  EXPECT_EQ(segments(design, dimensions(design)).back().mass, dry.mass);
+}
+
 }  // namespace
 }  // namespace coilwright::actuator

@@ -24,6 +24,13 @@ namespace coilwright::actuator {
 /// whole.
 inline constexpr int most_current_shares = 4;
 
+/// What is between the turns of a coil.
+enum class Filler {
+  unstated,  ///< the prototype's convention: heat passes as through silicone, and nothing weighs there
+  silicone,  ///< potted: both
+  air        ///< dry: neither
+};
+
 /// Every coil of the actuator.
 struct CoilDesign {
   double inner_radius = 3e-3;  ///< of the bore, m
@@ -33,6 +40,7 @@ struct CoilDesign {
   double wire_diameter = 0.0;  ///< bare, m; 0: that of the gauge
   winding::Enamel enamel = winding::Enamel::grade_1;
   double wire_overall = 0.0;  ///< largest diameter over the enamel, m; 0: by its grade
+  Filler filler = Filler::unstated;
   /// What each coil carries of the operating current, -1 to 1; other than 1 it needs a driver of its own.
   std::array<double, most_current_shares> current_shares{1.0, 1.0, 1.0, 1.0};
 };

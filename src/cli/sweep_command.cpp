@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "found_designs.hpp"
+#include "options.hpp"
 #include "progress_line.hpp"
 #include "report_option.hpp"
 #include "run_archive.hpp"
@@ -37,15 +39,28 @@ void require_grid(const sizing::DesignProblem& problem, const StudyOptions& opti
   }
 }
 
-ExitCode run_sweep(const StudyOptions& options) {
+struct SweepCommandOptions {
+  StudyOptions study;
+  std::size_t sample = 0;
+  std::string sampling = "latin_hypercube";
+};
+
+ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
+  const StudyOptions& options = sweep_options.study;
   StudyInput input = read_study(options, {.least = 1, .most = 3, .rule = "must be one to three for sweep"});
   const sizing::DesignProblem problem(std::move(input.study));
   input.provenance.command = "sweep";
-  require_grid(problem, options);
+  std::vector<std::vector<double>> points;
+  if (sweep_options.sample > 0)
+    points = sizing::sampled_points(
+        problem, sweep_options.sampling == "random" ? sizing::Sampling::random : sizing::Sampling::latin_hypercube,
+        sweep_options.sample, problem.study().search.seed);
+  else
+    require_grid(problem, options);
   const sizing::Study& study = problem.study();
   const Interruption interruption;
   text::OutputFolder folder(options.out);
-  const std::size_t count = problem.point_count();
+  const std::size_t count = points.empty() ? problem.point_count() : points.size();
   RunArchive archive(options, input, problem, std::nullopt, folder);
   std::optional<formats::SweepTable> designs;
   archive.write_results([&] { designs.emplace(folder.open("designs.csv"), study); });
@@ -56,12 +71,14 @@ ExitCode run_sweep(const StudyOptions& options) {
     const auto recorded = [&](std::size_t index, std::span<const double> point) {
       return archive.study().evaluate(point, index + 1);
     };
-    return sizing::sweep(problem, {.threads = study.search.threads, .stop = interruption.token(), .evaluate = recorded},
-                         [&](const sizing::SweptDesign& design) {
-                           if (archive.is_writing()) archive.write_results([&] { designs->row(design); });
-                           leaders.consider(design);
-                           ok += sizing::is_feasible(design.evaluation) ? 1 : 0;
-                         });
+    return sizing::sweep(
+        problem,
+        {.threads = study.search.threads, .points = points, .stop = interruption.token(), .evaluate = recorded},
+        [&](const sizing::SweptDesign& design) {
+          if (archive.is_writing()) archive.write_results([&] { designs->row(design); });
+          leaders.consider(design);
+          ok += sizing::is_feasible(design.evaluation) ? 1 : 0;
+        });
   }();
   const std::vector<sizing::Leader> best = leaders.all();
   const std::vector<sizing::BrokenPartLimit> broken =
@@ -85,24 +102,32 @@ ExitCode run_sweep(const StudyOptions& options) {
 }  // namespace
 
 void add_sweep_command(CLI::App& app, Outcome& outcome) {
-  auto options = std::make_shared<StudyOptions>();
+  auto options = std::make_shared<SweepCommandOptions>();
   CLI::App* command =
-      app.add_subcommand("sweep", "Evaluate every design of a study whose variables are lists or grids");
-  add_study_options(*command, *options);
+      app.add_subcommand("sweep", "Evaluate every design of a study whose variables are lists or grids, or a sample");
+  add_study_options(*command, options->study);
+  auto* sample =
+      add_whole_number(*command, "--sample", options->sample, text::Rule::between(2, 1e8),
+                       "So many designs from the whole range in place of the grid, whatever the variables are");
+  add_word(*command, "--sampling", options->sampling, {"latin_hypercube", "random"},
+           "How they are drawn (default latin_hypercube); another /search/seed draws others")
+      ->needs(sample);
   command->footer(
       "Writes designs.csv (one row for each design: variables, every quantity, the margin of every limit), best.csv\n"
       "(the best design of each configuration in each objective), result.json (what --json prints) and\n"
-      "provenance.json (program and files). Every variable needs a list of values, a step or whole numbers; what is\n"
+      "provenance.json (program and files). Without --sample every variable needs a list of values, a step or whole "
+      "numbers; what is\n"
       "not a variable keeps the value of the study's actuator. If no design keeps all limits, the exit code is 3.\n"
       "Ctrl-C writes what was evaluated so far; the exit code is then 130. Every evaluation is recorded in\n"
       "archive.sqlite as it is made: --resume goes on from there, after Ctrl-C and after a crash.\n\n"
       "Example:\n"
-      "  coilwright sweep configs/studies/configurations.json --out results/configurations");
+      "  coilwright sweep configs/studies/configurations.json --out results/configurations\n"
+      "  coilwright sweep configs/studies/fastest_finger.json --out results/sample --sample 1000");
   auto report = std::make_shared<bool>(false);
   add_report_option(*command, *report);
   command->callback([options, report, &outcome] {
     outcome.code = run_sweep(*options);
-    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+    if (*report) write_report(options->study.out, std::filesystem::path(options->study.out) / report_name);
   });
 }
 

@@ -51,7 +51,7 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
 
 std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
   const std::string counts =
-      fmt::format("{} of the {} designs of the grid were evaluated, {} of them keep every limit",
+      fmt::format("{} of {} designs were evaluated, {} of them keep every limit",
                   cell_of(result, "evaluated"), cell_of(result, "designs"), cell_of(result, "ok"));
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < leaders.objectives.size(); ++i)
@@ -172,7 +172,7 @@ std::vector<Section> effect_sections(const SweepTable& table, const FrontTable& 
     for (std::size_t variable = 0; variable < table.variables.size(); ++variable)
       if (std::optional<Figure> figure = effect_figure(table, leaders, variable, objective))
         section.blocks.emplace_back(*std::move(figure));
-    if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"No design of the grid has a value of it."});
+    if (section.blocks.empty()) section.blocks.emplace_back(Paragraph{"No design has a value of it."});
     sections.push_back(std::move(section));
   }
   return sections;

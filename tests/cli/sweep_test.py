@@ -25,6 +25,20 @@ class Sweep(ProgramTest):
         got = [(row["configuration"], float(row["turns_radial"]), float(row["gap_mm"])) for row in rows]
         self.assertEqual(got, expected)
 
+    def test_a_sample_needs_no_grid(self):
+        write_study(self, variables={"gap_mm": {"lower": 0.7, "upper": 1.3}, "turns_radial": {"values": [12, 15]}})
+        self.assert_refused(["sweep", "study.json", "--out", "out"], 'study.json: /variables/gap_mm: needs "step" or "values" in a sweep')
+        self.sweep("--sample", "8")
+        rows = self.table("out/designs.csv")
+        self.assertEqual(sorted(int((float(row["gap_mm"]) - 0.7) / 0.6 * 8) for row in rows), list(range(8)))
+        self.assertEqual(sorted(row["turns_radial"] for row in rows), ["12"] * 4 + ["15"] * 4)
+        self.sweep("--sample", "8", "--threads", "1")
+        self.assertEqual(self.table("out/designs.csv"), rows)
+        self.sweep("--sample", "8", "--sampling", "random")
+        self.assertNotEqual(self.table("out/designs.csv"), rows)
+        result = run("sweep", "study.json", "--out", "out", "--sampling", "random", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (2, "coilwright: sweep: --sampling requires --sample (see coilwright sweep --help)\n"))
+
     def test_a_row_is_what_evaluate_says(self):
         # evaluate does not know which figures matter: it takes the worse of both poses.
         write_study(self, variables=GRID,

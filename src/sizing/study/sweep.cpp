@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
+#include "sizing/problem/design_space.hpp"
 #include "sizing/problem/workers.hpp"
+#include "sizing/sampling/random.hpp"
 
 namespace coilwright::sizing {
 namespace {
@@ -14,16 +17,46 @@ namespace {
 constexpr std::size_t chunk = 512;
 
 SweptDesign evaluate(const DesignProblem& problem, const SweepOptions& options, std::size_t index) {
-  SweptDesign out{.index = index, .point = problem.point(index), .evaluation = {}};
+  SweptDesign out{
+      .index = index, .point = options.points.empty() ? problem.point(index) : options.points[index], .evaluation = {}};
   out.evaluation = options.evaluate ? options.evaluate(index, out.point) : problem.assess(problem.evaluate(out.point));
   return out;
 }
 
+// The value of a variable below which a share of its range, or of its values, lies.
+double value_at_share(const Variable& variable, double share) {
+  const double step = grid_step(variable);
+  if (step == 0.0) return nearest_legal(variable, variable.lower + share * (variable.upper - variable.lower));
+  const double last = last_grid_index(variable);
+  return nearest_legal(variable, variable.lower + std::min(last, std::floor(share * (last + 1.0))) * step);
+}
+
 }  // namespace
+
+std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, Sampling sampling, std::size_t count,
+                                                std::uint64_t seed) {
+  const std::vector<Variable> variables = problem.problem().variables;
+  std::vector<std::vector<double>> out(count, std::vector<double>(variables.size()));
+  std::mt19937_64 random(seed);
+  std::vector<std::size_t> strata(count);
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    for (std::size_t k = 0; k < count; ++k) strata[k] = k;
+    for (std::size_t k = count; k-- > 1;)
+      std::swap(strata[k], strata[static_cast<std::size_t>(uniform(random) * static_cast<double>(k + 1))]);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double within = uniform(random);
+      const double share = sampling == Sampling::random
+                               ? within
+                               : (static_cast<double>(strata[k]) + within) / static_cast<double>(count);
+      out[k][i] = value_at_share(variables[i], share);
+    }
+  }
+  return out;
+}
 
 std::size_t sweep(const DesignProblem& problem, const SweepOptions& options,
                   const std::function<void(const SweptDesign&)>& take) {
-  const std::size_t count = problem.point_count();
+  const std::size_t count = options.points.empty() ? problem.point_count() : options.points.size();
   Workers workers{options.threads};
   std::vector<std::optional<SweptDesign>> designs;
   for (std::size_t first = 0; first < count; first += chunk) {

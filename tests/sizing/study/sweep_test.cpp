@@ -39,6 +39,38 @@ TEST(Sweep, HandsOverEveryPointOnceAndInOrder) {
   }
 }
 
+// 30 designs: one in each thirtieth of a length, and of a variable with values as many of each as there are shares.
+TEST(SampledPoints, FillTheRangeOfEveryVariableEvenly) {
+  Study study = small_study();
+  study.variables = {
+      ParameterVariable{.parameter = actuator::find_parameter("gap_mm"), .range = Interval{.lower = 0.6, .upper = 1.8}},
+      ParameterVariable{.parameter = actuator::find_parameter("turns_radial"),
+                        .range = Choice{.values = {8.0, 10.0, 15.0}}}};
+  const DesignProblem problem(study);
+  const auto points = sampled_points(problem, Sampling::latin_hypercube, 30, 4);
+  ASSERT_EQ(points.size(), 30u);
+  std::vector<int> of_gap(30);
+  std::vector<int> of_turns(3);
+  for (const std::vector<double>& point : points) {
+    ++of_gap.at(static_cast<std::size_t>((point[0] - 0.6) / 1.2 * 30.0));
+    ++of_turns.at(static_cast<std::size_t>(point[1]));
+  }
+  EXPECT_EQ(of_gap, std::vector<int>(30, 1));
+  EXPECT_EQ(of_turns, std::vector<int>(3, 10));
+  EXPECT_EQ(points, sampled_points(problem, Sampling::latin_hypercube, 30, 4));
+  EXPECT_NE(points, sampled_points(problem, Sampling::latin_hypercube, 30, 5));
+  // Designs drawn each by itself leave some of the shares empty.
+  std::vector<int> at_random(30);
+  for (const std::vector<double>& point : sampled_points(problem, Sampling::random, 30, 4))
+    ++at_random.at(static_cast<std::size_t>((point[0] - 0.6) / 1.2 * 30.0));
+  EXPECT_GT(std::ranges::count(at_random, 0), 3);
+  std::size_t taken = 0;
+  EXPECT_EQ(
+      sweep(problem, {.points = points}, [&](const SweptDesign& d) { taken += d.point == points[d.index] ? 1 : 0; }),
+      30u);
+  EXPECT_EQ(taken, 30u);
+}
+
 TEST(Sweep, GivesEveryQuantityOfADesign) {
   Study study = small_study();
   study.quantities = study.quantities.with(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -11,24 +12,37 @@ namespace coilwright::sizing {
 
 /// One design of a sweep.
 struct SweptDesign {
-  std::size_t index{};        ///< as in DesignProblem::point
+  std::size_t index{};        ///< as in DesignProblem::point, or among the points of the options
   std::vector<double> point;  ///< coordinates
   Evaluation evaluation;      ///< quantities, objectives and constraints, or the reason why there are none
 };
 
-/// How a sweep runs. The result does not depend on it.
+/// How designs are drawn from the whole range of a study.
+enum class Sampling {
+  latin_hypercube,  ///< one in each of as many equal shares of every variable, the shares paired at random (McKay,
+                    ///< Beckman and Conover, Technometrics 21 (1979) 239)
+  random            ///< each by itself
+};
+
+/// Coordinates of `count` designs, the same for the same seed. A list or a grid has equal shares for its values. A
+/// study whose variables are lists may have a design more than once.
+[[nodiscard]] std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, Sampling sampling,
+                                                              std::size_t count, std::uint64_t seed);
+
+/// How a sweep runs. The result does not depend on it, but for `points`.
 struct SweepOptions {
-  unsigned threads = 0;    ///< designs evaluated at the same time; 0: one per core
-  std::stop_token stop{};  ///< ends the sweep early
+  unsigned threads = 0;                       ///< designs evaluated at the same time; 0: one per core
+  std::vector<std::vector<double>> points{};  ///< evaluated in place of the grid; empty: the grid
+  std::stop_token stop{};                     ///< ends the sweep early
   /// Evaluates the point of that index, with the bits of the problem's own evaluation, say from what is recorded;
   /// called from several threads at once. Empty: the problem's own.
   std::function<Evaluation(std::size_t index, std::span<const double> point)> evaluate{};
 };
 
-/// Evaluates every point of a problem's grid, several at the same time, and passes each to `take` in the order of the
-/// points, on the caller's thread. The memory needed is that of some hundred designs, for any size of the grid. Returns
-/// the number of designs passed, which is below point_count() only after a request to stop; they are then the first
-/// ones of the grid, without a gap. Throws as DesignProblem::point_count, and what `take` throws.
+/// Evaluates every point of a problem's grid, or those of the options, several at the same time, and passes each to
+/// `take` in the order of the points, on the caller's thread. The memory needed is that of some hundred designs, for
+/// any size of the grid. Returns the number of designs passed, which is below theirs only after a request to stop; they
+/// are then the first ones, without a gap. Throws as DesignProblem::point_count, and what `take` throws.
 std::size_t sweep(const DesignProblem& problem, const SweepOptions& options,
                   const std::function<void(const SweptDesign&)>& take);
 

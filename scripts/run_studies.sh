@@ -81,8 +81,9 @@ run strongest_grip size
 run least_ringing size
 run robust_finger size
 run robust_grip size
+run robust_ringing size
 # What dice make of the nominal design and of the robust one.
-for pair in "robust_finger fastest_finger" "robust_grip strongest_grip"; do
+for pair in "robust_finger fastest_finger" "robust_grip strongest_grip" "robust_ringing least_ringing"; do
   read -r robust nominal <<<"$pair"
   for of in "$nominal" "$robust"; do
     "$program" yield "configs/studies/$robust.json" "results/reference/$of/actuator.json" --builds 10000 --quiet \

@@ -51,8 +51,8 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
 
 std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
   const std::string counts =
-      fmt::format("{} of {} designs were evaluated, {} of them keep every limit",
-                  cell_of(result, "evaluated"), cell_of(result, "designs"), cell_of(result, "ok"));
+      fmt::format("{} of {} designs were evaluated, {} of them keep every limit", cell_of(result, "evaluated"),
+                  cell_of(result, "designs"), cell_of(result, "ok"));
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < leaders.objectives.size(); ++i)
     if (const auto row = best_row(leaders, i))

@@ -356,7 +356,8 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
     if (operation) read_operation(*operation, blocks, study);
-    StudyQuantities wanted{.known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}, .of_builds = {}};
+    StudyQuantities wanted{
+        .known = with_quantities_of(blocks, quantities), .listed = quantities, .spread = {}, .of_builds = {}};
     if (const auto spread = in.find("spread")) {
       study.spread = read_spread(*spread, variables_of(blocks), texts.posterior);
       if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;

@@ -31,7 +31,7 @@ void require_grid(const sizing::DesignProblem& problem, const StudyOptions& opti
     if (!value_count(variable))
       throw text::InputError({.file = options.study,
                               .place = "/variables/" + name_of(variable),
-                              .rule = R"(needs "step" or "values" in a sweep)"});
+                              .rule = R"(needs "step" or "values" in a sweep, or --sample N)"});
   try {
     (void)problem.point_count();
   } catch (const std::invalid_argument& too_many) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <iostream>
@@ -40,6 +41,25 @@ struct YieldCommandOptions {
   bool json = false;
 };
 
+// The numbers of blocks that the study varies, of which nothing else says what the design has.
+void require_settings(const sizing::Study& study, const YieldCommandOptions& options) {
+  for (const sizing::StudyVariable& variable : study.variables) {
+    if (!std::holds_alternative<sizing::SettingVariable>(variable)) continue;
+    const std::string name = name_of(variable);
+    const std::string pointer = "/" + name.substr(0, name.find('_')) + "/" + name.substr(name.find('_') + 1);
+    const bool is_given = std::ranges::any_of(options.changes, [&](const std::string& change) {
+      return change.starts_with(name + "=") || change.starts_with(pointer + "=");
+    });
+    if (!is_given)
+      throw text::InputError(
+          {.file = options.study,
+           .place = "/variables/" + name,
+           .rule = fmt::format("needs --set {}=VALUE: the study varies it, and no actuator's file says "
+                               "what it is",
+                               name)});
+  }
+}
+
 // Whatever the study varies stands still: its actuator is the one given, at the current that its file states.
 sizing::Study study_of_one(const YieldCommandOptions& options) {
   require_names_once(options.changes);
@@ -49,7 +69,18 @@ sizing::Study study_of_one(const YieldCommandOptions& options) {
   std::vector<std::string> of_actuator;
   for (const std::string& change : options.changes)
     (change.starts_with('/') ? of_study : of_actuator).push_back(change);
+  // What a block's variable is, no actuator's file says: "driver_voltage_V=8" is /driver/voltage_V=8 of the study.
+  const auto take_setting = [&](const std::string& change) {
+    for (const std::string block : {"gripper", "crawler", "driver"})
+      if (change.starts_with(block + "_")) {
+        of_study.push_back("/" + block + "/" + change.substr(block.size() + 1));
+        return true;
+      }
+    return false;
+  };
+  std::erase_if(of_actuator, take_setting);
   sizing::Study study = formats::parse_study(file.text, file.file, {.actuator = &actuator}, of_study);
+  require_settings(study, options);
   for (const std::string& change : of_actuator) study.base = formats::with_assignment(std::move(study.base), change);
   if (!study.spread)
     throw text::InputError({.file = file.file,
@@ -123,7 +154,8 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
       "Current in every coil, A, where the study varies it. Default: that of the operating_point of ACTUATOR.json");
   add_whole_number(*command, "--builds", options->builds, text::Rule::between(10, 1e7), "How many (default 1000)");
   add_whole_number(*command, "--worth", options->worth_builds, text::Rule::between(0, 1e6),
-                   "Also say which scatter matters: builds of each of 2 N + 2 sums for N scatters, 256 or more "
+                   "Also say which scatter matters: builds of each of 2 N + 2 sums for N scatters; fewer than some "
+                   "hundred leave wide intervals "
                    "(default 0: leave it out)");
   add_seed_option(*command, options->seed, "Random seed of the dice (default 1)");
   add_threads_option(*command, options->threads, "Number of builds evaluated at the same time");
@@ -133,7 +165,8 @@ void add_yield_command(CLI::App& app, Outcome& outcome) {
       "Every number of the study's spread is drawn anew for each build, by dice that know nothing of those by which a\n"
       "search has judged; a limit on a statistic (p95_mass_g <= 70) is held against each build's own "
       "figure\n"
-      "(mass_g <= 70). Prints 5, 50 and 95 % of each objective and limit, and how many builds keep each limit and "
+      "(mass_g <= 70), one on a mean or a deviation against none. Prints 5, 50 and 95 % of each objective and limit, "
+      "and how many builds keep each limit and "
       "all.\n"
       "With --worth also Sobol's indices, and what half of each scatter would bring. What the spread leaves out (an\n"
       "effect that nobody knows) is not in it.\n\n"

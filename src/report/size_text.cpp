@@ -67,8 +67,9 @@ std::string variables_text(const formats::SizeReport& report) {
 
 // What the pulses of the usual driver would add to a current that the study takes as steady.
 std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
-  const bool is_driven = std::ranges::any_of(
-      study.quantities, [](const simulation::ResultQuantity& each) { return each.name.starts_with("driver_"); });
+  const bool is_driven = std::ranges::any_of(study.quantities, [](const simulation::ResultQuantity& each) {
+    return each.name.find("driver_") != std::string::npos;
+  });
   if (is_driven || std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
   constexpr systems::DriverTask usual{.voltage = 24.0, .switch_resistance = 0.565};  // as `drive` has it
   const simulation::QuantityTable of_driver(

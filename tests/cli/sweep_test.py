@@ -27,7 +27,7 @@ class Sweep(ProgramTest):
 
     def test_a_sample_needs_no_grid(self):
         write_study(self, variables={"gap_mm": {"lower": 0.7, "upper": 1.3}, "turns_radial": {"values": [12, 15]}})
-        self.assert_refused(["sweep", "study.json", "--out", "out"], 'study.json: /variables/gap_mm: needs "step" or "values" in a sweep')
+        self.assert_refused(["sweep", "study.json", "--out", "out"], 'study.json: /variables/gap_mm: needs "step" or "values" in a sweep, or --sample N')
         self.sweep("--sample", "8")
         rows = self.table("out/designs.csv")
         self.assertEqual(sorted(int((float(row["gap_mm"]) - 0.7) / 0.6 * 8) for row in rows), list(range(8)))
@@ -115,7 +115,7 @@ class Sweep(ProgramTest):
     def test_a_variable_without_end_is_refused(self):
         write_study(self)
         self.assert_refused(["sweep", "study.json", "--out", "out"],
-                            'study.json: /variables/gap_mm: needs "step" or "values" in a sweep')
+                            'study.json: /variables/gap_mm: needs "step" or "values" in a sweep, or --sample N')
         huge = {name: {"lower": 1, "upper": 2, "step": 2e-6}
                 for name in ("gap_mm", "side_wall_mm", "top_wall_mm")}
         write_study(self, variables=huge)

@@ -34,8 +34,8 @@ class Spread(ProgramTest):
             ({"gap_mm": {"sd": 0.3}}, "/spread/gap_mm: would make gap_mm -0.195 in one of 10,000 builds of the study's own "
              "actuator (0.9): give less, or a relative_sd"),
             ({"quadratic_drag.drag_Nmms2_rad2": {"sd": 1}},
-             "/spread/quadratic_drag.drag_Nmms2_rad2: has quadratic_drag.drag_Nmms2_rad2, of an effect that the study's actuator "
-             "does not have"),
+             "/spread/quadratic_drag.drag_Nmms2_rad2: has quadratic_drag.drag_Nmms2_rad2, which is no number of an effect of the "
+             "study's actuator"),
             ({"parts": "usual", "correlations": [{"of": ["gap_mm", "mass_g"], "value": 0.5}]},
              '/spread/correlations/0/of/1: must be a number that scatters in this spread; got text "mass_g"'),
             ({"parts": "usual", "correlations": [{"of": ["gap_mm", "gap_mm"], "value": 0.5}]},
@@ -138,6 +138,27 @@ class Yield(ProgramTest):
         self.assertEqual((twice["quantity"], twice["nominal"]), ("twice_A", 2.4))
         self.assertAlmostEqual(twice["p50"], 2.4, delta=0.01)
         self.assertTrue(twice["keeps"]["low"] < 0.5 < twice["keeps"]["high"], twice)
+
+    def test_a_number_of_a_block_that_varies_must_be_said(self):
+        driven = {"driver": {"kind": "h_bridge", "voltage_V": 24, "frequency_Hz": 20000}, "operating_point": {"current_A": 1},
+                  "variables": {"driver_voltage_V": {"values": [8, 24]}}, "objectives": [{"maximise": "driver_duty"}], "constraints": []}
+        write_study(self, **driven, **SPREAD)
+        self.assert_refused(["yield", "study.json", "finger.json"], "study.json: /variables/driver_voltage_V: needs --set driver_voltage_V=VALUE: "
+                            "the study varies it, and no actuator's file says what it is")
+        duty = {volts: self.answer("--builds", "20", "--set", f"driver_voltage_V={volts}")["quantities"][0]["nominal"] for volts in (8, 24)}
+        self.assertAlmostEqual(duty[8] / duty[24], 3, delta=0.15)
+        write_study(self, **{**driven, "spread": {"driver_voltage_V": {"sd": 20}}})
+        self.assert_refused(["size", "study.json", "--out", "out"], "study.json: /spread/driver_voltage_V: would make driver_voltage_V -49 in one of "
+                            "10,000 builds of the study's own actuator (24): give less, or a relative_sd")
+        write_study(self, **{**driven, "spread": {"driver_resistance_Ohm": {"relative_sd": 0.1}}})
+        self.assert_refused(["size", "study.json", "--out", "out"], "study.json: /spread/driver_resistance_Ohm: scatters nothing: driver_resistance_Ohm "
+                            "is 0, and so is any share of it")
+
+    def test_a_limit_on_a_deviation_is_of_no_build(self):
+        write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[{"quantity": "sd_mass_g", "at_most": 0.5}])
+        answer = self.answer("--builds", "20")
+        self.assertEqual(answer["keeps_all"]["share"], 1)
+        self.assertNotIn("limit", answer["quantities"][1])
 
     def test_says_which_scatter_matters(self):
         write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[{"quantity": "current_A", "at_most": 1.22}])

@@ -63,6 +63,7 @@ TEST_F(DriverQuantities, SayWhatTheDriverCannotGive) {
   const simulation::NoValue why = duty.why_absent(design.view());
   EXPECT_EQ(why.reason.find("the driver gives a coil 0.456 A"), 0u) << why.reason;
   EXPECT_GT(why.infeasibility, 0.5);
+  EXPECT_NEAR(value(task, "driver_most_current_A"), 0.456, 5e-4);
 }
 
 // A design that is not driven needs nothing of its driver.

@@ -148,20 +148,30 @@ void read_posterior_into(Spread& spread, const Node& node, const InputText* text
   spread.correlated.push_back(std::move(group));
 }
 
-// The value of a number of `base` that scatters, in the unit of its name, and whether it has to be above 0; nothing for
-// what is no number of it.
+// The value of a number that scatters, in the unit of its name, and below what no build may have it; nothing for what
+// is no number of the study's actuator or blocks.
 struct BaseNumber {
   double value{};
-  bool positive{};
+  std::optional<double> above{};     // exclusive
+  std::optional<double> at_least{};  // inclusive
 };
 
-std::optional<BaseNumber> number_of(actuator::Design base, std::string_view name) {
+std::optional<BaseNumber> number_of(actuator::Design base, const std::vector<BlockVariable>& of_blocks,
+                                    std::string_view name) {
   if (const actuator::Parameter* parameter = actuator::find_parameter(name))
     return BaseNumber{.value = units::from_memory(parameter->get(base), parameter->key),
-                      .positive = parameter->rule != actuator::ParameterRule::any};
+                      .above = parameter->rule == actuator::ParameterRule::any ? std::nullopt : std::optional(0.0)};
   if (const actuator::EffectNumber number = actuator::find_effect_number(base, name); number.value != nullptr)
-    return BaseNumber{.value = units::from_memory(*number.value, number.parameter->key)};
-  return std::nullopt;
+    return BaseNumber{.value = units::from_memory(*number.value, number.parameter->key),
+                      .at_least = units::from_memory(number.parameter->lower, number.parameter->key)};
+  const auto block = std::ranges::find(of_blocks, name, &BlockVariable::name);
+  if (block == of_blocks.end()) return std::nullopt;
+  BaseNumber out{.value = block->base};
+  if (!block->rule.allows(0.0))
+    out.above = 0.0;
+  else if (!block->rule.allows(-1e-9))
+    out.at_least = 0.0;
+  return out;
 }
 
 }  // namespace
@@ -194,25 +204,29 @@ Spread read_spread(const Node& node, const std::vector<BlockVariable>& of_blocks
 }
 
 // What no number of a file has to be but a build must: a length or a factor that is there.
-void require_suits(const Node& node, const Spread& spread, const actuator::Design& base) {
+void require_suits(const Node& node, const Spread& spread, const actuator::Design& base,
+                   const std::vector<BlockVariable>& of_blocks) {
   constexpr double one_in_ten_thousand = 1e-4;
   constexpr double rounding = 1e-9;
   for (const Scatter& scatter : spread.scatters) {
     const auto place = node.find(scatter.measured ? "posterior" : scatter.name);
     const Node& at = place ? *place : node;
-    const std::optional<BaseNumber> number = number_of(base, scatter.name);
+    const std::optional<BaseNumber> number = number_of(base, of_blocks, scatter.name);
     if (!number && (scatter.measured || scatter.name.find('.') != std::string::npos))
       throw at.error_without_value(
-          fmt::format("has {}, of an effect that the study's actuator does not have", scatter.name));
+          fmt::format("has {}, which is no number of an effect of the study's actuator", scatter.name));
     if (!number) continue;
     if (scatter.measured && std::abs(number->value - *scatter.measured) > rounding * std::abs(*scatter.measured))
       throw at.error_without_value(
           fmt::format("is of another actuator, whose {} is {:.6g}: the study's has {:.6g}; give the actuator.json that "
                       "the diagnosis wrote beside it",
                       scatter.name, *scatter.measured, number->value));
-    if (!number->positive || scatter.relative || scatter.measured) continue;
+    if (scatter.measured) continue;
+    if (scatter.relative && place && number->value == 0.0)
+      throw at.error_without_value(fmt::format("scatters nothing: {} is 0, and so is any share of it", scatter.name));
+    if (scatter.relative) continue;
     const double lowest = number->value + scatter.deviation(one_in_ten_thousand);
-    if (lowest > 0.0) continue;
+    if ((!number->above || lowest > *number->above) && (!number->at_least || lowest >= *number->at_least)) continue;
     throw at.error_without_value(
         fmt::format("would make {} {:.3g} in one of 10,000 builds of the study's own actuator ({:.4g}): give less, "
                     "or a relative_sd",

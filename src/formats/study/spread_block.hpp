@@ -14,8 +14,9 @@ namespace coilwright::formats {
 [[nodiscard]] sizing::Spread read_spread(const text::Node& node, const std::vector<BlockVariable>& of_blocks,
                                          const text::InputText* posterior = nullptr);
 
-/// Throws InputError where a number of `base` would be 0 or less in one of 10,000 builds, where it has no such effect,
-/// and where a posterior is of other numbers than its. `node` is the key "spread".
-void require_suits(const text::Node& node, const sizing::Spread& spread, const actuator::Design& base);
+/// Throws InputError where a number of `base`, of its effects or of a block would leave its range in one of 10,000
+/// builds, where it has no such effect, and where a posterior is of other numbers than its. `node` is the key "spread".
+void require_suits(const text::Node& node, const sizing::Spread& spread, const actuator::Design& base,
+                   const std::vector<BlockVariable>& of_blocks);
 
 }  // namespace coilwright::formats

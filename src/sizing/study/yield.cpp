@@ -29,7 +29,12 @@ struct Asked {
 std::vector<Asked> asked_of(const Study& study) {
   std::vector<Asked> out;
   for (const StudyObjective& objective : study.objectives) out.push_back({.quantity = &of_one_build(objective)});
-  for (const Limit& limit : study.limits) out.push_back({.quantity = &of_one_build(limit), .limit = &limit});
+  for (const Limit& limit : study.limits) {
+    // What holds for a mean or a deviation says nothing of one build.
+    const std::optional<StatisticName> parts = statistic_named(limit.quantity.name);
+    const bool of_each = !limit.of_build || !parts || parts->statistic.kind == Statistic::Kind::percentile;
+    out.push_back({.quantity = &of_one_build(limit), .limit = of_each ? &limit : nullptr});
+  }
   return out;
 }
 

@@ -65,8 +65,8 @@ struct YieldOptions {
 };
 
 /// Builds a design of `study` many times. Of a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130")
-/// each build is held against the limit itself. Nothing after a stop. Throws std::invalid_argument for a study without
-/// a spread.
+/// each build is held against the limit itself, of one on a mean or a deviation none is. Nothing after a stop. Throws
+/// std::invalid_argument for a study without a spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 

@@ -28,13 +28,15 @@ class KnifeEdge(ProgramTest):
                 for objective in study["objectives"]:
                     if key in objective:
                         objective[key] = objective[key].removeprefix("p05_").removeprefix("p95_")
+            best = json.loads((actuator.parent / "result.json").read_text())["best"]["variables"]
+            settings = [f"--set={name}={value}" for name, value in best.items() if name.startswith(("gripper_", "crawler_"))]
             study.update(actuator=str(actuator), constraints=[], columns=[])
             for name in (*LENGTHS, *PLACES, *(OF_GRIPPERS if "gripper" in study else ())):
                 if name == "gripper_height_mm" and "height_mm" not in study["gripper"]:
                     continue
                 off = 0.1 if name.endswith("_mm") else 1.0
                 self.write("study.json", json.dumps({**study, "spread": {name: {"uniform": [-off, off]}}}))
-                result = run("yield", "study.json", actuator, "--builds", "40", "--json", cwd=self.folder)
+                result = run("yield", "study.json", actuator, "--builds", "40", "--json", *settings, cwd=self.folder)
                 with self.subTest(study=file.stem, number=name):
                     self.assertEqual((result.returncode, result.stderr), (0, ""))
                     answer = json.loads(result.stdout)

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "coilwright/actuator/cost.hpp"
+#include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/units/angle.hpp"
 
 namespace coilwright::report {
@@ -26,12 +27,19 @@ using systems::gripper::tried_lengths;
 // What objects and fingers are off by where people put them, m.
 constexpr double usual_placement = 1e-3;
 
+// Percent; nothing where the magnets have no grade or no steady temperature.
+std::optional<double> loss_held(const GripAnswer& answer) {
+  if (!answer.magnets_held) return std::nullopt;
+  return 100.0 * answer.magnets_held->irreversible_loss;
+}
+
 // A hold that the fingers do not survive is none.
 std::string held_text(const GripAnswer& answer) {
   if (answer.is_demagnetised()) return "Not for long: the magnets are lost (see below). Until then held";
   if (answer.heat && answer.heat->time_to_limit)
     return fmt::format("Held for {:.3g} s from cold, not for good (see below)", *answer.heat->time_to_limit);
-  return answer.burns() ? "Held for moments, until it burns (see below)" : "Held";
+  if (answer.burns()) return "Held for moments, until it burns (see below)";
+  return loss_held(answer) >= simulation::most_irreversible_loss ? "Held, but the magnets weaken (see below)" : "Held";
 }
 
 std::string outcome_text(const GripAnswer& answer) {
@@ -114,11 +122,16 @@ std::string tolerances_text(const GripAnswer& answer) {
 }
 
 std::string magnets_text(const GripAnswer& answer) {
-  if (!answer.is_demagnetised()) return {};
+  if (answer.is_demagnetised())
+    return fmt::format(
+        "The coils' field at {:.4g} A demagnetises the magnets for good, even at 20 degC (margin {:.3g}, at least 0): "
+        "these forces are there once at most.\n",
+        answer.current, answer.magnets_cold->margin);
+  const std::optional<double> loss = loss_held(answer);
+  if (!loss) return {};
   return fmt::format(
-      "The coils' field at {:.4g} A demagnetises the magnets for good, even at 20 degC (margin {:.3g}, at least 0): "
-      "these forces are there once at most.\n",
-      answer.current, *answer.demagnetisation_margin);
+      "Held without end, the worst magnet loses {} of its moment for good; the hottest is at {:.4g} degC.\n",
+      *loss < 0.1 ? "less than 0.1 %" : fmt::format("{:.2g} %", *loss), *answer.heat->magnet_temperature);
 }
 
 }  // namespace

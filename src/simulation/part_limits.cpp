@@ -31,9 +31,6 @@ constexpr std::string_view loss = "irreversible_loss_pct";
 constexpr std::string_view smallest_joint = "smallest_joint_angle_deg";
 constexpr std::string_view smallest_rest_joint = "smallest_rest_joint_angle_deg";
 
-// Percent of the moment: what remanences of one grade differ by anyway.
-constexpr double most_irreversible_loss = 1.0;
-
 // A conditional limit says nothing new where its part is beyond an unconditional one.
 struct SaidBy {
   std::string_view conditional;

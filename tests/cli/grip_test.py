@@ -95,6 +95,18 @@ class Grip(ProgramTest):
         self.assertRegex(text, r"\ANot for long: the magnets are lost \(see below\)\. Until then held: 40 g at 100 A\.")
         self.assertRegex(text, r"\nThe coils' field at 100 A demagnetises the magnets for good, even at 20 degC \(margin -[\d.]+, at least 0\)")
 
+    def test_says_what_a_hold_without_end_takes_from_the_magnets(self):
+        # A finger against a wall in that pose has the same heat and the same field.
+        finger = CONFIGS / "actuators" / "finger.json"
+        answer = json.loads(run("grip", finger, *BALL, "--current-A", "1", "--json").stdout)
+        wall = json.loads(run("evaluate", finger, "--current-A", "1", "--duty", "1", "--grasp-opening-deg",
+                              answer["bending_left_deg"], "--json").stdout)
+        self.assertGreater(answer["irreversible_loss_held_pct"], 1)
+        # That one hangs upright: the same bending, shared a little otherwise by its joints.
+        self.assertAlmostEqual(answer["irreversible_loss_held_pct"] / wall["irreversible_loss_pct"], 1, delta=0.01)
+        text = run("grip", finger, *BALL, "--current-A", "1").stdout
+        self.assertTrue(text.startswith("Held, but the magnets weaken (see below): 40 g at 1 A. "), text)
+
     def test_says_that_fingers_bend_past_an_object(self):
         text = run("grip", FINGER, "--width-mm", "40", "--mass-g", "100", "--friction", "1").stdout
         self.assertRegex(text, r"Both fingers touch it after [\d.]+ ms, and bend past it: in the end neither touches it\.\n")

@@ -83,10 +83,24 @@ TEST(GripText, SaysFirstWhatTheFingersDoNotSurvive) {
   GripAnswer answer = held_ball(2);
   answer.current = 1.9;
   EXPECT_THAT(to_text(answer), StartsWith("Held for moments, until it burns (see below): 40 g at 1.9 A. "));
-  answer.demagnetisation_margin = -0.25;
+  answer.magnets_cold = {.margin = -0.25};
   EXPECT_THAT(to_text(answer), StartsWith("Not for long: the magnets are lost (see below). Until then held: 40 g "));
   EXPECT_THAT(to_text(answer), HasSubstr("The coils' field at 1.9 A demagnetises the magnets for good, even at 20 degC "
                                          "(margin -0.25, at least 0): these forces are there once at most.\n"));
+}
+
+TEST(GripText, SaysWhatHeatTakesFromMagnetsThatTheFieldLeavesAlone) {
+  GripAnswer answer = held_ball(2);
+  answer.burns_from = 2.0;
+  answer.heat = {.magnet_temperature = 91.26};
+  answer.magnets_cold = {.margin = 0.3};
+  answer.magnets_held = {.margin = 0.1, .irreversible_loss = 0.0123};
+  EXPECT_THAT(to_text(answer), StartsWith("Held, but the magnets weaken (see below): 40 g "));
+  EXPECT_THAT(to_text(answer), HasSubstr("Held without end, the worst magnet loses 1.2 % of its moment for good; the "
+                                         "hottest is at 91.26 degC.\n"));
+  answer.magnets_held->irreversible_loss = 1e-5;
+  EXPECT_THAT(to_text(answer), StartsWith("Held: 40 g "));
+  EXPECT_THAT(to_text(answer), HasSubstr("loses less than 0.1 % of its moment for good"));
 }
 
 TEST(GripText, SaysHowFarAFingerStaysAway) {

@@ -9,6 +9,9 @@
 
 namespace coilwright::simulation {
 
+/// Percent of its moment that a magnet may lose for good: what remanences of one grade differ by anyway.
+inline constexpr double most_irreversible_loss = 1.0;
+
 /// A limit that a part of the actuator sets by what it is made of, whatever a study asks for, at an operating point.
 struct PartLimit {
   std::string_view quantity;      ///< its name among the standard quantities: "magnet_temperature_degC"

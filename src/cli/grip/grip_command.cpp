@@ -78,10 +78,13 @@ GripAnswer answer_of(const GripOptions& options) {
   out.heat = systems::gripper::heat_of_hold(design, gripper, out.grasp, {.current = current});
   out.cost = actuator::gripper_cost(actuator::cost_of(design, gripper.assembly()).total(), options.fingers);
   out.burns_from = thermal::current_limits(actuator::heat_network(design, gripper.assembly(), out.grasp.left)).runaway;
-  if (design.magnet.grade != nullptr)
-    out.demagnetisation_margin = actuator::InnerFields(design, gripper.assembly())
-                                     .demagnetisation(std::vector<double>(design.layout.size(), cold), current)
-                                     .margin;
+  if (design.magnet.grade != nullptr) {
+    const actuator::InnerFields fields(design, gripper.assembly());
+    out.magnets_cold = fields.demagnetisation(std::vector<double>(design.layout.size(), cold), current);
+    if (out.heat && out.heat->temperatures.size() > 0)
+      out.magnets_held = fields.demagnetisation(
+          {out.heat->temperatures.data(), static_cast<std::size_t>(out.heat->temperatures.size())}, current);
+  }
   if (options.most_current > 0.0)
     out.least_current = {.most = options.most_current,
                          .found = systems::gripper::least_current(gripper, object, task, options.most_current)};

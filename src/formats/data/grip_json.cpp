@@ -53,7 +53,8 @@ Json to_json(const GripAnswer& answer) {
   if (answer.least_current) out.set("least_current_A", answer.least_current->found);
   if (answer.least_friction) out.set("least_friction", answer.least_friction->found);
   out.set("runaway_current_A", answer.burns_from);
-  if (answer.demagnetisation_margin) out.set("demagnetisation_margin", *answer.demagnetisation_margin);
+  if (answer.magnets_cold) out.set("demagnetisation_margin", answer.magnets_cold->margin);
+  if (answer.magnets_held) out.set("irreversible_loss_held_pct", answer.magnets_held->irreversible_loss * 100.0);
   out.set("cost_USD", answer.cost).set("pneumatic_cost_USD", actuator::PneumaticGripperCost{}.total());
   if (answer.heat) {
     out.set("continuous_current_A", answer.heat->current_for_good());

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/actuator/demagnetisation.hpp"
 #include "coilwright/simulation/performance.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
 #include "coilwright/systems/gripper/gripper.hpp"
@@ -29,16 +30,19 @@ struct GripAnswer {
   PlacementTolerance tolerance{};  ///< of an object that is held
   double cost{};                   ///< US$, of the gripper with driver and supply
   double burns_from{};             ///< A: from this current on a finger bent like that has no steady temperature
-  std::optional<simulation::Heat> heat{};          ///< of one finger at the pose of the hold
-  std::optional<double> demagnetisation_margin{};  ///< of the worst magnet of a straight finger at 20 degC
-  std::optional<LeastToHold> least_current{};      ///< A; nothing: not asked for
-  std::optional<LeastToHold> least_friction{};     ///< coefficient; nothing: not asked for
+  std::optional<simulation::Heat> heat{};  ///< of one finger at the pose of the hold
+  /// Of a straight finger's magnets at 20 degC; nothing where they have no grade.
+  std::optional<actuator::Demagnetisation> magnets_cold{};
+  /// The same at the temperatures of a hold without end; nothing where it has none either.
+  std::optional<actuator::Demagnetisation> magnets_held{};
+  std::optional<LeastToHold> least_current{};   ///< A; nothing: not asked for
+  std::optional<LeastToHold> least_friction{};  ///< coefficient; nothing: not asked for
 
   /// Whether a finger bent like that has no steady temperature at this current.
   [[nodiscard]] bool burns() const { return std::abs(current) >= burns_from; }
 
-  /// Whether the coils' field takes the magnets' strength for good.
-  [[nodiscard]] bool is_demagnetised() const { return demagnetisation_margin && *demagnetisation_margin < 0.0; }
+  /// Whether the coils' field takes the magnets' strength for good before they warm up.
+  [[nodiscard]] bool is_demagnetised() const { return magnets_cold && magnets_cold->margin < 0.0; }
 
   /// What a person is told of where the fingers press: of more than two, which do all the same, one stands for all.
   [[nodiscard]] std::vector<GraspContact> told_contacts() const {

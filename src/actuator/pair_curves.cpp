@@ -85,7 +85,7 @@ std::shared_ptr<const HingePairParts> PairCurves::hinge_parts() {
                              .fidelity = design_.choices.torque,
                              .range = {.lower = -std::min(size_.closing_angle, touching_angle(design_, size_)),
                                        .upper = widest_angle,
-                                       .tolerance = curve_tolerance}});
+                                       .tolerance = design_.curve_tolerance}});
   return hinge_parts_;
 }
 
@@ -100,7 +100,8 @@ const AxialCurves& PairCurves::coil_magnet() {
     const Range range = distances(design_, size_, straight, size_.coil_length + design_.magnet.length);
     coil_magnet_ = axial_curves(
         magnetics::force_curve(thick_coil(design_, size_), design_.magnet.cylinder(),
-                               {.lower = range.lower, .upper = range.upper, .tolerance = curve_tolerance}));
+                               {.lower = range.lower, .upper = range.upper, .tolerance = design_.curve_tolerance}),
+        design_.curve_tolerance);
   }
   return coil_magnet_;
 }
@@ -111,7 +112,8 @@ const AxialCurves& PairCurves::magnet_magnet() {
     const Range range = distances(design_, size_, straight, 2.0 * design_.magnet.length);
     magnet_magnet_ = axial_curves(
         magnetics::force_curve(design_.magnet.cylinder(), design_.magnet.cylinder(),
-                               {.lower = range.lower, .upper = range.upper, .tolerance = curve_tolerance}));
+                               {.lower = range.lower, .upper = range.upper, .tolerance = design_.curve_tolerance}),
+        design_.curve_tolerance);
   }
   return magnet_magnet_;
 }

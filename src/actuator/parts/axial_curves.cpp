@@ -10,7 +10,7 @@ namespace {
 
 // W(z) = integral of the force from z to infinity; beyond the curve the force is that of two dipoles, which leaves z F
 // / 3.
-magnetics::Curve energy_of(const magnetics::Curve& force) {
+magnetics::Curve energy_of(const magnetics::Curve& force, double tolerance) {
   constexpr unsigned most_halvings = 6;
   constexpr double quadrature_tolerance = 1e-7;
   const double far = force.upper();
@@ -24,15 +24,15 @@ magnetics::Curve energy_of(const magnetics::Curve& force) {
   };
   return magnetics::Curve(energy, {.lower = force.lower(),
                                    .upper = far,
-                                   .tolerance = curve_tolerance,
+                                   .tolerance = tolerance,
                                    .boundary_layer_width = force.boundary_layer_width()});
 }
 
 }  // namespace
 
-AxialCurves axial_curves(magnetics::Curve force) {
+AxialCurves axial_curves(magnetics::Curve force, double tolerance) {
   AxialCurves curves;
-  curves.energy = std::make_shared<const magnetics::Curve>(energy_of(force));
+  curves.energy = std::make_shared<const magnetics::Curve>(energy_of(force, tolerance));
   curves.force = std::make_shared<const magnetics::Curve>(std::move(force));
   return curves;
 }

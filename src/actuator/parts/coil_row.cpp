@@ -15,6 +15,8 @@ namespace {
 
 using magnetics::ThickCoil;
 
+constexpr double curve_tolerance = 1e-6;
+
 bool alike(const ThickCoil& a, const ThickCoil& b) {
   return a.inner_radius() == b.inner_radius() && a.outer_radius() == b.outer_radius() && a.length() == b.length() &&
          a.turns_radial() == b.turns_radial() && a.turns_axial() == b.turns_axial() && a.winding() == b.winding();
@@ -88,7 +90,8 @@ std::vector<DistantPair> CoilRow::build() const {
   for (const Family& family : families) {
     const AxialCurves curves = axial_curves(
         magnetics::force_curve(family.first->coil, family.second->coil,
-                               {.lower = family.lower, .upper = family.upper, .tolerance = curve_tolerance}));
+                               {.lower = family.lower, .upper = family.upper, .tolerance = curve_tolerance}),
+        curve_tolerance);
     for (const std::size_t pair : family.pairs) {
       pairs[pair].axial_force = curves.force;
       pairs[pair].axial_energy = curves.energy;

@@ -209,10 +209,16 @@ struct Design {
   Calibration calibration{};
   std::vector<Effect> effects{};  ///< that the model has beside its stages; each kind at most once
   AsBuilt as_built{};             ///< how the one that was built differs from its numbers
+  /// To which its torques and forces are made curves, of the largest value of each. No file says it: by default two
+  /// orders below the 1e-5 to which a coil is wound.
+  double curve_tolerance = 1e-6;
 };
 
 /// The wire of the coils. Throws std::invalid_argument for a gauge or a diameter that there is not.
 [[nodiscard]] winding::Wire wire_of(const CoilDesign& coil);
+
+/// Section of all turns of a coil over their enamel, m2. Throws as wire_of().
+[[nodiscard]] double wires_section(const CoilDesign& coil);
 
 /// The silicone that bends: that of the bottom layer.
 [[nodiscard]] const SiliconeDesign& hinge_silicone(const Design& design);

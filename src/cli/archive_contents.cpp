@@ -48,7 +48,8 @@ archive::Contents contents_of(const sizing::Study& study, const Provenance& prov
                       .operation = sha256(operation_text(study)),
                       .systems = builds_a_system || study.spread ? contents.question : ""};
   if (provenance.seed) {
-    contents.algorithm = std::string(sizing::name_of(study.search.algorithm));
+    contents.algorithm =
+        provenance.sample.empty() ? std::string(sizing::name_of(study.search.algorithm)) : provenance.sample;
     contents.seed = provenance.seed;
   }
   contents.columns = archive::columns_of(study);

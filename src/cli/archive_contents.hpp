@@ -14,7 +14,7 @@ inline constexpr const char* archive_name = "archive.sqlite";
 
 /// What the archive of a run of `study` is an archive of. A system that is built from the actuator is described by the
 /// study's text alone. Seed and algorithm are the study's where the provenance has a
-/// seed.
+/// seed; a sample takes the place of the algorithm.
 [[nodiscard]] archive::Contents contents_of(const sizing::Study& study, const Provenance& provenance,
                                             bool builds_a_system);
 

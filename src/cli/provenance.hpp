@@ -33,6 +33,7 @@ struct Provenance {
   std::vector<InputRecord> inputs{};    ///< in the order in which the command names them
   std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
   std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
+  std::string sample{};                 ///< of a sweep, "random of 1000 designs"; empty where it draws none
 };
 
 /// A number for "the same question": the SHA-256 of a text with a line for the digest of each input and for each

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -6,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,7 +46,7 @@ void require_grid(const sizing::DesignProblem& problem, const StudyOptions& opti
 struct SweepCommandOptions {
   StudyOptions study;
   std::size_t sample = 0;
-  std::string sampling = "latin_hypercube";
+  std::string sampling{sizing::name_of(sizing::DesignSample{}.sampling)};
 };
 
 ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
@@ -51,12 +55,20 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   const sizing::DesignProblem problem(std::move(input.study));
   input.provenance.command = "sweep";
   std::vector<std::vector<double>> points;
-  if (sweep_options.sample > 0)
-    points = sizing::sampled_points(
-        problem, sweep_options.sampling == "random" ? sizing::Sampling::random : sizing::Sampling::latin_hypercube,
-        sweep_options.sample, problem.study().search.seed);
-  else
+  std::optional<sizing::DesignSample> sample;
+  if (sweep_options.sample > 0) {
+    using Word = std::pair<std::string_view, sizing::Sampling>;
+    sample = {
+        .sampling =
+            std::ranges::find(sizing::sampling_words, std::string_view(sweep_options.sampling), &Word::first)->second,
+        .drawn = sweep_options.sample,
+        .seed = problem.study().search.seed};
+    points = sizing::sampled_points(problem, *sample);
+    input.provenance.seed = sample->seed;
+    input.provenance.sample = fmt::format("{} of {} designs", sweep_options.sampling, sample->drawn);
+  } else {
     require_grid(problem, options);
+  }
   const sizing::Study& study = problem.study();
   const Interruption interruption;
   text::OutputFolder folder(options.out);
@@ -83,8 +95,13 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   const std::vector<sizing::Leader> best = leaders.all();
   const std::vector<sizing::BrokenPartLimit> broken =
       sizing::broken_part_limits(evaluated_again(problem, sizing::feasible_designs(best)));
-  const formats::SweepReport answer{
-      .study = study, .designs = count, .evaluated = made, .ok = ok, .leaders = best, .broken = broken};
+  const formats::SweepReport answer{.study = study,
+                                    .designs = count,
+                                    .evaluated = made,
+                                    .ok = ok,
+                                    .leaders = best,
+                                    .broken = broken,
+                                    .sample = sample};
   if (archive.is_writing())
     archive.write_results([&] {
       formats::write_leaders(folder.open("best.csv"), study, best);
@@ -106,10 +123,13 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
   CLI::App* command =
       app.add_subcommand("sweep", "Evaluate every design of a study whose variables are lists or grids, or a sample");
   add_study_options(*command, options->study);
-  auto* sample =
-      add_whole_number(*command, "--sample", options->sample, text::Rule::between(2, 1e8),
-                       "So many designs from the whole range in place of the grid, whatever the variables are");
-  add_word(*command, "--sampling", options->sampling, {"latin_hypercube", "random"},
+  auto* sample = add_whole_number(
+      *command, "--sample", options->sample, text::Rule::between(2, 1e8),
+      "So many designs from the whole range in place of the grid, whatever the variables are; one that is drawn "
+      "again is evaluated once");
+  std::vector<std::string> words;
+  for (const auto& [word, sampling] : sizing::sampling_words) words.emplace_back(word);
+  add_word(*command, "--sampling", options->sampling, std::move(words),
            "How they are drawn (default latin_hypercube); another /search/seed draws others")
       ->needs(sample);
   command->footer(

@@ -32,7 +32,7 @@ std::string best_for(const Study& study, std::span<const sizing::Leader> leaders
 }  // namespace
 
 std::string to_text(const formats::SweepReport& report) {
-  const auto& [study, designs, evaluated, ok, leaders, broken] = report;
+  const auto& [study, designs, evaluated, ok, leaders, broken, sample] = report;
   TextTable table;
   std::vector<std::string> header;
   formats::add_variable_names(study, header);
@@ -56,7 +56,11 @@ std::string to_text(const formats::SweepReport& report) {
   std::vector<TextTable::Align> align(table.columns() - 1, TextTable::Align::right);
   align.push_back(TextTable::Align::left);
   return table.text(0, std::move(align)) +
-         fmt::format("\n{} of {} designs evaluated; {} keep every limit.\n", evaluated, designs, ok) +
+         fmt::format("\n{} of {} designs evaluated{}; {} keep every limit.\n", evaluated, designs,
+                     sample ? fmt::format(" (those that differ of {} drawn: {}, seed {})", sample->drawn,
+                                          sizing::name_of(sample->sampling), sample->seed)
+                            : "",
+                     ok) +
          warning_of_parts(broken, "the best designs", sizing::feasible_designs(leaders).size());
 }
 

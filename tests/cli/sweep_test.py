@@ -7,6 +7,7 @@ import subprocess
 import time
 import unittest
 
+from archived_runs import results_of
 from program import HANGS, PROGRAM, ProgramTest, peak_memory_of_children, run
 from study import FRONT, GRID, write_study
 
@@ -32,12 +33,33 @@ class Sweep(ProgramTest):
         rows = self.table("out/designs.csv")
         self.assertEqual(sorted(int((float(row["gap_mm"]) - 0.7) / 0.6 * 8) for row in rows), list(range(8)))
         self.assertEqual(sorted(row["turns_radial"] for row in rows), ["12"] * 4 + ["15"] * 4)
+        self.assertEqual(self.result("out/result.json")["sample"], {"sampling": "latin_hypercube", "drawn": 8, "seed": 5})
+        self.assertEqual(self.result("out/provenance.json")["seed"], 5)
         self.sweep("--sample", "8", "--threads", "1")
         self.assertEqual(self.table("out/designs.csv"), rows)
         self.sweep("--sample", "8", "--sampling", "random")
         self.assertNotEqual(self.table("out/designs.csv"), rows)
         result = run("sweep", "study.json", "--out", "out", "--sampling", "random", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (2, "coilwright: sweep: --sampling requires --sample (see coilwright sweep --help)\n"))
+
+    def test_a_sample_has_each_design_once(self):
+        write_study(self, variables={"turns_radial": {"values": [12, 15]}}, constraints=None)
+        text = self.sweep("--sample", "8")
+        self.assertEqual(sorted(row["turns_radial"] for row in self.table("out/designs.csv")), ["12", "15"])
+        self.assertIn("2 of 2 designs evaluated (those that differ of 8 drawn: latin_hypercube, seed 5)", text)
+        self.assertEqual(self.result("out/result.json")["designs"], 2)
+
+    def test_another_sample_is_refused_in_the_folder_of_the_first(self):
+        write_study(self, constraints=None)
+        self.sweep("--sample", "8")
+        before = results_of(self.folder / "out")
+        for options, differing in (
+                (("--sample", "9"), "latin_hypercube of 8 designs, not latin_hypercube of 9 designs"),
+                (("--sample", "8", "--sampling", "random"), "latin_hypercube of 8 designs, not random of 8 designs")):
+            self.assert_refused(["sweep", "study.json", "--out", "out", *options],
+                                f"out: holds the archive of another run (algorithm {differing}): --force replaces it, "
+                                "another --out keeps it, and --reuse out takes its designs over")
+            self.assertEqual(results_of(self.folder / "out"), before)
 
     def test_a_row_is_what_evaluate_says(self):
         # evaluate does not know which figures matter: it takes the worse of both poses.

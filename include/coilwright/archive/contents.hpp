@@ -65,7 +65,7 @@ struct Contents {
   std::vector<std::string> changes{};   ///< each --set, "gap_mm=1.2"
   std::string question{};               ///< digest of inputs and changes
   Physics physics{};                    ///< of every design
-  std::string algorithm{};              ///< of the search; empty where nothing is searched
+  std::string algorithm{};              ///< of the search, or the sample; empty where nothing is drawn
   std::optional<std::uint64_t> seed{};  ///< nothing where nothing is drawn
   std::vector<Column> columns{};        ///< by role, in the order of the study
 

@@ -49,14 +49,19 @@ Json to_json(const SweepReport& report) {
     if (!evaluation.failure.empty()) entry.set("reason", evaluation.failure);
     return entry;
   });
-  return Json::object({{"command", "sweep"},
-                       {"study", report.study.name},
-                       {"objectives", objectives_asked(report.study)},
-                       {"designs", report.designs},
-                       {"evaluated", report.evaluated},
-                       {"ok", report.ok},
-                       {"best", std::move(best)},
-                       {"broken_part_limits", to_json(report.broken)}});
+  Json out = Json::object({{"command", "sweep"},
+                           {"study", report.study.name},
+                           {"objectives", objectives_asked(report.study)},
+                           {"designs", report.designs},
+                           {"evaluated", report.evaluated},
+                           {"ok", report.ok},
+                           {"best", std::move(best)},
+                           {"broken_part_limits", to_json(report.broken)}});
+  if (const auto& sample = report.sample)
+    out.set("sample",
+            Json::object(
+                {{"sampling", sizing::name_of(sample->sampling)}, {"drawn", sample->drawn}, {"seed", sample->seed}}));
+  return out;
 }
 
 }  // namespace coilwright::formats

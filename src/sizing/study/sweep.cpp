@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <unordered_set>
 #include <utility>
 
 #include "sizing/problem/design_space.hpp"
+#include "sizing/problem/point_hash.hpp"
 #include "sizing/problem/workers.hpp"
 #include "sizing/sampling/random.hpp"
 
@@ -33,11 +35,15 @@ double value_at_share(const Variable& variable, double share) {
 
 }  // namespace
 
-std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, Sampling sampling, std::size_t count,
-                                                std::uint64_t seed) {
+std::string_view name_of(Sampling sampling) {
+  return std::ranges::find(sampling_words, sampling, &std::pair<std::string_view, Sampling>::second)->first;
+}
+
+std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, const DesignSample& sample) {
+  const std::size_t count = sample.drawn;
   const std::vector<Variable> variables = problem.problem().variables;
   std::vector<std::vector<double>> out(count, std::vector<double>(variables.size()));
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(sample.seed);
   std::vector<std::size_t> strata(count);
   for (std::size_t i = 0; i < variables.size(); ++i) {
     for (std::size_t k = 0; k < count; ++k) strata[k] = k;
@@ -45,12 +51,14 @@ std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, Sa
       std::swap(strata[k], strata[static_cast<std::size_t>(uniform(random) * static_cast<double>(k + 1))]);
     for (std::size_t k = 0; k < count; ++k) {
       const double within = uniform(random);
-      const double share = sampling == Sampling::random
+      const double share = sample.sampling == Sampling::random
                                ? within
                                : (static_cast<double>(strata[k]) + within) / static_cast<double>(count);
       out[k][i] = value_at_share(variables[i], share);
     }
   }
+  std::unordered_set<std::vector<double>, PointHash> seen;
+  std::erase_if(out, [&](const std::vector<double>& point) { return !seen.insert(point).second; });
   return out;
 }
 

@@ -47,7 +47,7 @@ TEST(SampledPoints, FillTheRangeOfEveryVariableEvenly) {
       ParameterVariable{.parameter = actuator::find_parameter("turns_radial"),
                         .range = Choice{.values = {8.0, 10.0, 15.0}}}};
   const DesignProblem problem(study);
-  const auto points = sampled_points(problem, Sampling::latin_hypercube, 30, 4);
+  const auto points = sampled_points(problem, {.drawn = 30, .seed = 4});
   ASSERT_EQ(points.size(), 30u);
   std::vector<int> of_gap(30);
   std::vector<int> of_turns(3);
@@ -57,11 +57,12 @@ TEST(SampledPoints, FillTheRangeOfEveryVariableEvenly) {
   }
   EXPECT_EQ(of_gap, std::vector<int>(30, 1));
   EXPECT_EQ(of_turns, std::vector<int>(3, 10));
-  EXPECT_EQ(points, sampled_points(problem, Sampling::latin_hypercube, 30, 4));
-  EXPECT_NE(points, sampled_points(problem, Sampling::latin_hypercube, 30, 5));
+  EXPECT_EQ(points, sampled_points(problem, {.drawn = 30, .seed = 4}));
+  EXPECT_NE(points, sampled_points(problem, {.drawn = 30, .seed = 5}));
   // Designs drawn each by itself leave some of the shares empty.
   std::vector<int> at_random(30);
-  for (const std::vector<double>& point : sampled_points(problem, Sampling::random, 30, 4))
+  for (const std::vector<double>& point :
+       sampled_points(problem, {.sampling = Sampling::random, .drawn = 30, .seed = 4}))
     ++at_random.at(static_cast<std::size_t>((point[0] - 0.6) / 1.2 * 30.0));
   EXPECT_GT(std::ranges::count(at_random, 0), 3);
   std::size_t taken = 0;
@@ -69,6 +70,18 @@ TEST(SampledPoints, FillTheRangeOfEveryVariableEvenly) {
       sweep(problem, {.points = points}, [&](const SweptDesign& d) { taken += d.point == points[d.index] ? 1 : 0; }),
       30u);
   EXPECT_EQ(taken, 30u);
+}
+
+TEST(SampledPoints, HaveADesignOfAGridOnce) {
+  const DesignProblem problem(small_study());  // 36 designs
+  for (const auto& [word, sampling] : sampling_words) {
+    auto points = sampled_points(problem, {.sampling = sampling, .drawn = 400, .seed = 4});
+    EXPECT_LE(points.size(), 36u) << word;
+    EXPECT_GT(points.size(), 30u) << word;
+    std::ranges::sort(points);
+    EXPECT_EQ(std::ranges::adjacent_find(points), points.end()) << word;
+    EXPECT_EQ(name_of(sampling), word);
+  }
 }
 
 TEST(Sweep, GivesEveryQuantityOfADesign) {

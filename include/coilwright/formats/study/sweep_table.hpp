@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <span>
 
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
+#include "coilwright/sizing/study/sweep.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -30,11 +32,12 @@ void write_leaders(std::ostream& out, const sizing::Study& study, std::span<cons
 /// What `sweep` found, to be written. Everything referred to must outlive it.
 struct SweepReport {
   const sizing::Study& study;
-  std::size_t designs{};    ///< in the grid
+  std::size_t designs{};    ///< in the grid, or that differ in the sample
   std::size_t evaluated{};  ///< of those; fewer after an interruption
   std::size_t ok{};         ///< of those evaluated: keep every limit
   std::span<const sizing::Leader> leaders;
   std::span<const sizing::BrokenPartLimit> broken{};  ///< by those leaders that keep every limit of the study
+  std::optional<sizing::DesignSample> sample{};       ///< nothing: the grid
 };
 
 /// The counts, of each leader its configuration, variables, objectives and constraints, and what they break of their

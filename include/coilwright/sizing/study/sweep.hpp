@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "coilwright/sizing/study/design_problem.hpp"
@@ -24,10 +27,22 @@ enum class Sampling {
   random            ///< each by itself
 };
 
-/// Coordinates of `count` designs, the same for the same seed. A list or a grid has equal shares for its values. A
-/// study whose variables are lists may have a design more than once.
-[[nodiscard]] std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, Sampling sampling,
-                                                              std::size_t count, std::uint64_t seed);
+/// Each by its word in options and results.
+inline constexpr std::array<std::pair<std::string_view, Sampling>, 2> sampling_words = {
+    {{"latin_hypercube", Sampling::latin_hypercube}, {"random", Sampling::random}}};
+/// "latin_hypercube", "random".
+[[nodiscard]] std::string_view name_of(Sampling sampling);
+
+/// Which designs stand for the range of a study.
+struct DesignSample {
+  Sampling sampling = Sampling::latin_hypercube;
+  std::size_t drawn{};   ///< how many are drawn; > 0
+  std::uint64_t seed{};  ///< another one draws others
+};
+
+/// Coordinates of the designs of a sample, in the order of drawing, each once. A list or a grid has equal shares for
+/// its values; a study all of whose variables are such may draw a design again, and then has fewer than are drawn.
+[[nodiscard]] std::vector<std::vector<double>> sampled_points(const DesignProblem& problem, const DesignSample& sample);
 
 /// How a sweep runs. The result does not depend on it, but for `points`.
 struct SweepOptions {

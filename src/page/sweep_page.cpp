@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,17 +51,20 @@ std::string variables_text(const FrontTable& leaders, std::size_t row) {
 }
 
 std::string sweep_verdict(const Node& result, const FrontTable& leaders) {
-  const std::string counts =
-      fmt::format("{} of {} designs were evaluated, {} of them keep every limit", cell_of(result, "evaluated"),
-                  cell_of(result, "designs"), cell_of(result, "ok"));
+  const auto count = [](const Node& of, const char* key) { return member_of(of, key).integer<std::uint64_t>(); };
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < leaders.objectives.size(); ++i)
     if (const auto row = best_row(leaders, i))
       sentences.push_back(fmt::format(
           "The {} {} is {}: {}.", leaders.largest[i] ? "largest" : "smallest", leaders.objectives[i],
           short_number(leaders.texts.required_number(leaders.objectives[i], *row)), variables_text(leaders, *row)));
-  if (sentences.empty()) return counts + ".";
-  return fmt::format("{} {}.", fmt::join(sentences, " "), counts);
+  sentences.push_back(fmt::format("{} of {} designs were evaluated, {} of them keep every limit.",
+                                  count(result, "evaluated"), count(result, "designs"), count(result, "ok")));
+  if (const std::optional<Node> sample = result.find("sample"))
+    sentences.push_back(
+        fmt::format("They are a sample of the range, {} drawn ({}, seed {}): better designs may lie between them.",
+                    count(*sample, "drawn"), cell_of(*sample, "sampling"), count(*sample, "seed")));
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 Section leaders_section(const FrontTable& leaders) {
@@ -141,25 +145,29 @@ std::optional<Figure> effect_figure(const SweepTable& table, const FrontTable& l
   const std::string& name = table.variables[variable];
   const std::string& wanted = leaders.objectives[objective];
   std::string id = fmt::format("effect-{}-{}", objective + 1, variable + 1);
+  // Each design of a sample has values of its own: a line through them says nothing.
+  const std::string lines =
+      table.sampled ? ""
+                    : fmt::format(
+                          "Lines: the best {} that keeps every limit at each value of {}, whatever the other "
+                          "variables are. ",
+                          wanted, name);
   Chart chart{.id = id,
               .title = fmt::format("{} over {}", wanted, name),
-              .description =
-                  fmt::format("Lines: the best {} ({} is better) that keeps every limit at each value of {}, whatever "
-                              "the other variables are. Behind them {}.",
-                              wanted, leaders.largest[objective] ? "more" : "less", name, behind_text(table)),
+              .description = fmt::format("{}{} is better. Points: {}.", lines,
+                                         leaders.largest[objective] ? "More" : "Less", behind_text(table)),
               .x_title = name,
               .y_title = wanted};
   for (const bool keeps : {false, true}) {
     Series samples = samples_series(table, variable, objective, keeps);
     if (!samples.x.empty()) chart.series.push_back(std::move(samples));
   }
-  const bool words = chart.series.empty();
-  if (words && table.best[variable].empty()) return std::nullopt;
-  if (words) return words_figure(table, leaders, variable, objective, std::move(id));
+  if (chart.series.empty() && table.best[variable].empty()) return std::nullopt;
+  if (chart.series.empty()) return words_figure(table, leaders, variable, objective, std::move(id));
   for (const SweepTable::Best& group : table.best[variable]) {
     std::optional<Series> line = best_series(group, objective);
     if (!line) return words_figure(table, leaders, variable, objective, std::move(id));
-    chart.series.push_back(*std::move(line));
+    if (!table.sampled) chart.series.push_back(*std::move(line));
   }
   return figure_of(chart);
 }
@@ -230,8 +238,9 @@ Page sweep_page(const std::filesystem::path& folder, const Node& result, const P
             .inputs = input_lines(folder)};
   const auto evaluated = member_of(result, "evaluated").integer<std::size_t>();
   if (evaluated == 0) return page;
-  const SweepTable table = read_sweep(folder, leaders, evaluated);
+  const SweepTable table = read_sweep(folder, leaders, evaluated, result.find("sample").has_value());
   page.sections.push_back(leaders_section(leaders));
+  if (std::optional<Section> map = map_section(table, leaders)) page.sections.push_back(*std::move(map));
   for (Section& section : effect_sections(table, leaders)) page.sections.push_back(std::move(section));
   page.sections.push_back(limits_section(table));
   for (Section& section : drawn_sections(leaders, inputs)) page.sections.push_back(std::move(section));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double most_samples = 3000.0;
 constexpr std::size_t most_reasons = 20;
+constexpr std::size_t most_cells = 2500;  // of a map
 
 // A number below 1 for each row, without any pattern that the grid could fall in with (splitmix64, Steele 2014).
 double share_of(std::uint64_t row) {
@@ -34,35 +36,50 @@ struct Places {
   std::optional<std::size_t> configuration;
 };
 
+bool all_there(const std::vector<std::optional<double>>& values) {
+  return std::ranges::all_of(values, [](const auto& each) { return each.has_value(); });
+}
+
 class Summary {
  public:
-  Summary(const FrontTable& leaders, Places places, std::size_t designs, std::string file)
+  Summary(const FrontTable& leaders, Places places, std::size_t designs, bool sampled, std::string file)
       : leaders_(&leaders),
         places_(std::move(places)),
         keep_(most_samples / static_cast<double>(designs)),
         file_(std::move(file)) {
     table_.variables = leaders.variables;
+    table_.sampled = sampled;
     table_.best.resize(table_.variables.size());
+    table_.values.resize(table_.variables.size());
+    known_.resize(table_.variables.size());
+    for (std::size_t up = 1; up < table_.variables.size() && !sampled; ++up)
+      for (std::size_t across = 0; across < up; ++across) table_.maps.push_back({.across = across, .up = up});
     for (const std::string& name : leaders.margins) table_.broken.push_back({.margin = name});
   }
 
   void add(std::span<const std::string_view> fields, std::size_t line) {
     line_ = line;
     const std::string_view status = fields[places_.status];
+    std::vector<std::optional<double>> objectives;
     if (status == "failed") {
       count_failure(std::string(fields[places_.reason]));
     } else {
-      std::vector<std::optional<double>> objectives;
       for (std::size_t i = 0; i < places_.objectives.size(); ++i)
         objectives.push_back(number(fields[places_.objectives[i]], leaders_->objectives[i]));
       if (status == "ok") improve(fields, objectives);
       count_broken(fields);
-      if (share_of(table_.rows) < keep_) sample(fields, status == "ok", std::move(objectives));
+      if (share_of(table_.rows) < keep_) sample(fields, status == "ok", objectives);
     }
+    draw(fields, status == "ok" && all_there(objectives) ? objectives : std::vector<std::optional<double>>());
     ++table_.rows;
   }
 
-  [[nodiscard]] SweepTable table() && { return std::move(table_); }
+  [[nodiscard]] SweepTable table() && {
+    std::erase_if(table_.maps, [&](const SweepTable::Map& map) {
+      return table_.values[map.across].size() < 2 || table_.values[map.up].size() < 2;
+    });
+    return std::move(table_);
+  }
 
  private:
   [[nodiscard]] std::optional<double> number(std::string_view field, const std::string& column) const {
@@ -75,19 +92,45 @@ class Summary {
   }
 
   void improve(std::span<const std::string_view> fields, const std::vector<std::optional<double>>& objectives) {
-    if (!std::ranges::all_of(objectives, [](const auto& each) { return each.has_value(); })) return;
+    if (!all_there(objectives)) return;
     const std::string group = places_.configuration ? std::string(fields[*places_.configuration]) : std::string();
     for (std::size_t v = 0; v < places_.variables.size(); ++v) {
       std::vector<SweepTable::Best>& groups = table_.best[v];
       auto found = std::ranges::find(groups, group, &SweepTable::Best::group);
       if (found == groups.end()) found = groups.insert(found, {.group = group});
-      std::vector<double>& best = found->rows[std::string(fields[places_.variables[v]])];
-      for (std::size_t i = 0; i < objectives.size(); ++i) {
-        if (best.size() <= i)
-          best.push_back(*objectives[i]);
-        else
-          best[i] = leaders_->largest[i] ? std::max(best[i], *objectives[i]) : std::min(best[i], *objectives[i]);
-      }
+      take_best(found->rows[std::string(fields[places_.variables[v]])], objectives);
+    }
+  }
+
+  void take_best(std::vector<double>& best, const std::vector<std::optional<double>>& objectives) const {
+    for (std::size_t i = 0; i < objectives.size(); ++i) {
+      if (best.size() <= i)
+        best.push_back(*objectives[i]);
+      else
+        best[i] = leaders_->largest[i] ? std::max(best[i], *objectives[i]) : std::min(best[i], *objectives[i]);
+    }
+  }
+
+  // The place of a value among those of its variable. Of more than a map may have it is no matter: no map has them.
+  std::size_t place_of(std::size_t variable, std::string_view field) {
+    const auto found = known_[variable].find(field);
+    if (found != known_[variable].end()) return found->second;
+    const std::size_t place = known_[variable].size();
+    if (place > most_cells) return place;
+    known_[variable].emplace(field, place);
+    table_.values[variable].emplace_back(field);
+    return place;
+  }
+
+  // A cell is there as soon as a design is; `objectives` is empty for one that does not keep every limit.
+  void draw(std::span<const std::string_view> fields, const std::vector<std::optional<double>>& objectives) {
+    std::vector<std::size_t> at;
+    for (std::size_t v = 0; v < places_.variables.size() && !table_.sampled; ++v)
+      at.push_back(place_of(v, fields[places_.variables[v]]));
+    for (SweepTable::Map& map : table_.maps) {
+      if (table_.rows > 0 && map.cells.empty()) continue;  // too many
+      take_best(map.cells[{at[map.across], at[map.up]}], objectives);
+      if (map.cells.size() > most_cells) map.cells.clear();
     }
   }
 
@@ -114,6 +157,7 @@ class Summary {
   double keep_;
   std::string file_;
   std::size_t line_{};
+  std::vector<std::map<std::string, std::size_t, std::less<>>> known_;  // places of the values of each variable
   SweepTable table_;
 };
 
@@ -137,7 +181,8 @@ Places places_in(const FrontTable& leaders, const std::vector<std::string>& name
 
 }  // namespace
 
-SweepTable read_sweep(const std::filesystem::path& folder, const FrontTable& leaders, std::size_t designs) {
+SweepTable read_sweep(const std::filesystem::path& folder, const FrontTable& leaders, std::size_t designs,
+                      bool sampled) {
   const auto is_kept = [&](std::string_view name) {
     const auto among = [&](const std::vector<std::string>& names) {
       return std::ranges::find(names, name) != names.end();
@@ -149,7 +194,7 @@ SweepTable read_sweep(const std::filesystem::path& folder, const FrontTable& lea
   for (const std::string& name : leaders.texts.names())
     if (is_kept(name)) names.push_back(name);
   const std::filesystem::path file = folder / "designs.csv";
-  Summary summary(leaders, places_in(leaders, names), designs, file.string());
+  Summary summary(leaders, places_in(leaders, names), designs, sampled, file.string());
   const std::vector<std::string> there =
       text::for_each_csv_row(file, is_kept, [&](std::span<const std::string_view> fields, std::size_t line) {
         if (fields.size() == names.size()) summary.add(fields, line);

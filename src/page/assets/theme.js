@@ -13,6 +13,7 @@
       labelColor: colour('--ink'), titleColor: colour('--ink'), gridColor: colour('--grid'), domainColor: colour('--soft'),
       tickColor: colour('--soft'), labelFontSize: 12, titleFontSize: 12, titleFontWeight: 'normal', gridOpacity: 0.7,
     },
+    title: {color: colour('--ink'), anchor: 'start', fontSize: 12, fontWeight: 'normal'},
     axisX: {labelOverlap: true, tickCount: 6},
     legend: {
       labelColor: colour('--ink'), titleColor: colour('--ink'), orient: 'top', direction: 'vertical', labelLimit: 320,

@@ -45,10 +45,7 @@ thermal::HeatSegment magnet_part(const Design& design, const Dimensions& size) {
 // coated wire conducts 50 times as well as what is around it.
 double across_turns(const Design& design, double copper_share, double area) {
   if (design.coil.filler != Filler::air) return thermal::across_wires(copper_share, design.body.conductivity);
-  const double diameter = wire_of(design.coil).insulated_diameter;
-  const double wires =
-      design.coil.turns_radial * design.coil.turns_axial * 0.25 * std::numbers::pi * diameter * diameter;
-  return thermal::across_wires(std::min(most_copper, wires / area), air_conductivity);
+  return thermal::across_wires(std::min(most_copper, wires_section(design.coil) / area), air_conductivity);
 }
 
 // In the bore is silicone, and between the wires too, or what conducts and stores as it does, unless it is air.

@@ -22,8 +22,8 @@ template <auto Part, auto Member>
 void set(Design& design, double value) {
   auto& member = design.*Part.*Member;
   using Value = std::remove_reference_t<decltype(member)>;
-  if constexpr (std::is_same_v<Value, int>) {
-    member = static_cast<int>(std::lround(value));
+  if constexpr (std::is_same_v<Value, int> || std::is_enum_v<Value>) {
+    member = static_cast<Value>(std::lround(value));
   } else {
     member = value;
   }
@@ -80,6 +80,16 @@ auto row_in(double index) {
 
 constexpr std::array<std::string_view, 2> enamel_names{"grade_1", "grade_2"};
 constexpr std::array<std::string_view, 3> filler_names{"unstated", "silicone", "air"};
+
+// One of a few kinds, by the names of the enumerators. Files say what is not as usual.
+template <auto Member, const auto& Names>
+constexpr Parameter coil_choice(std::string_view name) {
+  Parameter out = number<&Design::coil, Member>("coil", name, name, any);
+  out.whole = true;
+  out.name_list = [] { return std::span<const std::string_view>(Names); };
+  out.needed = [](const Design& design) { return design.coil.*Member != CoilDesign{}.*Member; };
+  return out;
+}
 
 // The wire: by one of two numbers, of which the one that is set last counts, as for an overall diameter that was set
 // for another wire.
@@ -191,16 +201,7 @@ constexpr std::array table = {
               .set = &set_wire_diameter,
               .needed = &by_diameter,
               .one_name_of = the_wire},
-    Parameter{.section = "coil",
-              .key = "enamel",
-              .name = "enamel",
-              .whole = true,
-              .rule = any,
-              .get = [](const Design& design) { return static_cast<double>(design.coil.enamel); },
-              .set = [](Design& design,
-                        double value) { design.coil.enamel = static_cast<winding::Enamel>(std::lround(value)); },
-              .name_list = [] { return std::span<const std::string_view>(enamel_names); },
-              .needed = [](const Design& design) { return design.coil.enamel != winding::Enamel::grade_1; }},
+    coil_choice<&CoilDesign::enamel, enamel_names>("enamel"),
     Parameter{.section = "coil",
               .key = "wire_overall_mm",
               .name = "wire_overall_mm",
@@ -208,15 +209,7 @@ constexpr std::array table = {
               .get = [](const Design& design) { return wire_of(design.coil).insulated_diameter; },
               .set = [](Design& design, double value) { design.coil.wire_overall = value; },
               .needed = [](const Design& design) { return design.coil.wire_overall > 0.0; }},
-    Parameter{.section = "coil",
-              .key = "filler",
-              .name = "filler",
-              .whole = true,
-              .rule = any,
-              .get = [](const Design& design) { return static_cast<double>(design.coil.filler); },
-              .set = [](Design& design, double value) { design.coil.filler = static_cast<Filler>(std::lround(value)); },
-              .name_list = [] { return std::span<const std::string_view>(filler_names); },
-              .needed = [](const Design& design) { return design.coil.filler != Filler::unstated; }},
+    coil_choice<&CoilDesign::filler, filler_names>("filler"),
     current_share<0>("current_share_1"),
     current_share<1>("current_share_2"),
     current_share<2>("current_share_3"),

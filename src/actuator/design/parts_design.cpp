@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <utility>
 
 namespace coilwright::actuator {
@@ -12,6 +13,11 @@ winding::Wire wire_of(const CoilDesign& coil) {
   winding::Wire wire = coil.wire_diameter > 0.0 ? winding::round_wire(coil.wire_diameter, coil.enamel)
                                                 : winding::gauge(coil.wire_gauge, coil.enamel);
   return coil.wire_overall > 0.0 ? winding::with_overall_diameter(std::move(wire), coil.wire_overall) : wire;
+}
+
+double wires_section(const CoilDesign& coil) {
+  const double diameter = wire_of(coil).insulated_diameter;
+  return coil.turns_radial * coil.turns_axial * 0.25 * std::numbers::pi * diameter * diameter;
 }
 
 const SiliconeDesign& hinge_silicone(const Design& design) {

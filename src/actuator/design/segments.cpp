@@ -1,5 +1,6 @@
 #include "coilwright/actuator/design/segments.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <optional>
 
@@ -50,7 +51,7 @@ struct Materials {
   const Design& design;
   const Dimensions& size;
   double copper_mass;
-  double filler_mass;  // of what is cast between the turns of one coil
+  double filler_mass = 0.0;  // of what is cast between the turns of one coil
 
   [[nodiscard]] Body box(double start, double length) const {
     const double mass = design.body.density * size.width * size.height * length;
@@ -92,16 +93,12 @@ struct Materials {
 };
 
 // Of the silicone between enamelled turns; their enamel weighs nothing, as elsewhere.
-double filler_mass(const Design& design, const Dimensions& size) {
-  if (design.coil.filler != Filler::silicone) return 0.0;
-  const double inner = design.coil.inner_radius;
-  const double ring =
-      Ring{.inner_radius = inner, .outer_radius = size.coil_outer_radius, .length = size.coil_length}.volume();
-  const double diameter = wire_of(design.coil).insulated_diameter;
-  const double wire_length =
-      design.coil.turns_radial * design.coil.turns_axial * std::numbers::pi * (inner + size.coil_outer_radius);
-  const double wires = 0.25 * std::numbers::pi * diameter * diameter * wire_length;
-  return design.body.density * std::max(0.0, ring - wires);
+double filler_mass(const Materials& materials) {
+  if (materials.design.coil.filler != Filler::silicone) return 0.0;
+  const Ring ring = materials.core(ComponentKind::coil);
+  const double mean_turn = std::numbers::pi * (ring.inner_radius + ring.outer_radius);
+  const double wires = wires_section(materials.design.coil) * mean_turn;
+  return materials.design.body.density * std::max(0.0, ring.volume() - wires);
 }
 
 // The segment from `start` (negative for a rear part) to its joint-side end plus `front`, its core at half_pitch.
@@ -148,7 +145,8 @@ Segment segment(const Materials& materials, const Extent& extent) {
 }  // namespace
 
 std::vector<Segment> segments(const Design& design, const Dimensions& dimensions) {
-  const Materials materials{design, dimensions, winding_of(design).copper_mass(), filler_mass(design, dimensions)};
+  Materials materials{design, dimensions, winding_of(design).copper_mass()};
+  materials.filler_mass = filler_mass(materials);
   std::vector<Segment> out;
   out.reserve(design.layout.size());
   for (std::size_t i = 0; i < design.layout.size(); ++i) {

@@ -203,6 +203,13 @@ class Evaluate(ProgramTest):
                                        "configuration=A"),
                          self.evaluate("changed.json", "--current-A", "1.4"))
         self.assertEqual(self.evaluate("--set", "gap_mm=0.9", PAPER_FINGER, "--current-A", "1.4"), factors)
+        for name, torque in (("changed.json", 0.5), ("plain.json", 0.1)):
+            changed["effects"] = [{"id": "dry_friction", "parameters": {"torque_Nmm": torque}}]
+            self.write(name, json.dumps(changed))
+        self.assertEqual(self.evaluate("plain.json", "--current-A", "1.4", "--set", "dry_friction.torque_Nmm=0.5"),
+                         self.evaluate("changed.json", "--current-A", "1.4"))
+        self.assert_refused(["evaluate", "plain.json", "--current-A", "1.4", "--set", "dry_friction.torque_Nmm=-1"],
+                            "dry_friction.torque_Nmm=-1: effect dry_friction: torque_Nmm must be >= 0; got -1")
 
     def test_bad_assignments_are_refused(self):
         self.write("model.json", json.dumps(LUMPED))

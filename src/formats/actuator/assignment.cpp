@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "coilwright/actuator/design/current_shares.hpp"
+#include "coilwright/actuator/design/effect_number.hpp"
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
@@ -50,10 +52,23 @@ actuator::Design with_assignment(actuator::Design design, std::string_view text)
     design.layout = actuator::layout_of(configuration_of(text, assignment.value));
     return design;
   }
+  if (const actuator::EffectNumber number = actuator::find_effect_number(design, assignment.name);
+      number.value != nullptr) {
+    require_corrected_geometry(design, text);
+    *number.value = units::to_memory(number_of(text, assignment.value), number.parameter->key);
+    try {
+      for (const actuator::Effect& effect : design.effects) validate_effect(effect);
+    } catch (const std::invalid_argument& rule) {
+      throw argument_error(text, rule.what());
+    }
+    return design;
+  }
   const actuator::Parameter* parameter = actuator::find_parameter(assignment.name);
   if (parameter == nullptr) {
     std::vector<std::string> names{"configuration"};
     for (const actuator::Parameter& known : actuator::parameters()) names.emplace_back(known.name);
+    for (const actuator::Effect& effect : design.effects)
+      for (std::size_t i = 0; i < effect.values.size(); ++i) names.push_back(effect_number_name(effect, i));
     throw argument_error(text, "is not a number of a design" + did_you_mean(assignment.name, names));
   }
   if (parameter->section != "surroundings") require_corrected_geometry(design, text);

@@ -143,7 +143,7 @@ std::vector<std::string> differences_for_reuse(const Contents& found, const Cont
   if (found.physics.actuator != asked.physics.actuator) out.emplace_back("another actuator");
   if (found.physics.operation != asked.physics.operation) out.emplace_back("another operating point");
   if (found.physics.systems != asked.physics.systems)
-    out.emplace_back("another study of what is built from the actuator (gripper, crawler, spread)");
+    out.emplace_back("another study of what is built from the actuator (gripper, crawler, driver, spread)");
   const std::set<std::string> known = names_of(found, Role::variable), wanted = names_of(asked, Role::variable);
   if (known != wanted)
     out.push_back(fmt::format("variables {}, not {}", fmt::join(known, ", "), fmt::join(wanted, ", ")));

@@ -50,7 +50,7 @@ struct ObjectiveCount {
 struct StudyInput {
   sizing::Study study;
   Provenance provenance;
-  bool builds_a_system{};  ///< a gripper or a crawler
+  bool builds_a_system{};  ///< a gripper, a crawler or a driver
 };
 
 /// The study with what the command line changes, and its options in its `search`. Throws InputError, also when it has

@@ -46,7 +46,7 @@ void require_settings(const sizing::Study& study, const YieldCommandOptions& opt
   for (const sizing::StudyVariable& variable : study.variables) {
     if (!std::holds_alternative<sizing::SettingVariable>(variable)) continue;
     const std::string name = name_of(variable);
-    const std::string pointer = "/" + name.substr(0, name.find('_')) + "/" + name.substr(name.find('_') + 1);
+    const std::string pointer = formats::block_pointer(name).value();
     const bool is_given = std::ranges::any_of(options.changes, [&](const std::string& change) {
       return change.starts_with(name + "=") || change.starts_with(pointer + "=");
     });
@@ -60,6 +60,14 @@ void require_settings(const sizing::Study& study, const YieldCommandOptions& opt
   }
 }
 
+// Of a study that says itself which current flows.
+std::string way_to_another_current(const sizing::Study& study) {
+  if (std::holds_alternative<sizing::DrivenCurrent>(study.current))
+    return "another cell drives another one: --set crawler_cell_voltage_V=VALUE";
+  const bool is_share = std::holds_alternative<sizing::ShareOfLimit>(study.current);
+  return fmt::format("--set /operating_point/{}=VALUE changes it", is_share ? "share_of_current_limit" : "current_A");
+}
+
 // Whatever the study varies stands still: its actuator is the one given, at the current that its file states.
 sizing::Study study_of_one(const YieldCommandOptions& options) {
   require_names_once(options.changes);
@@ -67,18 +75,12 @@ sizing::Study study_of_one(const YieldCommandOptions& options) {
   const text::InputText file = text::read_text(options.study, text::json_size_limit);
   std::vector<std::string> of_study;
   std::vector<std::string> of_actuator;
-  for (const std::string& change : options.changes)
-    (change.starts_with('/') ? of_study : of_actuator).push_back(change);
   // What a block's variable is, no actuator's file says: "driver_voltage_V=8" is /driver/voltage_V=8 of the study.
-  const auto take_setting = [&](const std::string& change) {
-    for (const std::string block : {"gripper", "crawler", "driver"})
-      if (change.starts_with(block + "_")) {
-        of_study.push_back("/" + block + "/" + change.substr(block.size() + 1));
-        return true;
-      }
-    return false;
-  };
-  std::erase_if(of_actuator, take_setting);
+  for (const std::string& change : options.changes)
+    if (const std::optional<std::string> of_block = formats::block_pointer(change))
+      of_study.push_back(*of_block);
+    else
+      (change.starts_with('/') ? of_study : of_actuator).push_back(change);
   sizing::Study study = formats::parse_study(file.text, file.file, {.actuator = &actuator}, of_study);
   require_settings(study, options);
   for (const std::string& change : of_actuator) study.base = formats::with_assignment(std::move(study.base), change);
@@ -88,7 +90,8 @@ sizing::Study study_of_one(const YieldCommandOptions& options) {
                                     "the design"});
   if (!std::holds_alternative<sizing::VariedCurrent>(study.current)) {
     if (options.current)
-      throw text::argument_error("--current-A", "must not be given: the study itself says which current flows");
+      throw text::argument_error("--current-A", "must not be given: the study itself says which current flows; " +
+                                                    way_to_another_current(study));
     return study;
   }
   const formats::ActuatorFile given = formats::parse_actuator(actuator.text, actuator.file);

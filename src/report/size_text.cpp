@@ -72,7 +72,7 @@ std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
     return each.name.find("driver_") != std::string::npos;
   });
   if (is_driven || std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
-  static constexpr systems::DriverTask usual{.voltage = 24.0, .switch_resistance = 0.565};  // as `drive` has it
+  static constexpr systems::DriverTask usual{.voltage = 24.0};
   const simulation::QuantityTable of_driver(
       systems::driver_quantities([](const simulation::Settings&) { return usual; }));
   const std::optional<double> heat = of_driver.at("driver_ripple_heat_pct").value(best.view());

@@ -99,7 +99,7 @@ TEST(DifferencesForReuse, SayWhatDoesNotMatch) {
   asked.physics = {.actuator = "b", .operation = "p", .systems = "q"};
   EXPECT_THAT(differences_for_reuse(found, asked),
               ElementsAre("another actuator", "another operating point",
-                          "another study of what is built from the actuator (gripper, crawler, spread)",
+                          "another study of what is built from the actuator (gripper, crawler, driver, spread)",
                           "variables configuration, gap_mm, turns_radial, wire_gauge_AWG, not configuration, gap_mm, "
                           "turns_radial",
                           "no quantity mine as this study has it"));

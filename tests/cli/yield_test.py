@@ -98,7 +98,7 @@ class Spread(ProgramTest):
         write_study(self, **{**ROBUST, "spread": {**SPREAD["spread"], "gap_mm": {"sd": 0.1}}})
         result = run("size", "study.json", "--out", "two", "--reuse", "one", cwd=self.folder)
         self.assertEqual(result.returncode, 2)
-        self.assertIn("another study of what is built from the actuator (gripper, crawler, spread)", result.stderr)
+        self.assertIn("another study of what is built from the actuator (gripper, crawler, driver, spread)", result.stderr)
 
     def test_the_same_bytes_on_any_number_of_threads(self):
         write_study(self, **ROBUST)
@@ -120,7 +120,8 @@ class Yield(ProgramTest):
         write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[
             {"quantity": "current_A", "at_most": 1.2}, {"quantity": "p95_mass_g", "at_most": evaluated["mass_g"] * 1.2}])
         answer = self.answer("--builds", "2000")
-        self.assertEqual(answer["builds"], 2000)
+        self.assertEqual((answer["builds"], answer["not_built"]), (2000, 0))
+        self.assertTrue(all(isinstance(answer[count], int) for count in ("builds", "not_built")), answer)
         of = {row["quantity"]: row for row in answer["quantities"]}
         self.assertEqual(set(of), {"peak_bending_speed_deg_s", "current_A", "mass_g"})
         self.assertAlmostEqual(of["mass_g"]["nominal"], evaluated["mass_g"], places=9)
@@ -176,7 +177,14 @@ class Yield(ProgramTest):
                             'study.json: needs the block "spread" ({"parts": "usual"}): without one every build is the design')
         write_study(self, **SPREAD, operating_point={"current_A": 1.2})
         self.assert_refused(["yield", "study.json", "finger.json", "--current-A", "1"],
-                            "--current-A: must not be given: the study itself says which current flows")
+                            "--current-A: must not be given: the study itself says which current flows; "
+                            "--set /operating_point/current_A=VALUE changes it")
+        write_study(self, **SPREAD)
+        self.assert_refused(["yield", "study.json", "finger.json", "--current-A", "1"],
+                            "--current-A: must not be given: the study itself says which current flows; "
+                            "--set /operating_point/share_of_current_limit=VALUE changes it")
+        self.assert_refused(["yield", "study.json", "finger.json", "--set", "driver_voltage_V=8"],
+                            '/driver/voltage_V=8: must be of a block that the study has: it has no "driver"')
         write_study(self, **SPREAD, operating_point=None, variables={"current_A": {"lower": 0.5, "upper": 1}})
         result = run("yield", "study.json", "finger.json", "--current-A", "0.7", "--builds", "10", "--set", "gap_mm=1", "--json",
                      cwd=self.folder)

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "coilwright/drive/driver.hpp"
 #include "coilwright/simulation/quantity.hpp"
 
 namespace coilwright::systems {
@@ -13,11 +14,12 @@ struct DriverTask {
   /// What switches.
   enum class Kind { h_bridge, cell };
   Kind kind{};
-  double voltage{};            ///< of the open circuit, V; finite, > 0
-  double resistance{};         ///< inside, with leads, ohm; finite, >= 0
-  double frequency = 490.0;    ///< of the pulses, Hz; finite, > 0
-  double most_current = 3.6;   ///< that bridge or cell bears, of all coils, A; finite, > 0
-  double switch_resistance{};  ///< of all switches that the current passes while on, ohm; finite, >= 0
+  double voltage{};           ///< of the open circuit, V; finite, > 0
+  double resistance{};        ///< inside, with leads, ohm; finite, >= 0
+  double frequency = 490.0;   ///< of the pulses, Hz; finite, > 0
+  double most_current = 3.6;  ///< that bridge or cell bears, of all coils, A; finite, > 0
+  /// Of all switches that the current passes while on, ohm; finite, >= 0.
+  double switch_resistance = drive::HBridge{}.high_resistance + drive::HBridge{}.low_resistance;
 };
 
 /// What such a driver has to do so that the mean current of the coil that carries most is the operating point's: its

@@ -72,12 +72,4 @@ SystemBlock read_crawler_block(const Node& node) {
   });
 }
 
-std::vector<std::string> crawler_quantity_names() {
-  std::vector<std::string> names;
-  for (const simulation::ResultQuantity& each :
-       systems::crawl_quantities([](const simulation::Settings&) { return CrawlTask{}; }))
-    names.push_back(each.name);
-  return names;
-}
-
 }  // namespace coilwright::formats

@@ -8,7 +8,4 @@ namespace coilwright::formats {
 /// in docs/formats.md.
 [[nodiscard]] SystemBlock read_crawler_block(const text::Node& node);
 
-/// Names of the quantities that the block brings.
-[[nodiscard]] std::vector<std::string> crawler_quantity_names();
-
 }  // namespace coilwright::formats

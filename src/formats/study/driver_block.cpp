@@ -10,8 +10,7 @@ using namespace text;
 using systems::DriverTask;
 using DriverNumber = BlockNumber<DriverTask>;
 
-constexpr double usual_bridge_switches = 0.565;  // ohm, a high and a low one of drive::HBridge
-constexpr double usual_cell_switch = 0.05;       // ohm, as `drive` takes it
+constexpr double usual_cell_switch = 0.05;  // ohm, as `drive` takes it
 
 std::vector<DriverNumber> driver_numbers() {
   constexpr auto required = DriverNumber::Presence::required;
@@ -41,22 +40,14 @@ SystemBlock read_driver_block(const Node& node) {
   return read_object(node, [](ObjectReader& in) {
     const auto kind = in.at("kind").choice<DriverTask::Kind>(
         {{"h_bridge", DriverTask::Kind::h_bridge}, {"cell", DriverTask::Kind::cell}});
-    DriverTask task{.kind = kind,
-                    .switch_resistance = kind == DriverTask::Kind::cell ? usual_cell_switch : usual_bridge_switches};
+    DriverTask task{.kind = kind};
+    if (kind == DriverTask::Kind::cell) task.switch_resistance = usual_cell_switch;
     const std::vector<DriverNumber> all = driver_numbers();
     read_numbers<DriverTask>(in, all, task);
     return SystemBlock{.quantities = systems::driver_quantities(task_by("driver", all, task)),
                        .variables = variables_of<DriverTask>("driver", all, task),
                        .require_suitable = require_one_current};
   });
-}
-
-std::vector<std::string> driver_quantity_names() {
-  std::vector<std::string> names;
-  for (const simulation::ResultQuantity& each :
-       systems::driver_quantities([](const simulation::Settings&) { return DriverTask{}; }))
-    names.push_back(each.name);
-  return names;
 }
 
 }  // namespace coilwright::formats

@@ -7,7 +7,4 @@ namespace coilwright::formats {
 /// The block "driver" of a study: the pulsed supply of its coils. Its keys are in docs/formats-study.md.
 [[nodiscard]] SystemBlock read_driver_block(const text::Node& node);
 
-/// Names of the quantities that the block brings.
-[[nodiscard]] std::vector<std::string> driver_quantity_names();
-
 }  // namespace coilwright::formats

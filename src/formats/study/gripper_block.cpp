@@ -83,12 +83,4 @@ SystemBlock read_gripper_block(const Node& node) {
   });
 }
 
-std::vector<std::string> gripper_quantity_names() {
-  std::vector<std::string> names;
-  for (const simulation::ResultQuantity& each :
-       systems::gripper::gripper_quantities([](const simulation::Settings&) { return GripperTask{}; }))
-    names.push_back(each.name);
-  return names;
-}
-
 }  // namespace coilwright::formats

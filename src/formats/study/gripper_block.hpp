@@ -7,7 +7,4 @@ namespace coilwright::formats {
 /// The block "gripper" of a study: how fingers are mounted and what they lift. Its keys are in docs/formats.md.
 [[nodiscard]] SystemBlock read_gripper_block(const text::Node& node);
 
-/// Names of the quantities that the block brings.
-[[nodiscard]] std::vector<std::string> gripper_quantity_names();
-
 }  // namespace coilwright::formats

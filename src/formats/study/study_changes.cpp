@@ -12,6 +12,7 @@
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
+#include "formats/study/study_blocks.hpp"
 
 namespace coilwright::formats {
 
@@ -25,6 +26,9 @@ text::PlainValue value_for(const text::Document& document, const text::NameAndVa
   if (assignment.name == "/actuator")
     throw text::argument_error(change, "must not be changed: a study of another actuator is another file");
   const auto steps = text::pointer_steps(assignment.name);
+  if (steps && !steps->empty() && is_block(steps->front()) && !document.root().find(steps->front()))
+    throw text::argument_error(change,
+                               fmt::format("must be of a block that the study has: it has no \"{}\"", steps->front()));
   const std::optional<text::Node> there = steps ? text::follow(document.root(), *steps) : std::nullopt;
   const bool is_truth = assignment.value == "true" || assignment.value == "false";
   if (there && there->kind() == Kind::boolean && !is_truth) throw text::argument_error(change, "must be true or false");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -68,6 +69,15 @@ struct SystemBlock {
   /// Its drive, for a study whose current follows from it; empty if it has none.
   sizing::DrivenCurrent driven{};
 };
+
+/// Names of what the function of quantities of a block gives, whatever its task.
+template <class Task, auto Quantities>
+[[nodiscard]] std::vector<std::string> names_of_quantities() {
+  std::vector<std::string> names;
+  for (const simulation::ResultQuantity& each : Quantities([](const simulation::Settings&) { return Task{}; }))
+    names.push_back(each.name);
+  return names;
+}
 
 /// Above zero, and within what any hardware has.
 constexpr text::Rule up_to(double most) {

@@ -10,9 +10,7 @@
 
 #include "coilwright/sizing/study/expression.hpp"
 #include "coilwright/text/spelling.hpp"
-#include "formats/study/crawler_block.hpp"
-#include "formats/study/driver_block.hpp"
-#include "formats/study/gripper_block.hpp"
+#include "formats/study/study_blocks.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -33,11 +31,8 @@ std::string nearest_quantity(std::string_view name, const QuantityTable& quantit
 
 // A name that a block would bring which the study does not have.
 void refuse_without_block(const Node& node, const std::string& name) {
-  for (const auto& [block, names] :
-       {std::pair{"gripper", gripper_quantity_names()}, std::pair{"crawler", crawler_quantity_names()},
-        std::pair{"driver", driver_quantity_names()}})
-    if (std::ranges::count(names, name) > 0)
-      throw node.error(fmt::format("needs the block \"{}\" in the study", block));
+  if (const auto block = block_of_quantity(name))
+    throw node.error(fmt::format("needs the block \"{}\" in the study", *block));
 }
 
 // The first name in an expression that is no quantity; nothing where there is none, or where it cannot be read.

@@ -44,8 +44,8 @@ Json to_json(const sizing::Yield& yield) {
                              {"first", indices_of(worth.first)},
                              {"total", indices_of(worth.total)},
                              {"keeps_all_at_half", json_of(worth.keeps_all)}}));
-  return Json::object({{"builds", static_cast<double>(yield.builds)},
-                       {"not_built", static_cast<double>(yield.not_built)},
+  return Json::object({{"builds", yield.builds},
+                       {"not_built", yield.not_built},
                        {"keeps_all", json_of(yield.keeps_all)},
                        {"quantities", std::move(quantities)},
                        {"scatters", std::move(worths)}});

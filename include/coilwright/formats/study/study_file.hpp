@@ -17,6 +17,11 @@ namespace coilwright::formats {
 /// ("gap_mm=1.2", see with_assignment()), or of the study's file by its JSON pointer ("/search/seed=3").
 using StudyChanges = std::vector<std::string>;
 
+/// Where a study's file has the number of a block that its variables and results call by that name: "/driver/voltage_V"
+/// of "driver_voltage_V", and "/driver/voltage_V=8" of an assignment to it; nothing for a name that begins like no
+/// block's.
+[[nodiscard]] std::optional<std::string> block_pointer(std::string_view name);
+
 /// Reads a study (`"format": "study/1"`) and the actuator it names, whose path counts from the study's folder. Keys are
 /// in docs/formats.md. Throws InputError, also for what contradicts itself: a bound that crosses another, a limit that
 /// no value can meet together with another one, a current that is both fixed and varied.
@@ -42,7 +47,7 @@ struct StudyFile {
   sizing::Study study;
   std::filesystem::path actuator;                  ///< the file of its own actuator
   std::optional<std::filesystem::path> posterior;  ///< the diagnosis of its spread; nothing: it has none
-  bool builds_a_system{};                          ///< it has a block "gripper" or "crawler"
+  bool builds_a_system{};                          ///< it has a block "gripper", "crawler" or "driver"
 };
 
 /// The same with that.

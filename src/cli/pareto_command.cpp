@@ -40,7 +40,7 @@ ExitCode run_pareto(const StudyOptions& options) {
     return sizing::pareto(archive.study().problem(), search);
   }();
   const std::vector<sizing::BrokenPartLimit> broken =
-      sizing::broken_part_limits(evaluated_again(problem, result.front));
+      sizing::broken_part_limits(problem.study(), evaluated_again(problem, result.front));
   const std::vector<sizing::Record> records = result.archive.records();
   archive.write_results([&] {
     formats::write_front(folder.open("front.csv"), study, result.front);

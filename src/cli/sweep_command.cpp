@@ -94,7 +94,7 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   }();
   const std::vector<sizing::Leader> best = leaders.all();
   const std::vector<sizing::BrokenPartLimit> broken =
-      sizing::broken_part_limits(evaluated_again(problem, sizing::feasible_designs(best)));
+      sizing::broken_part_limits(problem.study(), evaluated_again(problem, sizing::feasible_designs(best)));
   const formats::SweepReport answer{.study = study,
                                     .designs = count,
                                     .evaluated = made,

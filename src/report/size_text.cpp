@@ -15,6 +15,7 @@
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "coilwright/simulation/part_limits.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/systems/driver_quantities.hpp"
 #include "report/assumptions_text.hpp"
 #include "report/design_text.hpp"
@@ -66,12 +67,20 @@ std::string variables_text(const formats::SizeReport& report) {
   return table.text(2, {TextTable::Align::left, TextTable::Align::right});
 }
 
-// What the pulses of the usual driver would add to a current that the study takes as steady.
+// What the pulses of the study's driver add, or those of the usual one to a current that the study takes as steady.
 std::string pulses_line(const Study& study, const EvaluatedDesign& best) {
-  const bool is_driven = std::ranges::any_of(study.quantities, [](const simulation::ResultQuantity& each) {
-    return each.name.find("driver_") != std::string::npos;
-  });
-  if (is_driven || std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
+  if (study.driver) {
+    const auto text = [&best](const simulation::ResultQuantity& quantity) {
+      const std::optional<double> value = quantity.value(best.view());
+      return value ? fmt::format("{:.3g}", *value) : std::string("no");
+    };
+    return fmt::format(
+        "by its driver, on for {} of a period: the ripple makes {} % more heat, of which temperatures and thermal_load "
+        "know nothing; {} with it is {}\n",
+        text(study.driver->duty), text(study.driver->ripple_heat), study.driver->thermal_load.name,
+        text(study.driver->thermal_load));
+  }
+  if (std::holds_alternative<DrivenCurrent>(study.current) || !has_one_current(best.design)) return {};
   static constexpr systems::DriverTask usual{.voltage = 24.0};
   const simulation::QuantityTable of_driver(
       systems::driver_quantities([](const simulation::Settings&) { return usual; }));
@@ -118,6 +127,8 @@ std::string parts_text(const formats::SizeReport& report) {
   const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
   if (evaluated == nullptr) return {};
   std::vector<simulation::PartLimit> broken = simulation::broken_part_limits(evaluated->view());
+  if (auto pulses = limit_of_pulses(report.study, *evaluated); pulses && pulses->is_broken())
+    broken.push_back(std::move(*pulses));
   std::erase_if(broken, [&](const simulation::PartLimit& each) {
     return !report.result.feasible && std::ranges::any_of(report.study.limits, [&](const Limit& limit) {
       return limit.quantity.name == each.quantity;

@@ -77,7 +77,9 @@ std::string halves_text(const sizing::Yield& yield) {
 std::string to_text(const sizing::Yield& yield) {
   std::string out =
       fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
-  if (yield.not_built > 0) out += fmt::format("{} could not be built, or have no performance\n", yield.not_built);
+  if (yield.not_built > 0)
+    out += fmt::format("{} could not be built, have no performance, or a driver that cannot give the current\n",
+                       yield.not_built);
   out += "\n" + quantities_text(yield);
   if (yield.worths.empty()) return out;
   for (std::size_t i = 0; i < yield.quantities.size(); ++i)

@@ -45,14 +45,19 @@ struct DriverAnswer {
   double most_current{};        // mean of a coil that is to be had, A
   drive::SteadyCurrent cold{};  // of the driver at that mean current
   double peak_over_limit{};
-  std::optional<NoValue> out_of_reach{};  // why nothing but most_current is known
 };
 using Driven = std::variant<DriverAnswer, NoValue>;
 
 Driven answer_of(const Task& task, const DesignView& design) {
   const double wanted = std::abs(design.point.current);
-  const auto& nodes = design.performance.free.heat.temperatures;
-  if (nodes.size() == 0) return NoValue{.reason = "its coils have no steady temperature"};
+  const bool only_gripping = design.point.cases == actuator::HeldCases::gripping;
+  const simulation::Heat& heat = only_gripping ? design.performance.gripping.heat : design.performance.free.heat;
+  const auto& nodes = heat.temperatures;
+  if (nodes.size() == 0)
+    return NoValue{.reason = fmt::format("the driver cannot hold the current, at which the coils have no steady "
+                                         "temperature: lower current_A or duty; got {:.4g} A",
+                                         wanted),
+                   .infeasibility = wanted * std::sqrt(design.point.duty) / heat.runaway_current};
   const std::vector<int> places = actuator::coil_places(design.design.layout);
   Eigen::VectorXd warm(static_cast<Eigen::Index>(places.size()));
   for (Eigen::Index i = 0; i < warm.size(); ++i) warm[i] = nodes[places[static_cast<std::size_t>(i)]];
@@ -64,11 +69,12 @@ Driven answer_of(const Task& task, const DesignView& design) {
   const drive::ReducedBank warm_bank = bank_at(design, warm);
   DriverAnswer out{.most_current = at_full(warm_bank)};
   if (wanted == 0.0) return out;
-  if (wanted > out.most_current) {
-    out.out_of_reach = NoValue{.reason = fmt::format("the driver gives a coil {:.4g} A at most", out.most_current),
-                               .infeasibility = wanted / out.most_current - 1.0};
-    return out;
-  }
+  if (wanted > out.most_current)
+    return NoValue{
+        .reason = fmt::format("the driver cannot give the current: raise driver.voltage_V or lower current_A; "
+                              "got {:.4g} A in a coil at most, warm, of {:.4g} A",
+                              out.most_current, wanted),
+        .infeasibility = wanted / out.most_current - 1.0};
   const auto setting = [&](const drive::ReducedBank& bank) {
     return duty_for_mean(bank.circuit, driver, task.frequency, wanted / bank.shares.maxCoeff());
   };
@@ -98,32 +104,27 @@ double heat_ratio(const drive::SteadyCurrent& current) {
 std::vector<ResultQuantity> driver_quantities(const std::function<Task(const simulation::Settings&)>& task) {
   const SharedResult<Driven> result([task](const DesignView& design) { return tried(task, design); });
   const auto row = [&result](std::string name, std::string meaning, double scale,
-                             std::optional<double> (*value)(const DriverAnswer&, const DesignView&),
-                             bool always = false) {
-    return ResultQuantity{
-        .name = std::move(name),
-        .meaning = std::move(meaning),
-        .scale = scale,
-        .value = [result, value, always](const DesignView& design) -> std::optional<double> {
-          const auto found = result.of(design);
-          const auto* done = std::get_if<DriverAnswer>(found.get());
-          if (done == nullptr || (done->out_of_reach && !always)) return std::nullopt;
-          return value(*done, design);
-        },
-        .absence = "the driver cannot drive this current",
-        .pose = actuator::HeldCases::free,
-        .why_absent = [result](const DesignView& design) -> NoValue {
-          const auto found = result.of(design);
-          if (const auto* none = std::get_if<NoValue>(found.get())) return *none;
-          return std::get<DriverAnswer>(*found).out_of_reach.value_or(NoValue{.reason = "it is not finite"});
-        }};
+                             std::optional<double> (*value)(const DriverAnswer&, const DesignView&)) {
+    return ResultQuantity{.name = std::move(name),
+                          .meaning = std::move(meaning),
+                          .scale = scale,
+                          .value = [result, value](const DesignView& design) -> std::optional<double> {
+                            const auto found = result.of(design);
+                            const auto* done = std::get_if<DriverAnswer>(found.get());
+                            return done == nullptr ? std::nullopt : value(*done, design);
+                          },
+                          .absence = "the driver cannot drive this current",
+                          .why_absent = [result](const DesignView& design) -> NoValue {
+                            const auto found = result.of(design);
+                            const auto* none = std::get_if<NoValue>(found.get());
+                            return none == nullptr ? NoValue{.reason = "it is not finite"} : *none;
+                          }};
   };
   using Value = std::optional<double>;
   return {row("driver_duty", "share of a period that is switched on for the current as a mean, coils warm", 1.0,
               [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.duty; }),
-          row(
-              "driver_most_current_A", "mean current of a coil with the switch closed for good, coils warm", 1.0,
-              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.most_current; }, true),
+          row("driver_most_current_A", "mean current of a coil with the switch closed for good, coils warm", 1.0,
+              [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.most_current; }),
           row("driver_peak_A", "largest current of the driver, coils at 20 degC", 1.0,
               [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.cold.peak; }),
           row("driver_peak_over_limit", "that over the most that bridge or cell bears", 1.0,

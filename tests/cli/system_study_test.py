@@ -141,6 +141,22 @@ class SystemStudy(ProgramTest):
         self.assertEqual(result.returncode, 3)
         self.assertIn("crawl_speed_mm_s has no value: cell: the current of a pulse,", result.stdout)
 
+    def test_size_says_what_pulses_add_to_a_limit_that_knows_nothing_of_them(self):
+        driver = {"kind": "h_bridge", "voltage_V": 24, "frequency_Hz": 490}
+        answer = self.study(driver=driver, operating_point={"current_A": 0.8}, variables={"gap_mm": {"values": [0.9, 1]}},
+                            constraints=[{"quantity": "thermal_load", "at_most": 1}])
+        self.assertTrue(answer["feasible"])
+        limit = {row["quantity"]: row for row in answer["part_limits"]}["driver_thermal_load"]
+        self.assertGreater(limit["value"], 1)
+        text = run("size", "study.json", "--out", "out", "--force", cwd=self.folder).stdout
+        self.assertRegex(text, r"by its driver, on for 0\.\d+ of a period: the ripple makes \d+ % more heat")
+        self.assertIn('{"quantity": "driver_thermal_load", "at_most": 1}', text)
+        write_study(self, driver={**driver, "voltage_V": 2}, operating_point={"current_A": 0.8}, variables={"gap_mm": {"values": [0.9, 1]}},
+                    constraints=None)
+        result = run("size", "study.json", "--out", "weak", cwd=self.folder)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("the driver cannot give the current: raise driver.voltage_V or lower current_A; got 0.", result.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -148,12 +148,23 @@ class Yield(ProgramTest):
                             "the study varies it, and no actuator's file says what it is")
         duty = {volts: self.answer("--builds", "20", "--set", f"driver_voltage_V={volts}")["quantities"][0]["nominal"] for volts in (8, 24)}
         self.assertAlmostEqual(duty[8] / duty[24], 3, delta=0.15)
+        result = run("yield", "study.json", "finger.json", "--set", "driver_voltage_V=2", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("finger.json: the driver cannot give the current: raise driver.voltage_V or lower current_A; got 0.", result.stderr)
         write_study(self, **{**driven, "spread": {"driver_voltage_V": {"sd": 20}}})
         self.assert_refused(["size", "study.json", "--out", "out"], "study.json: /spread/driver_voltage_V: would make driver_voltage_V -49 in one of "
                             "10,000 builds of the study's own actuator (24): give less, or a relative_sd")
         write_study(self, **{**driven, "spread": {"driver_resistance_Ohm": {"relative_sd": 0.1}}})
         self.assert_refused(["size", "study.json", "--out", "out"], "study.json: /spread/driver_resistance_Ohm: scatters nothing: driver_resistance_Ohm "
                             "is 0, and so is any share of it")
+
+    def test_a_build_whose_driver_cannot_give_the_current_keeps_nothing(self):
+        write_study(self, driver={"kind": "h_bridge", "voltage_V": 12, "frequency_Hz": 490}, operating_point={"current_A": 1},
+                    spread={"driver_voltage_V": {"uniform": [-11.5, 1]}}, constraints=[])
+        answer = self.answer("--builds", "200")
+        self.assertGreater(answer["not_built"], 20)
+        self.assertAlmostEqual(answer["keeps_all"]["share"], 1 - answer["not_built"] / 200, places=12)
+        self.assertEqual([row["quantity"] for row in answer["quantities"]], ["peak_bending_speed_deg_s", "driver_thermal_load"])
 
     def test_a_limit_on_a_deviation_is_of_no_build(self):
         write_study(self, **SPREAD, operating_point={"current_A": 1.2}, constraints=[{"quantity": "sd_mass_g", "at_most": 0.5}])

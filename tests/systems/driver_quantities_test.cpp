@@ -61,9 +61,36 @@ TEST_F(DriverQuantities, SayWhatTheDriverCannotGive) {
   const simulation::ResultQuantity& duty = table.at("driver_duty");
   EXPECT_FALSE(duty.value(design.view()));
   const simulation::NoValue why = duty.why_absent(design.view());
-  EXPECT_EQ(why.reason.find("the driver gives a coil 0.456 A"), 0u) << why.reason;
-  EXPECT_GT(why.infeasibility, 0.5);
-  EXPECT_NEAR(value(task, "driver_most_current_A"), 0.456, 5e-4);
+  EXPECT_EQ(why.reason,
+            "the driver cannot give the current: raise driver.voltage_V or lower current_A; got 0.456 A in a coil at "
+            "most, warm, of 1 A");
+  EXPECT_NEAR(why.infeasibility, 1.0 / 0.456 - 1.0, 5e-3);
+  EXPECT_FALSE(table.at("driver_most_current_A").value(design.view()));
+}
+
+// No voltage holds a current for good whose coils warm without end.
+TEST_F(DriverQuantities, SayThatTheCoilsRunAway) {
+  const double beyond = 1.2 * design.performance.free.heat.runaway_current;
+  design = simulation::evaluate(validation::paper_finger(), {.current = beyond});
+  const simulation::QuantityTable table = table_of(bridge());
+  const simulation::ResultQuantity& duty = table.at("driver_duty");
+  EXPECT_FALSE(duty.value(design.view()));
+  const simulation::NoValue why = duty.why_absent(design.view());
+  EXPECT_EQ(why.reason.find("the driver cannot hold the current, at which the coils have no steady temperature"), 0u)
+      << why.reason;
+  EXPECT_GT(why.infeasibility, 1.0);
+}
+
+// Coils in the grip are as warm as the grip makes them.
+TEST_F(DriverQuantities, AreOfThePoseThatIsHeld) {
+  const auto resistance = [](const simulation::Heat& heat) { return heat.electrics.resistance.value(); };
+  const double free = value(bridge(), "driver_most_current_A");
+  const double ratio = (2.0 * 0.565 + resistance(design.performance.free.heat)) /
+                       (2.0 * 0.565 + resistance(design.performance.gripping.heat));
+  design = simulation::evaluate(validation::paper_finger(),
+                                {.current = 1.0, .duty = 0.6, .cases = actuator::HeldCases::gripping});
+  // The coils of a finger are not all as warm as the hottest.
+  EXPECT_NEAR(value(bridge(), "driver_most_current_A"), free * ratio, 5e-3 * free);
 }
 
 // A design that is not driven needs nothing of its driver.

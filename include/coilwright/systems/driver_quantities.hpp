@@ -23,9 +23,10 @@ struct DriverTask {
 };
 
 /// What such a driver has to do so that the mean current of the coil that carries most is the operating point's: its
-/// duty with the coils as warm as the free finger makes them, its ripple and peaks with coils at 20 degC, where they
-/// are largest. For studies: objectives, limits, expressions and columns. `task` gives that of one design, whose
-/// settings may vary; it must be pure. All coils hang on the driver as the operating point's wiring says.
+/// duty with the coils as warm as the free finger makes them (the gripping one where that alone is held), its ripple
+/// and peaks with coils at 20 degC, where they are largest. Where it cannot give that current none has a value. For
+/// studies: objectives, limits, expressions and columns. `task` gives that of one design, whose settings may vary; it
+/// must be pure. All coils hang on the driver as the operating point's wiring says.
 [[nodiscard]] std::vector<simulation::ResultQuantity> driver_quantities(
     const std::function<DriverTask(const simulation::Settings&)>& task);
 

@@ -44,9 +44,14 @@ SystemBlock read_driver_block(const Node& node) {
     if (kind == DriverTask::Kind::cell) task.switch_resistance = usual_cell_switch;
     const std::vector<DriverNumber> all = driver_numbers();
     read_numbers<DriverTask>(in, all, task);
-    return SystemBlock{.quantities = systems::driver_quantities(task_by("driver", all, task)),
+    std::vector<simulation::ResultQuantity> quantities = systems::driver_quantities(task_by("driver", all, task));
+    const simulation::QuantityTable table(quantities);
+    return SystemBlock{.quantities = std::move(quantities),
                        .variables = variables_of<DriverTask>("driver", all, task),
-                       .require_suitable = require_one_current};
+                       .require_suitable = require_one_current,
+                       .driver = sizing::StudyDriver{.duty = table.at("driver_duty"),
+                                                     .ripple_heat = table.at("driver_ripple_heat_pct"),
+                                                     .thermal_load = table.at("driver_thermal_load")}};
   });
 }
 

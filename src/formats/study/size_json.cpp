@@ -152,7 +152,9 @@ Json to_json(const SizeReport& report) {
       .set("assumptions_left", report.assumptions_left);
   out.set("measure_first", measure_first(report));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
-  const auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
+  auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
+  if (auto pulses = evaluated ? limit_of_pulses(report.study, *evaluated) : std::nullopt)
+    limits.push_back(std::move(*pulses));
   out.set("part_limits", to_json(limits));
   out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
   return out;

@@ -164,6 +164,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     study.name = in.text("name");
     (void)in.text_or("description", "");
     const Blocks blocks = read_blocks(in);
+    if (const auto driver = blocks.find("driver"); driver != blocks.end()) study.driver = driver->second.driver;
     study.variables = read_variables(in.at("variables"), variables_of(blocks));
     // Only a current that varies leaves nothing to say.
     const auto operation = varies_current(study) ? in.find("operating_point") : in.at("operating_point");
@@ -173,6 +174,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
     if (const auto spread = in.find("spread")) {
       study.spread = read_spread(*spread, variables_of(blocks), texts.posterior);
       if (const auto* driven = std::get_if<DrivenCurrent>(&study.current)) study.spread->driven = *driven;
+      study.spread->driver = study.driver;
       wanted.spread.emplace(*study.spread);
     }
     study.objectives = read_objectives(in.at("objectives"), wanted);

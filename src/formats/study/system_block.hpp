@@ -68,6 +68,7 @@ struct SystemBlock {
   std::function<void(const actuator::Design&)> require_suitable;
   /// Its drive, for a study whose current follows from it; empty if it has none.
   sizing::DrivenCurrent driven{};
+  std::optional<sizing::StudyDriver> driver{};  ///< of the block of one
 };
 
 /// Names of what the function of quantities of a block gives, whatever its task.

@@ -149,14 +149,16 @@ simulation::Settings DesignProblem::settings_at(std::span<const double> point) c
 }
 
 DesignResult DesignProblem::evaluate(std::span<const double> point) const {
-  return evaluate_design(design_at(point), settings_at(point), [&](const auto&... of) {
-    return operating_of(study(), of..., varied_current(study(), point).value_or(0.0));
-  });
+  return evaluate_design(
+      design_at(point), settings_at(point),
+      [&](const auto&... of) { return operating_of(study(), of..., varied_current(study(), point).value_or(0.0)); },
+      study().driver);
 }
 
 DesignResult DesignProblem::evaluate_base() const {
   const auto at = [this](double current) {
-    return evaluate_design(study().base, {}, [&](const auto&... of) { return operating_of(study(), of..., current); });
+    return evaluate_design(
+        study().base, {}, [&](const auto&... of) { return operating_of(study(), of..., current); }, study().driver);
   };
   const auto varied = std::ranges::find_if(
       study().variables, [](const StudyVariable& v) { return std::holds_alternative<CurrentVariable>(v); });

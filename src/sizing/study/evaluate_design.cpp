@@ -14,7 +14,7 @@ NotEvaluated not_buildable(const actuator::ConstructionFaults& faults) {
 }
 
 DesignResult evaluate_buildable(actuator::Design design, simulation::Settings settings,
-                                const OperatingPointOf& operating_point) {
+                                const OperatingPointOf& operating_point, const std::optional<StudyDriver>& driver) {
   std::variant<actuator::Assembly, actuator::ConstructionFaults> assembled = actuator::assemble(design);
   if (const auto* faults = std::get_if<actuator::ConstructionFaults>(&assembled)) return not_buildable(*faults);
   actuator::Assembly assembly = std::get<actuator::Assembly>(std::move(assembled));
@@ -23,19 +23,24 @@ DesignResult evaluate_buildable(actuator::Design design, simulation::Settings se
       simulation::performance_of(design, assembly, operating);
   if (const auto* none = std::get_if<simulation::NoPerformance>(&performance))
     return NotEvaluated{.reason = none->reason, .infeasibility = 1.0};
-  return EvaluatedDesign{.design = std::move(design),
-                         .assembly = std::move(assembly),
-                         .point = operating,
-                         .performance = std::get<simulation::Performance>(std::move(performance)),
-                         .settings = std::move(settings)};
+  EvaluatedDesign out{.design = std::move(design),
+                      .assembly = std::move(assembly),
+                      .point = operating,
+                      .performance = std::get<simulation::Performance>(std::move(performance)),
+                      .settings = std::move(settings)};
+  if (driver && !driver->duty.value(out.view())) {
+    simulation::NoValue why = driver->duty.why_absent(out.view());
+    return NotEvaluated{.reason = std::move(why.reason), .infeasibility = why.infeasibility};
+  }
+  return out;
 }
 
 }  // namespace
 
 DesignResult evaluate_design(actuator::Design design, simulation::Settings settings,
-                             const OperatingPointOf& operating_point) {
+                             const OperatingPointOf& operating_point, const std::optional<StudyDriver>& driver) {
   try {
-    return evaluate_buildable(std::move(design), std::move(settings), operating_point);
+    return evaluate_buildable(std::move(design), std::move(settings), operating_point, driver);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& failure) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "coilwright/sizing/study/design_problem.hpp"
 
@@ -11,8 +12,10 @@ using OperatingPointOf = std::function<actuator::OperatingPoint(const actuator::
                                                                 const simulation::Settings&)>;
 
 /// A design with its performance, or why it has none: also where a design far outside all hardware breaks a rule of the
-/// physics rooms that assemble() does not name, or an interpolation fails. The search goes on then.
+/// physics rooms that assemble() does not name, or an interpolation fails, and where `driver` cannot give the current.
+/// The search goes on then.
 [[nodiscard]] DesignResult evaluate_design(actuator::Design design, simulation::Settings settings,
-                                           const OperatingPointOf& operating_point);
+                                           const OperatingPointOf& operating_point,
+                                           const std::optional<StudyDriver>& driver);
 
 }  // namespace coilwright::sizing

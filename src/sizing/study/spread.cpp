@@ -243,15 +243,17 @@ DesignResult built(const Spread& spread, const simulation::DesignView& design, s
           units::to_memory(displaced(units::from_memory(value, scatter.name), scatter, shares[i]), scatter.name));
     }
   }
-  return evaluate_design(std::move(other), std::move(settings),
-                         [&](const actuator::Design&, const actuator::Assembly& assembly, const auto& set) {
-                           if (spread.driven.drive) {
-                             const DrivenCurrent::Drive drive = spread.driven.drive(assembly, set);
-                             point.current = drive.current;
-                             point.duty = drive.duty;
-                           }
-                           return point;
-                         });
+  return evaluate_design(
+      std::move(other), std::move(settings),
+      [&](const actuator::Design&, const actuator::Assembly& assembly, const auto& set) {
+        if (spread.driven.drive) {
+          const DrivenCurrent::Drive drive = spread.driven.drive(assembly, set);
+          point.current = drive.current;
+          point.duty = drive.duty;
+        }
+        return point;
+      },
+      spread.driver);
 }
 
 std::optional<StatisticName> statistic_named(std::string_view name) {

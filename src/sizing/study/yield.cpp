@@ -35,6 +35,11 @@ std::vector<Asked> asked_of(const Study& study) {
     const bool of_each = !limit.of_build || !parts || parts->statistic.kind == Statistic::Kind::percentile;
     out.push_back({.quantity = &of_one_build(limit), .limit = of_each ? &limit : nullptr});
   }
+  // What no limit on another load or a temperature knows of.
+  if (study.driver && std::ranges::none_of(out, [&](const Asked& each) {
+        return each.quantity->name == study.driver->thermal_load.name;
+      }))
+    out.push_back({.quantity = &study.driver->thermal_load});
   return out;
 }
 
@@ -50,8 +55,9 @@ Share share_of(std::size_t met, std::size_t all) {
           .high = met == all ? 1.0 : Binomial::find_upper_bound_on_p(n, k, outside)};
 }
 
+// A design without something that is asked for counts as failed, whatever its limits.
 bool keeps(const Asked& asked, const std::optional<double>& value) {
-  return asked.limit == nullptr || (value && margin(*asked.limit, *value) >= 0.0);
+  return value && (asked.limit == nullptr || margin(*asked.limit, *value) >= 0.0);
 }
 
 std::size_t count_keeping_all(const std::vector<Asked>& asked, const Values& values) {

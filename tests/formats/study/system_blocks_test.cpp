@@ -7,6 +7,7 @@
 #include <string>
 
 #include "coilwright/formats/study/study_file.hpp"
+#include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 #include "temporary_folder.hpp"
 
@@ -83,6 +84,49 @@ TEST_F(SystemBlocks, OfACrawlerDriveTheActuator) {
   EXPECT_DOUBLE_EQ(design.point.current, 4.1 / (design.performance.coil_resistance + 2 * 0.12));
   EXPECT_DOUBLE_EQ(problem.problem().evaluate(std::vector{0.0}).objectives[0], 2.0 * design.point.current / 3.0);
   EXPECT_EQ(std::get<EvaluatedDesign>(problem.evaluate_base()).point.duty, 0.4);
+}
+
+const std::string weak_cell = R"("driver": {"kind": "cell", "voltage_V": 6, "resistance_Ohm": 1},
+                                 "operating_point": {"current_A": 0.5})";
+
+// Whether or not any quantity of the driver is asked for.
+TEST_F(SystemBlocks, OfADriverLeaveNoPerformanceToWhatItCannotDrive) {
+  const DesignProblem problem(parse(weak_cell + R"(, "variables": {"driver_voltage_V": {"values": [1, 6]}},
+    "objectives": [{"minimise": "mass_g"}])"));
+  const Evaluation weak = problem.problem().evaluate(std::vector{0.0});
+  EXPECT_EQ(weak.failure.find("the driver cannot give the current: raise driver.voltage_V or lower current_A; got 0."),
+            0u)
+      << weak.failure;
+  EXPECT_GT(weak.infeasibility, 0.0);
+  EXPECT_EQ(problem.problem().evaluate(std::vector{1.0}).failure, "");
+  EXPECT_TRUE(std::holds_alternative<EvaluatedDesign>(problem.evaluate_base()));
+}
+
+// Two of five builds have a cell that is too weak.
+TEST_F(SystemBlocks, OfADriverCountInEveryBuild) {
+  const auto failure = [this](const std::string& deviations) {
+    const DesignProblem problem(parse(weak_cell + R"(, "variables": {"gap_mm": {"values": [0.9]}},
+      "spread": {"driver_voltage_V": {"uniform": )" +
+                                      deviations + R"(}}, "objectives": [{"minimise": "p05_mass_g"}])"));
+    return problem.problem().evaluate(std::vector{0.0}).failure;
+  };
+  EXPECT_EQ(failure("[-0.5, 0.5]"), "");
+  EXPECT_EQ(failure("[-5.5, 1]"), "p05_mass_g has no value: it has none in too many builds of the spread");
+}
+
+// The ripple of slow pulses heats more than a limit on thermal_load knows.
+TEST_F(SystemBlocks, OfADriverHaveALimitOfTheirPulses) {
+  const auto limit = [this](const std::string& frequency) {
+    const DesignProblem problem(parse(R"("driver": {"kind": "h_bridge", "voltage_V": 24, "frequency_Hz": )" +
+                                      frequency +
+                                      R"(}, "operating_point": {"current_A": 0.5},
+      "variables": {"gap_mm": {"values": [0.9]}}, "objectives": [{"minimise": "mass_g"}])"));
+    const auto design = std::get<EvaluatedDesign>(problem.evaluate(std::vector{0.0}));
+    const double load = simulation::standard_quantities().at("thermal_load").value(design.view()).value();
+    return limit_of_pulses(problem.study(), design).value().value.value() / load;
+  };
+  EXPECT_NEAR(limit("200000"), 1.0, 1e-3);
+  EXPECT_GT(limit("100"), 1.5);
 }
 
 }  // namespace

@@ -1,14 +1,20 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
 
 namespace coilwright::sizing {
+
+/// The load of coils and magnets with the ripple of the study's driver, of which no other limit of a part knows;
+/// nothing without a driver.
+[[nodiscard]] std::optional<simulation::PartLimit> limit_of_pulses(const Study& study, const EvaluatedDesign& design);
 
 /// A limit of coils, magnets or wire that designs break, as no limit of their study forbids it.
 struct BrokenPartLimit {
@@ -18,7 +24,8 @@ struct BrokenPartLimit {
   std::size_t designs{};        ///< how many break it; > 0
 };
 
-/// Of the designs that an answer recommends, unconditional ones first; empty where all keep all.
-[[nodiscard]] std::vector<BrokenPartLimit> broken_part_limits(std::span<const DesignResult> designs);
+/// Of the designs that an answer to `study` recommends, unconditional ones first; empty where all keep all.
+[[nodiscard]] std::vector<BrokenPartLimit> broken_part_limits(const Study& study,
+                                                              std::span<const DesignResult> designs);
 
 }  // namespace coilwright::sizing

@@ -24,6 +24,15 @@ struct DrivenCurrent {
   std::function<Drive(const actuator::Assembly&, const simulation::Settings&)> drive;
 };
 
+/// The pulsed supply of the coils, as quantities of a design.
+struct StudyDriver {
+  /// Share of a period that it is on. Nothing, and why, where it cannot give the current: then the design cannot be
+  /// operated, and has no performance.
+  simulation::ResultQuantity duty;
+  simulation::ResultQuantity ripple_heat;   ///< heat of the coils beyond that of their mean current, %
+  simulation::ResultQuantity thermal_load;  ///< thermal_load with that heat, of which no other quantity knows
+};
+
 /// Deviations by the normal law of that standard deviation, cut off at 4 of them.
 struct NormalDeviation {
   double sd{};  ///< > 0
@@ -75,6 +84,7 @@ struct Spread {
   std::size_t draws = 32;                        ///< of which statistics of one design are made; >= 8
   /// Where the current follows from the built design; empty: it is that of the operating point.
   DrivenCurrent driven{};
+  std::optional<StudyDriver> driver{};  ///< that has to give the current of a build too; nothing: anything does
 };
 
 }  // namespace coilwright::sizing

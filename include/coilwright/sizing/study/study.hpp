@@ -150,6 +150,8 @@ struct Study {
   SearchOptions search;
   /// What builds differ by, where the study says so; its statistics are among the quantities.
   std::optional<Spread> spread{};
+  /// What pulses its current, where the study says so: no design has a performance whose current it cannot give.
+  std::optional<StudyDriver> driver{};
   /// All quantities that results list. Each is worked out for every design.
   simulation::QuantityTable quantities = simulation::standard_quantities();
 };

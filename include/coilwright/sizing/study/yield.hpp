@@ -48,7 +48,7 @@ struct ScatterWorth {
 /// What becomes of a design when it is built.
 struct Yield {
   std::size_t builds{};
-  std::size_t not_built{};  ///< without a performance
+  std::size_t not_built{};  ///< without a performance, as one whose driver cannot give the current
   Share keeps_all{};        ///< of the builds that keep every limit
   std::vector<BuiltQuantity> quantities{};
   std::vector<ScatterWorth> worths{};  ///< one a scatter; empty where none were asked for
@@ -64,9 +64,10 @@ struct YieldOptions {
   std::function<void(std::size_t done, std::size_t of)> progress{};  ///< on any thread; may be empty
 };
 
-/// Builds a design of `study` many times. Of a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130")
-/// each build is held against the limit itself, of one on a mean or a deviation none is. Nothing after a stop. Throws
-/// std::invalid_argument for a study without a spread.
+/// Builds a design of `study` many times: its objectives, its limits and the thermal load with its driver's ripple. Of
+/// a limit or an objective on a statistic ("p95_coil_hot_spot_degC <= 130") each build is held against the limit
+/// itself, of one on a mean or a deviation none is. Nothing after a stop. Throws std::invalid_argument for a study
+/// without a spread.
 [[nodiscard]] std::optional<Yield> yield_of(const Study& study, const EvaluatedDesign& design,
                                             const YieldOptions& options);
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "magnetics/field_kernels.hpp"
 #include "magnetics/require.hpp"
@@ -59,11 +58,18 @@ class CellFactors {
     }
   }
 
-  // Of the cell `source` in the cell `at`.
-  [[nodiscard]] double operator()(std::size_t source, std::size_t at) const {
+  // Of a cell in itself.
+  [[nodiscard]] double own(std::size_t cell) const { return factors_[cell % rings][cell % rings]; }
+
+  // To the fields in all cells, what `magnetisation` more in the cell `source` adds.
+  void add(std::size_t source, double magnetisation, CellValues& fields) const {
+    const CellValues& factors = factors_[source % rings];
     const std::size_t from = source / rings;
-    const std::size_t to = at / rings;
-    return factors_[source % rings][(from > to ? from - to : to - from) * rings + at % rings];
+    for (std::size_t slice = 0; slice < slices; ++slice) {
+      const double* factor = &factors[(from > slice ? from - slice : slice - from) * rings];
+      double* field = &fields[slice * rings];
+      for (std::size_t ring = 0; ring < rings; ++ring) field[ring] -= factor[ring] * magnetisation;
+    }
   }
 
  private:
@@ -111,10 +117,10 @@ double irreversible_loss(const CylinderSize& size, const DemagnetisationCurve& c
   require(curve.susceptibility >= 0.0, "susceptibility", ">= 0", curve.susceptibility);
   if (curve.coercivity <= 0.0 || curve.magnetisation == 0.0) return 1.0;
   const CellFactors factor(size);
-  const CellValues applied = at_cells(outside);
+  CellValues fields = at_cells(outside);
   CellValues magnetisation{};
   magnetisation.fill(curve.magnetisation);
-  CellValues others{};
+  for (std::size_t i = 0; i < cells; ++i) factor.add(i, curve.magnetisation, fields);
   // Cell by cell. The energy whose least value is sought is convex (factors are symmetric and positive by volume, the
   // curve rises), so this settles from any start.
   constexpr int most_sweeps = 1000;
@@ -122,12 +128,11 @@ double irreversible_loss(const CylinderSize& size, const DemagnetisationCurve& c
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
     for (std::size_t i = 0; i < cells; ++i) {
-      double field = applied[i];
-      for (std::size_t k = 0; k < cells; ++k)
-        if (k != i) field -= factor(k, i) * magnetisation[k];
-      others[i] = field;
-      const double next = magnetisation_of(curve, field, factor(i, i));
-      change = std::max(change, std::abs(next - std::exchange(magnetisation[i], next)));
+      const double others = fields[i] + factor.own(i) * magnetisation[i];
+      const double step = magnetisation_of(curve, others, factor.own(i)) - magnetisation[i];
+      magnetisation[i] += step;
+      factor.add(i, step, fields);
+      change = std::max(change, std::abs(step));
     }
     if (change < settled * curve.magnetisation) break;
   }
@@ -135,8 +140,7 @@ double irreversible_loss(const CylinderSize& size, const DemagnetisationCurve& c
   double volume = 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double share = static_cast<double>(2 * (i % rings) + 1);
-    const double field = others[i] - factor(i, i) * magnetisation[i];
-    kept += share * (magnetisation[i] - curve.susceptibility * field);
+    kept += share * (magnetisation[i] - curve.susceptibility * fields[i]);
     volume += share;
   }
   return std::max(0.0, 1.0 - kept / (volume * curve.magnetisation));

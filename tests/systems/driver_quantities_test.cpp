@@ -89,8 +89,9 @@ TEST_F(DriverQuantities, AreOfThePoseThatIsHeld) {
                        (2.0 * 0.565 + resistance(design.performance.gripping.heat));
   design = simulation::evaluate(validation::paper_finger(),
                                 {.current = 1.0, .duty = 0.6, .cases = actuator::HeldCases::gripping});
-  // The coils of a finger are not all as warm as the hottest.
-  EXPECT_NEAR(value(bridge(), "driver_most_current_A"), free * ratio, 5e-3 * free);
+  // Less than free, and more than if all coils were as warm as the hottest.
+  EXPECT_LT(value(bridge(), "driver_most_current_A"), 0.999 * free);
+  EXPECT_GT(value(bridge(), "driver_most_current_A"), ratio * free);
 }
 
 // A design that is not driven needs nothing of its driver.

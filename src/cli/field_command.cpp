@@ -304,6 +304,7 @@ void run_field(const FieldOptions& options) {
   constexpr std::string_view picture_mark = ">";
   if (table) keep_other_kind(*table, table_mark, options.force);
   if (picture) keep_other_kind(*picture, picture_mark, options.force);
+  if (picture) picture->withdraw();
   if (table) table->commit();
   if (picture) picture->commit();
   if (table || picture) return;

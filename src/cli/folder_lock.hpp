@@ -8,8 +8,8 @@ namespace coilwright::cli {
 /// leaves no file.
 class FolderLock {
  public:
-  /// Throws text::OutputError (preparing) where another process has it. A file system that has no such locks is taken
-  /// as it is.
+  /// Throws text::OutputError (preparing) where another process has it. Where the file system has no such locks, that
+  /// is said in a line on standard error.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -83,7 +83,7 @@ void run_init(const InitOptions& options) {
   text::OutputFolder folder(out);
   for (const std::string_view name : start.files)
     if (is_written(name)) folder.write(name, draft && name != actuator_file ? draft->document.text() : text_of(name));
-  folder.commit();
+  folder.commit(start.files.front());
   if (options.json) {
     Json written = Json::array();
     for (const std::string_view name : start.files)

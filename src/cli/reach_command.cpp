@@ -123,6 +123,7 @@ void write(const ReachOptions& options, const Asked& asked, const control::Reach
   // How each of them begins; the rest of a first line names the profile.
   if (header) keep_other_kind(*header, "coilwright", options.force);
   if (profile) keep_other_kind(*profile, table_mark, options.force);
+  if (profile) profile->withdraw();
   if (header) header->commit();
   if (profile) profile->commit();
 }

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <regex>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -18,6 +18,8 @@
 #include "archive_contents.hpp"
 #include "coilwright/archive/reader.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/output/output_file.hpp"
+#include "outputs.hpp"
 #include "report_option.hpp"
 
 namespace coilwright::cli {
@@ -42,18 +44,12 @@ bool holds_results(const fs::path& folder) {
   return std::ranges::any_of(results, [&](std::string_view name) { return fs::exists(folder / name, error); });
 }
 
-// A run that was killed leaves what it had not finished: ".front.csv.part-4711".
-void remove_parts(const fs::path& folder) {
-  std::vector<fs::path> parts;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const auto is_part_of = [&](std::string_view result) { return name.starts_with(fmt::format(".{}.part-", result)); };
-    if (is_part_of(archive_name) || is_part_of(text::OutputFolder::trial_name) ||
-        std::ranges::any_of(results, is_part_of))
-      parts.push_back(entry.path());
-  }
-  for (const fs::path& part : parts) fs::remove(part, error);
+// --out . beside the study, say: its actuator.json would be taken for a result.
+void keep_inputs_of(const StudyInput& input, const fs::path& folder) {
+  std::vector<fs::path> inputs, outputs{folder / archive_name};
+  for (const InputRecord& each : input.provenance.inputs) inputs.emplace_back(each.file);
+  for (const std::string_view name : results) outputs.push_back(folder / name);
+  keep_inputs(inputs, outputs);
 }
 
 void require_same_numbers(const archive::Reader& found, const sizing::DesignProblem& problem, std::string_view advice) {
@@ -94,6 +90,7 @@ RunArchive::RunArchive(const StudyOptions& options, const StudyInput& input, con
       max_evaluations_(max_evaluations),
       json_(options.json),
       lock_(folder.path()) {
+  keep_inputs_of(input, folder.path());
   const archive::Contents asked = contents_of(problem.study(), input.provenance, input.builds_a_system);
   take_others(options, asked, problem);
   open(options, asked, problem);
@@ -120,7 +117,8 @@ void RunArchive::open(const StudyOptions& options, const archive::Contents& aske
     if (options.force)
       for (const std::string_view name : results) fs::remove(folder_.path() / name, error);
   }
-  remove_parts(folder_.path());
+  text::remove_left_parts(path_);
+  for (const std::string_view name : results) text::remove_left_parts(folder_.path() / name);
 }
 
 bool RunArchive::is_finished(const archive::Reader& found) const {
@@ -201,15 +199,18 @@ void RunArchive::take_others(const StudyOptions& options, const archive::Content
 void RunArchive::write_results(const std::function<void()>& write) {
   try {
     write();
-  } catch (const text::OutputError&) {
-    unwritten_ = std::current_exception();
+  } catch (const std::runtime_error& reason) {
+    if (!unwritten_) unwritten_ = reason.what();
   }
 }
 
 void RunArchive::end(std::string_view stop_reason, const Interruption& interruption,
                      std::span<const sizing::Record> records) {
-  if (!records.empty()) recorded_->number(path_, records);
+  if (!records.empty()) write_results([&] { recorded_->number(path_, records); });
   writer_->flush();
+  // Who took its name away is not told by the system to one that writes to it.
+  if (std::error_code error; !fs::exists(path_, error))
+    write_results([&] { throw text::OutputError(path_, "it is gone", text::OutputError::Stage::writing); });
   const archive::Counts counts = recorded_->counts();
   // A run whose results are not written has not ended: --resume writes them.
   if (!unwritten_)
@@ -217,13 +218,13 @@ void RunArchive::end(std::string_view stop_reason, const Interruption& interrupt
                   .evaluated = counts.evaluated,
                   .answered = counts.answered,
                   .reused = counts.reused});
-  if (interruption.requested() && !json_ && !writer_->failure())
+  if (interruption.requested() && !json_ && !unwritten_ && !writer_->failure())
     std::cerr << fmt::format("coilwright: interrupted: what was evaluated is in {}; --resume goes on from there\n",
                              path_.string());
 }
 
 void RunArchive::require_written() const {
-  if (unwritten_) std::rethrow_exception(unwritten_);
+  if (unwritten_) throw std::runtime_error(*unwritten_);
   if (const std::optional<std::string> failure = writer_->failure()) throw std::runtime_error(*failure);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -29,15 +28,15 @@ namespace coilwright::cli {
 class RunArchive {
  public:
   /// `max_evaluations` is the budget of a search. Throws InputError and text::OutputError as above, and where the
-  /// archive of another run cannot be read.
+  /// archive of another run cannot be read or a file of the study would be replaced.
   RunArchive(const StudyOptions& options, const StudyInput& input, const sizing::DesignProblem& problem,
              std::optional<std::size_t> max_evaluations, text::OutputFolder& folder);
 
   /// What evaluations go through.
   [[nodiscard]] archive::RecordedStudy& study() noexcept { return *recorded_; }
 
-  /// Calls what writes the results. Where the disk refuses, the answer is not lost: what it says is kept for
-  /// require_written().
+  /// Calls what writes the results. Where the disk refuses, or the folder is gone, the answer is not lost: what it says
+  /// is kept for require_written().
   void write_results(const std::function<void()>& write);
   /// Whether the disk has refused no result so far.
   [[nodiscard]] bool is_writing() const noexcept { return !unwritten_; }
@@ -46,7 +45,7 @@ class RunArchive {
   /// sweep, whose designs have theirs. An interruption is told on standard error, with how to go on.
   void end(std::string_view stop_reason, const Interruption& interruption, std::span<const sizing::Record> records);
 
-  /// After the answer has been printed: throws text::OutputError (writing) where results or designs are not written.
+  /// After the answer has been printed: throws std::runtime_error where results or designs are not written.
   void require_written() const;
 
  private:
@@ -64,7 +63,7 @@ class RunArchive {
   archive::RecordedStudy::Sources sources_;
   std::shared_ptr<archive::Writer> writer_;
   std::unique_ptr<archive::RecordedStudy> recorded_;
-  std::exception_ptr unwritten_;  // what the disk said of the results; empty where it took them
+  std::optional<std::string> unwritten_;  // what the disk said of the results, where it did not take them
 };
 
 /// Tells on standard error how far a run is: designs done, rate, the best so far, time left. `all` is what the run will

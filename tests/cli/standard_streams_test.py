@@ -1,6 +1,7 @@
 """- for standard input and output, and errors as JSON where JSON is asked for."""
 
 import json
+import os
 import resource
 import subprocess
 import unittest
@@ -73,6 +74,15 @@ class StandardOutput(ProgramTest):
                 # What was printed before is still told.
                 self.assertEqual(piped.stderr.replace(to_file.stderr, ""), to_file.stdout)
         self.assertEqual(sorted(self.files()), ["of_drive", "of_linearise", "of_simulate"])
+
+    def test_nothing_is_left_where_nobody_reads_it(self):
+        with subprocess.Popen([PROGRAM, "simulate", PAPER_FINGER, "--step-A", "1.2", "--out", "-"], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, env={**os.environ, "TMPDIR": str(self.folder)}) as process:
+            process.stdout.close()
+            process.stdout = None
+            process.communicate(timeout=HANGS)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertEqual(self.files(), {})
 
     def test_nothing_comes_out_of_a_command_that_fails(self):
         result = run("simulate", PAPER_FINGER, "--step-A", "1.2", "--duration-s", "1e9", "--out", "-")

@@ -1,8 +1,11 @@
 #include "coilwright/text/output/output_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -19,6 +22,14 @@ fs::path plain_name(std::string_view name) {
   if (file.empty() || file.has_parent_path() || file == "." || file == "..")
     throw std::invalid_argument(fmt::format("name must be a plain file name; got {}", name));
   return file;
+}
+
+// Until the names of its files are on the disk. Not every file system has something to wait for.
+void wait_for_names_in(const fs::path& folder) {
+  const int names = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (names < 0) return;
+  ::fsync(names);
+  ::close(names);
 }
 
 }  // namespace
@@ -42,7 +53,7 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
     }
   }
   try {
-    const OutputFile trial(path_ / trial_name);
+    const OutputFile trial(path_ / "trial");
   } catch (const OutputError& refusal) {
     remove_made_folders();
     // The user named the folder, not the trial.
@@ -78,15 +89,22 @@ std::optional<fs::path> OutputFolder::first_change() {
   return std::nullopt;
 }
 
-void OutputFolder::commit() {
-  for (OutputFile& file : files_) file.close();
+void OutputFolder::commit(std::string_view key) {
+  std::vector<OutputFile*> files;
+  for (OutputFile& file : files_) {
+    file.close();
+    files.push_back(&file);
+  }
+  std::ranges::stable_partition(files, [&](const OutputFile* file) { return file->path().filename() != key; });
   made_.clear();  // from here on there is something in them
+  for (OutputFile* file : files | std::views::reverse) file->withdraw();
   for (const fs::path& file : outdated_) {
     std::error_code error;
     fs::remove(file, error);
     if (error) throw OutputError(file, error.message(), OutputError::Stage::writing);
   }
-  for (OutputFile& file : files_) file.commit();
+  for (OutputFile* file : files) file->commit();
+  wait_for_names_in(path_);
   files_.clear();
 }
 

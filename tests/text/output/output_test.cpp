@@ -1,13 +1,27 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
 #include "coilwright/text/output/output_folder.hpp"
 #include "temporary_folder.hpp"
+
+namespace {
+int renames_before_death = -1;  // none
+}
+
+// In place of the system's: a kill between two names.
+extern "C" int rename(const char* from, const char* to) noexcept {
+  if (renames_before_death == 0) _exit(9);
+  --renames_before_death;
+  return renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
 
 namespace coilwright::text {
 namespace {
@@ -93,6 +107,28 @@ TEST(OutputFile, LeavesNothingWithoutCommit) {
   EXPECT_THAT(names_in(folder.path()), IsEmpty());
 }
 
+TEST(OutputFile, RemovesWhatAKilledWriterLeftAndKeepsWhatALivingOneWrites) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("x.csv", "before");
+  for (const char* name : {".x.csv.part-1", ".x.csv.part-mine", ".y.csv.part-1"}) folder.file(name, "half");
+  OutputFile file(path);
+  file.stream() << "after";
+  remove_left_parts(path);  // another writer of the same file
+  EXPECT_THAT(names_in(folder.path()),
+              ElementsAre(".x.csv.part-" + std::to_string(getpid()), ".x.csv.part-mine", ".y.csv.part-1", "x.csv"));
+  file.commit();
+  EXPECT_EQ(content(path), "after");
+}
+
+TEST(OutputFile, WritesThroughNoLinkInThePlaceOfItsSibling) {
+  const TemporaryFolder folder;
+  const auto other = folder.file("other", "mine");
+  fs::create_symlink("other", folder.path() / (".x.csv.part-" + std::to_string(getpid())));
+  EXPECT_THAT([&] { const OutputFile file(folder.path() / "x.csv"); },
+              ThrowsMessage<OutputError>((folder.path() / "x.csv").string() + ": cannot be written: File exists"));
+  EXPECT_EQ(content(other), "mine");
+}
+
 TEST(OutputFile, FollowsALinkAndKeepsIt) {
   const TemporaryFolder folder;
   const auto target = folder.file("target.csv", "before");
@@ -146,6 +182,25 @@ TEST(OutputFolder, ShowsItsFilesTogetherOnCommitAndKeepsOthers) {
   out.commit();
   EXPECT_EQ(content(folder.path() / "front.csv"), "after");
   EXPECT_THAT(names_in(folder.path()), ElementsAre("front.csv", "notes.txt", "result.json"));
+}
+
+TEST(OutputFolder, HasNeverFilesOfTwoAnswersWhereItIsKilledAndItsKeyOnlyWithAllOthers) {
+  const auto write = [](const fs::path& folder, int renames) {
+    OutputFolder out(folder);
+    for (const char* name : {"result.json", "a.csv", "b.csv"}) out.write(name, "after");
+    renames_before_death = renames;
+    out.commit("result.json");
+  };
+  for (int renames = 0; renames < 3; ++renames) {
+    const TemporaryFolder folder;
+    for (const char* name : {"result.json", "a.csv", "b.csv"}) folder.file(name, "before");
+    EXPECT_EXIT(write(folder.path(), renames), ::testing::ExitedWithCode(9), "");
+    for (const std::string& name : names_in(folder.path())) EXPECT_EQ(content(folder.path() / name), "after") << name;
+    EXPECT_EQ(fs::exists(folder.path() / "a.csv"), renames > 0);
+    EXPECT_FALSE(fs::exists(folder.path() / "result.json"));
+    write(folder.path(), -1);  // the next one has what is left removed
+    EXPECT_THAT(names_in(folder.path()), ElementsAre("a.csv", "b.csv", "result.json"));
+  }
 }
 
 TEST(OutputFolder, RemovesAnOutdatedResultOnCommitOnly) {

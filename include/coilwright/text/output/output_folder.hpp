@@ -11,13 +11,11 @@
 namespace coilwright::text {
 
 /// A folder of results that appear together. Files are written beside their final names and get them at commit(), each
-/// in one step, after all of them are complete; other files in the folder stay. Without commit() nothing is left: no
-/// file, and none of the folders that had to be made.
+/// in one step, after all of them are complete and on the disk and those that they replace are gone; other files in the
+/// folder stay. A program that is killed meanwhile leaves files of one answer only. Without commit() nothing is left:
+/// no file, and none of the folders that had to be made.
 class OutputFolder {
  public:
-  /// The file by which a folder is tried. One that was killed meanwhile leaves its unfinished sibling.
-  static constexpr std::string_view trial_name = "trial";
-
   /// Makes the folder if it is not there and tries that it can be written. Throws OutputError (preparing).
   explicit OutputFolder(std::filesystem::path path);
   ~OutputFolder();
@@ -35,8 +33,10 @@ class OutputFolder {
   /// The first of the files opened so far whose name another content has in the folder, which commit() would lose;
   /// nothing where none has. Nothing may be written to them any more. Throws OutputError (writing).
   [[nodiscard]] std::optional<std::filesystem::path> first_change();
-  /// Gives all files their names. Throws OutputError (writing); if a file is incomplete, none of them changes.
-  void commit();
+  /// Gives all files their names. The one called `key`, by which a reader knows the folder, goes first where it is
+  /// replaced, and comes last: where it is there, all are. Throws OutputError (writing); if a file is incomplete, none
+  /// of them changes.
+  void commit(std::string_view key = {});
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 

@@ -152,8 +152,14 @@ AskedDiagnosis read_asked(const DiagnoseOptions& options) {
 }
 
 void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Diagnosis& diagnosis) {
-  const DiagnosisTexts texts = write_diagnosis(diagnosis, asked.set, asked.declared, asked.provenance, options.out);
-  std::cout << (options.json ? texts.json : texts.summary);
+  const auto print = [&](const DiagnosisTexts& texts) {
+    std::cout << (options.json ? texts.json : texts.summary) << std::flush;
+  };
+  try {
+    write_diagnosis(diagnosis, asked.set, asked.declared, asked.provenance, options.out, print);
+  } catch (const text::OutputError& refusal) {
+    throw std::runtime_error(refusal.what());  // the work is done, wherever the disk refuses
+  }
 }
 
 // What is known is written, and the work, which knows nothing of signals, ends with the program.
@@ -162,14 +168,13 @@ void write(const DiagnoseOptions& options, const AskedDiagnosis& asked, const Di
   ExitCode code = ExitCode::interrupted;
   try {
     if (known) write(options, asked, *known);
-    std::cout.flush();
     std::cerr << "coilwright: interrupted: "
               << (known ? fmt::format("{} has what is known so far, marked as incomplete", options.out)
                         : std::string("nothing is written"))
               << '\n';
   } catch (const std::exception& reason) {
     std::cerr << "coilwright: " << reason.what() << '\n';
-    code = ExitCode::bad_input;
+    code = ExitCode::failure;
   }
   std::_Exit(static_cast<int>(code));
 }
@@ -224,7 +229,8 @@ void add_diagnose_command(CLI::App& app, Outcome&) {
   add_report_option(*command, options->report);
   command->callback([options] {
     run_diagnose(*options);
-    if (options->report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+    if (options->report)
+      write_report(options->out, std::filesystem::path(options->out) / report_name, {.force = options->force});
   });
 }
 

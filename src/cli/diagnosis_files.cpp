@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -90,9 +91,9 @@ std::string next_experiment_text(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-DiagnosisTexts write_diagnosis(const Diagnosis& diagnosis, const formats::DatasetFile& set,
-                               const formats::DeclaredActuator& declared, const Provenance& provenance,
-                               const std::string& out) {
+void write_diagnosis(const Diagnosis& diagnosis, const formats::DatasetFile& set,
+                     const formats::DeclaredActuator& declared, const Provenance& provenance, const std::string& out,
+                     const std::function<void(const DiagnosisTexts&)>& print) {
   const FoundActuators actuators = found_actuators(diagnosis, declared);
   const std::string next_experiment = next_experiment_text(diagnosis);
   formats::DiagnosisReport answer{.diagnosis = diagnosis,
@@ -110,8 +111,9 @@ DiagnosisTexts write_diagnosis(const Diagnosis& diagnosis, const formats::Datase
           return std::get<actuator::Design>(declared.updated(calibration, added));
         });
   answer.summary = report::summary_of(answer);
+  const DiagnosisTexts texts{.summary = report::to_text(answer), .json = formats::to_json(answer).text()};
+  print(texts);
   text::OutputFolder folder(out);
-  DiagnosisTexts texts{.summary = report::to_text(answer), .json = formats::to_json(answer).text()};
   const auto write_or_remove = [&](const char* name, const std::string& text) {
     if (text.empty())
       folder.remove(name);  // one of an earlier diagnosis must not stand beside this one
@@ -133,8 +135,7 @@ DiagnosisTexts write_diagnosis(const Diagnosis& diagnosis, const formats::Datase
     formats::write_expected_readings(folder.open(expected_name), *diagnosis.next_experiment);
   else
     folder.remove(expected_name);
-  folder.commit();
-  return texts;
+  folder.commit(diagnosis_name);
 }
 
 }  // namespace coilwright::cli

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,10 @@ struct DiagnosisTexts {
 };
 
 /// Writes a diagnosis, or what is known of one that was interrupted, all files or none: the corrected actuator is read
-/// back first. Files of an earlier diagnosis that this one has none of are removed.
-DiagnosisTexts write_diagnosis(const measurement::Diagnosis& diagnosis, const formats::DatasetFile& set,
-                               const formats::DeclaredActuator& declared, const Provenance& provenance,
-                               const std::string& folder);
+/// back first. Files of an earlier diagnosis that this one has none of are removed. Before anything is written, `print`
+/// is given the answer, so that no disk can lose it. Throws OutputError.
+void write_diagnosis(const measurement::Diagnosis& diagnosis, const formats::DatasetFile& set,
+                     const formats::DeclaredActuator& declared, const Provenance& provenance, const std::string& folder,
+                     const std::function<void(const DiagnosisTexts&)>& print);
 
 }  // namespace coilwright::cli

@@ -46,6 +46,7 @@ struct EvaluateOptions {
   std::optional<double> supply_voltage{};
   bool json{false};
   std::optional<std::string> page{};
+  bool force{false};
 };
 
 std::runtime_error no_performance(const std::string& file, const simulation::NoPerformance& why) {
@@ -104,7 +105,7 @@ void evaluate(const actuator::Design& design, const formats::ActuatorFile& file,
     write_page(
         page::evaluation_page({.design = design, .assembly = assembly, .point = point, .performance = view.performance},
                               effects, file.name, made_by()),
-        *options.page);
+        *options.page, {.force = options.force});
   if (options.json) {
     text::Json out = formats::to_json(view);
     out.set("operating_point", formats::to_json(point));
@@ -167,7 +168,7 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
   add_number(*command, "--supply-voltage-V,--supply-voltage", options->supply_voltage, text::Rule::between(1e-6, 1e6),
              "Voltage of the supply without load, V; asks for the current that it drives at most");
   add_json_option(*command, options->json);
-  add_report_file_option(*command, options->page);
+  add_report_file_option(*command, options->page, options->force);
   command->footer(
       "Angles, speed, overshoot and settling time describe a step of the current from rest. Temperatures are\n"
       "steady-state values for this current and duty.\n\n"

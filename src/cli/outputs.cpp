@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <array>
 #include <fstream>
 #include <system_error>
 #include "coilwright/text/output/output_file.hpp"
 
 #include "options.hpp"
+#include "provenance.hpp"
 
 namespace coilwright::cli {
 
@@ -72,6 +74,10 @@ void keep_results_of_others(const std::filesystem::path& folder, std::span<const
   std::error_code none;
   for (const char* name : names)
     if (exists(symlink_status(folder / name, none))) throw other_content(folder / name);
+}
+
+void keep_other_provenance(const std::filesystem::path& folder, bool force) {
+  keep_results_of_others(folder, std::array{provenance_name}, "\"provenance/1\"", force);
 }
 
 void add_written_json_option(CLI::App& command, bool& json) {

@@ -47,6 +47,9 @@ void keep_other_table(const text::OutputFile& file, std::span<const std::string>
 void keep_results_of_others(const std::filesystem::path& folder, std::span<const char* const> names,
                             std::string_view mark, bool force);
 
+/// The same of the provenance.json alone, of any run.
+void keep_other_provenance(const std::filesystem::path& folder, bool force);
+
 /// --json of a command that writes files.
 void add_written_json_option(CLI::App& command, bool& json);
 

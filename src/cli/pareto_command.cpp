@@ -48,7 +48,7 @@ ExitCode run_pareto(const StudyOptions& options) {
     formats::write_convergence(folder.open("convergence.csv"), result.archive);
     folder.write("result.json", formats::to_json(study, result, broken).text());
     folder.write(provenance_name, to_json(input.provenance).text());
-    folder.commit();
+    folder.commit("result.json");
   });
   archive.end(sizing::name_of(result.stop_reason), interruption, records);
   std::cout << (options.json ? formats::to_json(study, result, broken).text() : report::to_text(study, result, broken));
@@ -80,7 +80,8 @@ void add_pareto_command(CLI::App& app, Outcome& outcome) {
   add_report_option(*command, *report);
   command->callback([options, report, &outcome] {
     outcome.code = run_pareto(*options);
-    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+    if (*report)
+      write_report(options->out, std::filesystem::path(options->out) / report_name, {.force = options->force});
   });
 }
 

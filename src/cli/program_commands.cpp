@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "manual_page.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 
 namespace coilwright::cli {
 namespace {
@@ -53,12 +54,15 @@ void write_pages(const CLI::App& command, text::OutputFolder& folder) {
 
 void add_man_command(CLI::App& app, Outcome&) {
   auto out = std::make_shared<std::string>();
+  auto force = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("man", "Write the manual pages of all commands");
   command->add_option("--out", *out, "Folder for the pages; it is created if it does not exist")->required();
+  add_force_option(*command, *force);
   command->footer("Example:\n  coilwright man --out man1 && man -l man1/coilwright-size.1");
-  command->callback([out, &app] {
+  command->callback([out, force, &app] {
     text::OutputFolder folder(*out);
     write_pages(app, folder);
+    keep_others(folder, *force);
     folder.commit();
   });
 }

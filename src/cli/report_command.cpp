@@ -22,6 +22,7 @@ struct ReportCommandOptions {
   std::optional<std::string> out;
   std::optional<std::size_t> pictures;
   std::optional<std::string> figures;
+  bool force{false};
   bool json{false};
 };
 
@@ -37,7 +38,7 @@ std::vector<std::filesystem::path> results_in(const std::filesystem::path& folde
 void run_report(const ReportCommandOptions& options) {
   const std::filesystem::path folder(options.folder);
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
-  ReportOptions how{.pictures = options.pictures};
+  ReportOptions how{.pictures = options.pictures, .force = options.force};
   keep_inputs(results_in(folder), {file});
   if (options.figures) how.figures = *options.figures;
   write_report(folder, file, how);
@@ -55,6 +56,7 @@ void add_report_command(CLI::App& app, Outcome&) {
   command->add_option("DIR", options->folder, "Folder that size, sweep, pareto or diagnose has written")->required();
   command->add_option("--out", options->out, "HTML file to write (default DIR/report.html)")
       ->check(page_name_complaint);
+  add_force_option(*command, options->force);
   add_written_json_option(*command, options->json);
   add_whole_number(*command, "--pictures", options->pictures, text::Rule::between(1, 1e6),
                    "Number of designs of a front that are drawn and simulated, evenly along it (default 200)");

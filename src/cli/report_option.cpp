@@ -21,6 +21,7 @@
 #include "coilwright/text/output/output_folder.hpp"
 #include "draw_figures.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 #include "packed_files.hpp"
 #include "provenance.hpp"
 #include "sha256.hpp"
@@ -105,7 +106,8 @@ void add_report_option(CLI::App& command, bool& wanted) {
       ->check([](const std::string&) { return why_none(); });
 }
 
-void add_report_file_option(CLI::App& command, std::optional<std::string>& file) {
+void add_report_file_option(CLI::App& command, std::optional<std::string>& file, bool& force) {
+  add_force_option(command, force);
   command.add_option("--report", file, "HTML file for a page to look at and to pass on, that works without a network")
       ->check([](const std::string& name) {
         if (name == "-") return std::string("must be a file: standard output has the answer itself");
@@ -121,25 +123,29 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
   for (const char* of_designs : {"front.csv", "best.csv"})
     if (std::filesystem::is_regular_file(folder / of_designs)) find_study(folder, inputs);
   if (options.pictures) inputs.most_pictures = *options.pictures;
-  write_page(page::page_of(folder, inputs), file, options.figures);
+  write_page(page::page_of(folder, inputs), file, options);
 }
 
-void write_page(const page::Page& content, const std::filesystem::path& file,
-                const std::optional<std::filesystem::path>& figures_folder) {
+void write_page(const page::Page& content, const std::filesystem::path& file, const ReportOptions& options) {
   const std::string_view style = packed_text(page_files(), "page.css");
   const std::vector<page::Script> all = scripts();
   text::OutputFile out(file);
   std::optional<text::OutputFolder> figures;
-  if (figures_folder) {
+  if (options.figures) {
     DrawnFigures drawn = draw_figures(page::figure_files(content, style));
-    figures.emplace(*figures_folder);
+    figures.emplace(*options.figures);
     for (const page::FigureFile& each : drawn.files) figures->write(each.name, each.text);
     if (!drawn.why.empty()) std::cerr << drawn.why << ".\n";
   }
   out.stream() << page::to_html(content, {.scripts = all, .style = style},
                                 [](std::string_view bytes) { return sha256(bytes); });
-  out.close();
-  if (figures) figures->commit();
+  constexpr std::string_view page_mark = "'nonce-";  // what follows is of one page alone
+  keep_other_kind(out, page_mark, options.force);
+  if (figures) {
+    keep_others(*figures, options.force);
+    out.withdraw();
+    figures->commit();
+  }
   out.commit();
 }
 

@@ -20,8 +20,8 @@ inline constexpr const char* report_name = "report.html";
 /// is an error of usage, before any work.
 void add_report_option(CLI::App& command, bool& wanted);
 
-/// --report FILE of a command that writes no folder; likewise.
-void add_report_file_option(CLI::App& command, std::optional<std::string>& file);
+/// --report FILE of a command that writes no folder; likewise. `force`: its --force.
+void add_report_file_option(CLI::App& command, std::optional<std::string>& file, bool& force);
 
 /// Program and version, as the first lines of a page have them.
 [[nodiscard]] std::string made_by();
@@ -30,6 +30,7 @@ void add_report_file_option(CLI::App& command, std::optional<std::string>& file)
 struct ReportOptions {
   std::optional<std::size_t> pictures{};  ///< designs of a front that are drawn and simulated at most (default 200)
   std::optional<std::filesystem::path> figures{};  ///< folder for every figure as a file of its own
+  bool force{false};                               ///< replace a file that is no page, and figures of other content
 };
 
 /// The page of a folder of results, written to `file` as a whole or not at all. Figures that cannot be drawn without
@@ -39,7 +40,6 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
                   const ReportOptions& options = {});
 
 /// A page written to `file` as a whole or not at all, and each of its figures into a folder, if one is given.
-void write_page(const page::Page& content, const std::filesystem::path& file,
-                const std::optional<std::filesystem::path>& figures_folder = {});
+void write_page(const page::Page& content, const std::filesystem::path& file, const ReportOptions& options = {});
 
 }  // namespace coilwright::cli

@@ -44,11 +44,12 @@ void write(const RigOptions& options, const RigActuator& actuator, const RigResu
   folder.write("dataset.json", formats::dataset_json(name, actuator_name, in_roles).text());
   folder.write(actuator_name, declared_text(options, actuator, result));
   keep_others(folder, options.force);
+  keep_other_provenance(folder.path(), options.force);
   folder.write(provenance_name, to_json(Provenance{.command = "rig " + result.rig,
                                                    .inputs = {record_of(options.actuator.file)},
                                                    .changes = options.actuator.assignments})
                                     .text());
-  folder.commit();
+  folder.commit("dataset.json");
 }
 
 magnetics::Fidelity fidelity_of(const RigOptions& options, const actuator::Design& design) {
@@ -94,7 +95,8 @@ RigActuator read_rig_actuator(const RigOptions& options) {
 void run_rig(const RigOptions& options,
              const std::function<RigResult(const actuator::Design& design, magnetics::Fidelity fidelity)>& readings) {
   if (!options.out.empty())
-    keep_inputs({options.actuator.file}, {folder_of(options) / actuator_name, folder_of(options) / "dataset.json"});
+    keep_inputs({options.actuator.file}, {folder_of(options) / actuator_name, folder_of(options) / "dataset.json",
+                                          folder_of(options) / provenance_name});
   const RigActuator actuator = read_rig_actuator(options);
   const RigResult result = [&] {
     try {

@@ -29,6 +29,7 @@ std::vector<std::string> schema_names() {
 struct SchemaOptions {
   std::string name;
   std::string out;
+  bool force{false};
   bool json{false};
 };
 
@@ -40,6 +41,7 @@ void run_schema(const SchemaOptions& options) {
   }
   text::OutputFolder folder(options.out);
   for (const PackedFile& file : schemas()) folder.write(file.name, file.text);
+  keep_others(folder, options.force);
   folder.commit();
   if (options.json) {
     std::vector<std::filesystem::path> files;
@@ -61,6 +63,7 @@ void add_schema_command(CLI::App& app, Outcome&) {
       ->required()
       ->check(word_rule(names));
   command->add_option("--out", options->out, "Folder to write all schemas to instead: some refer to others");
+  add_force_option(*command, options->force);
   add_written_json_option(*command, options->json);
   command->footer(
       "An editor completes and checks a file whose first key is \"$schema\" with the path of its schema.\n\n"

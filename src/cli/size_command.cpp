@@ -63,7 +63,7 @@ void write_results(text::OutputFolder& folder, const DesignProblem& problem, con
     if (answer.result.feasible) check_written_design(text, problem.study(), std::get<EvaluatedDesign>(*answer.best));
     folder.write("actuator.json", text);
   }
-  folder.commit();
+  folder.commit("result.json");
 }
 
 struct Assumptions {
@@ -175,7 +175,8 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
   add_report_option(*command, *report);
   command->callback([options, report, &outcome] {
     outcome.code = run_size(*options);
-    if (*report) write_report(options->out, std::filesystem::path(options->out) / report_name);
+    if (*report)
+      write_report(options->out, std::filesystem::path(options->out) / report_name, {.force = options->force});
   });
 }
 

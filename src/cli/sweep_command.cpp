@@ -107,7 +107,7 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
       formats::write_leaders(folder.open("best.csv"), study, best);
       folder.write("result.json", formats::to_json(answer).text());
       folder.write(provenance_name, to_json(input.provenance).text());
-      folder.commit();
+      folder.commit("result.json");
     });
   archive.end(made < count ? sizing::name_of(sizing::StopReason::interrupted) : "complete", interruption, {});
   std::cout << (options.json ? formats::to_json(answer).text() : report::to_text(answer));
@@ -147,7 +147,9 @@ void add_sweep_command(CLI::App& app, Outcome& outcome) {
   add_report_option(*command, *report);
   command->callback([options, report, &outcome] {
     outcome.code = run_sweep(*options);
-    if (*report) write_report(options->study.out, std::filesystem::path(options->study.out) / report_name);
+    if (*report)
+      write_report(options->study.out, std::filesystem::path(options->study.out) / report_name,
+                   {.force = options->study.force});
   });
 }
 

@@ -47,6 +47,12 @@ std::filesystem::path folder_of(const TwinOptions& options) {
   return out.has_filename() ? out : out.parent_path();
 }
 
+// Not in the folder: whoever gets that does not get the answer with it.
+std::filesystem::path answer_beside(std::filesystem::path folder) {
+  folder += ".answer.json";
+  return folder;
+}
+
 std::vector<Effect> read_hidden(const TwinOptions& options, const actuator::ModelSpec& nominal) {
   std::vector<Effect> hidden;
   for (const std::string& argument : options.effects) {
@@ -72,7 +78,8 @@ std::vector<Run> act_out(const TwinOptions& options, const Experiment& experimen
 // Writing over the actuator or the experiment would lose it.
 void check_output(const TwinOptions& options) {
   const std::filesystem::path folder = folder_of(options);
-  keep_inputs({options.actuator, options.experiment.file}, {folder / actuator_name, folder / "dataset.json"});
+  keep_inputs({options.actuator, options.experiment.file},
+              {folder / actuator_name, folder / "dataset.json", folder / provenance_name, answer_beside(folder)});
 }
 
 // What the clocks of the runs really were; none where they are one.
@@ -89,9 +96,7 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
            const std::vector<Run>& runs) {
   const std::filesystem::path out = folder_of(options);
   text::OutputFolder folder(out);
-  // Not in the folder: whoever gets that does not get the answer with it.
-  std::filesystem::path beside = out;
-  beside += ".answer.json";
+  const std::filesystem::path beside = answer_beside(out);
   text::OutputFile answer(beside);
   answer.stream() << formats::to_json(formats::TwinAnswer{.dataset = out.filename().string(),
                                                           .actuator = options.actuator,
@@ -110,12 +115,14 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
   folder.write("dataset.json", formats::dataset_json(experiment.name, actuator_name, in_roles).text());
   folder.write(actuator_name, bytes_of(options.actuator));
   keep_others(folder, options.force);
+  keep_other(answer, options.force);
+  keep_other_provenance(out, options.force);
   // Neither effects nor seed, by which they could be found.
   const Provenance provenance{.command = "twin",
                               .inputs = {record_of(options.actuator), record_of(options.experiment.file)}};
   folder.write(provenance_name, to_json(provenance).text());
-  answer.close();
-  folder.commit();
+  answer.withdraw();
+  folder.commit("dataset.json");
   answer.commit();
   std::size_t samples = 0;
   for (const Run& run : runs) samples += run.samples();

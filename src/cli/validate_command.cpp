@@ -52,16 +52,17 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
   CLI::App* command = app.add_subcommand("validate", "Compare the model with the figures of the source paper");
   add_json_option(*command, *json);
   auto page = std::make_shared<std::optional<std::string>>();
-  add_report_file_option(*command, *page);
+  auto force = std::make_shared<bool>(false);
+  add_report_file_option(*command, *page, *force);
   command->footer(
       "Each row has the band in which the difference must lie. The exit code is 1 if a difference lies outside\n"
       "its band.\n\n"
       "Example:\n"
       "  coilwright validate --json");
-  command->callback([json, page, &outcome] {
+  command->callback([json, page, force, &outcome] {
     const std::vector<Comparison> rows = systems::validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
-    if (*page) write_page(page::comparison_page(rows, made_by()), **page);
+    if (*page) write_page(page::comparison_page(rows, made_by()), **page, {.force = *force});
     if (*json)
       std::cout << as_json(rows, outside == 0).text();
     else

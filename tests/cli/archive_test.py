@@ -113,6 +113,22 @@ class Archive(ProgramTest):
         result = run("evaluate", "light.json", "--json", cwd=self.folder)
         self.assertEqual(json.loads(result.stdout)["mass_g"], other["quantities"]["mass_g"])
 
+    def test_no_command_writes_over_the_archive_or_what_it_did_not_write(self):
+        for name in ("out/archive.sqlite", "link"):
+            (self.folder / "link").unlink(missing_ok=True)
+            (self.folder / "link").symlink_to("out/archive.sqlite")
+            for command in (["csv", "out"], ["pick", "out", "--row", "1"]):
+                for option in ([], ["--force"]):
+                    self.assert_refused(["archive", *command, "--out", name, *option],
+                                        f"{name}: cannot be written: it is an input of this command")
+        self.write("notes.csv", "mine\n1\n")
+        self.assert_refused(["archive", "csv", "out", "--out", "notes.csv"],
+                            "notes.csv: cannot be written: it holds something else; --force replaces it, another --out keeps it")
+        self.archive("csv", "--out", "notes.csv", "--force")
+        every = self.table("notes.csv")
+        self.archive("csv", "--out", "notes.csv", "--where", "id < 3")  # a table of its own may go
+        self.assertEqual(self.table("notes.csv"), every[:2])
+
     def test_replay_gives_the_same_numbers_or_says_which_and_whose(self):
         count = self.result("out/result.json")["evaluations"]["total"]
         for row in (1, count // 2, count):

@@ -330,6 +330,18 @@ class Diagnose(ProgramTest):
         self.assertLess(abs(found["calibration"]["/effects/0/parameters/torque_Nmm"]["value"] - 25), 2)
         self.assertNotIn("stays as declared", result.stdout)
 
+    def test_an_answer_that_cannot_be_written_is_printed(self):
+        self.take_friction()
+        process = subprocess.Popen([PROGRAM, "diagnose", "set", "--out", "late"], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, encoding="utf-8")
+        with process:
+            while not process.stderr.readline().startswith("recalibrated"):
+                self.assertIsNone(process.poll())
+            self.write("late", "in the way")
+            output, errors = process.communicate()
+        self.assertEqual((process.returncode, output), (1, self.diagnosed.stdout))
+        self.assertEqual(errors.splitlines()[-1], "coilwright: late: cannot be written: Not a directory")
+
     def test_an_interrupt_ends_with_130_and_leaves_what_is_known(self):
         plan = {**PLAN, "runs": [swing(f"run{i}.csv", "fit", 100 + 40 * i, 0.3 + 0.2 * i) for i in range(8)]}
         self.write("plan.json", json.dumps(plan))

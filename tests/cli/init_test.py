@@ -103,6 +103,15 @@ class Schema(ProgramTest):
         written = {path.name: path.read_text() for path in (self.folder / "schemas").iterdir()}
         self.assertEqual(written, {path.name: path.read_text() for path in (CONFIGS / "schemas").iterdir()})
 
+    def test_a_schema_that_was_changed_is_kept(self):
+        self.write("study.schema.json", "{}")
+        command = ["schema", "study", "--out", "."]
+        self.assert_refused(command, "./study.schema.json: cannot be written: it holds something else; --force replaces it, "
+                                     "another --out keeps it")
+        for arguments in (["--force"], []):  # the same again loses nothing
+            self.assertEqual(run(*command, *arguments, cwd=self.folder).returncode, 0)
+        self.assertEqual((self.folder / "study.schema.json").read_text(), run("schema", "study").stdout)
+
     def test_another_name_is_refused(self):
         message = run("schema", "stud").stderr
         self.assertTrue(message.startswith('coilwright: schema: NAME: must be one of "actuator", "as-built", '), message)

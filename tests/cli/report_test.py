@@ -173,6 +173,25 @@ class Report(ProgramTest):
                             'report: --out: must end in .html; got "out/result.json" (see coilwright report --help)')
         self.assertEqual((self.folder / "out/result.json").read_bytes(), result)
 
+    def test_a_page_of_somebody_is_kept(self):
+        self.size()
+        kept = "{}: cannot be written: it holds something else; --force replaces it, another --out keeps it"
+        evaluate = ("evaluate", "finger.json", "--current-A", "1", "--report", "mine.html")
+        report = ("report", "out", "--out", "mine.html")
+        self.write("mine.html", "<!DOCTYPE html>\n<title>Mine</title>\n")
+        for command in (evaluate, report):
+            self.assert_refused(command, kept.format("mine.html"))
+        for command in ((*evaluate, "--force"), report, evaluate):  # a page of its own may go
+            self.assertEqual(run(*command, cwd=self.folder).returncode, 0)
+        (self.folder / "figures").mkdir()
+        self.write("figures/section.svg", "<svg/>")
+        result = run(*report, "--figures", "figures", cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn(kept.format("figures/section.svg"), result.stderr)  # without Node behind another line
+        self.assertEqual((self.folder / "figures/section.svg").read_text(), "<svg/>")
+        for option in (["--force"], []):
+            self.assertEqual(run(*report, "--figures", "figures", *option, cwd=self.folder).returncode, 0)
+
     def test_every_figure_can_be_had_as_a_file(self):
         self.size()
         done = run("report", "out", "--figures", "figures", cwd=self.folder)

@@ -85,6 +85,14 @@ class Manual(ProgramTest):
         self.assertLessEqual({"coilwright", *(f"coilwright-{name}" for name in commands())}, names)
         self.assertIn("coilwright-rig-camera", names)
 
+    def test_a_page_that_was_changed_is_kept(self):
+        page = self.page("-size")
+        self.write("man1/coilwright-size.1", "mine")
+        self.assert_refused(["man", "--out", "man1"], "man1/coilwright-size.1: cannot be written: it holds something else; "
+                                                      "--force replaces it, another --out keeps it")
+        self.assertEqual(run("man", "--out", "man1", "--force", cwd=self.folder).returncode, 0)
+        self.assertEqual(self.page("-size"), page)
+
     def test_a_page_says_what_the_help_says(self):
         for command in (["size"], ["rig", "camera"], ["drive"]):
             text = self.page("-" + "-".join(command)).replace("\\-", "-")

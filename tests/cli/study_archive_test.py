@@ -254,6 +254,13 @@ class Folders(ArchivedStudy):
         result = run("archive", "top", "out", "--least", "mass_g", "--count", "1", cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
+    def test_no_result_takes_the_place_of_what_the_study_is_made_of(self):
+        write_study(self, actuator="actuator.json", search={"max_evaluations": 20})
+        (self.folder / "finger.json").rename(self.folder / "actuator.json")
+        for option in ([], ["--force"]):
+            self.assert_refused(["size", "study.json", "--out", ".", *option],
+                                "./actuator.json: cannot be written: it is an input of this command")
+
     def test_files_that_are_no_archive_or_of_a_later_version_are_left_alone(self):
         write_study(self, search={"max_evaluations": 20})
         self.run_well("size")
@@ -340,6 +347,26 @@ class Disks(ArchivedStudy):
         self.run_well("sweep", "--resume")
         self.assertEqual(results_of(self.folder / "out"), results_of(self.folder / "whole"))
         self.assertGreater(self.runs()[1][1], 0)
+
+    def test_an_answer_is_printed_where_the_folder_or_the_archive_is_gone(self):
+        for command, changes in (("size", {"objectives": [FRONT[0]]}), ("pareto", {}),
+                                 ("sweep", {"variables": {**GRID, "gap_mm": {"lower": 0.7, "upper": 1.6, "step": 0.01}}})):
+            changes = {"objectives": FRONT, "search": {"max_evaluations": 600, "seed": 5}, **changes}
+            write_study(self, **changes)
+            whole = self.run_well(command, out=command)
+            for gone in ("folder", "archive"):
+                with self.subTest(f"{command}, {gone}"):
+                    process = self.begun(command, out=gone, **changes)
+                    if gone == "folder":
+                        shutil.rmtree(self.folder / gone)
+                    else:
+                        for path in (self.folder / gone).glob(ARCHIVE + "*"):
+                            path.unlink()
+                    process.send_signal(signal.SIGCONT)
+                    output, errors = process.communicate(timeout=HANGS)
+                    self.assertEqual((process.returncode, output), (1, whole))
+                    self.assertRegex(errors.splitlines()[-1], rf"^coilwright: {gone}/\S+: cannot be (read|written): ")
+                shutil.rmtree(self.folder / gone, ignore_errors=True)
 
     def test_a_folder_that_only_reads_is_refused(self):
         write_study(self, search={"max_evaluations": 20})

@@ -71,6 +71,19 @@ class Twin(ProgramTest):
         self.twin("lab", "--force")
         self.assertNotEqual(self.folder_of("lab"), before)
 
+    def test_so_are_an_answer_and_a_provenance_of_somebody(self):
+        twin = ["twin", PAPER_FINGER, "--experiment", "plan.json", "--out", "set"]
+        rig = ["rig", "torque-bench", PAPER_FINGER, "--out", "set"]
+        (self.folder / "set").mkdir()
+        for name, commands in (("set.answer.json", [twin]), ("set/provenance.json", [twin, rig])):
+            self.write(name, "mine")
+            for command in commands:
+                self.assert_refused(command, f"{name}: cannot be written: it holds something else; --force replaces it, "
+                                             "another --out keeps it")
+            (self.folder / name).unlink()
+        (self.folder / "set/provenance.json").symlink_to("../plan.json")
+        self.assert_refused([*twin, "--force"], "set/provenance.json: cannot be written: it is an input of this command")
+
     def test_without_effect_and_noise_it_is_what_simulate_gives(self):
         plan = {**EXPERIMENT, "resolution": {}}
         self.write("plan.json", json.dumps(plan))

@@ -33,6 +33,7 @@ void add_archive_pick(CLI::App& command) {
   pick->footer("Example:\n  coilwright archive pick results/fastest_finger --row 17 --out design_17.json");
   pick->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);
+    keep_inputs({archive.path()}, {options->out});
     const archive::Row row = row_of(archive, options->row);
     const sizing::DesignProblem problem = problem_of(archive.contents());
     const std::vector<double> point = point_of(problem, archive, row);

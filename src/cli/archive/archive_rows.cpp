@@ -31,6 +31,7 @@ struct ArchiveRowsOptions {
   std::string most, least;  // columns
   std::optional<std::size_t> count{};
   std::string out;
+  bool force{false};
   bool json{false};
 };
 
@@ -136,6 +137,7 @@ void add_archive_csv(CLI::App& command) {
   add_archive_folder(*csv, options->folder);
   csv->add_option("--out", options->out, "File for the table; - is standard output (default -)")->default_str("-");
   add_where(*csv, *options, false);
+  add_force_option(*csv, options->force);
   add_flag(*csv, "--json", options->json, "Print the designs as JSON, or with --out what was written");
   csv->footer("Example:\n  coilwright archive csv results/fastest_finger --out designs.csv");
   csv->callback([options] {
@@ -146,9 +148,11 @@ void add_archive_csv(CLI::App& command) {
       print(archive, rows_of(archive, {.where = options->where}, "--where"), *options, "");
       return;
     }
+    if (to_file) keep_inputs({archive.path()}, {options->out});
     text::OutputFile file(options->out.empty() ? "-" : options->out);
     formats::ArchiveTable table(file.stream(), archive.contents());
     archive.each({.where = options->where}, [&](const archive::Row& row) { table.row(row); });
+    keep_other_kind(file, table_mark, options->force);
     file.commit();
     if (options->json) std::cout << written_json({options->out}).text();
   });

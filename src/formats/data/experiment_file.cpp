@@ -10,10 +10,10 @@
 
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
-#include "formats/data/experiment_rules.hpp"
 #include "formats/data/input_shape_format.hpp"
 #include "formats/data/instruments_format.hpp"
 #include "formats/data/run_words.hpp"
+#include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -11,7 +11,7 @@
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
-#include "formats/data/experiment_rules.hpp"
+#include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
 namespace {

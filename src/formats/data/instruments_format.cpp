@@ -12,7 +12,7 @@
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
-#include "formats/data/experiment_rules.hpp"
+#include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
 namespace {

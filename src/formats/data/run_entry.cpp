@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "coilwright/text/json/object_reader.hpp"
-#include "formats/data/experiment_rules.hpp"
 #include "formats/data/layout_format.hpp"
 #include "formats/data/run_words.hpp"
+#include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -18,8 +18,6 @@ using measurement::data::Run;
 using measurement::data::RunKind;
 using measurement::data::Start;
 
-// In the column's unit. Outside, no instrument: a fit would drown in it, or overflow.
-constexpr Rule sigma_rule = Rule::between(1e-12, 1e12);
 constexpr Rule rate_rule = Rule::between(0.0, 1.0);  // relative
 
 // The columns decide; the entry must say the same. Nothing is commanded where a hinge is held open by hand.

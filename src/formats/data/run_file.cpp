@@ -12,6 +12,7 @@
 #include "coilwright/units/unit.hpp"
 #include "formats/data/run_columns.hpp"
 #include "formats/data/run_rows.hpp"
+#include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -23,13 +24,10 @@ using measurement::data::Drive;
 using measurement::data::Run;
 using measurement::data::RunKind;
 
-// Far beyond any record, and near enough that no sum of squares overflows.
-constexpr double largest_number = 1e12;
-
 std::vector<double> values_of(const CsvTable& table, const std::string& quantity) {
   const auto column = table.column(quantity);
   for (std::size_t row = 0; row < column.size(); ++row)
-    if (std::abs(column[row]) > largest_number)
+    if (!std::isnan(column[row]) && !measured_rule.allows(column[row]))
       throw table.error(quantity, row, "must be a number that can be measured, at most 1e12");
   return {column.begin(), column.end()};
 }

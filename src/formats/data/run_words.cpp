@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "formats/simulation/plausible_ranges.hpp"
+
 namespace coilwright::formats {
 namespace {
 
@@ -14,10 +16,8 @@ using measurement::data::RunKind;
 using measurement::data::Start;
 
 // Far beyond any laboratory, and near enough that nothing overflows.
-constexpr Rule turn_rule = Rule::between(-360.0, 360.0);       // deg
-constexpr Rule mass_rule = Rule::between(0.0, 1e6);            // g
-constexpr Rule input_sigma_rule = Rule::between(1e-12, 1e12);  // in the unit of a column
-constexpr Rule correlation_rule = Rule::between(0.0, 1e5);     // s
+constexpr Rule turn_rule = Rule::between(-360.0, 360.0);  // deg
+constexpr Rule mass_rule = Rule::between(0.0, 1e6);       // g
 
 template <class... Values>
 auto read_name(const Node& node, Values... values) {
@@ -69,13 +69,13 @@ measurement::data::InputUncertainty read_input_uncertainty(ObjectReader& in,
   measurement::data::InputUncertainty out = usual;
   const auto sigma = in.find_not_null("input_sigma");
   if (sigma && sigma->kind() == Node::Kind::number)
-    out.sigma = {sigma->number(input_sigma_rule)};
+    out.sigma = {sigma->number(sigma_rule)};
   else if (sigma)
-    out.sigma = sigma->numbers(Length::at_least(1), input_sigma_rule);
+    out.sigma = sigma->numbers(Length::at_least(1), sigma_rule);
   if (const auto correlation = in.find_not_null("input_correlation_s")) {
     if (out.sigma.empty())
       throw correlation->error_without_value("must not be there without input_sigma, of whose errors it is the time");
-    out.correlation = correlation->quantity(correlation_rule);
+    out.correlation = correlation->quantity(time_rule);
   }
   return out;
 }

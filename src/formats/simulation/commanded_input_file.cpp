@@ -5,7 +5,9 @@
 #include <string>
 
 #include "coilwright/text/csv/csv_table.hpp"
+#include "coilwright/units/unit.hpp"
 #include "formats/simulation/input_columns.hpp"
+#include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
 namespace {
@@ -30,7 +32,11 @@ CommandedInput command_of(const CsvTable& table, const InputColumns& input) {
   command.rows.resize(times.size());
   for (const std::string& quantity : input.quantities) {
     const auto values = table.column(quantity);
-    for (std::size_t row = 0; row < values.size(); ++row) command.rows[row].push_back(values[row]);
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      if (!level_rule.allows(units::from_memory(values[row], table.name(quantity))))
+        throw table.error(quantity, row, level_rule.text());
+      command.rows[row].push_back(values[row]);
+    }
   }
   return command;
 }

@@ -63,6 +63,14 @@ TEST(CommandedInput, RefusesTwoKindsOfInput) {
             "x.csv: line 1: must have one kind of input only (current_A, current1_A.., voltage_V, torque1_Nm..)");
 }
 
+// A simulation of one does not end. In the unit of the column.
+TEST(CommandedInput, RefusesALevelBeyondAnyHardware) {
+  EXPECT_EQ(refusal("time_s,current_A\n0,1e6\n0.1,-1e305\n"),
+            "x.csv: line 3: column current_A: must be from -1000000 to 1000000; got -1e+305");
+  EXPECT_EQ(refusal("time_s,torque1_Nmm,torque2_Nmm\n0,1e6,2e6\n"),
+            "x.csv: line 2: column torque2_Nmm: must be from -1000000 to 1000000; got 2000000");
+}
+
 TEST(CommandedInput, RefusesATimeThatGoesBackOrStandsStill) {
   EXPECT_EQ(refusal("time_s,current_A\n0.1,2\n0.3,2\n0.2,2\n"),
             "x.csv: line 4: column time_s: must exceed the value before it (0.3); the clock starts again here, so the "

@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "archive/checksum.hpp"
 #include "archive/read_contents.hpp"
 #include "archive/schema.hpp"
+#include "coilwright/text/one_line.hpp"
 
 namespace coilwright::archive {
 namespace {
@@ -19,6 +21,8 @@ namespace fs = std::filesystem;
 
 // Another process holds the file for milliseconds at a time.
 constexpr int busy_timeout = 10'000;  // ms
+
+constexpr int longest_value = 100'000'000;  // bytes; of a study's inputs the largest are 16 MB
 
 // It is there while a change is made that the log does not take: of the way of logging itself, at a run's begin and
 // end.
@@ -61,6 +65,35 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
   if (version < 1) throw error_about(path, fmt::format("is damaged: no archive has version {}", version));
 }
 
+// What SQLite advises for files that anybody may have written: no function of ours in what the schema asks for, no
+// write to the schema, neither views nor triggers, and no text larger than any input of a study.
+void distrust(SQLite::Database& database) {
+  for (const auto& [option, on] :
+       {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1), std::pair(SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0),
+        std::pair(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0), std::pair(SQLITE_DBCONFIG_ENABLE_VIEW, 0)})
+    sqlite3_db_config(database.getHandle(), option, on, nullptr);
+  sqlite3_limit(database.getHandle(), SQLITE_LIMIT_LENGTH, longest_value);
+}
+
+// A view may hold a query without an end, a trigger whatever SQL there is.
+void require_our_tables_only(const fs::path& path, SQLite::Database& database) {
+  std::optional<std::string> other;
+  try {
+    SQLite::Statement others(
+        database, fmt::format("SELECT type || ' ' || name FROM sqlite_schema WHERE type <> 'table' OR name NOT IN ({}) "
+                              "OR sql NOT LIKE 'CREATE TABLE %'",
+                              table_names));
+    if (others.executeStep()) other = others.getColumn(0).getString();
+  } catch (const SQLite::Exception& error) {
+    throw damaged(path, {.text = error.what()});
+  }
+  if (other)
+    throw error_about(path,
+                      fmt::format("is no archive of a study: it must have no more than the tables that coilwright "
+                                  "makes, and has {}",
+                                  text::in_quotes(*other)));
+}
+
 void require_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -73,7 +106,9 @@ SQLite::Database open(const fs::path& path, int flags) {
   // Whoever has a connection lets one thread use it at a time; SQLite need not lock it once more for each value.
   SQLite::Database database =
       reading(path, [&] { return SQLite::Database(path.string(), flags | SQLite::OPEN_NOMUTEX, busy_timeout); });
+  distrust(database);
   require_archive(path, database);
+  require_our_tables_only(path, database);
   register_checksum(database);
   return database;
 }

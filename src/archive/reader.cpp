@@ -61,12 +61,28 @@ std::string sql_of(const Query& query) {
   return conditions + order + (query.most ? fmt::format(" LIMIT {}", *query.most) : "");
 }
 
-// What SQLite says of the condition itself is its author's mistake; all else is about the file.
-SQLite::Statement of_condition(const SQLite::Database& database, const std::string& sql) {
+// A condition may hold a query without an end. SQLite takes some 1e8 steps a second.
+constexpr std::size_t steps = 300'000'000, steps_of_a_design = 10'000, steps_between_looks = 100'000;
+
+int spend(void* looks) {
+  auto& left = *static_cast<std::size_t*>(looks);
+  return left-- == 0 ? 1 : 0;
+}
+
+// Runs a query with a condition. What SQLite says of the condition is its author's mistake; all else is about the file.
+template <class Task>
+void of_condition(const SQLite::Database& database, std::size_t designs, const std::string& sql, const Task& task) {
+  std::size_t looks = (steps + designs * steps_of_a_design) / steps_between_looks;
+  const auto end = [](sqlite3* handle) { sqlite3_progress_handler(handle, 0, nullptr, nullptr); };
+  const std::unique_ptr<sqlite3, decltype(end)> bounded(database.getHandle(), end);
+  sqlite3_progress_handler(bounded.get(), steps_between_looks, &spend, &looks);
   try {
-    return {database, sql};
+    SQLite::Statement rows(database, sql);
+    while (rows.executeStep()) task(rows);
   } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() == SQLITE_ERROR) throw std::invalid_argument(error.what());
+    if (error.getErrorCode() == SQLITE_INTERRUPT) throw std::invalid_argument("takes too long, or has no end");
+    if (error.getErrorCode() == SQLITE_ERROR || error.getErrorCode() == SQLITE_TOOBIG)
+      throw std::invalid_argument(error.what());
     throw;
   }
 }
@@ -95,6 +111,18 @@ struct Reader::Connection {
     if (by_id.executeStep()) found = row_of(by_id, counts);
     by_id.reset();  // a statement under way would hold back the log
     return found;
+  }
+
+  std::size_t size() {
+    return reading(path, [this] {
+      SQLite::Statement count(database, "SELECT count(*) FROM designs");
+      return count.executeStep() ? static_cast<std::size_t>(count.getColumn(0).getInt64()) : std::size_t{0};
+    });
+  }
+
+  template <class Task>
+  void query(const std::string& sql, const Task& task) {
+    reading(path, [&] { of_condition(database, size(), sql, task); });
   }
 
   // Sixteen bytes a design, and no index that each insertion would have to keep up.
@@ -168,19 +196,16 @@ std::vector<Run> Reader::runs() const {
 
 std::size_t Reader::size() const {
   const std::scoped_lock lock(connection_->guard);
-  return reading(connection_->path, [this] {
-    SQLite::Statement count(connection_->database, "SELECT count(*) FROM designs");
-    return count.executeStep() ? static_cast<std::size_t>(count.getColumn(0).getInt64()) : std::size_t{0};
-  });
+  return connection_->size();
 }
 
 std::size_t Reader::count(const std::string& where) const {
   const std::scoped_lock lock(connection_->guard);
-  return reading(connection_->path, [&] {
-    SQLite::Statement count =
-        of_condition(connection_->database, fmt::format("SELECT count(*) FROM designs WHERE ({}\n)", where));
-    return count.executeStep() ? static_cast<std::size_t>(count.getColumn(0).getInt64()) : std::size_t{0};
+  std::size_t count = 0;
+  connection_->query(fmt::format("SELECT count(*) FROM designs WHERE ({}\n)", where), [&](SQLite::Statement& found) {
+    count = static_cast<std::size_t>(found.getColumn(0).getInt64());
   });
+  return count;
 }
 
 std::optional<Row> Reader::row(std::int64_t id) const {
@@ -207,10 +232,8 @@ void Reader::each(const Query& query, const std::function<void(const Row&)>& tak
   const std::scoped_lock lock(connection_->guard);
   if (!query.order_by.empty() && !is_column(connection_->contents.columns, query.order_by))
     throw std::invalid_argument("no such column: " + query.order_by);
-  reading(connection_->path, [&] {
-    SQLite::Statement rows = of_condition(connection_->database, connection_->selection + sql_of(query));
-    while (rows.executeStep()) take(row_of(rows, connection_->counts));
-  });
+  connection_->query(connection_->selection + sql_of(query),
+                     [&](SQLite::Statement& rows) { take(row_of(rows, connection_->counts)); });
 }
 
 }  // namespace coilwright::archive

@@ -20,6 +20,9 @@ inline constexpr int first_version_with_checksums = 2;
 inline constexpr std::array<std::string_view, 10> fixed_columns{
     "id", "run", "number", "status", "failure", "infeasibility", "has_quantities", "took_s", "ended_unix_s", "origin"};
 
+/// All tables, as SQL lists texts.
+inline constexpr std::string_view table_names = "'study', 'inputs', 'changes', 'columns', 'runs', 'designs'";
+
 /// A name between double quotes, as SQL wants it.
 [[nodiscard]] std::string sql_name(std::string_view name);
 

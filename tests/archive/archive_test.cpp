@@ -217,6 +217,40 @@ TEST_F(Archive, RefusesWhatIsNoneOrTooNew) {
   EXPECT_THROW(Writer(path_, 60, {}), text::InputError);
 }
 
+// What SQLite would run of itself when the file is read or written to.
+TEST_F(Archive, RefusesAViewATriggerAndWhateverElseIsNotItsOwn) {
+  const std::string endless = "WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT x FROM c";
+  for (const auto& [sql, other] : std::vector<std::pair<std::string, std::string>>{
+           {"CREATE VIEW more AS " + endless, "view more"},
+           {"ALTER TABLE runs RENAME TO r; DROP TABLE r; CREATE VIEW runs AS " + endless, "view runs"},
+           {"CREATE TRIGGER late AFTER INSERT ON runs BEGIN DELETE FROM designs; END", "trigger late"},
+           {"CREATE TABLE notes (text)", "table notes"},
+           {"CREATE INDEX quick ON designs (abs(mass_g))", "index quick"}}) {
+    write({design(0.7, 60, 1.5)});
+    execute(sql);
+    EXPECT_EQ(refusal(),
+              "is no archive of a study: it must have no more than the tables that coilwright makes, and has \"" +
+                  other + "\"")
+        << sql;
+    EXPECT_THROW(Writer(path_, 60, {}), text::InputError) << sql;
+    EXPECT_THROW(drop_damaged_designs(path_), text::InputError) << sql;
+  }
+}
+
+TEST_F(Archive, EndsAConditionThatHasNoEnd) {
+  write({design(0.7, 60, 1.5)});
+  const Reader reader(path_);
+  const std::string endless =
+      "mass_g IN (WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT -x FROM c WHERE x < 0)";
+  const auto error = [&](const std::string& where) {
+    return error_text([&] { reader.each({.where = where}, [](const Row&) {}); });
+  };
+  EXPECT_EQ(error(endless), "takes too long, or has no end");
+  EXPECT_EQ(error("abs(-9223372036854775807 - 1) > 0"), "integer overflow");
+  EXPECT_THROW((void)reader.count(endless), std::invalid_argument);
+  EXPECT_EQ(reader.count("mass_g < 70"), 1U);  // the next one has all its steps again
+}
+
 // Another value of any column, also one that SQLite has no reason to doubt.
 TEST_F(Archive, KnowsAChangedValueAndTakesTheDesignOut) {
   const std::string advice = "the command that made it makes it anew with --force";

@@ -148,6 +148,11 @@ class Archive(ProgramTest):
                 (["filter", "out", "--where", "mas_g < 60"], '--where: no such column: mas_g; did you mean "mass_g"?'),
                 (["filter", "out", "--where", "mass_g <"], '--where: near ")": syntax error; a condition is written as '
                  "mass_g < 60 and status = 'ok'"),
+                (["csv", "out", "--out", "all.csv", "--where", "abs(-9223372036854775807 - 1) > 0"],
+                 "--where: integer overflow; a condition is written as mass_g < 60 and status = 'ok'"),
+                (["top", "out", "--most", "mass_g", "--where", "mass_g IN (WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT "
+                  "x + 1 FROM c) SELECT x FROM c WHERE x < 0)"],
+                 "--where: takes too long, or has no end; a condition is written as mass_g < 60 and status = 'ok'"),
                 (["top", "out", "--most", "nosuch"], "--most: no such column: nosuch; coilwright archive csv DIR has every column"),
                 (["top", "out", "--most", "mas_g"], '--most: no such column: mas_g; did you mean "mass_g"?'),
                 (["top", "out"], "top: needs --most or --least, one of the two"),

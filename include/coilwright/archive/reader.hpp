@@ -28,8 +28,9 @@ struct Query {
 /// Reads an archive, also while a run writes to it. Safe to use from several threads.
 class Reader {
  public:
-  /// Throws InputError for a file that is no archive or of a later version, where it cannot be read, and where a row of
-  /// it is not what was written: every checksum is looked at, which takes some seconds for a million designs.
+  /// Throws InputError for a file that is no archive or of a later version, has more in it than an archive (a view, a
+  /// trigger), cannot be read, or has a row that is not what was written: every checksum is looked at, which takes some
+  /// seconds for a million designs.
   explicit Reader(const std::filesystem::path& path);
   ~Reader();
   Reader(Reader&&) noexcept;
@@ -59,7 +60,8 @@ class Reader {
   [[nodiscard]] std::optional<Row> find(std::span<const Value> variables) const;
 
   /// Calls `take` with each design of a query. Throws std::invalid_argument with what SQLite says of a condition that
-  /// is none, or of an order that is no column.
+  /// is none, or of an order that is no column, and of a condition that takes more than some seconds and 0.1 ms a
+  /// design.
   void each(const Query& query, const std::function<void(const Row&)>& take) const;
 
  private:

@@ -64,15 +64,20 @@ std::string complaint(std::string_view words, const archive::Contents& contents)
   return text + (hint.empty() ? "; coilwright archive csv DIR has every column" : hint);
 }
 
-std::vector<archive::Row> rows_of(const archive::Reader& archive, const archive::Query& query,
-                                  const std::string& option) {
-  std::vector<archive::Row> rows;
+template <class Take>
+void each_of(const archive::Reader& archive, const archive::Query& query, const std::string& option, const Take& take) {
   try {
-    archive.each(query, [&](const archive::Row& row) { rows.push_back(row); });
+    archive.each(query, take);
   } catch (const std::invalid_argument& mistake) {
     throw text::InputError(
         {.file = option, .place = {}, .rule = complaint(mistake.what(), archive.contents()), .value = {}});
   }
+}
+
+std::vector<archive::Row> rows_of(const archive::Reader& archive, const archive::Query& query,
+                                  const std::string& option) {
+  std::vector<archive::Row> rows;
+  each_of(archive, query, option, [&](const archive::Row& row) { rows.push_back(row); });
   return rows;
 }
 
@@ -94,9 +99,9 @@ void run_top(const ArchiveRowsOptions& options) {
                              .order_by = column,
                              .descending = options.least.empty(),
                              .most = options.count.value_or(10)};
-  // A condition is asked about by itself, so that its mistakes are not told of the column.
-  if (!options.where.empty()) (void)rows_of(archive, {.where = options.where, .most = 0}, "--where");
-  print(archive, rows_of(archive, query, options.most.empty() ? "--least" : "--most"), options, column);
+  // The column is asked about by itself, so that mistakes of the condition are not told of it.
+  (void)rows_of(archive, {.order_by = column, .most = 0}, options.most.empty() ? "--least" : "--most");
+  print(archive, rows_of(archive, query, "--where"), options, column);
 }
 
 }  // namespace
@@ -142,7 +147,6 @@ void add_archive_csv(CLI::App& command) {
   csv->footer("Example:\n  coilwright archive csv results/fastest_finger --out designs.csv");
   csv->callback([options] {
     const archive::Reader archive = opened_archive(options->folder);
-    if (!options->where.empty()) (void)rows_of(archive, {.where = options->where, .most = 0}, "--where");
     const bool to_file = !options->out.empty() && options->out != "-";
     if (options->json && !to_file) {
       print(archive, rows_of(archive, {.where = options->where}, "--where"), *options, "");
@@ -151,7 +155,7 @@ void add_archive_csv(CLI::App& command) {
     if (to_file) keep_inputs({archive.path()}, {options->out});
     text::OutputFile file(options->out.empty() ? "-" : options->out);
     formats::ArchiveTable table(file.stream(), archive.contents());
-    archive.each({.where = options->where}, [&](const archive::Row& row) { table.row(row); });
+    each_of(archive, {.where = options->where}, "--where", [&](const archive::Row& row) { table.row(row); });
     keep_other_kind(file, table_mark, options->force);
     file.commit();
     if (options->json) std::cout << written_json({options->out}).text();

@@ -140,7 +140,8 @@ void run_drive(const DriveOptions& options) {
   }
   if (!options.out.empty() && !options.motion && !options.warm_up)
     throw CLI::ValidationError("--out", "requires --motion-s or --warm-up-s");
-  if (!options.out.empty()) keep_inputs({options.actuator.file}, {options.out});
+  keep_inputs({options.actuator.file}, {options.out});
+  require_writable({options.out});
   const BuiltDesign built =
       built_design(read_actuator(options.actuator), options.actuator, "a drive needs a design (actuator/1)");
   const systems::DriveQuestion question = question_of(options);

@@ -177,7 +177,9 @@ void add_evaluate_command(CLI::App& app, Outcome&) {
       "  coilwright evaluate configs/actuators/paper_finger.json --current-A 1.4 --set gap_mm=1.2 --set "
       "turns_axial=26");
   command->callback([options] {
-    if (options->page) keep_inputs({options->actuator.file}, {*options->page});
+    const std::string drawn = options->page.value_or("");
+    keep_inputs({options->actuator.file}, {drawn});
+    require_writable({drawn});
     const formats::ActuatorFile file = read_actuator(options->actuator);
     std::visit([&](const auto& content) { evaluate(content, file, *options); }, file.content);
   });

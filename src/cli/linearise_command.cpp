@@ -83,6 +83,7 @@ std::string remarks(const LinearModel& model) {
 
 void run_linearise(const LineariseOptions& options) {
   keep_inputs({options.actuator.file}, {options.out});
+  require_writable({options.out});
   const LinearModel model = linear_model(options);
   const std::string json = formats::to_json(model).text();
   if (!options.out.empty()) write_file(options.out, json_mark, options.force, [&](std::ostream& out) { out << json; });

@@ -22,6 +22,11 @@ void keep_inputs(const std::vector<std::filesystem::path>& inputs, const std::ve
   }
 }
 
+void require_writable(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files)
+    if (!file.empty()) const text::OutputFile trial(file);
+}
+
 void add_force_option(CLI::App& command, bool& force) {
   add_flag(command, "--force", force, "Replace files of another kind or content, too");
 }

@@ -18,6 +18,10 @@ namespace coilwright::cli {
 /// Throws text::OutputError naming the first of `outputs` that is one of `inputs`: writing it would lose it.
 void keep_inputs(const std::vector<std::filesystem::path>& inputs, const std::vector<std::filesystem::path>& outputs);
 
+/// Throws text::OutputError naming the first of these files that cannot be written: before the work. An empty name is
+/// no file.
+void require_writable(const std::vector<std::filesystem::path>& files);
+
 /// An option --force of a command that calls keep_others() or one of the other functions below.
 void add_force_option(CLI::App& command, bool& force);
 

@@ -150,6 +150,7 @@ void run_reach(const ReachOptions& options) {
     throw InputError({.file = "--c-header", .rule = "must be another file than that of --out"});
   const Asked asked = read(options);
   const control::ReachTask task = task_of(options, asked);
+  require_writable({options.out, options.header});
   const control::Reach reach = answer(options, asked, task);
   const control::ProfileQuality& best = control::best_profile(reach);
   write(options, asked, reach, best);

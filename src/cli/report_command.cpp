@@ -40,7 +40,10 @@ void run_report(const ReportCommandOptions& options) {
   const std::filesystem::path file = options.out ? std::filesystem::path(*options.out) : folder / report_name;
   ReportOptions how{.pictures = options.pictures, .force = options.force};
   keep_inputs(results_in(folder), {file});
-  if (options.figures) how.figures = *options.figures;
+  std::error_code none;
+  if (std::filesystem::is_directory(folder, none)) require_writable({file});
+  std::optional<text::OutputFolder> figures;
+  if (options.figures) how.figures = figures.emplace(*options.figures).path();
   write_report(folder, file, how);
   if (options.json)
     std::cout << written_json({file}).text();

@@ -94,9 +94,12 @@ RigActuator read_rig_actuator(const RigOptions& options) {
 
 void run_rig(const RigOptions& options,
              const std::function<RigResult(const actuator::Design& design, magnetics::Fidelity fidelity)>& readings) {
-  if (!options.out.empty())
+  std::optional<text::OutputFolder> trial;
+  if (!options.out.empty()) {
     keep_inputs({options.actuator.file}, {folder_of(options) / actuator_name, folder_of(options) / "dataset.json",
                                           folder_of(options) / provenance_name});
+    trial.emplace(folder_of(options));
+  }
   const RigActuator actuator = read_rig_actuator(options);
   const RigResult result = [&] {
     try {

@@ -47,12 +47,6 @@ std::filesystem::path folder_of(const TwinOptions& options) {
   return out.has_filename() ? out : out.parent_path();
 }
 
-// Not in the folder: whoever gets that does not get the answer with it.
-std::filesystem::path answer_beside(std::filesystem::path folder) {
-  folder += ".answer.json";
-  return folder;
-}
-
 std::vector<Effect> read_hidden(const TwinOptions& options, const actuator::ModelSpec& nominal) {
   std::vector<Effect> hidden;
   for (const std::string& argument : options.effects) {
@@ -75,11 +69,16 @@ std::vector<Run> act_out(const TwinOptions& options, const Experiment& experimen
   });
 }
 
+// Not in the folder: whoever gets that does not get the answer with it.
+std::filesystem::path answer_of(const TwinOptions& options) {
+  return folder_of(options) += ".answer.json";
+}
+
 // Writing over the actuator or the experiment would lose it.
 void check_output(const TwinOptions& options) {
   const std::filesystem::path folder = folder_of(options);
   keep_inputs({options.actuator, options.experiment.file},
-              {folder / actuator_name, folder / "dataset.json", folder / provenance_name, answer_beside(folder)});
+              {folder / actuator_name, folder / "dataset.json", folder / provenance_name, answer_of(options)});
 }
 
 // What the clocks of the runs really were; none where they are one.
@@ -96,7 +95,7 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
            const std::vector<Run>& runs) {
   const std::filesystem::path out = folder_of(options);
   text::OutputFolder folder(out);
-  const std::filesystem::path beside = answer_beside(out);
+  const std::filesystem::path beside = answer_of(options);
   text::OutputFile answer(beside);
   answer.stream() << formats::to_json(formats::TwinAnswer{.dataset = out.filename().string(),
                                                           .actuator = options.actuator,
@@ -144,6 +143,8 @@ void run_twin(const TwinOptions& options) {
       formats::read_declared_actuator(options.actuator, {.names = {}, .file = options.actuator});
   const Experiment experiment = read_experiment(options.experiment);
   const std::vector<Effect> hidden = read_hidden(options, rig.model.build({}));
+  const text::OutputFolder trial(folder_of(options));
+  require_writable({answer_of(options)});
   write(options, experiment, hidden, act_out(options, experiment, rig.model, hidden));
 }
 

@@ -13,6 +13,7 @@
 #include "coilwright/text/json/json.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 #include "report_option.hpp"
 
 namespace coilwright::cli {
@@ -60,6 +61,7 @@ void add_validate_command(CLI::App& app, Outcome& outcome) {
       "Example:\n"
       "  coilwright validate --json");
   command->callback([json, page, force, &outcome] {
+    require_writable({page->value_or("")});
     const std::vector<Comparison> rows = systems::validation::compare_with_paper();
     const auto outside = std::ranges::count_if(rows, [](const Comparison& row) { return !row.holds(); });
     if (*page) write_page(page::comparison_page(rows, made_by()), **page, {.force = *force});

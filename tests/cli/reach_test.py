@@ -156,6 +156,10 @@ class Reach(ProgramTest):
     def test_an_output_that_cannot_be_written_leaves_nothing(self):
         self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "50", "--c-header", "finger.h", "--out", "none/a.csv"),
                             "none/a.csv: cannot be written: No such file or directory")
+        # Told before the search, which would have refused the angle.
+        for option in ("--out", "--c-header"):
+            self.assert_refused(("reach", PAPER_FINGER, "--angle-deg", "100", option, "none/a"),
+                                "none/a: cannot be written: No such file or directory")
 
     def test_another_file_is_kept_and_its_own_kind_replaced(self):
         outputs = (("--out", "a.csv"), ("--c-header", "a.h"))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <cerrno>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -55,6 +56,10 @@ void require_archive(const fs::path& path, SQLite::Database& database) {
                         fmt::format("was left half-changed by a run that was killed, and is put right only where it "
                                     "may be written: copy it there with {}",
                                     journal_of(path).filename().string()));
+    if (sqlite3_system_errno(database.getHandle()) == ENOSPC)
+      throw error_about(path,
+                        "is of a run that was killed or is under way, and needs some room on its disk to be read: "
+                        "the disk is full");
     throw error_about(path, std::string("is no archive of a study: ") + error.what());
   }
   if (application != application_id) throw error_about(path, "is no archive of a study: another program wrote it");
@@ -97,7 +102,9 @@ void require_our_tables_only(const fs::path& path, SQLite::Database& database) {
 void require_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw error_about(path, "cannot be read: there is no such file");
+  if (!fs::exists(status))
+    throw error_about(path, "cannot be read: " + (status.type() == fs::file_type::not_found ? "there is no such file"
+                                                                                            : error.message()));
   if (!fs::is_regular_file(status)) throw error_about(path, "cannot be read: it is no regular file");
 }
 
@@ -142,7 +149,8 @@ void require_whole(const fs::path& path, SQLite::Database& database) {
 
 SQLite::Database open_to_read(const fs::path& path) {
   // A change that was cut short is taken back by the next who opens the file, but not by one who may only read.
-  if (fs::exists(journal_of(path))) static_cast<void>(open(path, SQLite::OPEN_READWRITE));
+  std::error_code none;  // require_file() tells of a folder that cannot be looked into
+  if (fs::exists(journal_of(path), none)) static_cast<void>(open(path, SQLite::OPEN_READWRITE));
   return open(path, SQLite::OPEN_READONLY);
 }
 

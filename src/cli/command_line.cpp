@@ -5,10 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "build_info.hpp"
@@ -113,6 +117,16 @@ std::string usage_message(const CLI::ParseError& error) {
   return end == std::string::npos ? words : fmt::format("--{}: takes no value", words.substr(0, end));
 }
 
+// The words of the system, which TBB's own end with, in whichever step wanted a further thread.
+bool is_out_of_threads(const std::exception& error) {
+  return std::string_view(error.what()).ends_with(std::generic_category().message(EAGAIN));
+}
+
+ExitCode out_of_threads(ErrorFormat format) {
+  return fail(format, ExitCode::failure,
+              "no further thread can be started: the limit of processes (ulimit -u) or of memory is reached");
+}
+
 ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, const Outcome& outcome) {
   const ErrorFormat format = error_format_of(arguments);
   try {
@@ -123,13 +137,19 @@ ExitCode parse_and_run(CLI::App& app, std::span<const char* const> arguments, co
     // What is missing may be missing because its option was misspelt.
     return usage_error(format, chosen(app), unexpected_argument(app).value_or(usage_message(error)));
   } catch (const text::InputError& error) {
+    if (is_out_of_threads(error)) return out_of_threads(format);
     return fail(format, ExitCode::bad_input, error.what(), error.fault());
   } catch (const text::OutputError& error) {
     const bool before_the_work = error.stage() == text::OutputError::Stage::preparing;
     return fail(format, before_the_work ? ExitCode::bad_input : ExitCode::failure, error.what());
   } catch (const std::bad_alloc&) {
     return fail(format, ExitCode::failure, "out of memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    const text::InputError told(
+        {.file = error.path1().string(), .rule = "cannot be looked at: " + error.code().message()});
+    return fail(format, ExitCode::bad_input, told.what(), told.fault());
   } catch (const std::exception& error) {
+    if (is_out_of_threads(error)) return out_of_threads(format);
     return fail(format, ExitCode::failure, error.what());
   }
   std::cout.flush();

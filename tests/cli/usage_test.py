@@ -1,9 +1,12 @@
 """The frame of the program: commands, options, help and exit codes."""
 
 import json
+import os
+import resource
+import subprocess
 import unittest
 
-from program import PAPER_FINGER, ProgramTest, run
+from program import HANGS, PAPER_FINGER, PROGRAM, ProgramTest, run
 from study import write_study
 
 
@@ -151,6 +154,35 @@ class Usage(ProgramTest):
         with open("/dev/full", "w") as full:
             result = run("force", "pair.json", cwd=self.folder, stdout=full)
         self.assertEqual((result.returncode, result.stderr), (1, "coilwright: standard output cannot be written\n"))
+
+    def run_as_nobody(self, *arguments, **options):
+        self.folder.chmod(0o755)
+        try:
+            result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, user="nobody", capture_output=True,
+                                    encoding="utf-8", timeout=HANGS, check=False, **options)
+        except PermissionError:
+            self.skipTest("the program lies where others may not go")
+        self.assertEqual(result.stdout, "")
+        return result.returncode, result.stderr
+
+    @unittest.skipUnless(os.geteuid() == 0, "only the superuser can become one who may not read")
+    def test_a_folder_that_cannot_be_looked_into_is_bad_input(self):
+        (self.folder / "closed").mkdir(mode=0)
+        self.assertEqual(self.run_as_nobody("archive", "list", "closed"),
+                         (2, "coilwright: closed/archive.sqlite: cannot be read: Permission denied\n"))
+        self.assertEqual(self.run_as_nobody("init", "study", "--out", "closed"),
+                         (2, "coilwright: closed/actuator.json: cannot be looked at: Permission denied\n"))
+        code, error = self.run_as_nobody("report", "closed")
+        self.assertEqual(code, 2)
+        self.assertRegex(error, r"^coilwright: closed[^\n]*\n$")
+
+    @unittest.skipUnless(os.geteuid() == 0, "only the superuser can become one who has no other process")
+    def test_a_limit_of_threads_is_told_as_one(self):
+        self.write("finger.json", PAPER_FINGER.read_bytes())
+        self.assertEqual(self.run_as_nobody("simulate", "finger.json", "--step-A", "1", "--out", "-",
+                                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))),
+                         (1, "coilwright: no further thread can be started: the limit of processes (ulimit -u) or of memory "
+                             "is reached\n"))
 
 
 if __name__ == "__main__":

@@ -49,6 +49,23 @@ class BadData(ProgramTest):
         self.write("set/dataset.json", json.dumps(self.set))
         self.assert_refused(["diagnose", "set", "--out", "out", "--quiet", *arguments], message)
 
+    def test_a_file_outside_of_the_folder_is_not_shown_unless_it_is_a_table_of_numbers(self):
+        hidden = ("must be a table of numbers with a line of names; what stands in it is not shown, as it lies outside of the "
+                  "folder of set/dataset.json")
+        self.write("secret.txt", "time_s,password=hunter2\nroot,x\n")
+        self.write("set/seen.csv", table(["time_s", "theta1_deg"], [row[::2] for row in rows()]))
+        (self.folder / "set/link.csv").symlink_to(self.folder / "secret.txt")
+        for name in ("../secret.txt", "link.csv", str(self.folder / "secret.txt")):
+            for files in ({"file": name}, {"file": "seen.csv", "input_file": name}):
+                self.set["runs"][0].update(files)
+                self.refuse(f"{name if name.startswith('/') else 'set/' + name}: {hidden}")
+                self.set["runs"][0].pop("input_file", None)
+        self.write("raw.csv", table(["time_s", "torque1_Nm", "speed"], rows()))
+        self.set["runs"][0]["file"] = "../raw.csv"
+        self.write("set/dataset.json", json.dumps(self.set))
+        self.assertIn("set/../raw.csv: line 1: column speed: unknown column",
+                      run("diagnose", "set", "--out", "out", "--quiet", cwd=self.folder).stderr)
+
     def refuse_csv(self, content, message):
         """In a fit run and in a validate run alike."""
         for name in ("a.csv", "b.csv"):

@@ -11,6 +11,7 @@
 #include "coilwright/formats/simulation/commanded_input_file.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
+#include "formats/data/named_table.hpp"
 #include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {
@@ -89,7 +90,7 @@ HoldShape read_hold(ObjectReader& in, Drive drive) {
 }
 
 TableShape read_table(const Node& node, Drive drive) {
-  simulation::CommandedInput command = read_commanded_input(node.path());
+  simulation::CommandedInput command = read_named_table(node, read_commanded_input);
   if (command.drive != drive) throw node.error("must have an input column of this run's drive");
   return {.times = std::move(command.times), .rows = std::move(command.rows)};
 }

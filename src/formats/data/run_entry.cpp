@@ -7,6 +7,7 @@
 
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/data/layout_format.hpp"
+#include "formats/data/named_table.hpp"
 #include "formats/data/run_words.hpp"
 #include "formats/simulation/plausible_ranges.hpp"
 
@@ -131,7 +132,9 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
     const auto path = std::filesystem::weakly_canonical(file.path(), unreadable);
     if (!met.insert(unreadable ? file.path() : path).second) throw file.error("must not be there twice");
     in.finish();  // a mistake in this entry is told before one in its file
-    RunInSet out{.file = read_run(file.path(), entry), .role = role, .input_file = entry.input_file};
+    RunInSet out{.file = read_named_table(file, [&](const auto& table) { return read_run(table, entry); }),
+                 .role = role,
+                 .input_file = entry.input_file};
     if (drive) check_drive(out.file.run, *drive);
     if (start) check_start(out.file.run, *start);
     if (window) check_window(out.file.run, *window);

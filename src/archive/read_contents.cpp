@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "coilwright/text/one_line.hpp"
+
 namespace coilwright::archive {
 namespace {
 
@@ -10,6 +12,11 @@ Role role_named(const std::string& name) {
   for (const Role role : {Role::variable, Role::objective, Role::constraint, Role::quantity})
     if (name == name_of(role)) return role;
   throw SQLite::Exception("the role \"" + name + "\" of a column is unknown");
+}
+
+// What is printed, of a file that anybody may have written.
+std::string line_of(const SQLite::Column& cell) {
+  return text::one_line(cell.getString(), 10'000);
 }
 
 std::string bytes_of(const SQLite::Column& cell) {
@@ -22,14 +29,14 @@ void read_study(SQLite::Database& database, Contents& contents) {
                           "SELECT command, name, question_sha256, algorithm, seed, version, commit_hash, build_sha256, "
                           "actuator_sha256, operation_sha256, systems_sha256 FROM study");
   if (!study.executeStep()) throw SQLite::Exception("it does not say which study it is of");
-  contents.command = study.getColumn(0).getString();
-  contents.study = study.getColumn(1).getString();
-  contents.question = study.getColumn(2).getString();
-  contents.algorithm = study.getColumn(3).getString();
+  contents.command = line_of(study.getColumn(0));
+  contents.study = line_of(study.getColumn(1));
+  contents.question = line_of(study.getColumn(2));
+  contents.algorithm = line_of(study.getColumn(3));
   if (!study.isColumnNull(4)) contents.seed = static_cast<std::uint64_t>(study.getColumn(4).getInt64());
-  contents.program = {.version = study.getColumn(5).getString(),
-                      .commit = study.getColumn(6).getString(),
-                      .build = study.getColumn(7).getString()};
+  contents.program = {.version = line_of(study.getColumn(5)),
+                      .commit = line_of(study.getColumn(6)),
+                      .build = line_of(study.getColumn(7))};
   contents.physics = {.actuator = study.getColumn(8).getString(),
                       .operation = study.getColumn(9).getString(),
                       .systems = study.getColumn(10).getString()};
@@ -53,11 +60,11 @@ Contents read_contents(SQLite::Database& database) {
   read_study(database, contents);
   SQLite::Statement inputs(database, "SELECT file, sha256, content FROM inputs ORDER BY position");
   while (inputs.executeStep())
-    contents.inputs.push_back({.file = inputs.getColumn(0).getString(),
-                               .sha256 = inputs.getColumn(1).getString(),
+    contents.inputs.push_back({.file = line_of(inputs.getColumn(0)),
+                               .sha256 = line_of(inputs.getColumn(1)),
                                .text = bytes_of(inputs.getColumn(2))});
   SQLite::Statement changes(database, "SELECT change FROM changes ORDER BY position");
-  while (changes.executeStep()) contents.changes.push_back(changes.getColumn(0).getString());
+  while (changes.executeStep()) contents.changes.push_back(line_of(changes.getColumn(0)));
   contents.columns = read_columns(database);
   return contents;
 }

@@ -5,9 +5,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "coilwright/text/one_line.hpp"
+
 namespace coilwright::report {
+namespace {
+
+constexpr std::size_t longest_cell = 2000;
+
+}  // namespace
 
 void TextTable::row(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = text::one_line(cell, longest_cell);  // of a file that anybody may have written
   rows_.push_back(std::move(cells));
 }
 

@@ -128,6 +128,11 @@ class StudyInput(ProgramTest):
             ({"search": {"threads": 2}}, '/search/threads: unknown key; the keys here are "algorithm", '
              '"max_evaluations", "seed"'),
             ({"name": 3}, "/name: must be a text; got 3"),
+            ({"name": "\x1b[31mred"}, '/name: must be one line without control characters; got text "\\x1b[31mred"'),
+            *(({"objectives": [{"maximise": "grasp_force_N / mass_g", "name": name, "unit": unit}]},
+               f'/objectives/0/name: makes a name that is taken ("{made}"); got text "{name}"')
+              for name, unit, made in (("status", "1", "status"), ("took", "s", "took_s"), ("gap", "mm", "gap_mm"),
+                                       ("mass_max_margin", "g", "mass_max_margin_g"))),
             ({"format": "study/2"}, '/format: must be "study/1"; got text "study/2"'),
             ({"actuator": ""}, '/actuator: must be a path; got text ""'),
         ):

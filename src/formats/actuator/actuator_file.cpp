@@ -33,7 +33,7 @@ ActuatorContent read_actuator_content(const Document& document, const actuator::
   return read_object(document.root(), [&known](ObjectReader& in) {
     const auto format =
         in.choice<Format>("format", {{"actuator/1", Format::design}, {"lumped-model/1", Format::lumped_model}});
-    std::string name = in.text_or("name", "");
+    std::string name = in.name();
     (void)in.text_or("description", "");
     if (format == Format::design) return ActuatorContent{.name = std::move(name), .content = read_design(in, known)};
     return ActuatorContent{.name = std::move(name), .content = read_lumped_model(in, known)};

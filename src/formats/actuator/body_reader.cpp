@@ -101,7 +101,7 @@ Pose read_pose(const Node& node) {
 
 NamedBody read_body(const Node& node, bool posed_here) {
   return read_object(node, [posed_here](ObjectReader& in) {
-    const std::string name = in.text_or("name", "");
+    const std::string name = in.name();
     const Pose unmoved;
     const bool is_coil = in.one_of({"coil", "magnet"}) == "coil";
     Body body = is_coil

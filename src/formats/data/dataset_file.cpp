@@ -105,7 +105,7 @@ DatasetFile read_document(const Document& document) {
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "measured-data/1");
     DatasetFile out{.file = document.root().file()};
-    std::string name = in.text_or("name", "");
+    std::string name = in.name();
     if (const auto actuator = in.find_not_null("actuator")) out.actuator = actuator->path();
     out.calibrate = read_calibrate(in);
     if (const auto tolerances = in.find_not_null("tolerances")) out.tolerances = read_tolerances(*tolerances);

@@ -105,7 +105,11 @@ void write_run(std::ostream& out, const data::Run& run) {
 
 std::optional<std::string> input_file_name(const data::Run& run) {
   if (!run.has_input_clock()) return std::nullopt;
-  return run.name.substr(0, run.name.rfind(".csv")) + "_input.csv";
+  return input_file_name(run.name);
+}
+
+std::string input_file_name(const std::string& run) {
+  return run.substr(0, run.rfind(".csv")) + "_input.csv";
 }
 
 void write_input(std::ostream& out, const data::Run& run) {

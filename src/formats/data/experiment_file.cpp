@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "coilwright/formats/data/dataset_writer.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/data/input_shape_format.hpp"
@@ -90,7 +91,7 @@ void read_recording(ObjectReader& in, RecordingClock& clock, InputHold& hold, In
 
 // The name of a run is that of its file, beside dataset.json.
 std::string read_file_name(const Node& node) {
-  const std::string& name = node.text();
+  const std::string& name = node.name();
   const std::filesystem::path path(name);
   if (path.has_parent_path() || path.extension() != ".csv" || path.stem().empty() || name.starts_with('.'))
     throw node.error("must be a plain file name that ends in .csv");
@@ -254,7 +255,7 @@ Experiment read_experiment_file(const Document& document) {
   return read_object(document.root(), [](ObjectReader& in) {
     in.literal("format", "experiment/1");
     Experiment experiment;
-    experiment.name = in.text("name");
+    experiment.name = in.at("name").name();
     (void)in.text_or("description", "");
     Defaults defaults;
     defaults.rate = in.optional_quantity("sampling_rate_Hz", frequency_rule);
@@ -267,8 +268,12 @@ Experiment read_experiment_file(const Document& document) {
     std::set<std::string> names;
     for (const Node& element : runs) {
       experiment.runs.push_back(read_run(element, defaults));
-      if (!names.insert(experiment.runs.back().plan.name).second)
-        throw element.find("file")->error("must not be there twice");
+      const PlannedRun& planned = experiment.runs.back();
+      const std::string& name = planned.plan.name;
+      if (!names.insert(name).second) throw element.find("file")->error("must not be there twice");
+      if (planned.input_rate > 0.0 && !names.insert(input_file_name(name)).second)
+        throw element.find("file")->error(fmt::format(
+            "must be another name: its input is written to {}, which is there already", input_file_name(name)));
     }
     return experiment;
   });

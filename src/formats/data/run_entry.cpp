@@ -112,7 +112,7 @@ RunInSet read_run_in_set(const Node& node, std::set<std::filesystem::path>& met,
                          const measurement::data::InputUncertainty& usual) {
   return read_object(node, [&](ObjectReader& in) {
     const Node file = in.at("file");
-    RunEntry entry{.name = file.text()};
+    RunEntry entry{.name = file.name()};
     entry.kind = read_run_kind(in.at("kind"));
     const bool still = entry.kind == RunKind::still;
     const auto said = still ? in.find("role") : std::optional(in.at("role"));

@@ -161,7 +161,7 @@ Study read_study_file(const Document& document, const QuantityTable& quantities,
   return read_object(document.root(), [&](ObjectReader& in) {
     in.literal("format", "study/1");
     Study study;
-    study.name = in.text("name");
+    study.name = in.at("name").name();
     (void)in.text_or("description", "");
     const Blocks blocks = read_blocks(in);
     if (const auto driver = blocks.find("driver"); driver != blocks.end()) study.driver = driver->second.driver;

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/sizing/study/expression.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "formats/study/study_blocks.hpp"
@@ -76,6 +79,15 @@ std::optional<QuantityTable> table_of_builds(const QuantityTable& known) {
   return any ? std::optional(QuantityTable(std::move(out))) : std::nullopt;
 }
 
+// A column of a table of designs beside quantities, or the name of a variable: an expression of that name would be one
+// column with it.
+bool is_taken(std::string_view name) {
+  constexpr std::array ours = {"evaluation", "status", "reason", "best_for", "row",
+                               "number",     "run",    "took_s", "current_A"};
+  return std::ranges::find(ours, name) != ours.end() || name.find("_max_margin") != std::string_view::npos ||
+         name.find("_min_margin") != std::string_view::npos || actuator::find_parameter(name) != nullptr;
+}
+
 ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantities& all) {
   const std::string& text = node.text();
   while (const std::optional<std::string> unknown = unknown_symbol(text, all.known))
@@ -90,7 +102,7 @@ ResultQuantity read_expression(const Node& node, ObjectReader& in, StudyQuantiti
     expression.scale = in.number_or("scale", 0.0, positive);
     ResultQuantity quantity = expression_quantity(expression, quantities);
     const ResultQuantity* same = quantities.find(quantity.name);
-    if (same != nullptr && same->meaning != quantity.meaning)
+    if ((same != nullptr && same->meaning != quantity.meaning) || is_taken(quantity.name))
       throw in.at("name").error(fmt::format("makes a name that is taken (\"{}\")", quantity.name));
     if (const auto builds = all.spread ? table_of_builds(quantities) : std::nullopt)
       all.of_builds.insert_or_assign(quantity.name, expression_quantity(expression, *builds));

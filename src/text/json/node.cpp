@@ -83,8 +83,16 @@ const std::string& Node::text() const {
   return *value;
 }
 
+const std::string& Node::name() const {
+  const std::string& name = text();
+  if (one_line(name, name.size()) != name) throw error("must be one line without control characters");
+  if (name.starts_with('=') || name.starts_with('@'))
+    throw error(R"(must not begin with "=" or "@": a spreadsheet takes it for a formula)");
+  return name;
+}
+
 std::filesystem::path Node::path() const {
-  if (text().empty()) throw error("must be a path");
+  if (name().empty()) throw error("must be a path");
   return std::filesystem::path(*file_).parent_path() / text();
 }
 

@@ -115,6 +115,11 @@ std::string ObjectReader::text_or(std::string_view key, std::string otherwise) {
   return otherwise;
 }
 
+std::string ObjectReader::name() {
+  const auto node = find("name");
+  return node ? node->name() : std::string();
+}
+
 void ObjectReader::literal(std::string_view key, std::string_view expected) {
   const Node node = at(key);
   if (node.text() != expected) throw node.error("must be " + in_quotes(expected));

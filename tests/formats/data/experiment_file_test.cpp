@@ -211,6 +211,14 @@ TEST(ExperimentFile, IsRefusedInALineThatNamesPlaceRuleAndValue) {
   const std::string good = R"({"file": "a.csv", )" + head + step + "}";
   EXPECT_EQ(experiment_refusal(good + "," + good),
             R"(x.json: /runs/1/file: must not be there twice; got text "a.csv")");
+  // A name is that of a file, and stands in tables.
+  EXPECT_EQ(experiment_refusal(R"({"file": "a\u0000.csv", )" + head + step + "}"),
+            R"(x.json: /runs/0/file: must be one line without control characters; got text "a\x00.csv")");
+  EXPECT_EQ(
+      experiment_refusal(R"({"file": "a_input.csv", )" + head + step + "}," +
+                         R"({"file": "a.csv", "input_rate_Hz": 100, )" + head + step + "}"),
+      "x.json: /runs/1/file: must be another name: its input is written to a_input.csv, which is there already; got "
+      "text \"a.csv\"");
   EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", "role": "train", "duration_s": 2, )" + step + "}"),
             R"(x.json: /runs/0/role: must be one of "fit", "validate"; got text "train")");
   EXPECT_EQ(experiment_refusal(R"({"file": "a.csv", )" + head + R"("input": {"step": {"after_V": 1, "at_s": 0.1}}})"),

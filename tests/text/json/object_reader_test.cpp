@@ -212,6 +212,24 @@ TEST(Node, ResolvesPathsFromTheFolderOfTheFile) {
             "configs/s/study.json: /c: must be a path; got text \"\"");
 }
 
+TEST(Node, RefusesANameThatATerminalATableOrTheSystemTakesForSomethingElse) {
+  const Document document = parse_json(
+      R"({"good": "Finger 3, \u00b1 5 \u00b0C", "nul": "a\u0000.csv", "line": "a\nb", "escape": "\u001b[31m", "formula": "=1+1"})",
+      "x.json");
+  const auto at = [&](const char* key) { return *document.root().find(key); };
+  EXPECT_EQ(at("good").name(), "Finger 3, \u00b1 5 \u00b0C");
+  for (const auto& [key, shown] :
+       {std::pair("nul", R"(a\x00.csv)"), std::pair("line", R"(a\nb)"), std::pair("escape", R"(\x1b[31m)")}) {
+    const std::string message =
+        std::string("x.json: /") + key + ": must be one line without control characters; got text \"" + shown + '"';
+    EXPECT_EQ(testing::error_of([&] { (void)at(key).name(); }), message);
+    EXPECT_EQ(testing::error_of([&] { (void)at(key).path(); }), message);
+  }
+  EXPECT_EQ(
+      testing::error_of([&] { (void)at("formula").name(); }),
+      R"(x.json: /formula: must not begin with "=" or "@": a spreadsheet takes it for a formula; got text "=1+1")");
+}
+
 TEST(Node, ReadsLargeSeedsExactlyAndRefusesThoseADoubleCannotHold) {
   const Document document = parse_json(R"({"seed": 9007199254740991, "large": 9007199254740994})", "x.json");
   EXPECT_EQ(document.root().find("seed")->integer<std::uint64_t>(), 9007199254740991u);

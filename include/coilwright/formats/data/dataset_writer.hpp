@@ -30,6 +30,9 @@ void write_run(std::ostream& out, const measurement::data::Run& run);
 /// nothing where it has not.
 [[nodiscard]] std::optional<std::string> input_file_name(const measurement::data::Run& run);
 
+/// The same of a run of this name that has one.
+[[nodiscard]] std::string input_file_name(const std::string& run);
+
 /// The CSV file of such an input. Precondition: run.has_input_clock().
 void write_input(std::ostream& out, const measurement::data::Run& run);
 

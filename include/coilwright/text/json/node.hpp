@@ -68,7 +68,10 @@ class Node {
   [[nodiscard]] bool boolean() const;
   /// A text.
   [[nodiscard]] const std::string& text() const;
-  /// A path in the document: a relative one counts from the folder of the document.
+  /// A name, which is printed, may be that of a file and stands in cells of tables: a text of one line without control
+  /// characters, which no spreadsheet takes for a formula.
+  [[nodiscard]] const std::string& name() const;
+  /// A path in the document, a name too: a relative one counts from the folder of the document.
   [[nodiscard]] std::filesystem::path path() const;
   /// One of the listed words.
   template <class Value>

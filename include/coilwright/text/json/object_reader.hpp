@@ -77,6 +77,8 @@ class ObjectReader {
   [[nodiscard]] std::string text(std::string_view key) { return at(key).text(); }
   /// A text, or `otherwise` where the key is absent.
   [[nodiscard]] std::string text_or(std::string_view key, std::string otherwise);
+  /// The Node::name() under "name"; empty where the key is absent.
+  [[nodiscard]] std::string name();
   /// A path; a relative one counts from the folder of the document.
   [[nodiscard]] std::filesystem::path path(std::string_view key) { return at(key).path(); }
   /// `{"format": "lumped-model/1"}`: the text must be this one.

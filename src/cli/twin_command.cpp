@@ -70,7 +70,7 @@ std::vector<Run> act_out(const TwinOptions& options, const Experiment& experimen
 }
 
 // Not in the folder: whoever gets that does not get the answer with it.
-std::filesystem::path answer_of(const TwinOptions& options) {
+std::filesystem::path answer_file_of(const TwinOptions& options) {
   return folder_of(options) += ".answer.json";
 }
 
@@ -95,7 +95,7 @@ void write(const TwinOptions& options, const Experiment& experiment, const std::
            const std::vector<Run>& runs) {
   const std::filesystem::path out = folder_of(options);
   text::OutputFolder folder(out);
-  const std::filesystem::path beside = answer_of(options);
+  const std::filesystem::path beside = answer_file_of(options);
   text::OutputFile answer(beside);
   answer.stream() << formats::to_json(formats::TwinAnswer{.dataset = out.filename().string(),
                                                           .actuator = options.actuator,
@@ -144,7 +144,7 @@ void run_twin(const TwinOptions& options) {
   const Experiment experiment = read_experiment(options.experiment);
   const std::vector<Effect> hidden = read_hidden(options, rig.model.build({}));
   const text::OutputFolder trial(folder_of(options));
-  require_writable({answer_of(options)});
+  require_writable({answer_file_of(options)});
   write(options, experiment, hidden, act_out(options, experiment, rig.model, hidden));
 }
 

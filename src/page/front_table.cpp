@@ -36,10 +36,9 @@ FrontTable designs_in(const std::filesystem::path& file, const text::Node& resul
                      .largest = {},
                      .margins = {},
                      .quantities = {}};
-  for (const text::Node& each : member_of(result, "objectives").elements(objectives)) {
-    const text::Node member = only_member_of(each);
-    designs.objectives.push_back(member.text());
-    designs.largest.push_back(member.key() == "maximise");
+  for (Objective& each : objectives_of(result, objectives)) {
+    designs.objectives.push_back(std::move(each.name));
+    designs.largest.push_back(each.largest);
   }
   const auto is_among = [](const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();

@@ -119,9 +119,19 @@ bool is_feasible(const Node& result) {
   return member_of(result, "feasible").boolean();
 }
 
+std::vector<Objective> objectives_of(const Node& result, text::Length count) {
+  std::vector<Objective> out;
+  for (const Node& each : member_of(result, "objectives").elements(count)) {
+    const Node member = only_member_of(each);
+    if (member.key() != "maximise" && member.key() != "minimise")
+      throw each.error_without_value(R"(must have "maximise" or "minimise" (docs/formats.md))");
+    out.push_back({.name = member.text(), .largest = member.key() == "maximise"});
+  }
+  return out;
+}
+
 Objective objective_of(const Node& result) {
-  const Node member = only_member_of(member_of(result, "objectives").elements(text::Length::at_least(1)).front());
-  return {.name = member.text(), .largest = member.key() == "maximise"};
+  return objectives_of(result, text::Length::exactly(1)).front();
 }
 
 std::string origin_text(const std::filesystem::path& folder, std::string_view made_by) {

@@ -65,11 +65,14 @@ inline constexpr const char* interrupted_caution =
 /// Whether the design of a result of `size` keeps every limit.
 [[nodiscard]] bool is_feasible(const text::Node& result);
 
-/// The first objective of a result, and which way it improves.
+/// An objective of a result, and which way it improves.
 struct Objective {
   std::string name;
   bool largest{};  ///< whether it is to be as large as possible
 };
+/// Those of a result. Throws text::InputError where it has another number of them.
+[[nodiscard]] std::vector<Objective> objectives_of(const text::Node& result, text::Length count);
+/// The one of a result of `size`.
 [[nodiscard]] Objective objective_of(const text::Node& result);
 
 /// What provenance.json tells of where a result is from, as one line.

@@ -106,14 +106,30 @@ class DamagedResults(ProgramTest):
             shutil.rmtree(self.folder / "out")
         self.assertGreater(told, MUTATIONS // 4)
 
+    def assert_objectives_are_read_by_their_rules(self, told):
+        """A stranger's result.json: objectives, and what is said of them."""
+        result = self.result("out/result.json")
+        for objectives, message in told:
+            self.write("out/result.json", json.dumps({**result, "objectives": objectives}))
+            self.assert_refused(["report", "out", "--out", "page.html"], "out/result.json: /objectives" + message)
+        self.write("out/result.json", json.dumps(result))
+
     def test_of_size(self):
         write_study(self, search={"max_evaluations": 20, "seed": 5})
         self.assertEqual(run("size", "study.json", "--out", "out", "--quiet", cwd=self.folder).returncode, 0)
+        mass = {"minimise": "mass_g"}
+        self.assert_objectives_are_read_by_their_rules(
+            ([[], ": must have 1 element; got an array of 0"], [[mass] * 5, ": must have 1 element; got an array of 5"],
+             [[{}], "/0: must have exactly one member (docs/formats.md)"],
+             [[{"least": "mass_g"}], '/0: must have "maximise" or "minimise" (docs/formats.md)']))
         self.assert_every_damage_is_told()
 
     def test_of_pareto(self):
         write_study(self, objectives=FRONT, search={"max_evaluations": 40, "seed": 5})
         self.assertEqual(run("pareto", "study.json", "--out", "out", "--quiet", cwd=self.folder).returncode, 0)
+        mass = {"minimise": "mass_g"}
+        self.assert_objectives_are_read_by_their_rules(
+            [[[mass] * count, f": must have 2 to 3 elements; got an array of {count}"] for count in (0, 1, 5)])
         self.assert_every_damage_is_told()
 
     def test_of_sweep(self):

@@ -62,7 +62,7 @@ std::string sql_of(const Query& query) {
 }
 
 // A condition may hold a query without an end. SQLite takes some 1e8 steps a second.
-constexpr std::size_t steps = 300'000'000, steps_of_a_design = 10'000, steps_between_looks = 100'000;
+constexpr std::size_t steps = 100'000'000, steps_of_a_design = 10'000, steps_between_looks = 100'000;
 
 int spend(void* looks) {
   auto& left = *static_cast<std::size_t*>(looks);

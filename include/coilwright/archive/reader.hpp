@@ -60,7 +60,7 @@ class Reader {
   [[nodiscard]] std::optional<Row> find(std::span<const Value> variables) const;
 
   /// Calls `take` with each design of a query. Throws std::invalid_argument with what SQLite says of a condition that
-  /// is none, or of an order that is no column, and of a condition that takes more than some seconds and 0.1 ms a
+  /// is none, or of an order that is no column, and of a condition that takes more than about a second and 0.1 ms a
   /// design.
   void each(const Query& query, const std::function<void(const Row&)>& take) const;
 

@@ -78,7 +78,7 @@ std::filesystem::path answer_file_of(const TwinOptions& options) {
 void check_output(const TwinOptions& options) {
   const std::filesystem::path folder = folder_of(options);
   keep_inputs({options.actuator, options.experiment.file},
-              {folder / actuator_name, folder / "dataset.json", folder / provenance_name, answer_of(options)});
+              {folder / actuator_name, folder / "dataset.json", folder / provenance_name, answer_file_of(options)});
 }
 
 // What the clocks of the runs really were; none where they are one.

@@ -32,7 +32,7 @@ using ::testing::internal::GetCapturedStderr;
 
 TEST(FolderLock, IsOfOneAtATime) {
   const TemporaryFolder folder;
-  const auto lock = [&] { const FolderLock lock(folder.path()); };
+  const auto lock = [&] { const FolderLock second(folder.path()); };
   {
     const FolderLock first(folder.path());
     EXPECT_THAT(lock, ThrowsMessage<text::OutputError>(folder.path().string() +

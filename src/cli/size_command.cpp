@@ -20,6 +20,7 @@
 #include "coilwright/report/size_text.hpp"
 #include "coilwright/simulation/correction_reach.hpp"
 #include "coilwright/sizing/search/search.hpp"
+#include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "commands.hpp"
 #include "found_designs.hpp"
@@ -93,6 +94,17 @@ Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchRes
   return out;
 }
 
+// Of an answer, what builds make of it that the search has not seen.
+std::optional<sizing::Yield> built_of(const DesignProblem& problem, const sizing::SearchResult& result,
+                                      const std::optional<DesignResult>& best, const Interruption& interruption) {
+  constexpr std::size_t builds = 2000;
+  const sizing::Study& study = problem.study();
+  if (!study.spread || !result.feasible || study.search.afterwards == sizing::Afterwards::nothing) return std::nullopt;
+  return sizing::yield_of(
+      study, std::get<EvaluatedDesign>(*best),
+      {.builds = builds, .seed = study.search.seed, .threads = study.search.threads, .stop = interruption.token()});
+}
+
 // Where a nameless correction of the actuator is used by the design found; empty without one.
 std::vector<simulation::CorrectionReach> reach_of(const std::optional<DesignResult>& best) {
   const auto* evaluated = best ? std::get_if<EvaluatedDesign>(&*best) : nullptr;
@@ -121,6 +133,7 @@ ExitCode run_size(const StudyOptions& options) {
       result.best ? std::optional(evaluated_again(problem, result.best->point, result.best->evaluation)) : std::nullopt;
   const DesignResult base = problem.evaluate_base();
   const sizing::Evaluation base_seen = problem.assess(base);
+  std::optional<sizing::Yield> built = built_of(problem, result, best, interruption);
   const Assumptions assumptions = assumptions_of(problem, result, interruption, options.quiet);
   if (interruption.requested()) result.stop_reason = sizing::StopReason::interrupted;
   const formats::SizeReport answer{.study = problem.study(),
@@ -129,7 +142,8 @@ ExitCode run_size(const StudyOptions& options) {
                                    .base = base,
                                    .base_seen = base_seen,
                                    .assumptions = assumptions.effects,
-                                   .assumptions_left = assumptions.left};
+                                   .assumptions_left = assumptions.left,
+                                   .built = std::move(built)};
   archive.write_results([&] {
     folder.write(provenance_name, to_json(input.provenance).text());
     write_results(folder, problem, answer);
@@ -156,11 +170,12 @@ void add_size_command(CLI::App& app, Outcome& outcome) {
       app.add_subcommand("size", "Find the best design of a study with one objective, and what limits it");
   add_study_options(*command, *options);
   add_search_options(*command, *options);
-  add_flag(*command, "--answer-only", options->answer_only,
-           fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
-                       "(up to some hundred evaluations more), and what becomes of the answer under each other "
-                       "modelling choice (up to {} each)",
-                       sizing::AssumptionOptions().evaluations));
+  add_flag(
+      *command, "--answer-only", options->answer_only,
+      fmt::format("End with the search: leave out what a step of each variable and a relaxed limit would bring "
+                  "(up to some hundred evaluations more), and what becomes of the answer under each other "
+                  "modelling choice (up to {} each), and what 2,000 builds make of the answer to a study with a spread",
+                  sizing::AssumptionOptions().evaluations));
   command->footer(
       "Writes result.json (everything that is printed, and more), actuator.json (the design, an input of\n"
       "evaluate and simulate), evaluations.csv (every design that was evaluated, with every quantity) and\n"

@@ -14,6 +14,7 @@
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"
 #include "coilwright/report/text_table.hpp"
+#include "coilwright/report/yield_text.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/systems/driver_quantities.hpp"
@@ -157,6 +158,23 @@ std::string limits_text(const formats::SizeReport& report) {
                                        TextTable::Align::left});
 }
 
+// What other builds than those of the search make of the answer.
+std::string built_text(const formats::SizeReport& report) {
+  if (!report.built) return {};
+  const BuiltQuantity& objective = report.built->quantities.front();
+  std::string text = '\n' + share_text(*report.built);
+  if (objective.p05 && objective.p50 && objective.p95)
+    text += fmt::format("  {}: 5 % of them stay below {}, half below {}, 95 % below {}\n", objective.name,
+                        short_number(*objective.p05), short_number(*objective.p50), short_number(*objective.p95));
+  const std::string shortfalls = shortfalls_text(*report.built);
+  if (shortfalls.empty()) return text;
+  return text + shortfalls +
+         fmt::format(
+             "The search judged every design by {} builds, too few for this; more of them (\"draws\" of the "
+             "study's spread) are the cure.\n",
+             report.study.spread->draws);
+}
+
 std::string relaxations_text(const formats::SizeReport& report) {
   const Study& study = report.study;
   const std::vector<BindingConstraint>& bindings = report.result.sensitivity.binding;
@@ -202,7 +220,7 @@ std::string to_text(const formats::SizeReport& report) {
   std::string text = headline(report);
   if (result.best) {
     text += '\n' + variables_text(report) + objective_lines(report) + parts_text(report) + limits_text(report) +
-            relaxations_text(report) + range_ends_text(report) + steps_text(report);
+            built_text(report) + relaxations_text(report) + range_ends_text(report) + steps_text(report);
     if (report.best)
       if (const auto* evaluated = std::get_if<EvaluatedDesign>(report.best))
         text += "\nAll quantities of this design\n" + to_text(evaluated->view(), report.study.quantities);

@@ -74,13 +74,25 @@ std::string halves_text(const sizing::Yield& yield) {
 
 }  // namespace
 
+std::string shortfalls_text(const sizing::Yield& yield) {
+  std::string out;
+  for (const sizing::BuiltQuantity& each : yield.quantities)
+    if (each.falls_short())
+      out += fmt::format("MIND: {} is kept by {}, not by the {:.0f} % that the study asks for.\n", each.limit,
+                         percent(*each.keeps), 100.0 * *each.asked);
+  return out;
+}
+
+std::string share_text(const sizing::Yield& yield) {
+  return fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
+}
+
 std::string to_text(const sizing::Yield& yield) {
-  std::string out =
-      fmt::format("{} of {} builds by fresh dice keep every limit\n", percent(yield.keeps_all), yield.builds);
+  std::string out = share_text(yield);
   if (yield.not_built > 0)
     out += fmt::format("{} could not be built, have no performance, or a driver that cannot give the current\n",
                        yield.not_built);
-  out += "\n" + quantities_text(yield);
+  out += "\n" + quantities_text(yield) + shortfalls_text(yield);
   if (yield.worths.empty()) return out;
   for (std::size_t i = 0; i < yield.quantities.size(); ++i)
     if (const std::string shares = shares_text(yield, i); !shares.empty()) out += "\n" + shares;

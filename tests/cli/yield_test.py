@@ -92,6 +92,22 @@ class Spread(ProgramTest):
             self.assertAlmostEqual(float(row["kept"]) * float(row["peak_bending_speed_deg_s"]),
                                    float(row["p05_peak_bending_speed_deg_s"]), delta=0.01)
 
+    def test_size_says_which_limits_other_builds_break(self):
+        # The worst of 8 builds stands for what 99 % stay below: a limit just above it.
+        write_study(self, **{**ROBUST, "spread": {**SPREAD["spread"], "draws": 8},
+                             "constraints": [{"quantity": "p99_current_A", "at_most": 0.8014}]})
+        result = run("size", "study.json", "--out", "out", "--max-evaluations", "40", cwd=self.folder)
+        self.assertRegex(result.stdout, r"\n[\d.]+ % \([\d.]+ to [\d.]+\) of 2000 builds by fresh dice keep every limit\n"
+                                        r"  peak_bending_speed_deg_s: 5 % of them stay below \d+.*\n"
+                                        r"MIND: current_A <= 0\.8014 is kept by [\d.]+ % \([\d.]+ to [\d.]+\), not by the 99 % "
+                                        r"that the study asks for\.\nThe search judged every design by 8 builds")
+        built = json.loads((self.folder / "out/result.json").read_text())["as_built"]
+        current = built["quantities"][1]
+        self.assertEqual((built["builds"], current["quantity"], current["asked"]), (2000, "current_A", 0.99))
+        self.assertLess(current["keeps"]["high"], 0.99)
+        run("size", "study.json", "--out", "short", "--max-evaluations", "40", "--answer-only", cwd=self.folder)
+        self.assertIsNone(json.loads((self.folder / "short/result.json").read_text())["as_built"])
+
     def test_another_spread_is_another_question(self):
         write_study(self, **ROBUST)
         run("size", "study.json", "--out", "one", "--answer-only", cwd=self.folder)

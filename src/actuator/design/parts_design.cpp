@@ -5,14 +5,13 @@
 #include <fmt/format.h>
 
 #include <numbers>
-#include <utility>
 
 namespace coilwright::actuator {
 
 winding::Wire wire_of(const CoilDesign& coil) {
-  winding::Wire wire = coil.wire_diameter > 0.0 ? winding::round_wire(coil.wire_diameter, coil.enamel)
-                                                : winding::gauge(coil.wire_gauge, coil.enamel);
-  return coil.wire_overall > 0.0 ? winding::with_overall_diameter(std::move(wire), coil.wire_overall) : wire;
+  const winding::Wire wire = coil.wire_diameter > 0.0 ? winding::round_wire(coil.wire_diameter, coil.enamel)
+                                                      : winding::gauge(coil.wire_gauge, coil.enamel);
+  return coil.wire_overall > 0.0 ? winding::with_overall_diameter(wire, coil.wire_overall) : wire;
 }
 
 double wires_section(const CoilDesign& coil) {

@@ -12,6 +12,7 @@
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/formats/study/design_json.hpp"
 #include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/formats/study/yield_json.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 
 namespace coilwright::formats {
@@ -151,6 +152,7 @@ Json to_json(const SizeReport& report) {
   out.set("assumptions", Json::list(report.assumptions, of_study(assumption_json)))
       .set("assumptions_left", report.assumptions_left);
   out.set("measure_first", measure_first(report));
+  if (report.study.spread) out.set("as_built", report.built ? to_json(*report.built) : Json(nullptr));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
   auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
   if (auto pulses = evaluated ? limit_of_pulses(report.study, *evaluated) : std::nullopt)

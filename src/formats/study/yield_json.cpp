@@ -23,6 +23,7 @@ Json json_of(const sizing::BuiltQuantity& quantity) {
   if (!quantity.keeps) return out;
   out.set("limit", quantity.limit);
   out.set("keeps", json_of(*quantity.keeps));
+  if (quantity.asked) out.set("asked", *quantity.asked);
   return out;
 }
 

@@ -55,6 +55,14 @@ Share share_of(std::size_t met, std::size_t all) {
           .high = met == all ? 1.0 : Binomial::find_upper_bound_on_p(n, k, outside)};
 }
 
+// Of the builds, by a limit on a percentile of them.
+std::optional<double> asked_share(const Limit& limit) {
+  const std::optional<StatisticName> parts = statistic_named(limit.quantity.name);
+  if (!parts || parts->statistic.kind != Statistic::Kind::percentile) return std::nullopt;
+  const double below = 0.01 * parts->statistic.percent;
+  return limit.side == Limit::Side::at_most ? below : 1.0 - below;
+}
+
 // A design without something that is asked for counts as failed, whatever its limits.
 bool keeps(const Asked& asked, const std::optional<double>& value) {
   return value && (asked.limit == nullptr || margin(*asked.limit, *value) >= 0.0);
@@ -120,6 +128,7 @@ BuiltQuantity built_quantity(const Asked& asked, const std::vector<std::optional
   out.limit = name_of(Limit{.quantity = *asked.quantity, .side = asked.limit->side, .value = asked.limit->value});
   const auto met = std::ranges::count_if(values, [&](const auto& value) { return keeps(asked, value); });
   out.keeps = share_of(static_cast<std::size_t>(met), values.size());
+  out.asked = asked_share(*asked.limit);
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -97,7 +96,8 @@ void OutputFolder::commit(std::string_view key) {
   }
   std::ranges::stable_partition(files, [&](const OutputFile* file) { return file->path().filename() != key; });
   made_.clear();  // from here on there is something in them
-  for (OutputFile* file : files | std::views::reverse) file->withdraw();
+  // Not std::views::reverse: Clang 14 does not take it from this standard library.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) (*file)->withdraw();
   for (const fs::path& file : outdated_) {
     std::error_code error;
     fs::remove(file, error);

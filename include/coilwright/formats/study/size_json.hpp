@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "coilwright/sizing/search/search.hpp"
 #include "coilwright/sizing/study/assumption_effects.hpp"
 #include "coilwright/sizing/study/design_problem.hpp"
+#include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -21,6 +23,7 @@ struct SizeReport {
   std::vector<sizing::AssumptionEffect> assumptions{};  ///< of a feasible answer; empty where none was looked at
   std::size_t
       assumptions_left{};  ///< how many other choices were not looked at: the run was interrupted, or asked for no more
+  std::optional<sizing::Yield> built{};  ///< of a feasible answer to a study with a spread, unless left out likewise
 };
 
 /// Designs evaluated under other modelling choices, beyond those of the search and around its answer.

@@ -27,6 +27,11 @@ struct BuiltQuantity {
   std::optional<double> p05{}, p50{}, p95{};
   std::string limit{};           ///< "mass_g <= 70"; empty for an objective
   std::optional<Share> keeps{};  ///< of the builds that keep that limit; nothing for an objective
+  /// What the study asks of that share by a percentile: 0.95 of "p95_mass_g <= 70"; nothing of another limit.
+  std::optional<double> asked{};
+
+  /// Whether fewer builds keep the limit than is asked for, beyond the error of the dice.
+  [[nodiscard]] bool falls_short() const { return keeps && asked && keeps->high < *asked; }
 };
 
 /// What share of a quantity's variance a scatter has, with its 95 % interval by bootstrap: by itself, and with all that

@@ -94,9 +94,10 @@ void OutputFolder::commit(std::string_view key) {
     file.close();
     files.push_back(&file);
   }
-  std::ranges::stable_partition(files, [&](const OutputFile* file) { return file->path().filename() != key; });
+  // Not of std::ranges, nor std::views::reverse: Clang 14 does not take them from this standard library.
+  std::stable_partition(files.begin(), files.end(),
+                        [&](const OutputFile* file) { return file->path().filename() != key; });
   made_.clear();  // from here on there is something in them
-  // Not std::views::reverse: Clang 14 does not take it from this standard library.
   for (auto file = files.rbegin(); file != files.rend(); ++file) (*file)->withdraw();
   for (const fs::path& file : outdated_) {
     std::error_code error;

@@ -33,7 +33,7 @@ Eigen::Vector3d vector_of(const std::array<double, 3>& numbers) {
 }
 
 Eigen::Vector3d read_direction(const Node& node) {
-  const Eigen::Vector3d direction = vector_of(node.vector(component));
+  Eigen::Vector3d direction = vector_of(node.vector(component));
   if (direction.norm() < shortest_direction)
     throw node.error_without_value(fmt::format("must be at least {} long, to give a direction", shortest_direction));
   return direction;

@@ -79,24 +79,26 @@ for letter in A B C D; do run "best_$letter" size; done
 run fastest_finger size
 run strongest_grip size
 run least_ringing size
-run robust_finger size
-run robust_grip size
-run robust_ringing size
-# What dice make of the nominal design and of the robust one.
-for pair in "robust_finger fastest_finger" "robust_grip strongest_grip" "robust_ringing least_ringing"; do
-  read -r robust nominal <<<"$pair"
-  for of in "$nominal" "$robust"; do
-    "$program" yield "configs/studies/$robust.json" "results/reference/$of/actuator.json" --builds 10000 --quiet \
-      >"results/reference/$robust/yield_of_$of.txt"
-  done
-  "$program" yield "configs/studies/$robust.json" "results/reference/$robust/actuator.json" --builds 1000 --worth 1024 \
-    --quiet >"results/reference/$robust/worth.txt"
-done
+for study in finger grip ringing B; do run "robust_$study" size; done
 run grip_per_mass size
 run split_currents size
 run speed_against_grip pareto
 run speed_grip_mass pareto
 run lightest_gripper size
+# What dice make of the nominal design and of the robust one.
+yield() {
+  "$program" yield "configs/studies/$1.json" "results/reference/$2/actuator.json" --quiet "${@:4}" >"results/reference/$3"
+}
+for pair in "robust_finger fastest_finger" "robust_grip strongest_grip" "robust_ringing least_ringing" "robust_B best_B"; do
+  read -r robust nominal <<<"$pair"
+  for of in "$nominal" "$robust"; do yield "$robust" "$of" "$robust/yield_of_$of.txt" --builds 10000; done
+done
+for robust in robust_finger robust_grip; do yield "$robust" "$robust" "$robust/worth.txt" --builds 1000 --worth 1024; done
+# Searches of half an hour to more than one: only what builds make of the nominal designs.
+for pair in "robust_A best_A" "robust_C best_C" "robust_D best_D" "robust_gripper lightest_gripper"; do
+  read -r robust nominal <<<"$pair"
+  yield "$robust" "$nominal" "$nominal/yield_of_$nominal.txt" --builds 10000
+done
 run gripper_friction pareto
 run fastest_crawler size
 run crawler_range pareto

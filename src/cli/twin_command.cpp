@@ -44,6 +44,9 @@ struct TwinOptions {
 // The folder's name without a slash at its end, which would put its neighbour inside.
 std::filesystem::path folder_of(const TwinOptions& options) {
   const std::filesystem::path out(options.out);
+  // "." and "tw/.." have no name of their own to put an answer beside.
+  const std::filesystem::path name = out.filename();
+  if (name == "." || name == "..") return std::filesystem::weakly_canonical(out);
   return out.has_filename() ? out : out.parent_path();
 }
 

@@ -137,7 +137,8 @@ Figure words_figure(const SweepTable& table, const FrontTable& leaders, std::siz
 
 std::string behind_text(const SweepTable& table) {
   if (table.samples.size() == table.rows) return "every design";
-  return fmt::format("{} of the {} designs, chosen at random", table.samples.size(), table.rows);
+  return fmt::format("{} of the {} designs: those that have a value, or of very many a random choice",
+                     table.samples.size(), table.rows);
 }
 
 std::optional<Figure> effect_figure(const SweepTable& table, const FrontTable& leaders, std::size_t variable,

@@ -33,11 +33,15 @@ std::optional<double> loss_held(const GripAnswer& answer) {
   return 100.0 * answer.magnets_held->irreversible_loss;
 }
 
+std::string seconds(double time) {
+  return time < 999.5 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
+}
+
 // A hold that the fingers do not survive is none.
 std::string held_text(const GripAnswer& answer) {
   if (answer.is_demagnetised()) return "Not for long: the magnets are lost (see below). Until then held";
   if (answer.heat && answer.heat->time_to_limit)
-    return fmt::format("Held for {:.3g} s from cold, not for good (see below)", *answer.heat->time_to_limit);
+    return fmt::format("Held for {} s from cold, not for good (see below)", seconds(*answer.heat->time_to_limit));
   if (answer.burns()) return "Held for moments, until it burns (see below)";
   return loss_held(answer) >= simulation::most_irreversible_loss ? "Held, but the magnets weaken (see below)" : "Held";
 }
@@ -91,8 +95,8 @@ std::string heat_text(const GripAnswer& answer) {
                                  heat.current_for_good());
   text += no_end ? burning : fmt::format("at {:.4g} A ", answer.current);
   if (heat.time_to_limit)
-    return text + fmt::format("{}a part reaches its limit after {:.3g} s, from cold.\n", no_end ? "; " : "",
-                              *heat.time_to_limit);
+    return text + fmt::format("{}a part reaches its limit after {} s, from cold.\n", no_end ? "; " : "",
+                              seconds(*heat.time_to_limit));
   return text + (no_end ? ".\n" : "no part reaches its limit.\n");
 }
 
@@ -130,8 +134,8 @@ std::string magnets_text(const GripAnswer& answer) {
   const std::optional<double> loss = loss_held(answer);
   if (!loss) return {};
   return fmt::format(
-      "Held without end, the worst magnet loses {} of its moment for good; the hottest is at {:.4g} degC.\n",
-      *loss < 0.1 ? "less than 0.1 %" : fmt::format("{:.2g} %", *loss), *answer.heat->magnet_temperature);
+      "If it goes on without end, the worst magnet loses {} of its moment for good; the hottest is at {:.4g} degC.\n",
+      *loss < 0.1 ? "less than 0.1 %" : fmt::format("{:.3g} %", *loss), *answer.heat->magnet_temperature);
 }
 
 }  // namespace

@@ -127,9 +127,7 @@ std::string objective_lines(const formats::SizeReport& report) {
 std::string parts_text(const formats::SizeReport& report) {
   const auto* evaluated = report.best ? std::get_if<EvaluatedDesign>(report.best) : nullptr;
   if (evaluated == nullptr) return {};
-  std::vector<simulation::PartLimit> broken = simulation::broken_part_limits(evaluated->view());
-  if (auto pulses = limit_of_pulses(report.study, *evaluated); pulses && pulses->is_broken())
-    broken.push_back(std::move(*pulses));
+  std::vector<simulation::PartLimit> broken = broken_limits(report.study, *evaluated);
   std::erase_if(broken, [&](const simulation::PartLimit& each) {
     return !report.result.feasible && std::ranges::any_of(report.study.limits, [&](const Limit& limit) {
       return limit.quantity.name == each.quantity;

@@ -96,8 +96,8 @@ TEST(GripText, SaysWhatHeatTakesFromMagnetsThatTheFieldLeavesAlone) {
   answer.magnets_cold = {.margin = 0.3};
   answer.magnets_held = {.margin = 0.1, .irreversible_loss = 0.0123};
   EXPECT_THAT(to_text(answer), StartsWith("Held, but the magnets weaken (see below): 40 g "));
-  EXPECT_THAT(to_text(answer), HasSubstr("Held without end, the worst magnet loses 1.2 % of its moment for good; the "
-                                         "hottest is at 91.26 degC.\n"));
+  EXPECT_THAT(to_text(answer), HasSubstr("If it goes on without end, the worst magnet loses 1.23 % of its moment for "
+                                         "good; the hottest is at 91.26 degC.\n"));
   answer.magnets_held->irreversible_loss = 1e-5;
   EXPECT_THAT(to_text(answer), StartsWith("Held: 40 g "));
   EXPECT_THAT(to_text(answer), HasSubstr("loses less than 0.1 % of its moment for good"));

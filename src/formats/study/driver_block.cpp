@@ -51,7 +51,8 @@ SystemBlock read_driver_block(const Node& node) {
                        .require_suitable = require_one_current,
                        .driver = sizing::StudyDriver{.duty = table.at("driver_duty"),
                                                      .ripple_heat = table.at("driver_ripple_heat_pct"),
-                                                     .thermal_load = table.at("driver_thermal_load")}};
+                                                     .thermal_load = table.at("driver_thermal_load"),
+                                                     .peak_over_limit = table.at("driver_peak_over_limit")}};
   });
 }
 

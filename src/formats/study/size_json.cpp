@@ -155,8 +155,9 @@ Json to_json(const SizeReport& report) {
   if (report.study.spread) out.set("as_built", report.built ? to_json(*report.built) : Json(nullptr));
   out.set("operating_point", evaluated ? to_json(evaluated->point) : Json(nullptr));
   auto limits = evaluated ? simulation::part_limits(evaluated->view()) : std::vector<simulation::PartLimit>();
-  if (auto pulses = evaluated ? limit_of_pulses(report.study, *evaluated) : std::nullopt)
-    limits.push_back(std::move(*pulses));
+  if (evaluated)
+    for (simulation::PartLimit& pulses : limits_of_pulses(report.study, *evaluated))
+      limits.push_back(std::move(pulses));
   out.set("part_limits", to_json(limits));
   out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
   return out;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,9 +11,12 @@
 
 namespace coilwright::sizing {
 
-/// The load of coils and magnets with the ripple of the study's driver, of which no other limit of a part knows;
-/// nothing without a driver.
-[[nodiscard]] std::optional<simulation::PartLimit> limit_of_pulses(const Study& study, const EvaluatedDesign& design);
+/// The load of coils and magnets with the ripple of the study's driver, and its peaks over what it bears: no other
+/// limit of a part knows of them. Empty without a driver.
+[[nodiscard]] std::vector<simulation::PartLimit> limits_of_pulses(const Study& study, const EvaluatedDesign& design);
+
+/// Those limits of parts and pulses that the design breaks, as simulation::broken_part_limits().
+[[nodiscard]] std::vector<simulation::PartLimit> broken_limits(const Study& study, const EvaluatedDesign& design);
 
 /// A limit of coils, magnets or wire that designs break, as no limit of their study forbids it.
 struct BrokenPartLimit {

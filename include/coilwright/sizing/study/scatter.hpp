@@ -29,8 +29,9 @@ struct StudyDriver {
   /// Share of a period that it is on. Nothing, and why, where it cannot give the current: then the design cannot be
   /// operated, and has no performance.
   simulation::ResultQuantity duty;
-  simulation::ResultQuantity ripple_heat;   ///< heat of the coils beyond that of their mean current, %
-  simulation::ResultQuantity thermal_load;  ///< thermal_load with that heat, of which no other quantity knows
+  simulation::ResultQuantity ripple_heat;      ///< heat of the coils beyond that of their mean current, %
+  simulation::ResultQuantity thermal_load;     ///< thermal_load with that heat, of which no other quantity knows
+  simulation::ResultQuantity peak_over_limit;  ///< of all coils together, over what the driver bears
 };
 
 /// Deviations by the normal law of that standard deviation, cut off at 4 of them.

@@ -24,8 +24,8 @@ namespace coilwright::sizing {
 namespace {
 
 constexpr double cut = 4.0;  // standard deviations
-// A hundred times a design's own, with which the curves were 60 % of a build's cost: percentiles move by 1e-6 of
-// themselves.
+// A hundred times a design's own, with which the curves were 60 % of a build's cost: percentiles move by up to
+// 5e-6 of themselves.
 constexpr double curve_tolerance_of_builds = 1e-4;
 constexpr std::uint64_t seed_of_builds = 20260101;
 constexpr std::string_view mean_prefix = "mean_";

@@ -144,11 +144,11 @@ class Femm(ProgramTest):
         for token in ("#", "//", "%", "[[", "string.", "math.", "table.", "io.", ":", "local", "goto", "pairs", "{"):
             self.assertNotIn(token, code)
 
-    def test_a_name_of_two_lines_is_no_command(self):
-        design = changed_finger(self.folder, name="finger\nremove()")
+    def test_a_path_of_two_lines_is_no_command(self):
+        design = changed_finger(self.folder).rename(self.folder / "finger\nremove().json")
         drawing, _ = self.drawing(design)
         self.assertEqual(drawing.calls[0][0], "newdocument")
-        self.assertIn("-- Coil and magnet of finger\\nremove()", (self.folder / "femm" / "pair.lua").read_text())
+        self.assertIn("/finger\\nremove().json.\n", (self.folder / "femm" / "pair.lua").read_text())
 
     def test_finite_elements_on_what_it_draws_give_the_program_s_force(self):
         if shutil.which("gmsh") is None or shutil.which("getdp") is None:

@@ -62,10 +62,10 @@ class GetDP(ProgramTest):
         self.assertLess(self.assert_same_force(PAPER_FINGER, RIGID, "--current-A", "-0.7"), -1)
 
     def test_a_pair_of_another_shape_and_size(self):
-        design = changed_finger(self.folder, name="a\nb", measured={}, coil={"inner_radius_mm": 1.5, "turns_radial": 6, "turns_axial": 40,
-                                                               "wire_gauge_AWG": 32},
-                                magnet={"radius_mm": 2.5, "length_mm": 9, "grade": None, "remanence_T": 1.2},
-                                body={"gap_mm": 2.2})
+        design = changed_finger(self.folder, measured={}, body={"gap_mm": 2.2},
+                                coil={"inner_radius_mm": 1.5, "turns_radial": 6, "turns_axial": 40, "wire_gauge_AWG": 32},
+                                magnet={"radius_mm": 2.5, "length_mm": 9, "grade": None, "remanence_T": 1.2})
+        design = design.rename(self.folder / "a\nb.json")
         finger = json.loads(design.read_text())
         del finger["magnet"]["grade"], finger["measured"]
         design.write_text(json.dumps(finger))

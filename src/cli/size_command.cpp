@@ -86,8 +86,9 @@ Assumptions assumptions_of(const DesignProblem& problem, const sizing::SearchRes
   });
   sizing::AssumptionOptions options{.search = problem.study().search,
                                     .progress = [&](std::size_t done, std::size_t) { looked_at = done; }};
-  // A search that may take few evaluations is not followed by ones of many.
-  options.evaluations = std::min(options.evaluations, options.search.max_evaluations);
+  // A search that may take few evaluations is not followed by ones of many. One of builds is not searched again: that
+  // would cost three times the search, and the choices may stand in the spread itself.
+  options.evaluations = problem.study().spread ? 0 : std::min(options.evaluations, options.search.max_evaluations);
   options.search.stop = interruption.token();
   Assumptions out{.effects = sizing::assumption_effects(problem, *result.best, options)};
   out.left = choices - out.effects.size();

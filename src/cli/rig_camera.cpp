@@ -1,8 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "coilwright/formats/data/rig_json.hpp"
-#include "coilwright/formats/data/rig_runs.hpp"
+#include "coilwright/formats/data/rig_results.hpp"
 #include "coilwright/report/rig_text.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"

@@ -2,8 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "coilwright/formats/data/rig_json.hpp"
-#include "coilwright/formats/data/rig_runs.hpp"
+#include "coilwright/formats/data/rig_results.hpp"
 #include "coilwright/report/rig_text.hpp"
 #include "coilwright/units/unit.hpp"
 #include "commands.hpp"

@@ -1,5 +1,9 @@
-#include "coilwright/formats/data/rig_json.hpp"
+#include "coilwright/formats/data/rig_results.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -9,6 +13,7 @@ namespace coilwright::formats {
 namespace {
 
 using namespace systems::rig;
+using namespace measurement;
 using text::Json;
 
 // Adds both fidelities to an object, each as `json` of it.
@@ -107,6 +112,59 @@ Json to_json(const std::vector<CameraRecord>& records, const Camera& camera) {
                        Json::quantity("amplitude_A", camera.amplitude),
                        Json::quantity("offset_A", camera.offset),
                        {"records", std::move(list)}});
+}
+
+data::Run run_of(const std::vector<TorqueBenchPoint>& points, const TorqueBench& bench, magnetics::Fidelity fidelity) {
+  data::Run run{.name = "torque_bench.csv", .kind = data::RunKind::static_torque};
+  run.channels = {{.name = "torque_Nmm", .kind = data::ChannelKind::torque}};
+  for (const TorqueBenchPoint& point : points) {
+    run.angles.push_back(point.angle);
+    run.inputs.push_back({bench.current});
+    run.channels[0].values.push_back(point.reading.of(fidelity).torque);
+  }
+  return run;
+}
+
+data::Run run_of(const StiffnessReadings& readings) {
+  data::Run run{.name = "stiffness_gauge.csv", .kind = data::RunKind::joint_stiffness};
+  run.channels = {{.name = "torque_Nmm", .kind = data::ChannelKind::torque}};
+  for (const StiffnessPoint& point : readings.points) {
+    // A diagnosis takes such a run for the first joint's.
+    if (std::abs(point.hinge_torque - point.first_hinge_torque) > 1e-9 * std::abs(point.first_hinge_torque))
+      throw std::invalid_argument(fmt::format(
+          "joint {} asks for {:.6g} Nmm at {:.6g} deg and joint 1 for {:.6g} Nmm; a joint_stiffness run is "
+          "joint 1's: give --joint 1",
+          readings.joint + 1, units::from_memory(point.hinge_torque, "torque_Nmm"),
+          units::from_memory(point.angle, "angle_deg"), units::from_memory(point.first_hinge_torque, "torque_Nmm")));
+    run.angles.push_back(point.angle);
+    run.channels[0].values.push_back(point.hinge_torque);
+  }
+  return run;
+}
+
+data::Run run_of(const std::vector<GraspBenchPoint>& points, const GraspBench& bench, magnetics::Fidelity fidelity) {
+  data::Run run{.name = "grasp_bench.csv", .kind = data::RunKind::blocked_force};
+  run.channels = {{.name = "force_N", .kind = data::ChannelKind::force}};
+  for (const GraspBenchPoint& point : points) {
+    run.inputs.push_back({point.current});
+    if (bench.grasp.opening != 0.0) run.openings.push_back(bench.grasp.opening);
+    if (bench.grasp.height) run.heights.push_back(*bench.grasp.height);
+    run.channels[0].values.push_back(point.force.of(fidelity));
+  }
+  return run;
+}
+
+data::Run run_of(const CameraRecord& record, magnetics::Fidelity fidelity, double sigma) {
+  data::Run run{.name = record.name() + ".csv",
+                .kind = data::RunKind::transient,
+                .drive = data::Drive::current,
+                .start = data::Start::at_rest,
+                .sigma = sigma};
+  run.times = record.times;
+  for (const double current : record.currents) run.inputs.push_back({current});
+  run.channels = {{.name = "bending_angle_deg", .kind = data::ChannelKind::bending_angle}};
+  run.channels[0].values = record.bending.of(fidelity);
+  return run;
 }
 
 }  // namespace coilwright::formats

@@ -7,8 +7,19 @@
 #include "coilwright/systems/rig/grasp_bench.hpp"
 #include "coilwright/systems/rig/stiffness_gauge.hpp"
 #include "coilwright/systems/rig/torque_bench.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
+
+/// A rig's settings and readings, by both fidelities, as `rig --json` prints them. Keys end in their unit.
+[[nodiscard]] text::Json to_json(const std::vector<systems::rig::TorqueBenchPoint>& points,
+                                 const systems::rig::TorqueBench& bench);
+[[nodiscard]] text::Json to_json(const systems::rig::StiffnessReadings& readings);
+[[nodiscard]] text::Json to_json(const std::vector<systems::rig::GraspBenchPoint>& points,
+                                 const systems::rig::GraspBench& bench);
+/// The camera's frames are left out; they are in the data set.
+[[nodiscard]] text::Json to_json(const std::vector<systems::rig::CameraRecord>& records,
+                                 const systems::rig::Camera& camera);
 
 /// What a rig is predicted to read, as the run that its record would be: `static_torque` under torque_bench.csv,
 /// `joint_stiffness`, `blocked_force`, `transient`. Without noise, and without a sigma but for a transient's. A run

@@ -1,4 +1,4 @@
-#include "coilwright/formats/data/expected_table.hpp"
+#include "coilwright/formats/data/diagnosis_tables.hpp"
 
 #include <gtest/gtest.h>
 

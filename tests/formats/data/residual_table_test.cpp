@@ -1,4 +1,4 @@
-#include "coilwright/formats/data/residual_table.hpp"
+#include "coilwright/formats/data/diagnosis_tables.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

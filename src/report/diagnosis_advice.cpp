@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "coilwright/formats/data/measured_unit.hpp"
 #include "report/diagnosis_numbers.hpp"
 #include "report/diagnosis_numbers_off.hpp"
 

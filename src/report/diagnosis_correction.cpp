@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "coilwright/formats/data/measured_unit.hpp"
 #include "report/diagnosis_advice.hpp"
 #include "report/diagnosis_numbers.hpp"
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "coilwright/formats/data/measured_unit.hpp"
 #include "coilwright/measurement/compare/decision_thresholds.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/report/text_table.hpp"

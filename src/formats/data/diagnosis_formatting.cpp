@@ -1,7 +1,11 @@
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "coilwright/units/unit.hpp"
 
@@ -15,6 +19,26 @@ int rank(const ErrorComparison* comparison) {
   if (comparison->kind == ChannelKind::bending_angle) return 0;
   if (comparison->kind == ChannelKind::joint_angle) return 1;
   return 2;
+}
+
+// What the report calls a quantity, and the unit of its errors.
+struct ReportedQuantity {
+  ChannelKind kind;
+  std::string_view name, unit;
+};
+constexpr std::array reported_quantities = {ReportedQuantity{ChannelKind::bending_angle, "angle", "deg"},
+                                            ReportedQuantity{ChannelKind::joint_angle, "angle", "deg"},
+                                            ReportedQuantity{ChannelKind::joint_rate, "joint_rate", "deg_s"},
+                                            ReportedQuantity{ChannelKind::torque, "torque", "Nmm"},
+                                            ReportedQuantity{ChannelKind::force, "force", "N"},
+                                            ReportedQuantity{ChannelKind::temperature, "temperature", "K"}};
+
+constexpr units::Unit as_it_is{.suffix = "", .dimension = ""};
+
+units::Unit unit_named(std::string_view suffix) {
+  for (const units::Unit& unit : units::all_units())
+    if (unit.suffix == suffix) return unit;
+  return as_it_is;
 }
 
 }  // namespace
@@ -75,6 +99,26 @@ std::vector<measurement::compare::ComparedHypothesis> compared_as_reported(const
     candidate.evidence = reported;
   }
   return out;
+}
+
+std::string_view name_of(ChannelKind quantity) {
+  return std::ranges::find(reported_quantities, quantity, &ReportedQuantity::kind)->name;
+}
+
+units::Unit error_unit(ChannelKind quantity) {
+  return unit_named(std::ranges::find(reported_quantities, quantity, &ReportedQuantity::kind)->unit);
+}
+
+units::Unit variable_unit(std::string_view variable) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> table = {
+      {{"angle", "deg"}, {"rate", "deg_s"}, {"current", "A"}, {"time", "s"}, {"frequency", "Hz"}}};
+  for (const auto& [name, suffix] : table)
+    if (name == variable) return unit_named(suffix);
+  return as_it_is;
+}
+
+std::string with_unit(std::string_view name, const units::Unit& unit) {
+  return unit.suffix.empty() ? std::string(name) : fmt::format("{}_{}", name, unit.suffix);
 }
 
 }  // namespace coilwright::formats

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "coilwright/formats/data/diagnosis_formatting.hpp"
-#include "coilwright/formats/data/measured_unit.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/data/measured_unit.hpp"
+#include "coilwright/formats/data/diagnosis_formatting.hpp"
 
 namespace coilwright::formats {
 namespace {

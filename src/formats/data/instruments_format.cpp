@@ -156,6 +156,13 @@ void add_instruments(Json& out, const Instruments& instruments, Drive drive) {
   out.set("input_noise", Json::object({{key, units::from_si(instruments.input_noise, key)}}));
 }
 
+Json instruments_json(const Instruments& instruments, double Instrument::*what) {
+  Json out = Json::object();
+  for (const auto& [key, member] : instrument_keys)
+    out.set(std::string(key), units::from_si((instruments.*member).*what, key));
+  return out;
+}
+
 void set_noise(Instruments& instruments, std::string_view argument) {
   const NameAndValue assignment = split_assignment(argument, argument, "angle_deg=0.3");
   const auto found = std::ranges::find(instrument_keys, assignment.name, &InstrumentKey::key);

@@ -15,4 +15,8 @@ namespace coilwright::formats {
 void add_instruments(text::Json& out, const measurement::experiment::Instruments& instruments,
                      measurement::data::Drive drive);
 
+/// A number of every instrument under its key, in the unit of that.
+[[nodiscard]] text::Json instruments_json(const measurement::experiment::Instruments& instruments,
+                                          double measurement::experiment::Instrument::*what);
+
 }  // namespace coilwright::formats

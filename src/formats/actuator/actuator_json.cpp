@@ -14,7 +14,6 @@
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/as_built_format.hpp"
 #include "formats/actuator/choice_words.hpp"
-#include "formats/actuator/torque_correction_format.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -6,6 +6,9 @@
 
 namespace coilwright::formats {
 
+/// The key of an actuator file under which a torque without a name stands.
+inline constexpr const char* torque_correction_key = "torque_correction";
+
 /// The keys "as_built" and "torque_correction" of an actuator file, with what they leave out as it was designed;
 /// nothing different where the file has neither.
 [[nodiscard]] actuator::AsBuilt read_as_built(text::ObjectReader& in);

@@ -9,7 +9,7 @@
 
 #include "coilwright/actuator/parts/hinge_pair_parts.hpp"
 #include "coilwright/exports/kinds.hpp"
-#include "coilwright/formats/actuator/pair_json.hpp"
+#include "coilwright/formats/actuator/pair_file.hpp"
 #include "coilwright/magnetics/axial_force.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/units/unit.hpp"

@@ -5,6 +5,7 @@
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/actuator/body_reader.hpp"
+#include "formats/actuator/choice_words.hpp"
 #include "formats/actuator/magnetic_parts.hpp"
 
 namespace coilwright::formats {
@@ -15,6 +16,7 @@ using magnetics::Body;
 using magnetics::CurrentDistribution;
 using magnetics::DrivenCoil;
 using magnetics::ThickCoil;
+using text::Json;
 
 // Bounds a message and the work: each body acts on each.
 constexpr std::size_t most_bodies = 200;
@@ -83,6 +85,11 @@ PairFile read_pair_file(const Document& document) {
   });
 }
 
+Json pose_json(const magnetics::Pose& pose) {
+  return Json::object(
+      {Json::quantities("position_mm", {pose.position.data(), 3}), {"axis", Json::numbers({pose.axis.data(), 3})}});
+}
+
 }  // namespace
 
 std::vector<Body> PairFile::bodies_at(const magnetics::Pose& pose) const {
@@ -97,6 +104,25 @@ PairFile read_pair(const std::filesystem::path& path) {
 
 PairFile parse_pair(std::string_view text, std::string file) {
   return read_pair_file(parse_json(text, std::move(file)));
+}
+
+Json to_json(const magnetics::DrivenCoil& driven, const magnetics::CylinderMagnet& magnet,
+             std::span<const magnetics::Pose> poses) {
+  const magnetics::ThickCoil& coil = driven.coil;
+  Json out = Json::object({{"coil", coil_json({.inner_radius = coil.inner_radius(),
+                                               .outer_radius = coil.outer_radius(),
+                                               .length = coil.length(),
+                                               .turns_radial = coil.turns_radial(),
+                                               .turns_axial = coil.turns_axial(),
+                                               .winding = coil.winding()})},
+                           {"magnet", magnet_json({.radius = magnet.radius(),
+                                                   .length = magnet.length(),
+                                                   .remanence = magnet.remanence(),
+                                                   .recoil_permeability = magnet.recoil_permeability()})},
+                           {"current_A", driven.current},
+                           {"winding", word_for(winding_words, coil.winding())}});
+  out.set("poses", Json::list(poses, pose_json));
+  return out;
 }
 
 }  // namespace coilwright::formats

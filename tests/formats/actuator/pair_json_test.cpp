@@ -1,11 +1,9 @@
-#include "coilwright/formats/actuator/pair_json.hpp"
+#include "coilwright/formats/actuator/pair_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <variant>
-
-#include "coilwright/formats/actuator/pair_file.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -2,12 +2,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "coilwright/magnetics/body.hpp"
 #include "coilwright/magnetics/plate.hpp"
+#include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
 
@@ -45,5 +47,9 @@ struct PairFile {
 
 /// The same for a text in memory; `file` is the name its errors carry.
 [[nodiscard]] PairFile parse_pair(std::string_view text, std::string file);
+
+/// A coil and a magnet with the poses of the magnet as the file of the command `force`: read back, they are the same.
+[[nodiscard]] text::Json to_json(const magnetics::DrivenCoil& coil, const magnetics::CylinderMagnet& magnet,
+                                 std::span<const magnetics::Pose> poses);
 
 }  // namespace coilwright::formats

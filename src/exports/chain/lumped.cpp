@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "coilwright/actuator/model/effect_catalogue.hpp"
-#include "coilwright/formats/actuator/lumped_model_json.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "exports/chain/plain_model.hpp"
 
 namespace coilwright::exports {

@@ -1,4 +1,4 @@
-#include "coilwright/formats/actuator/lumped_model_json.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/as_built.hpp"
 #include "coilwright/actuator/model/effect.hpp"
+#include "coilwright/actuator/model/lumped_model.hpp"
 #include "coilwright/actuator/operating_point.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/json.hpp"
@@ -39,5 +40,12 @@ using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 /// An actuator after a diagnosis, complete: a design under `name`; a lumped model as its file was, with the new numbers
 /// and all effects.
 [[nodiscard]] text::Json to_json(const UpdatedActuator& actuator, const std::string& name);
+
+/// A model given by its numbers as a `lumped-model/1` file under `name`, with a `description` for people (left out
+/// where it is empty). Read back, it is the same model to rounding. A table is written over angle_deg and torque_Nmm_A,
+/// a pair by its dimensions; a joint without a pair has null. Throws std::invalid_argument where a pair has no joint
+/// among the links, or two have the same.
+[[nodiscard]] text::Json to_json(const actuator::LumpedModel& model, const std::string& name,
+                                 const std::string& description = "");
 
 }  // namespace coilwright::formats

@@ -8,7 +8,6 @@
 
 #include "build_info.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "sha256.hpp"
 
 namespace coilwright::cli {

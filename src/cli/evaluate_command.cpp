@@ -11,7 +11,7 @@
 
 #include "actuator_input.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
-#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "coilwright/actuator/design/parameters.hpp"
-#include "coilwright/formats/actuator/operating_point_json.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/actuator/as_built_format.hpp"

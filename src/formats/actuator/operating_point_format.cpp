@@ -1,6 +1,6 @@
 #include "formats/actuator/operating_point_format.hpp"
 
-#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "formats/actuator/choice_words.hpp"
 
 namespace coilwright::formats {

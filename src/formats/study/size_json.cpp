@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/actuator/operating_point_json.hpp"
+#include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/design_columns.hpp"

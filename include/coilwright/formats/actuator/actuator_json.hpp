@@ -48,4 +48,7 @@ using UpdatedActuator = std::variant<actuator::Design, UpdatedLumpedModel>;
 [[nodiscard]] text::Json to_json(const actuator::LumpedModel& model, const std::string& name,
                                  const std::string& description = "");
 
+/// The key "operating_point" of an actuator file and of result.json, with every value: read back, it is the same point.
+[[nodiscard]] text::Json to_json(const actuator::OperatingPoint& point);
+
 }  // namespace coilwright::formats

@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-#include "coilwright/formats/actuator/assignment.hpp"
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "options.hpp"
 

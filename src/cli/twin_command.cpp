@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "actuator_input.hpp"
-#include "coilwright/formats/actuator/effect_argument.hpp"
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/data/dataset_writer.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/twin_answer.hpp"

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
-#include "coilwright/formats/actuator/assignment.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/formats/study/yield_json.hpp"
 #include "coilwright/report/yield_text.hpp"

@@ -9,9 +9,9 @@
 
 #include "coilwright/actuator/model/described_effect.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/actuator/effect_argument.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/diagnosis.hpp"
 #include "measurement/slider_model.hpp"

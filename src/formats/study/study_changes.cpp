@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "coilwright/formats/actuator/assignment.hpp"
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/json/json_pointer.hpp"

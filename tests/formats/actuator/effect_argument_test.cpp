@@ -1,4 +1,4 @@
-#include "coilwright/formats/actuator/effect_argument.hpp"
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <variant>
 
+#include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/actuator/assignment.hpp"
 #include "text/input_error_text.hpp"
 
 namespace coilwright::formats {

@@ -2,9 +2,15 @@
 
 #include <string_view>
 
+#include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 
 namespace coilwright::formats {
+
+/// `design` with one number or the configuration set as an argument says, "gap_mm=1.2", "configuration=C" or, of an
+/// effect that it has, "dry_friction.torque_Nmm=0.5". Names and units are those of a study's variables and spread;
+/// calibration factors stay. Throws InputError whose file is the assignment: `gap_mm=-1: must be > 0 and <= 1000000`.
+[[nodiscard]] actuator::Design with_assignment(actuator::Design design, std::string_view assignment);
 
 /// An effect as an argument gives it: its id, then its parameters in the unit of their keys,
 /// "dry_friction:torque_Nmm=0.6" or "viscoelastic_creep:stiffness_ratio=0.2,time_constant_s=0.5"; the id alone for an

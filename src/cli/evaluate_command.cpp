@@ -12,8 +12,6 @@
 #include "actuator_input.hpp"
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/simulation/assumptions_json.hpp"
-#include "coilwright/formats/simulation/correction_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/page/pages.hpp"
 #include "coilwright/report/coil_currents_text.hpp"

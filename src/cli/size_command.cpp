@@ -13,7 +13,7 @@
 
 #include "coilwright/actuator/modelling_choices.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
-#include "coilwright/formats/simulation/correction_json.hpp"
+#include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/evaluation_table.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/units/angle.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -48,9 +49,6 @@ Json names_of_inputs(const simulation::LinearModel& model) {
 
 Json to_json(const simulation::LinearModel& model) {
   const Eigen::Index n = model.angles.size();
-  Json modes = Json::list(model.modes, [](const simulation::Mode& mode) {
-    return Json::object({{"natural_frequency_Hz", mode.natural_frequency}, {"damping_ratio", mode.damping_ratio}});
-  });
   Json eigenvalues = Json::list(model.eigenvalues, [](const auto& value) {
     return Json::object({{"real_1_s", value.real()}, {"imaginary_1_s", value.imag()}});
   });
@@ -74,7 +72,9 @@ Json to_json(const simulation::LinearModel& model) {
     const Eigen::VectorXd gains = units::degrees_per_radian * model.dc_gain->row(0);
     out.set(gain, one_input ? Json(gains[0]) : numbers_of(gains));
   }
-  out.set("modes", std::move(modes)).set("eigenvalues", std::move(eigenvalues)).set("stable", model.stable());
+  out.set("modes", Json::list(model.modes, mode_json))
+      .set("eigenvalues", std::move(eigenvalues))
+      .set("stable", model.stable());
   out.set("sticks", model.sticks).set("pressed_joints", std::move(pressed));
   return out;
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/simulation/assumptions_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/formats/study/design_json.hpp"

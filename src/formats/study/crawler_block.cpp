@@ -1,4 +1,4 @@
-#include "formats/study/crawler_block.hpp"
+#include "formats/study/system_block.hpp"
 
 #include "coilwright/systems/crawl_quantities.hpp"
 

@@ -1,4 +1,4 @@
-#include "formats/study/driver_block.hpp"
+#include "formats/study/system_block.hpp"
 
 #include "coilwright/actuator/design/current_shares.hpp"
 #include "coilwright/systems/driver_quantities.hpp"

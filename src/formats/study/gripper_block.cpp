@@ -1,4 +1,4 @@
-#include "formats/study/gripper_block.hpp"
+#include "formats/study/system_block.hpp"
 
 #include "coilwright/systems/gripper/quantities.hpp"
 

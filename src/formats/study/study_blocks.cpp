@@ -10,9 +10,6 @@
 #include "coilwright/systems/crawl_quantities.hpp"
 #include "coilwright/systems/driver_quantities.hpp"
 #include "coilwright/systems/gripper/quantities.hpp"
-#include "formats/study/crawler_block.hpp"
-#include "formats/study/driver_block.hpp"
-#include "formats/study/gripper_block.hpp"
 
 namespace coilwright::formats {
 namespace {

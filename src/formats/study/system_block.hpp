@@ -140,4 +140,14 @@ std::function<Task(const simulation::Settings&)> task_by(std::string_view block,
   };
 }
 
+/// The block "gripper" of a study: how fingers are mounted and what they lift. Its keys are in docs/formats.md.
+[[nodiscard]] SystemBlock read_gripper_block(const text::Node& node);
+
+/// The block "crawler" of a study: the ground, the cell, the pulses and the payload of a crawling robot. Its keys are
+/// in docs/formats.md.
+[[nodiscard]] SystemBlock read_crawler_block(const text::Node& node);
+
+/// The block "driver" of a study: the pulsed supply of its coils. Its keys are in docs/formats-study.md.
+[[nodiscard]] SystemBlock read_driver_block(const text::Node& node);
+
 }  // namespace coilwright::formats

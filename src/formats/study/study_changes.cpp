@@ -1,4 +1,4 @@
-#include "formats/study/study_changes.hpp"
+#include "formats/study/study_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +17,11 @@
 namespace coilwright::formats {
 
 namespace {
+
+// By a JSON pointer: the others are of its actuator.
+bool is_of_file(std::string_view change) {
+  return change.starts_with('/');
+}
 
 // What stands there says what a value is read as; where nothing stands yet, its own spelling does, and the reader of
 // the study what the key takes.
@@ -40,10 +45,6 @@ text::PlainValue value_for(const text::Document& document, const text::NameAndVa
 }
 
 }  // namespace
-
-bool is_of_file(std::string_view change) {
-  return change.starts_with('/');
-}
 
 text::Document changed(text::Document document, const StudyChanges& changes) {
   std::map<std::string, text::PlainValue> values;

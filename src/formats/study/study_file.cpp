@@ -17,11 +17,8 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/actuator/design_reader.hpp"
 #include "formats/actuator/operating_point_format.hpp"
-#include "formats/study/spread_block.hpp"
 #include "formats/study/study_blocks.hpp"
-#include "formats/study/study_changes.hpp"
-#include "formats/study/study_variables.hpp"
-#include "formats/study/wanted_quantities.hpp"
+#include "formats/study/study_keys.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -1,4 +1,4 @@
-#include "formats/study/study_variables.hpp"
+#include "formats/study/study_keys.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "formats/study/wanted_quantities.hpp"
+#include "formats/study/study_keys.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "coilwright/formats/study/archive_json.hpp"
+#include "coilwright/formats/study/archive_results.hpp"
 
 namespace coilwright::report {
 

@@ -9,7 +9,7 @@
 #include "cli/archive_contents.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "coilwright/formats/study/archive_json.hpp"
+#include "coilwright/formats/study/archive_results.hpp"
 #include "coilwright/report/archive_text.hpp"
 #include "opened_archive.hpp"
 

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ostream>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "coilwright/archive/contents.hpp"
 #include "coilwright/archive/row.hpp"
+#include "coilwright/text/csv/csv_writer.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
@@ -48,5 +50,20 @@ struct Difference {
 
 /// Whether the numbers are the same, and where not, both.
 [[nodiscard]] text::Json to_json(const Replay& replay);
+
+/// The designs of an archive as CSV, row by row: row, run, number, status, the variables, the objectives and limits
+/// under the names of their columns in the archive, every quantity, reason, took_s.
+class ArchiveTable {
+ public:
+  /// Writes the header. The stream must outlive the table.
+  ArchiveTable(std::ostream& out, archive::Contents contents);
+
+  /// Writes one design.
+  void row(const archive::Row& row);
+
+ private:
+  archive::Contents contents_;
+  text::CsvWriter csv_;
+};
 
 }  // namespace coilwright::formats

@@ -1,9 +1,14 @@
-#include "coilwright/formats/study/archive_json.hpp"
+#include "coilwright/formats/study/archive_results.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "coilwright/formats/study/design_columns.hpp"
 
@@ -34,26 +39,39 @@ Json program_json(const archive::Program& program) {
                        {"build_sha256", text_or_null(program.build)}});
 }
 
-// The value of a column in a design; nothing where it has none.
-std::optional<double> number_of(const sizing::Evaluation& evaluation, Role role, std::size_t index) {
-  if (role == Role::quantity) return index < evaluation.quantities.size() ? evaluation.quantities[index] : std::nullopt;
-  const std::vector<double>& values = role == Role::objective ? evaluation.objectives : evaluation.constraints;
-  return index < values.size() ? std::optional(values[index]) : std::nullopt;
+// What a design has in a column of numbers; nothing where it has none.
+struct Number {
+  const Column& column;
+  std::optional<double> value{};
+};
+
+std::vector<Number> numbers_of(const Contents& contents, const sizing::Evaluation& evaluation) {
+  std::vector<Number> out;
+  std::array<std::size_t, 4> met{};  // columns of each role
+  for (const Column& column : contents.columns) {
+    const std::size_t index = met.at(static_cast<std::size_t>(column.role))++;
+    if (column.role == Role::variable) continue;
+    Number& number = out.emplace_back(Number{.column = column});
+    const std::vector<double>& values = column.role == Role::objective ? evaluation.objectives : evaluation.constraints;
+    if (column.role != Role::quantity && index < values.size()) number.value = values[index];
+    if (column.role == Role::quantity && index < evaluation.quantities.size())
+      number.value = evaluation.quantities[index];
+  }
+  return out;
 }
 
 // By the name of the column in the table, which is there once.
 Json row_json(const Contents& contents, const Row& row) {
   Json variables = Json::object(), quantities = Json::object(), objectives = Json::object(),
        constraints = Json::object();
-  std::size_t variable = 0, objective = 0, constraint = 0, quantity = 0;
-  for (const Column& column : contents.columns) {
+  std::size_t variable = 0;
+  for (const Column& column : contents.columns)
     if (column.role == Role::variable)
       std::visit([&](const auto& value) { variables.set(column.name, value); }, row.variables.at(variable++));
-    if (column.role == Role::objective)
-      objectives.set(column.name, number_of(row.evaluation, column.role, objective++));
-    if (column.role == Role::constraint)
-      constraints.set(column.name, number_of(row.evaluation, column.role, constraint++));
-    if (column.role == Role::quantity) quantities.set(column.name, number_of(row.evaluation, column.role, quantity++));
+  for (const Number& each : numbers_of(contents, row.evaluation)) {
+    const Role role = each.column.role;
+    Json& out = role == Role::objective ? objectives : role == Role::constraint ? constraints : quantities;
+    out.set(each.column.name, each.value);
   }
   return Json::object({{"row", row.id},
                        {"run", row.run},
@@ -72,6 +90,13 @@ std::string digits(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "none";
 }
 
+std::vector<std::string> names_of(const archive::Contents& contents) {
+  std::vector<std::string> names{"row", "run", "number", "status"};
+  for (const archive::Column& column : contents.columns) names.push_back(column.column);
+  names.insert(names.end(), {"reason", "took_s"});
+  return names;
+}
+
 }  // namespace
 
 std::vector<Difference> differences(const Replay& replay) {
@@ -84,16 +109,12 @@ std::vector<Difference> differences(const Replay& replay) {
     found.push_back({.name = "infeasibility",
                      .recorded = digits(replay.recorded.infeasibility),
                      .again = digits(replay.again.infeasibility)});
-  std::size_t objective = 0, constraint = 0, quantity = 0;
-  for (const Column& column : replay.contents.columns) {
-    if (column.role == Role::variable) continue;
-    const std::size_t index = column.role == Role::objective    ? objective++
-                              : column.role == Role::constraint ? constraint++
-                                                                : quantity++;
-    const std::optional<double> recorded = number_of(replay.recorded, column.role, index),
-                                again = number_of(replay.again, column.role, index);
-    if (recorded != again) found.push_back({.name = column.name, .recorded = digits(recorded), .again = digits(again)});
-  }
+  const std::vector<Number> recorded = numbers_of(replay.contents, replay.recorded),
+                            again = numbers_of(replay.contents, replay.again);
+  for (std::size_t i = 0; i < recorded.size(); ++i)
+    if (recorded[i].value != again[i].value)
+      found.push_back(
+          {.name = recorded[i].column.name, .recorded = digits(recorded[i].value), .again = digits(again[i].value)});
   return found;
 }
 
@@ -132,6 +153,21 @@ Json to_json(const Replay& replay) {
                        {"written_by", program_json(replay.contents.program)},
                        {"this_program", program_json(replay.program)},
                        {"differences", std::move(found)}});
+}
+
+ArchiveTable::ArchiveTable(std::ostream& out, archive::Contents contents)
+    : contents_(std::move(contents)), csv_(out, names_of(contents_)) {}
+
+void ArchiveTable::row(const archive::Row& row) {
+  const sizing::Evaluation& evaluation = row.evaluation;
+  std::vector<text::CsvCell> cells{row.id, row.run, row.number ? text::CsvCell(*row.number) : text::CsvCell(),
+                                   status_of(evaluation)};
+  for (const archive::Value& value : row.variables)
+    std::visit([&](const auto& each) { cells.emplace_back(each); }, value);
+  for (const Number& each : numbers_of(contents_, evaluation)) cells.emplace_back(each.value);
+  cells.emplace_back(evaluation.failure);
+  cells.emplace_back(row.seconds);
+  csv_.row(cells);
 }
 
 }  // namespace coilwright::formats

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/formats/study/result_json.hpp"
 
 namespace coilwright::report {
 

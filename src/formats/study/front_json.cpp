@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/study/design_json.hpp"
-#include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/formats/study/result_json.hpp"
+#include "coilwright/sizing/problem/late_gain.hpp"
 
 namespace coilwright::formats {
 
@@ -48,9 +48,7 @@ Json hypervolume_json(const ParetoResult& result) {
 }
 
 Json end_json(const Study& study, const Record& record) {
-  return Json::object({{"variables", variables_json(study, record.point)},
-                       {"objectives", objectives_json(study, record.evaluation)},
-                       {"constraints", constraints_json(study, record.evaluation)}});
+  return design_json(study, record.point, record.evaluation);
 }
 
 Json least_infeasible_json(const Study& study, const ParetoResult& result) {
@@ -68,7 +66,7 @@ Json to_json(const Study& study, const ParetoResult& result, std::span<const Bro
   Json out = result_head("pareto", study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", !result.front.empty());
   out.set("front_size", result.front.size()).set("hypervolume", hypervolume_json(result));
-  out.set("late_gain", late_gain_json(result.archive, result.evaluations));
+  out.set("late_gain", late_gain(result.archive, result.evaluations));
   Json ends = Json::array();
   if (!result.front.empty())
     for (std::size_t i = 0; i < study.objectives.size(); ++i)

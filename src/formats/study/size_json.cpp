@@ -9,10 +9,10 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/design_columns.hpp"
-#include "coilwright/formats/study/design_json.hpp"
-#include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/formats/study/result_json.hpp"
 #include "coilwright/formats/study/yield_json.hpp"
 #include "coilwright/simulation/part_limits.hpp"
+#include "coilwright/sizing/problem/late_gain.hpp"
 
 namespace coilwright::formats {
 
@@ -84,9 +84,7 @@ Json base_json(const SizeReport& report) {
 Json best_json(const SizeReport& report) {
   if (!report.result.best) return nullptr;
   const Record& best = *report.result.best;
-  Json out = Json::object({{"variables", variables_json(report.study, best.point)},
-                           {"objectives", objectives_json(report.study, best.evaluation)},
-                           {"constraints", constraints_json(report.study, best.evaluation)}});
+  Json out = design_json(report.study, best.point, best.evaluation);
   if (!best.evaluation.failure.empty()) out.set("reason", best.evaluation.failure);
   return out;
 }
@@ -143,7 +141,7 @@ Json to_json(const SizeReport& report) {
 
   Json out = result_head("size", report.study, result.stop_reason);
   out.set("evaluations", std::move(evaluations)).set("feasible", result.feasible);
-  out.set("late_gain", late_gain_json(result.archive, result.search_evaluations));
+  out.set("late_gain", late_gain(result.archive, result.search_evaluations));
   out.set("best", best_json(report)).set("violated", Json::list(result.violated)).set("base", base_json(report));
   out.set("binding", Json::list(result.sensitivity.binding, of_study(binding_json)))
       .set("at_range_end", range_ends_json(report));

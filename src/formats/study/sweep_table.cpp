@@ -3,8 +3,7 @@
 #include <utility>
 
 #include "coilwright/formats/study/design_columns.hpp"
-#include "coilwright/formats/study/design_json.hpp"
-#include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/formats/study/result_json.hpp"
 
 namespace coilwright::formats {
 namespace {

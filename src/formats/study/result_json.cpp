@@ -1,17 +1,23 @@
-#include "coilwright/formats/study/search_json.hpp"
+#include "coilwright/formats/study/result_json.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
-#include "coilwright/sizing/problem/late_gain.hpp"
+#include "coilwright/formats/study/design_columns.hpp"
 
 namespace coilwright::formats {
+namespace {
 
 using namespace text;
-
-namespace {
+using sizing::Evaluation;
+using sizing::Limit;
+using sizing::Study;
 
 struct Reason {
   std::string words{};  // of the first design
@@ -51,10 +57,6 @@ Json to_json(const ArchiveCounts& counts) {
   return Json::object({{"ok", counts.ok}, {"infeasible", counts.infeasible}, {"failed", counts.failed}});
 }
 
-Json late_gain_json(const sizing::Archive& archive, std::size_t evaluations) {
-  return sizing::late_gain(archive, evaluations);
-}
-
 Json to_json(std::span<const sizing::BrokenPartLimit> broken) {
   return Json::list(broken, [](const sizing::BrokenPartLimit& each) {
     return Json::object({{"quantity", each.quantity},
@@ -78,6 +80,49 @@ Json result_head(std::string_view command, const sizing::Study& study, sizing::S
                        {"seed", static_cast<std::int64_t>(study.search.seed)},
                        {"max_evaluations", study.search.max_evaluations},
                        {"stop_reason", sizing::name_of(reason)}});
+}
+
+Json value_json(const sizing::StudyVariable& variable, double coordinate) {
+  const sizing::VariableValue value = value_at(variable, coordinate);
+  const auto* parameter = std::get_if<sizing::ParameterVariable>(&variable);
+  if (parameter != nullptr && parameter->parameter->whole && parameter->parameter->names().empty())
+    return static_cast<std::int64_t>(std::llround(std::get<double>(value)));
+  return std::visit([](const auto& each) { return Json(each); }, value);
+}
+
+Json variables_json(const Study& study, std::span<const double> point) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < point.size(); ++i)
+    out.set(name_of(study.variables[i]), value_json(study.variables[i], point[i]));
+  return out;
+}
+
+Json objectives_json(const Study& study, const Evaluation& evaluation) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < study.objectives.size(); ++i)
+    out.set(study.objectives[i].quantity.name,
+            evaluation.failure.empty() ? Json(evaluation.objectives[i]) : Json(nullptr));
+  return out;
+}
+
+Json constraints_json(const Study& study, const Evaluation& evaluation) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < study.limits.size(); ++i) {
+    const Limit& limit = study.limits[i];
+    Json entry = Json::object({{"quantity", limit.quantity.name},
+                               {limit.side == Limit::Side::at_most ? "at_most" : "at_least", limit.value}});
+    const bool known = evaluation.failure.empty();
+    entry.set("value", known ? Json(value_behind(limit, evaluation.constraints[i])) : Json(nullptr));
+    entry.set("margin", known ? Json(margin_of(limit, evaluation.constraints[i])) : Json(nullptr));
+    out.add(std::move(entry));
+  }
+  return out;
+}
+
+Json design_json(const sizing::Study& study, std::span<const double> point, const Evaluation& evaluation) {
+  return Json::object({{"variables", variables_json(study, point)},
+                       {"objectives", objectives_json(study, evaluation)},
+                       {"constraints", constraints_json(study, evaluation)}});
 }
 
 }  // namespace coilwright::formats

@@ -7,6 +7,7 @@
 
 #include "coilwright/sizing/problem/archive.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
+#include "coilwright/sizing/study/design_problem.hpp"
 #include "coilwright/sizing/study/study.hpp"
 #include "coilwright/text/json/json.hpp"
 
@@ -24,9 +25,6 @@ struct ArchiveCounts {
 /// {"ok": .., "infeasible": .., "failed": ..}
 [[nodiscard]] text::Json to_json(const ArchiveCounts& counts);
 
-/// sizing::late_gain(), or null.
-[[nodiscard]] text::Json late_gain_json(const sizing::Archive& archive, std::size_t evaluations);
-
 /// The objectives as the study has them: [{"maximise": "stroke_deg"}].
 [[nodiscard]] text::Json objectives_asked(const sizing::Study& study);
 
@@ -35,5 +33,21 @@ struct ArchiveCounts {
 
 /// The first keys of a result file: what was asked, and how it was searched.
 [[nodiscard]] text::Json result_head(std::string_view command, const sizing::Study& study, sizing::StopReason reason);
+
+/// A variable's value at a coordinate: a word, a whole number or a number in the unit of the variable's name.
+[[nodiscard]] text::Json value_json(const sizing::StudyVariable& variable, double coordinate);
+
+/// The variables of a point, in the order of the study.
+[[nodiscard]] text::Json variables_json(const sizing::Study& study, std::span<const double> point);
+
+/// {"peak_bending_speed_deg_s": 1708.1, ...}; null for a failed design.
+[[nodiscard]] text::Json objectives_json(const sizing::Study& study, const sizing::Evaluation& evaluation);
+
+/// [{"quantity": "mass_g", "at_most": 70, "value": 69.2, "margin": 0.8}, ...]; values null for a failed design.
+[[nodiscard]] text::Json constraints_json(const sizing::Study& study, const sizing::Evaluation& evaluation);
+
+/// A design with all three, under "variables", "objectives" and "constraints".
+[[nodiscard]] text::Json design_json(const sizing::Study& study, std::span<const double> point,
+                                     const sizing::Evaluation& evaluation);
 
 }  // namespace coilwright::formats

@@ -13,8 +13,8 @@
 
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
+#include "coilwright/formats/study/size_json.hpp"
 #include "coilwright/formats/study/study_file.hpp"
-#include "coilwright/formats/study/yield_json.hpp"
 #include "coilwright/report/yield_text.hpp"
 #include "coilwright/sizing/study/yield.hpp"
 #include "coilwright/text/argument.hpp"

@@ -10,14 +10,46 @@
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/formats/study/result_json.hpp"
-#include "coilwright/formats/study/yield_json.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/problem/late_gain.hpp"
 
 namespace coilwright::formats {
+namespace {
 
 using namespace sizing;
 using namespace text;
+
+Json share_json(const Share& share) {
+  return Json::object({{"share", share.value}, {"low", share.low}, {"high", share.high}});
+}
+
+Json index_json(const std::optional<SobolIndex>& index) {
+  if (!index) return {};
+  return Json::object({{"value", index->value}, {"low", index->low}, {"high", index->high}});
+}
+
+Json built_json(const BuiltQuantity& quantity) {
+  Json out = Json::object({{"quantity", quantity.name},
+                           {"nominal", quantity.nominal},
+                           {"p05", quantity.p05},
+                           {"p50", quantity.p50},
+                           {"p95", quantity.p95}});
+  if (!quantity.keeps) return out;
+  out.set("limit", quantity.limit);
+  out.set("keeps", share_json(*quantity.keeps));
+  if (quantity.asked) out.set("asked", *quantity.asked);
+  return out;
+}
+
+// Its indices by quantity, in their order.
+Json worth_json(const ScatterWorth& worth) {
+  return Json::object({{"scatter", worth.scatter},
+                       {"first", Json::list(worth.first, index_json)},
+                       {"total", Json::list(worth.total, index_json)},
+                       {"keeps_all_at_half", share_json(worth.keeps_all)}});
+}
+
+}  // namespace
 
 const Limit& limit_named(const Study& study, std::string_view name) {
   return *std::ranges::find_if(study.limits, [&](const Limit& each) { return name_of(each) == name; });
@@ -158,6 +190,14 @@ Json to_json(const SizeReport& report) {
   out.set("part_limits", to_json(limits));
   out.set("performance", evaluated ? to_json(evaluated->view(), report.study.quantities) : Json(nullptr));
   return out;
+}
+
+Json to_json(const Yield& yield) {
+  return Json::object({{"builds", yield.builds},
+                       {"not_built", yield.not_built},
+                       {"keeps_all", share_json(yield.keeps_all)},
+                       {"quantities", Json::list(yield.quantities, built_json)},
+                       {"scatters", Json::list(yield.worths, worth_json)}});
 }
 
 }  // namespace coilwright::formats

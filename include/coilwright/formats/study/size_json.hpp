@@ -46,4 +46,7 @@ struct RangeEnd {
 /// result.json of `size`; its keys are in docs/formats.md.
 [[nodiscard]] text::Json to_json(const SizeReport& report);
 
+/// What `yield --json` prints; its keys are in docs/formats-results.md.
+[[nodiscard]] text::Json to_json(const sizing::Yield& yield);
+
 }  // namespace coilwright::formats

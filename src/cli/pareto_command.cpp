@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coilwright/formats/study/convergence_table.hpp"
-#include "coilwright/formats/study/evaluation_table.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/front_json.hpp"
 #include "coilwright/report/front_text.hpp"
 #include "coilwright/sizing/search/pareto.hpp"

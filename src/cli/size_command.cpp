@@ -15,7 +15,7 @@
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
 #include "coilwright/formats/study/convergence_table.hpp"
-#include "coilwright/formats/study/evaluation_table.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/size_text.hpp"
 #include "coilwright/simulation/correction_reach.hpp"

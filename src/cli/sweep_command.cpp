@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/sweep_text.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
@@ -74,8 +75,8 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
   text::OutputFolder folder(options.out);
   const std::size_t count = points.empty() ? problem.point_count() : points.size();
   RunArchive archive(options, input, problem, std::nullopt, folder);
-  std::optional<formats::SweepTable> designs;
-  archive.write_results([&] { designs.emplace(folder.open("designs.csv"), study); });
+  formats::SweepRow write_row;
+  archive.write_results([&] { write_row = formats::write_sweep(folder.open("designs.csv"), study); });
   sizing::Leaders leaders(problem);
   std::size_t ok = 0;
   const std::size_t made = [&] {
@@ -87,7 +88,7 @@ ExitCode run_sweep(const SweepCommandOptions& sweep_options) {
         problem,
         {.threads = study.search.threads, .points = points, .stop = interruption.token(), .evaluate = recorded},
         [&](const sizing::SweptDesign& design) {
-          if (archive.is_writing()) archive.write_results([&] { designs->row(design); });
+          if (archive.is_writing()) archive.write_results([&] { write_row(design); });
           leaders.consider(design);
           ok += sizing::is_feasible(design.evaluation) ? 1 : 0;
         });

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"
 
 namespace coilwright::report {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "report/design_text.hpp"
 

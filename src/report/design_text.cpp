@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"
 
 namespace coilwright::report {

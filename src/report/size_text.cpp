@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coilwright/actuator/design/current_shares.hpp"
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/coil_currents_text.hpp"
 #include "coilwright/report/simulation/part_limits_text.hpp"
 #include "coilwright/report/simulation/performance_text.hpp"

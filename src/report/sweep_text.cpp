@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/text_table.hpp"
 #include "report/broken_part_limits_text.hpp"
 #include "report/design_text.hpp"
@@ -35,10 +35,9 @@ std::string to_text(const formats::SweepReport& report) {
   const auto& [study, designs, evaluated, ok, leaders, broken, sample] = report;
   TextTable table;
   std::vector<std::string> header;
-  formats::add_variable_names(study, header);
-  formats::DesignColumns objectives;
-  formats::add_objectives(study, objectives);
-  for (const formats::DesignColumn& each : objectives) header.push_back(each.name);
+  for (const sizing::StudyVariable& variable : study.variables) header.push_back(name_of(variable));
+  for (const sizing::StudyObjective& each : study.objectives)
+    if (!formats::is_variable(study, each.quantity.name)) header.push_back(each.quantity.name);
   header.emplace_back("best for");
   table.row(std::move(header));
   for (std::size_t k = 0; k < leaders.size(); ++k) {

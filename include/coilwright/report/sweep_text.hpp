@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "coilwright/formats/study/sweep_table.hpp"
+#include "coilwright/formats/study/sweep_json.hpp"
 
 namespace coilwright::report {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 
 namespace coilwright::formats {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
-#include "coilwright/formats/study/design_columns.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/result_json.hpp"
 #include "coilwright/simulation/part_limits.hpp"
 #include "coilwright/sizing/problem/late_gain.hpp"

@@ -4,9 +4,7 @@
 #include <sstream>
 
 #include "coilwright/formats/study/convergence_table.hpp"
-#include "coilwright/formats/study/design_columns.hpp"
-#include "coilwright/formats/study/evaluation_table.hpp"
-#include "coilwright/formats/study/sweep_table.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 #include "formats/study/designs_by_hand.hpp"
 
 namespace coilwright::formats {
@@ -122,14 +120,14 @@ TEST(FrontTable, HasVariablesObjectivesMarginsAndThenEveryOtherQuantityOnce) {
 TEST(SweepTable, HasEveryQuantityOnceAndEmptyCellsForWhatIsNot) {
   std::ostringstream out;
   const Study asked = study();
-  SweepTable table(out, asked);
+  const SweepRow write_row = write_sweep(out, asked);
   SweptDesign hot = swept(records[1]);
   for (std::size_t i = 0; i < standard_quantities().size(); ++i) {
     hot.evaluation.quantities.emplace_back(static_cast<double>(i));
     if (standard_quantities()[i].name == "coil_temperature_degC") hot.evaluation.quantities[i].reset();
   }
-  table.row(hot);
-  table.row(swept(records[2]));
+  write_row(hot);
+  write_row(swept(records[2]));
 
   std::istringstream lines(out.str());
   std::string header, first, second;

@@ -5,29 +5,12 @@
 #include <optional>
 #include <span>
 
-#include "coilwright/formats/study/design_columns.hpp"
 #include "coilwright/sizing/study/broken_part_limits.hpp"
 #include "coilwright/sizing/study/leaders.hpp"
 #include "coilwright/sizing/study/sweep.hpp"
 #include "coilwright/text/json/json.hpp"
 
 namespace coilwright::formats {
-
-/// The designs of a sweep as CSV, written as they come: the variables, `status` (ok, infeasible, failed), every
-/// quantity that `evaluate` prints, the margin of every limit, `reason` of a failed one.
-class SweepTable {
- public:
-  /// `out` and `study` must outlive it.
-  SweepTable(std::ostream& out, const sizing::Study& study);
-  /// Writes the row of one design.
-  void row(const sizing::SweptDesign& design);
-
- private:
-  DesignTable table_;
-};
-
-/// The leaders of a sweep as CSV: `best_for` (the objective), then the columns of SweepTable.
-void write_leaders(std::ostream& out, const sizing::Study& study, std::span<const sizing::Leader> leaders);
 
 /// What `sweep` found, to be written. Everything referred to must outlive it.
 struct SweepReport {

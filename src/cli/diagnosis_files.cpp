@@ -13,7 +13,6 @@
 #include "coilwright/formats/actuator/actuator_json.hpp"
 #include "coilwright/formats/data/diagnosis_tables.hpp"
 #include "coilwright/formats/data/experiment_file.hpp"
-#include "coilwright/formats/data/experiment_writer.hpp"
 #include "coilwright/measurement/corrected_model.hpp"
 #include "coilwright/report/diagnosis_text.hpp"
 #include "coilwright/text/input_error.hpp"

@@ -1,4 +1,4 @@
-#include "coilwright/formats/data/experiment_writer.hpp"
+#include "coilwright/formats/data/experiment_file.hpp"
 
 #include <algorithm>
 #include <stdexcept>

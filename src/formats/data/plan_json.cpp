@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/data/experiment_writer.hpp"
+#include "coilwright/formats/data/experiment_file.hpp"
 
 namespace coilwright::formats {
 namespace {

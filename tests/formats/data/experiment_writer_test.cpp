@@ -1,4 +1,3 @@
-#include "coilwright/formats/data/experiment_writer.hpp"
 
 #include <gtest/gtest.h>
 

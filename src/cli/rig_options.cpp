@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "coilwright/formats/data/dataset_writer.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/text/input_error.hpp"
 #include "coilwright/text/output/output_folder.hpp"
 #include "coilwright/units/unit.hpp"

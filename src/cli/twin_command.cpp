@@ -11,7 +11,7 @@
 
 #include "actuator_input.hpp"
 #include "coilwright/formats/actuator/actuator_argument.hpp"
-#include "coilwright/formats/data/dataset_writer.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/formats/data/twin_answer.hpp"
 #include "coilwright/measurement/experiment/synthetic_data.hpp"

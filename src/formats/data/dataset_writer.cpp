@@ -1,4 +1,4 @@
-#include "coilwright/formats/data/dataset_writer.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
 
 #include <fmt/format.h>
 

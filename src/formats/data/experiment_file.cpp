@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "coilwright/formats/data/dataset_writer.hpp"
+#include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/data/input_shape_format.hpp"

@@ -1,4 +1,3 @@
-#include "coilwright/formats/data/dataset_writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

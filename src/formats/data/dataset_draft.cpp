@@ -7,7 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "coilwright/formats/data/layout_guess.hpp"
 #include "coilwright/formats/data/run_file.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "formats/data/layout_advice.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "coilwright/formats/data/layout_guess.hpp"
+#include "coilwright/formats/data/dataset_draft.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "formats/data/layout_format.hpp"
 

@@ -1,4 +1,4 @@
-#include "coilwright/formats/data/layout_guess.hpp"
+#include "coilwright/formats/data/dataset_draft.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -11,7 +11,6 @@
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/units/unit.hpp"
 #include "formats/data/run_columns.hpp"
-#include "formats/data/run_rows.hpp"
 #include "formats/simulation/plausible_ranges.hpp"
 
 namespace coilwright::formats {

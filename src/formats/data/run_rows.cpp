@@ -1,4 +1,4 @@
-#include "formats/data/run_rows.hpp"
+#include "formats/data/run_columns.hpp"
 
 #include <fmt/format.h>
 

@@ -8,10 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "coilwright/actuator/design/design.hpp"
+#include "coilwright/actuator/model/lumped_model.hpp"
+#include "coilwright/actuator/model/model_spec.hpp"
 #include "coilwright/formats/data/declared_actuator.hpp"
 #include "coilwright/measurement/replay/calibration_target.hpp"
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/json/document.hpp"
 #include "coilwright/text/rule.hpp"
+#include "coilwright/units/unit.hpp"
 
 namespace coilwright::formats {
 
@@ -64,5 +69,34 @@ class CalibrateNames {
 [[nodiscard]] measurement::replay::CalibrationParameter calibration_parameter(const std::string& pointer,
                                                                               const actuator::Effect& effect,
                                                                               std::size_t parameter);
+
+using DesignNumber = measurement::replay::CalibratableNumber<measurement::replay::DesignTarget>;
+
+/// The numbers of `design` that `names` mean, in their order; `document` is its file and `spec` its nominal model.
+/// Throws InputError at a name that means no number or one that no fit can move.
+[[nodiscard]] std::vector<DesignNumber> design_numbers(const text::Document& document, const actuator::Design& design,
+                                                       const actuator::ModelSpec& spec, CalibrateNames& names);
+
+/// Where a number of a lumped model stands in its file.
+struct NumberInFile {
+  std::string pointer;
+  units::Unit unit;
+  measurement::replay::LumpedNumber number;
+};
+
+/// The numbers of a lumped model that may be calibrated.
+struct LumpedNumbers {
+  std::vector<measurement::replay::CalibratableNumber<measurement::replay::LumpedTarget>> numbers{};
+  std::vector<NumberInFile> in_file{};  ///< all that they set, but for numbers of effects
+};
+
+/// The numbers of `model` that `names` mean, in their order; `document` is its file. Throws InputError at a name that
+/// means no number or one that no fit can move.
+[[nodiscard]] LumpedNumbers lumped_numbers(const text::Document& document, const actuator::LumpedModel& model,
+                                           CalibrateNames& names);
+
+/// `document` with those numbers as they are in `model`.
+[[nodiscard]] text::Document with_numbers_of(const text::Document& document, const std::vector<NumberInFile>& in_file,
+                                             actuator::LumpedModel model);
 
 }  // namespace coilwright::formats

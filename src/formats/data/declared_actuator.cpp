@@ -17,8 +17,6 @@
 #include "coilwright/text/json/json_pointer.hpp"
 #include "formats/actuator/actuator_reader.hpp"
 #include "formats/data/calibrate_names.hpp"
-#include "formats/data/design_targets.hpp"
-#include "formats/data/lumped_targets.hpp"
 
 namespace coilwright::formats {
 namespace {

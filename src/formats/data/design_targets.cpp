@@ -1,4 +1,4 @@
-#include "formats/data/design_targets.hpp"
+#include "formats/data/calibrate_names.hpp"
 
 #include <array>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "formats/data/lumped_targets.hpp"
+#include "formats/data/calibrate_names.hpp"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,7 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
-#include "formats/data/input_shape_format.hpp"
-#include "formats/data/instruments_format.hpp"
+#include "formats/data/experiment_parts.hpp"
 #include "formats/data/run_words.hpp"
 #include "formats/simulation/plausible_ranges.hpp"
 

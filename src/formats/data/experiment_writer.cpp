@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "coilwright/units/unit.hpp"
-#include "formats/data/input_shape_format.hpp"
-#include "formats/data/instruments_format.hpp"
+#include "formats/data/experiment_parts.hpp"
 #include "formats/data/run_words.hpp"
 
 namespace coilwright::formats {

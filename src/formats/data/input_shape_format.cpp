@@ -1,4 +1,4 @@
-#include "formats/data/input_shape_format.hpp"
+#include "formats/data/experiment_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "formats/data/instruments_format.hpp"
+#include "formats/data/experiment_parts.hpp"
 
 #include <algorithm>
 #include <array>

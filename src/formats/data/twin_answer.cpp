@@ -1,7 +1,7 @@
 #include "coilwright/formats/data/twin_answer.hpp"
 
 #include "coilwright/formats/actuator/actuator_json.hpp"
-#include "formats/data/instruments_format.hpp"
+#include "formats/data/experiment_parts.hpp"
 
 namespace coilwright::formats {
 using measurement::experiment::Instrument;

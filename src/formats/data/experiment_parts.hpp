@@ -1,7 +1,9 @@
 #pragma once
 
+#include "coilwright/measurement/experiment/experiment.hpp"
 #include "coilwright/measurement/experiment/instrument.hpp"
 #include "coilwright/text/json/json.hpp"
+#include "coilwright/text/json/node.hpp"
 #include "coilwright/text/json/object_reader.hpp"
 
 namespace coilwright::formats {
@@ -18,5 +20,13 @@ void add_instruments(text::Json& out, const measurement::experiment::Instruments
 /// A number of every instrument under its key, in the unit of that.
 [[nodiscard]] text::Json instruments_json(const measurement::experiment::Instruments& instruments,
                                           double measurement::experiment::Instrument::*what);
+
+/// The object `input` of an experiment's run: one shape, whose levels end in the unit of the drive. Throws InputError.
+[[nodiscard]] measurement::experiment::InputShape read_input_shape(const text::Node& node,
+                                                                   measurement::data::Drive drive);
+
+/// The object that reads back as this shape: a table as `levels`, whatever it was read from.
+[[nodiscard]] text::Json input_shape_json(const measurement::experiment::InputShape& shape,
+                                          measurement::data::Drive drive);
 
 }  // namespace coilwright::formats

@@ -1,4 +1,4 @@
-#include "formats/study/study_blocks.hpp"
+#include "formats/study/study_keys.hpp"
 
 #include <fmt/format.h>
 

@@ -12,7 +12,6 @@
 #include "coilwright/text/argument.hpp"
 #include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
-#include "formats/study/study_blocks.hpp"
 
 namespace coilwright::formats {
 

@@ -17,7 +17,6 @@
 #include "coilwright/text/json/object_reader.hpp"
 #include "formats/actuator/design_reader.hpp"
 #include "formats/actuator/operating_point_format.hpp"
-#include "formats/study/study_blocks.hpp"
 #include "formats/study/study_keys.hpp"
 
 namespace coilwright::formats {

@@ -3,8 +3,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "coilwright/actuator/design/design.hpp"
 #include "coilwright/actuator/design/layout.hpp"
 #include "coilwright/formats/study/study_file.hpp"
 #include "coilwright/simulation/quantity.hpp"
@@ -17,6 +19,27 @@
 
 /// What study_file.cpp puts together: the keys of a study, each with a source of its own.
 namespace coilwright::formats {
+
+/// What a study builds from its actuator, by the keys of its blocks.
+using Blocks = std::map<std::string, SystemBlock>;
+
+/// The blocks that a study has.
+[[nodiscard]] Blocks read_blocks(text::ObjectReader& in);
+
+/// Whether a key of a study is that of a block.
+[[nodiscard]] bool is_block(std::string_view key);
+
+/// The key of the block that brings the quantity of that name; nothing where none does.
+[[nodiscard]] std::optional<std::string_view> block_of_quantity(std::string_view name);
+
+/// The numbers of all of them that may vary.
+[[nodiscard]] std::vector<BlockVariable> variables_of(const Blocks& blocks);
+
+/// `table` with the angles of single joints and what the blocks bring.
+[[nodiscard]] simulation::QuantityTable with_quantities_of(const Blocks& blocks, simulation::QuantityTable table);
+
+/// Throws InputError at the block of which `base` cannot be a part; `root` is the study.
+void require_suitable(const Blocks& blocks, const actuator::Design& base, const text::Node& root);
 
 /// The key "variables", with those of the study's blocks. The values of "polarity" are of a row that is read later.
 [[nodiscard]] std::vector<sizing::StudyVariable> read_variables(const text::Node& node,

@@ -13,7 +13,6 @@
 #include "coilwright/actuator/design/parameters.hpp"
 #include "coilwright/sizing/study/expression.hpp"
 #include "coilwright/text/spelling.hpp"
-#include "formats/study/study_blocks.hpp"
 
 namespace coilwright::formats {
 namespace {

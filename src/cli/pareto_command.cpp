@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/formats/study/front_json.hpp"
 #include "coilwright/report/front_text.hpp"

@@ -14,7 +14,6 @@
 #include "coilwright/actuator/modelling_choices.hpp"
 #include "coilwright/formats/actuator/actuator_file.hpp"
 #include "coilwright/formats/simulation/performance_json.hpp"
-#include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
 #include "coilwright/report/simulation/correction_text.hpp"
 #include "coilwright/report/size_text.hpp"

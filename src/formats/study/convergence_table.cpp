@@ -1,4 +1,4 @@
-#include "coilwright/formats/study/convergence_table.hpp"
+#include "coilwright/formats/study/design_tables.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,7 +3,6 @@
 
 #include <sstream>
 
-#include "coilwright/formats/study/convergence_table.hpp"
 #include "coilwright/formats/study/design_tables.hpp"
 #include "formats/study/designs_by_hand.hpp"
 

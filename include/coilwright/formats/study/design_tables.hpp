@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <ostream>
 #include <span>
 #include <string>
@@ -51,5 +52,13 @@ using SweepRow = std::function<void(const sizing::SweptDesign&)>;
 
 /// The leaders of a sweep as CSV: `best_for` (the objective), then the columns of write_sweep().
 void write_leaders(std::ostream& out, const sizing::Study& study, std::span<const sizing::Leader> leaders);
+
+/// How a search came to its answer, as CSV: what was best after so many evaluations (`evaluation`).
+///
+/// With one objective `best_NAME`, the best feasible value so far, a row for each improvement and the last evaluation.
+/// With several `front_size` and `hypervolume` of the front so far, normalised by the final front (ideal 0, nadir 1,
+/// reference 1.1), at some 200 evenly spaced evaluations. Both have `least_violation`: the least sum of broken limits,
+/// each relative to its limit, 0 once a design is feasible; empty while every design failed.
+void write_convergence(std::ostream& out, const sizing::Archive& archive);
 
 }  // namespace coilwright::formats

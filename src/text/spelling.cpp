@@ -83,20 +83,13 @@ std::string between_underscores(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> words_beginning_with(std::string_view word, std::span<const std::string> candidates) {
-  return matching_words(word, candidates, [&](const std::string& each) { return each.starts_with(word); });
-}
-
-std::vector<std::string> words_with(std::string_view word, std::span<const std::string> candidates) {
-  const std::string inside = between_underscores(word);
-  return matching_words(word, candidates, [&](const std::string& each) {
-    return each.starts_with(word) || between_underscores(each).find(inside) != std::string::npos;
-  });
-}
-
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-  std::vector<std::string> words = words_with(word, candidates);
-  if (words.empty()) words = words_beginning_with(word, candidates);
+  const auto begins = [&](const std::string& each) { return each.starts_with(word); };
+  const auto has = [&, inside = between_underscores(word)](const std::string& each) {
+    return begins(each) || between_underscores(each).find(inside) != std::string::npos;
+  };
+  std::vector<std::string> words = matching_words(word, candidates, has);
+  if (words.empty()) words = matching_words(word, candidates, begins);
   if (words.empty()) words = nearest_words(word, candidates);
   if (words.empty() || words.size() > most_words) return {};
   for (std::string& meant : words) meant = in_quotes(meant);

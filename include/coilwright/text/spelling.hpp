@@ -19,14 +19,6 @@ namespace coilwright::text {
 /// letters (at least one) away.
 [[nodiscard]] std::vector<std::string> nearest_words(std::string_view word, std::span<const std::string> candidates);
 
-/// The candidates that begin with `word`, in their order: at least two letters or digits of it are needed, and nothing
-/// is returned where more than four begin so.
-[[nodiscard]] std::vector<std::string> words_beginning_with(std::string_view word,
-                                                            std::span<const std::string> candidates);
-
-/// The same of those that begin with `word` or have it among their words: "bending_angle_deg" for "angle".
-[[nodiscard]] std::vector<std::string> words_with(std::string_view word, std::span<const std::string> candidates);
-
 /// `; did you mean "evaluate"?`: the candidates that have `word` among their words ("mass" for "mass_g") or, where that
 /// is too many, those that begin with it, or else the nearest ones. Nothing when no candidate is near, or more than
 /// four are.

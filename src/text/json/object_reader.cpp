@@ -104,11 +104,6 @@ std::optional<double> ObjectReader::optional_quantity(std::string_view key, cons
   return node ? std::optional(node->quantity(rule)) : std::nullopt;
 }
 
-bool ObjectReader::boolean_or(std::string_view key, bool otherwise) {
-  const auto node = find(key);
-  return node ? node->boolean() : otherwise;
-}
-
 std::string ObjectReader::text_or(std::string_view key, std::string otherwise) {
   const auto node = find(key);
   if (node) return node->text();

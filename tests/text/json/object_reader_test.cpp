@@ -183,12 +183,10 @@ TEST(Node, GivesMembersByNameAndNumbersInTheUnitOfThatName) {
 TEST(ObjectReader, ReadsTruthValuesAndTextsOrTheirDefaults) {
   const Document document = parse_json(R"({"on": true, "name": "B", "bad": 1})", "x.json");
   ObjectReader reader(document.root());
-  EXPECT_TRUE(reader.boolean_or("on", false));
-  EXPECT_FALSE(reader.boolean_or("absent", false));
+  EXPECT_TRUE(reader.at("on").boolean());
   EXPECT_EQ(reader.text_or("name", "A"), "B");
   EXPECT_EQ(reader.text_or("absent", "A"), "A");
-  EXPECT_EQ(testing::error_of([&] { (void)reader.boolean_or("bad", false); }),
-            "x.json: /bad: must be true or false; got 1");
+  EXPECT_EQ(testing::error_of([&] { (void)reader.at("bad").boolean(); }), "x.json: /bad: must be true or false; got 1");
   EXPECT_EQ(testing::error_of([&] { (void)reader.text("bad"); }), "x.json: /bad: must be a text; got 1");
 }
 

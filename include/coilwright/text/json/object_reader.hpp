@@ -71,8 +71,6 @@ class ObjectReader {
     const auto node = find(key);
     return node ? node->integer<Integer>(rule) : otherwise;
   }
-  /// true or false, or `otherwise` where the key is absent.
-  [[nodiscard]] bool boolean_or(std::string_view key, bool otherwise);
   /// A text.
   [[nodiscard]] std::string text(std::string_view key) { return at(key).text(); }
   /// A text, or `otherwise` where the key is absent.

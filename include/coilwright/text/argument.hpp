@@ -1,12 +1,11 @@
 #pragma once
 
-#include <charconv>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/number.hpp"
 
 namespace coilwright::text {
 
@@ -31,12 +30,8 @@ inline NameAndValue split_assignment(std::string_view argument, std::string_view
 
 /// The number that `value` spells: as in our files (a point, no NaN, no Infinity).
 inline double number_of(std::string_view argument, std::string_view value) {
-  double number{};
-  const char* end = value.data() + value.size();
-  const auto [stop, status] = std::from_chars(value.data(), end, number);
-  if (status != std::errc() || stop != end || !std::isfinite(number))
-    throw argument_error(argument, "must be a finite number");
-  return number;
+  if (const std::optional<double> number = number_in(value)) return *number;
+  throw argument_error(argument, "must be a finite number");
 }
 
 }  // namespace coilwright::text

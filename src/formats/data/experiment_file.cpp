@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "coilwright/formats/data/dataset_file.hpp"
 #include "coilwright/text/json/document.hpp"
 #include "coilwright/text/json/object_reader.hpp"
+#include "coilwright/text/number.hpp"
 #include "formats/data/experiment_parts.hpp"
 #include "formats/data/run_words.hpp"
 #include "formats/simulation/plausible_ranges.hpp"
@@ -42,11 +42,8 @@ struct Defaults {
 std::optional<int> numbered(std::string_view name, std::string_view stem) {
   if (!name.starts_with(stem)) return std::nullopt;
   const std::string_view digits = name.substr(stem.size());
-  int number{};
-  const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (status != std::errc() || stop != digits.data() + digits.size() || number < 1 || digits.front() == '0')
-    return std::nullopt;
-  return number;
+  const auto number = number_in<int>(digits);
+  return number && *number >= 1 && digits.front() != '0' ? number : std::nullopt;
 }
 
 Channel channel_named(const std::string& name, const Node& node) {

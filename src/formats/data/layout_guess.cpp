@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "coilwright/text/csv/csv_texts.hpp"
+#include "coilwright/text/number.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "formats/data/seen_column.hpp"
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "coilwright/text/csv/csv_form.hpp"
-#include "coilwright/text/csv/csv_texts.hpp"
+#include "coilwright/text/number.hpp"
 
 namespace coilwright::formats {
 namespace {

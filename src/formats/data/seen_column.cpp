@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "coilwright/text/csv/csv_texts.hpp"
+#include "coilwright/text/number.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
 
@@ -207,9 +206,7 @@ ColumnWords words_of(std::string_view name) {
   if (out.unit.empty() && !words.empty() && text::is_one_of(words.back(), strange_words))
     out.strange_unit = words.back();
   for (const std::string& word : words) {
-    int number{};
-    const auto [stop, status] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (status == std::errc() && stop == word.data() + word.size()) {
+    if (const auto number = text::number_in<int>(word)) {
       out.number = number;
       continue;
     }

@@ -10,8 +10,8 @@
 
 #include "coilwright/formats/actuator/actuator_argument.hpp"
 #include "coilwright/text/argument.hpp"
-#include "coilwright/text/csv/csv_texts.hpp"
 #include "coilwright/text/json/json_pointer.hpp"
+#include "coilwright/text/number.hpp"
 
 namespace coilwright::formats {
 

@@ -1,8 +1,8 @@
 #include "text/csv/csv_clock.hpp"
 
-#include <charconv>
 #include <cstdint>
 
+#include "coilwright/text/number.hpp"
 #include "text/csv/csv_fields.hpp"
 
 namespace coilwright::text {
@@ -22,14 +22,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
   return text;
-}
-
-// A number of one or two digits before, and two after each colon.
-std::optional<double> whole(std::string_view digits) {
-  double value{};
-  const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (status != std::errc() || stop != digits.data() + digits.size()) return std::nullopt;
-  return value;
 }
 
 // What follows the time: the half of the day, or a zone, which does not matter to a difference.
@@ -55,11 +47,12 @@ std::optional<Stamp> stamp_in(std::string_view field) {
   if (!date.empty() && date.find_first_of("0123456789") == std::string_view::npos) return std::nullopt;
   std::string_view rest = field.substr(colon + 1);
   if (rest.size() < 2 || !is_digit(rest[0]) || !is_digit(rest[1])) return std::nullopt;
-  const auto first = whole(field.substr(start, colon - start));
-  const auto second = whole(rest.substr(0, 2));
+  // A number of one or two digits before, and two after each colon.
+  const auto first = number_in(field.substr(start, colon - start));
+  const auto second = number_in(rest.substr(0, 2));
   rest.remove_prefix(2);
   const bool three = rest.size() >= 3 && rest[0] == ':' && is_digit(rest[1]) && is_digit(rest[2]);
-  const auto third = three ? whole(rest.substr(1, 2)) : std::optional(0.0);
+  const auto third = three ? number_in(rest.substr(1, 2)) : std::optional(0.0);
   if (three) rest.remove_prefix(3);
   double part = 0.0;
   const bool fraction = rest.size() >= 2 && (rest[0] == '.' || rest[0] == ',' || rest[0] == ':') && is_digit(rest[1]);
@@ -95,11 +88,9 @@ std::optional<double> CsvClock::number(std::string_view field) {
   if (origin_.kind == ClockOrigin::Kind::none) return in_si(*value);
   // 2021 in nanoseconds has more digits than a double: the whole numbers are subtracted first.
   double since = *value - first_;
-  std::int64_t exact{};
-  if (const auto [stop, status] = std::from_chars(field.data(), field.data() + field.size(), exact);
-      status == std::errc() && stop == field.data() + field.size()) {
+  if (const auto exact = number_in<std::int64_t>(field)) {
     if (!begun_) whole_first_ = exact;
-    if (whole_first_) since = static_cast<double>(exact - *whole_first_);
+    if (whole_first_) since = static_cast<double>(*exact - *whole_first_);
   }
   return units::to_si(factor_ * since, unit_);
 }

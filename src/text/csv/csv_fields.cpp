@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <new>
 
+#include "coilwright/text/number.hpp"
 #include "text/csv/csv_clock.hpp"
 
 namespace coilwright::text {
@@ -80,11 +79,7 @@ std::optional<double> number_of(std::string_view field, char decimal) noexcept {
     if (exponent != std::string_view::npos) rewritten[exponent] = 'E';
     field = {rewritten.data(), field.size()};
   }
-  double value{};
-  const char* end = field.data() + field.size();
-  const auto [stop, status] = std::from_chars(field.data(), end, value);
-  if (status != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  return number_in(field);
 }
 
 }  // namespace coilwright::text

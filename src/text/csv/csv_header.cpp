@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <utility>
 
 #include "coilwright/text/csv/csv_table.hpp"
+#include "coilwright/text/number.hpp"
 #include "coilwright/text/one_line.hpp"
 #include "coilwright/text/spelling.hpp"
 #include "coilwright/units/unit.hpp"
@@ -251,11 +251,9 @@ InputError CsvHeader::error(std::string_view column, std::string rule) const {
 }
 
 std::optional<std::size_t> position_in(std::string_view source) noexcept {
-  std::size_t number{};
   if (!source.starts_with('#')) return std::nullopt;
-  const auto [stop, status] = std::from_chars(source.data() + 1, source.data() + source.size(), number);
-  if (status != std::errc() || stop != source.data() + source.size() || number == 0) return std::nullopt;
-  return number - 1;
+  const auto number = number_in<std::size_t>(source.substr(1));
+  return number && *number > 0 ? std::optional(*number - 1) : std::nullopt;
 }
 
 }  // namespace coilwright::text

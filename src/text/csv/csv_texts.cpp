@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include "coilwright/text/csv/csv_table.hpp"
@@ -105,14 +102,6 @@ InputError CsvTexts::error(std::string_view name, std::size_t row, std::string r
                      .place = place_of(lines_.at(row), name),
                      .rule = std::move(rule),
                      .value = in_quotes(column(name).at(row))});
-}
-
-std::optional<double> number_in(std::string_view field) noexcept {
-  double value{};
-  const char* end = field.data() + field.size();
-  const auto [stop, status] = std::from_chars(field.data(), end, value);
-  if (status != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 std::optional<double> number_or_nothing(std::string_view field, const std::string& file, std::size_t line,

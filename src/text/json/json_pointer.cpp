@@ -1,6 +1,6 @@
 #include "coilwright/text/json/json_pointer.hpp"
 
-#include <charconv>
+#include "coilwright/text/number.hpp"
 
 namespace coilwright::text {
 
@@ -39,10 +39,7 @@ std::optional<std::vector<std::string>> pointer_steps(std::string_view pointer) 
 
 std::optional<std::size_t> array_index(std::string_view step) {
   if (step.empty() || (step.size() > 1 && step.front() == '0')) return std::nullopt;
-  std::size_t index{};
-  const auto [stop, status] = std::from_chars(step.data(), step.data() + step.size(), index);
-  if (status != std::errc() || stop != step.data() + step.size()) return std::nullopt;
-  return index;
+  return number_in<std::size_t>(step);
 }
 
 std::optional<Node> follow(Node node, std::span<const std::string> steps) {

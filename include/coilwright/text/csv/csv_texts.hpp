@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coilwright/text/input_error.hpp"
+#include "coilwright/text/number.hpp"
 
 namespace coilwright::text {
 
@@ -57,10 +58,7 @@ std::vector<std::string> for_each_csv_row(
     const std::filesystem::path& path, const std::function<bool(std::string_view name)>& keep,
     const std::function<void(std::span<const std::string_view> fields, std::size_t line)>& on_row);
 
-/// The text of a field as a number; nothing where it is not exactly a finite one.
-[[nodiscard]] std::optional<double> number_in(std::string_view field) noexcept;
-
-/// The same of a field that may be empty, and otherwise must be a number. Throws InputError that names its place.
+/// The number in a field that may be empty, and otherwise must be a finite one. Throws InputError that names its place.
 [[nodiscard]] std::optional<double> number_or_nothing(std::string_view field, const std::string& file, std::size_t line,
                                                       std::string_view column);
 

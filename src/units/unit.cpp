@@ -160,6 +160,11 @@ std::optional<NameWithUnit> split_unit(std::string_view name) noexcept {
   return NameWithUnit{name.substr(0, name.size() - longest->suffix.size() - 1), *longest};
 }
 
+std::string_view quantity_of(std::string_view name) noexcept {
+  const auto split = split_unit(name);
+  return split ? split->quantity : name;
+}
+
 Unit difference_unit(std::string_view name) noexcept {
   const auto split = split_unit(name);
   if (!split) return {.suffix = "", .dimension = ""};

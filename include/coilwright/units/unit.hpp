@@ -30,6 +30,9 @@ struct NameWithUnit {
 /// Takes the longest unit off the end of `name` (`omega_deg_s` is in deg/s, not in s); nothing when there is none.
 [[nodiscard]] std::optional<NameWithUnit> split_unit(std::string_view name) noexcept;
 
+/// The name without its unit: "gap" of `gap_mm`; the whole name where it has none.
+[[nodiscard]] std::string_view quantity_of(std::string_view name) noexcept;
+
 /// The part of a name whose end is its unit: "/magnetics/0/torque_Nmm_A" of a JSON pointer to one number of that list,
 /// "/magnetics/0/torque_Nmm_A/12", otherwise the whole name.
 [[nodiscard]] std::string_view key_with_unit(std::string_view name) noexcept;

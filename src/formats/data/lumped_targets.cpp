@@ -183,9 +183,9 @@ class LumpedNumberResolver {
   }
 
   [[nodiscard]] static std::optional<KnownNumber> find_length(std::size_t pair, const std::string& key) {
-    const auto quantity = [](std::string_view each) { return units::split_unit(each)->quantity; };
+    using units::quantity_of;
     for (const GeometryKey& each : geometry_keys)
-      if (quantity(key) == quantity(each.ours) || quantity(key) == quantity(each.paper))
+      if (quantity_of(key) == quantity_of(each.ours) || quantity_of(key) == quantity_of(each.paper))
         return KnownNumber{
             .number = PartNumber<magnetics::HingeGeometry>{pair, each.member}, .key = key, .rule = positive};
     return std::nullopt;

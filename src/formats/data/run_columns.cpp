@@ -21,11 +21,6 @@ using measurement::data::RunKind;
 constexpr std::string_view advice =
     R"(; what is to be left alone is named in "ignore" in dataset.json, by name or position ("#1"))";
 
-std::string_view quantity_part(std::string_view name) {
-  const auto split = units::split_unit(name);
-  return split ? split->quantity : name;
-}
-
 void ask_numbered(CsvHeader& header, RunColumns& columns, const std::string& quantity, const std::string& unit,
                   ChannelKind kind) {
   const std::size_t count = header.numbered(quantity + "#" + unit);
@@ -158,9 +153,9 @@ InputColumns ask_for_run_input(CsvHeader& header, const RunEntry& entry, const R
   const FileLayout layout = entry.input_layout ? *entry.input_layout : entry.layout;
   require_fit(header, layout, entry.input_layout ? std::set<std::string>{} : used);
   for (const std::string& name : header.names()) {
-    if (quantity_part(name) == "time") continue;
+    if (units::quantity_of(name) == "time") continue;
     for (const std::string& other : measured.names)
-      if (quantity_part(other) == quantity_part(name))
+      if (units::quantity_of(other) == units::quantity_of(name))
         throw header.error(name, "is in " + one_line(entry.name) + " too; a column may be in one of the two only");
   }
   return with_layout_advice(header, entry, layout, [&](CsvHeader& each) {

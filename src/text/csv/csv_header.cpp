@@ -15,6 +15,8 @@
 namespace coilwright::text {
 namespace {
 
+using units::quantity_of;
+
 // "theta1_rad" is the column that "theta1_deg" asks for.
 bool answers(std::string_view name, std::string_view asked) {
   if (name == asked) return true;
@@ -26,11 +28,6 @@ bool answers(std::string_view name, std::string_view asked) {
 std::string with_number(std::string_view pattern, std::size_t number) {
   const std::size_t mark = pattern.find('#');
   return fmt::format("{}{}{}", pattern.substr(0, mark), number, pattern.substr(mark + 1));
-}
-
-std::string_view quantity_of(std::string_view name) {
-  const auto split = units::split_unit(name);
-  return split ? split->quantity : name;
 }
 
 // What a column that is asked for may be called, each with the unit of its numbers.

@@ -16,20 +16,13 @@
 namespace coilwright::text {
 namespace {
 
-units::Unit unit_of(std::string_view name) {
-  const auto split = units::split_unit(name);
-  return split ? split->unit : units::Unit{};
-}
-
 constexpr std::size_t few = 20;  // lines that a person deletes
 
 }  // namespace
 
 std::size_t CsvTable::index_of(std::string_view quantity) const {
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    const auto split = units::split_unit(names_[i]);
-    if ((split ? split->quantity : std::string_view(names_[i])) == quantity) return i;
-  }
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (units::quantity_of(names_[i]) == quantity) return i;
   throw std::out_of_range(fmt::format("quantity must be a column that was asked for; got {}", quantity));
 }
 
@@ -56,12 +49,12 @@ void CsvTable::require_increasing(std::string_view quantity, std::string_view of
     disorder = disorder || (back && values[std::min(row + 3, values.size() - 1)] > latest);
   }
   if (first == 0) return;
-  const units::Unit unit = unit_of(names_[index_of(quantity)]);
-  const std::string rule = fmt::format("must exceed the value before it ({})", units::from_si(values[first - 1], unit));
+  const std::string& key = name(quantity);
+  const std::string rule = fmt::format("must exceed the value before it ({})", units::from_si(values[first - 1], key));
   if (disorder) throw error(quantity, first, rule + "; the rows are out of order: sort them by this column");
   constexpr double counter = 4294967296.0;  // of a microcontroller's 32 bits
-  if (restarts.size() == 1 && units::from_si(values[first - 1], unit) > 0.99 * counter &&
-      units::from_si(values[first - 1], unit) < counter && units::from_si(values[first], unit) < 0.01 * counter)
+  if (restarts.size() == 1 && units::from_si(values[first - 1], key) > 0.99 * counter &&
+      units::from_si(values[first - 1], key) < counter && units::from_si(values[first], key) < 0.01 * counter)
     throw error(quantity, first,
                 fmt::format("{}; its counter of 32 bits began again: add {:.0f} to it from here on", rule, counter));
   if (!restarts.empty()) {
@@ -92,7 +85,7 @@ InputError CsvTable::error(std::string_view quantity, std::size_t row, std::stri
   return InputError({.file = file_,
                      .place = fmt::format("line {}: column {}", lines_.at(row), labels_[index]),
                      .rule = std::move(rule),
-                     .value = fmt::format("{}", units::from_si(columns_[index].at(row), unit_of(names_[index])))});
+                     .value = fmt::format("{}", units::from_si(columns_[index].at(row), names_[index]))});
 }
 
 CsvTable parse_csv(std::string_view text, std::string file, const std::function<void(CsvHeader&)>& ask,

@@ -20,16 +20,6 @@ using From = CsvHeader::Column::From;
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_named_lines = 20;  // lines that a person deletes
 
-units::Unit unit_of_column(std::string_view name) {
-  const auto split = units::split_unit(name);
-  return split ? split->unit : units::Unit{};
-}
-
-bool is_time(std::string_view name) {
-  const auto split = units::split_unit(name);
-  return split && split->quantity == "time";
-}
-
 // Where to look, and what to do, for rows at fault: `what` is what is wrong with the rows that are to go.
 std::string cure(const std::vector<std::size_t>& lines, std::size_t rows, bool absent) {
   const std::string of = absent ? "the rows that have none" : "the line if it is damaged";
@@ -61,12 +51,13 @@ CsvTableBuilder::CsvTableBuilder(std::string file, const CsvForm& form, const Cs
   for (std::size_t i = 0; i < header.columns().size(); ++i) {
     const CsvHeader::Column& column = header.columns()[i];
     if (!header.looks_at(i)) continue;
+    const auto split = units::split_unit(column.name);
     // Angles from positions turn by any number of turns.
     const double period = column.from == From::markers ? 2.0 * std::numbers::pi : column.period;
     columns_.push_back({.column = column,
-                        .unit = unit_of_column(column.name),
+                        .unit = split ? split->unit : units::Unit{},
                         .kept = header.keeps(i),
-                        .time = is_time(column.name) && column.from == From::field,
+                        .time = split && split->quantity == "time" && column.from == From::field,
                         .unwrapped = {.period = period}});
     if (columns_.back().time) clock_.emplace(column, decimal_);
     if (!header.keeps(i)) continue;

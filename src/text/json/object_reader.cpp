@@ -11,14 +11,9 @@
 namespace coilwright::text {
 namespace {
 
-std::string_view key_without_unit(std::string_view key) {
-  const auto split = units::split_unit(key);
-  return split ? split->quantity : key;
-}
-
 // "gap_m" or "gap" where "gap_mm" is asked for.
 bool differs_in_unit_only(std::string_view key, std::string_view asked) {
-  return key != asked && units::split_unit(asked).has_value() && key_without_unit(key) == key_without_unit(asked);
+  return key != asked && units::split_unit(asked).has_value() && units::quantity_of(key) == units::quantity_of(asked);
 }
 
 InputError at_key(const Node& object, std::string_view key, std::string rule) {

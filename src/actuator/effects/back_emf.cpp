@@ -44,31 +44,30 @@ class BackEmfTerm final : public EffectTerm {
 
 }  // namespace
 
-const EffectKind& back_emf() {
-  static const DescribedEffect kind(
-      {.id = "back_emf",
-       .stage = Stage::magnetics,
-       .description = "motion drives currents of its own through closed coils or metal nearby",
-       .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
-       .source = "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
-                 "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
-       .check = "film a release once with the coils' circuit open and once closed: closed, it dies away faster",
-       .parameters = {{.key = "conductance_1_Ohm",
-                       .text = "1/R of a coil under a voltage drive; less what eddy currents leave",
-                       .lower = 0.0,
-                       .upper = infinity,
-                       .absent = 0.0}},
-       .needs_closed_circuit = true,
-       .starts =
-           [](const RigScale& scale) {
-             const double per_ampere = scale.torque / scale.current;
-             const double whole = scale.torque / (per_ampere * per_ampere * scale.rate);
-             return one_by_one({0.02 * whole, 0.2 * whole});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<BackEmfTerm>(coil_magnet_pairs(spec.magnetics), spec.coils, values[0]);
-       }});
-  return kind;
+EffectProperties back_emf() {
+  return {.id = "back_emf",
+          .stage = Stage::magnetics,
+          .description = "motion drives currents of its own through closed coils or metal nearby",
+          .equation = "q -= kappa g (g . omega) for each coil, g = dq/di",
+          .source =
+              "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
+              "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
+          .check = "film a release once with the coils' circuit open and once closed: closed, it dies away faster",
+          .parameters = {{.key = "conductance_1_Ohm",
+                          .text = "1/R of a coil under a voltage drive; less what eddy currents leave",
+                          .lower = 0.0,
+                          .upper = infinity,
+                          .absent = 0.0}},
+          .needs_closed_circuit = true,
+          .starts =
+              [](const RigScale& scale) {
+                const double per_ampere = scale.torque / scale.current;
+                const double whole = scale.torque / (per_ampere * per_ampere * scale.rate);
+                return one_by_one({0.02 * whole, 0.2 * whole});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            return std::make_unique<BackEmfTerm>(coil_magnet_pairs(spec.magnetics), spec.coils, values[0]);
+          }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -3,48 +3,44 @@
 // The camera shows another angle. After the lag of its tracking, the scale, then the offset: what it shows at zero.
 namespace coilwright::actuator::effects {
 
-const EffectKind& angle_scale() {
-  static const DescribedEffect kind(
-      {.id = "angle_scale",
-       .stage = Stage::camera,
-       .description = "the sensor's scale is off: lens, encoder counts",
-       .equation = "y = s theta, every angle shown",
-       .source = "definition",
-       .check = "bend the joints by a known angle, along a printed template, and compare what the sensor shows",
-       .parameters = {{.key = "scale", .text = "angle shown over angle", .lower = 0.5, .upper = 2.0, .absent = 1.0}},
-       .starts =
-           [](const RigScale& /*scale*/) {
-             return one_by_one({0.97, 1.03});
-           },
-       .build =
-           [](Values values, ModelSpec& /*spec*/) {
-             return shown_angle([scale = values[0]](double angle) { return scale * angle; });
-           }});
-  return kind;
+EffectProperties angle_scale() {
+  return {.id = "angle_scale",
+          .stage = Stage::camera,
+          .description = "the sensor's scale is off: lens, encoder counts",
+          .equation = "y = s theta, every angle shown",
+          .source = "definition",
+          .check = "bend the joints by a known angle, along a printed template, and compare what the sensor shows",
+          .parameters = {{.key = "scale", .text = "angle shown over angle", .lower = 0.5, .upper = 2.0, .absent = 1.0}},
+          .starts =
+              [](const RigScale& /*scale*/) {
+                return one_by_one({0.97, 1.03});
+              },
+          .build =
+              [](Values values, ModelSpec& /*spec*/) {
+                return shown_angle([scale = values[0]](double angle) { return scale * angle; });
+              }};
 }
 
-const EffectKind& angle_offset() {
-  static const DescribedEffect kind(
-      {.id = "angle_offset",
-       .stage = Stage::camera,
-       .description = "the sensor's zero is off",
-       .equation = "y = theta + theta_b, every angle shown",
-       .source = "definition",
-       .check = "hold the finger straight against a ruler and read the angle that the sensor shows",
-       .parameters = {{.key = "angle_deg",
-                       .text = "shown at angle zero",
-                       .lower = -10.0 / degrees,
-                       .upper = 10.0 / degrees,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& /*scale*/) {
-             return one_by_one({1.0 / degrees, -1.0 / degrees});
-           },
-       .build =
-           [](Values values, ModelSpec& /*spec*/) {
-             return shown_angle([offset = values[0]](double angle) { return angle + offset; });
-           }});
-  return kind;
+EffectProperties angle_offset() {
+  return {.id = "angle_offset",
+          .stage = Stage::camera,
+          .description = "the sensor's zero is off",
+          .equation = "y = theta + theta_b, every angle shown",
+          .source = "definition",
+          .check = "hold the finger straight against a ruler and read the angle that the sensor shows",
+          .parameters = {{.key = "angle_deg",
+                          .text = "shown at angle zero",
+                          .lower = -10.0 / degrees,
+                          .upper = 10.0 / degrees,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& /*scale*/) {
+                return one_by_one({1.0 / degrees, -1.0 / degrees});
+              },
+          .build =
+              [](Values values, ModelSpec& /*spec*/) {
+                return shown_angle([offset = values[0]](double angle) { return angle + offset; });
+              }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -20,95 +20,90 @@ std::vector<mechanics::Link> links_of(const ModelSpec& spec) {
 
 }  // namespace
 
-const EffectKind& added_mass() {
-  static const DescribedEffect kind(
-      {.id = "added_mass",
-       .stage = Stage::chain,
-       .description = "the tip segment is heavier (or lighter) than the model says: a payload, a wrong mass",
-       .equation = "m_tip -> m_tip + dm, at the segment's centre of mass; at least 1/20 of m_tip stays",
-       .source = "point mass at a link's centre of mass; definition",
-       .check = "weigh the last segment, with all that is fixed to it, on a scale",
-       .parameters = {{.key = "mass_g",
-                       .text = "besides the declared mass of the last link",
-                       .lower = -infinity,
-                       .upper = infinity,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& scale) {
-             const double inertia = scale.torque * scale.angle / (scale.rate * scale.rate);
-             Starts out;
-             for (const double lever : levers) out.push_back({0.1 * inertia / (lever * lever)});
-             return out;
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         std::vector<mechanics::Link> links = links_of(spec);
-         links.back().mass += std::max(values[0], (least_share - 1.0) * links.back().mass);
-         spec.chain = spec.chain.with_links(links);
-         return nullptr;
-       }});
-  return kind;
+EffectProperties added_mass() {
+  return {.id = "added_mass",
+          .stage = Stage::chain,
+          .description = "the tip segment is heavier (or lighter) than the model says: a payload, a wrong mass",
+          .equation = "m_tip -> m_tip + dm, at the segment's centre of mass; at least 1/20 of m_tip stays",
+          .source = "point mass at a link's centre of mass; definition",
+          .check = "weigh the last segment, with all that is fixed to it, on a scale",
+          .parameters = {{.key = "mass_g",
+                          .text = "besides the declared mass of the last link",
+                          .lower = -infinity,
+                          .upper = infinity,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& scale) {
+                const double inertia = scale.torque * scale.angle / (scale.rate * scale.rate);
+                Starts out;
+                for (const double lever : levers) out.push_back({0.1 * inertia / (lever * lever)});
+                return out;
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            std::vector<mechanics::Link> links = links_of(spec);
+            links.back().mass += std::max(values[0], (least_share - 1.0) * links.back().mass);
+            spec.chain = spec.chain.with_links(links);
+            return nullptr;
+          }};
 }
 
-const EffectKind& rotor_inertia() {
-  static const DescribedEffect kind(
-      {.id = "rotor_inertia",
-       .stage = Stage::chain,
-       .description = "the rotors of inner joints' motors turn with their joints, through a gear",
-       .equation = "M_jj -> M_jj + J, every joint but the first, J = ratio^2 rotor inertia",
-       .source = "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control "
-                 "109 (1987) 310, without the elasticity",
-       .check = "turn an inner joint quickly by hand with its link unscrewed: what it resists with is the rotor",
-       .parameters = {{.key = "inertia_kgm2",
-                       .text = "of the rotor as the joint feels it, every joint but the first, where it is the "
-                               "link's own",
-                       .lower = 0.0,
-                       .upper = infinity,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& scale) {
-             const double whole = scale.torque * scale.angle / (scale.rate * scale.rate);
-             return one_by_one({0.03 * whole, 0.3 * whole});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         std::vector<mechanics::Link> links = links_of(spec);
-         for (std::size_t j = 1; j < links.size(); ++j) links[j].rotor_inertia += values[0];
-         spec.chain = spec.chain.with_links(links);
-         return nullptr;
-       },
-       .inapplicable = [](const ModelSpec& spec) -> std::optional<std::string> {
-         if (auto reason = without_shafts(spec)) return reason;
-         if (spec.chain.joints() < 2) return "a rotor at the first joint is the inertia of its link";
-         return std::nullopt;
-       }});
-  return kind;
+EffectProperties rotor_inertia() {
+  return {.id = "rotor_inertia",
+          .stage = Stage::chain,
+          .description = "the rotors of inner joints' motors turn with their joints, through a gear",
+          .equation = "M_jj -> M_jj + J, every joint but the first, J = ratio^2 rotor inertia",
+          .source =
+              "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control "
+              "109 (1987) 310, without the elasticity",
+          .check = "turn an inner joint quickly by hand with its link unscrewed: what it resists with is the rotor",
+          .parameters = {{.key = "inertia_kgm2",
+                          .text = "of the rotor as the joint feels it, every joint but the first, where it is the "
+                                  "link's own",
+                          .lower = 0.0,
+                          .upper = infinity,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& scale) {
+                const double whole = scale.torque * scale.angle / (scale.rate * scale.rate);
+                return one_by_one({0.03 * whole, 0.3 * whole});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            std::vector<mechanics::Link> links = links_of(spec);
+            for (std::size_t j = 1; j < links.size(); ++j) links[j].rotor_inertia += values[0];
+            spec.chain = spec.chain.with_links(links);
+            return nullptr;
+          },
+          .inapplicable = [](const ModelSpec& spec) -> std::optional<std::string> {
+            if (auto reason = without_shafts(spec)) return reason;
+            if (spec.chain.joints() < 2) return "a rotor at the first joint is the inertia of its link";
+            return std::nullopt;
+          }};
 }
 
-const EffectKind& base_tilt() {
-  static const DescribedEffect kind(
-      {.id = "base_tilt",
-       .stage = Stage::chain,
-       .description = "the mounting is not level",
-       .equation = "V(theta_1, ...) -> V(theta_1 + phi, ...): gravity turned by phi",
-       .source = "definition; mechanics::PlanarChain",
-       .check = "put a spirit level on the mount, or hang a plumb line beside the finger",
-       .parameters = {{.key = "angle_deg",
-                       .text = "of the whole chain towards opening, besides the declared tilt",
-                       .lower = -45.0 / degrees,
-                       .upper = 45.0 / degrees,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& /*scale*/) {
-             return one_by_one({2.0 / degrees, -2.0 / degrees});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         spec.chain = spec.chain.under_gravity(spec.chain.gravity(), spec.chain.base_tilt() + values[0]);
-         return nullptr;
-       },
-       .inapplicable = [](const ModelSpec& spec) -> std::optional<std::string> {
-         if (spec.chain.gravity() == 0.0) return "the model has no gravity";
-         return std::nullopt;
-       }});
-  return kind;
+EffectProperties base_tilt() {
+  return {.id = "base_tilt",
+          .stage = Stage::chain,
+          .description = "the mounting is not level",
+          .equation = "V(theta_1, ...) -> V(theta_1 + phi, ...): gravity turned by phi",
+          .source = "definition; mechanics::PlanarChain",
+          .check = "put a spirit level on the mount, or hang a plumb line beside the finger",
+          .parameters = {{.key = "angle_deg",
+                          .text = "of the whole chain towards opening, besides the declared tilt",
+                          .lower = -45.0 / degrees,
+                          .upper = 45.0 / degrees,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& /*scale*/) {
+                return one_by_one({2.0 / degrees, -2.0 / degrees});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            spec.chain = spec.chain.under_gravity(spec.chain.gravity(), spec.chain.base_tilt() + values[0]);
+            return nullptr;
+          },
+          .inapplicable = [](const ModelSpec& spec) -> std::optional<std::string> {
+            if (spec.chain.gravity() == 0.0) return "the model has no gravity";
+            return std::nullopt;
+          }};
 }
 
 }  // namespace coilwright::actuator::effects

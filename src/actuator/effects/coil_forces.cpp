@@ -51,70 +51,67 @@ class GainTerm final : public EffectTerm {
 }  // namespace
 
 // What Fidelity::exact is to a design: the whole wrench between neighbours, dipoles beyond.
-const EffectKind& off_axis_force() {
-  static const DescribedEffect kind(
-      {.id = "off_axis_force",
-       .stage = Stage::magnetics,
-       .description = "coil and magnet tilt against each other, and the coaxial formula does not know it",
-       .equation = "dq/di = the exact torque of the tilted, displaced pair; no parameter",
-       .source = "I dl x B over the winding in the cylinder's exact field: docs/theory/magnetics.md",
-       .check = "measure the torque over the angle at one current (a run of kind static_torque)",
-       .starts = [](const RigScale& /*scale*/) { return Starts{{}}; },
-       .build = [](Values /*values*/, ModelSpec& spec) -> Term {
-         std::vector<HingePair> near = spec.magnetics.hinge_pairs();
-         std::vector<DistantPair> far = spec.magnetics.distant_pairs();
-         for (HingePair& pair : near)
-           if (can_be_exact(pair)) pair.torque_per_ampere = pair.parts->exact_torque();
-         for (DistantPair& pair : far) pair.orientation = DistantPair::Orientation::dipoles;
-         spec.magnetics = MagneticStage(std::move(near), std::move(far));
-         return nullptr;
-       },
-       .inapplicable = without_inexact_pairs});
-  return kind;
+EffectProperties off_axis_force() {
+  return {.id = "off_axis_force",
+          .stage = Stage::magnetics,
+          .description = "coil and magnet tilt against each other, and the coaxial formula does not know it",
+          .equation = "dq/di = the exact torque of the tilted, displaced pair; no parameter",
+          .source = "I dl x B over the winding in the cylinder's exact field: docs/theory/magnetics.md",
+          .check = "measure the torque over the angle at one current (a run of kind static_torque)",
+          .starts = [](const RigScale& /*scale*/) { return Starts{{}}; },
+          .build = [](Values /*values*/, ModelSpec& spec) -> Term {
+            std::vector<HingePair> near = spec.magnetics.hinge_pairs();
+            std::vector<DistantPair> far = spec.magnetics.distant_pairs();
+            for (HingePair& pair : near)
+              if (can_be_exact(pair)) pair.torque_per_ampere = pair.parts->exact_torque();
+            for (DistantPair& pair : far) pair.orientation = DistantPair::Orientation::dipoles;
+            spec.magnetics = MagneticStage(std::move(near), std::move(far));
+            return nullptr;
+          },
+          .inapplicable = without_inexact_pairs};
 }
 
-const EffectKind& coil_coil_force() {
-  static const DescribedEffect kind(
-      {.id = "coil_coil_force",
-       .stage = Stage::magnetics,
-       .description = "the coils pull at each other",
-       .equation = "q += i_a i_b (force of two coils at unit currents); no parameter",
-       .source = "sums of loops, or uniform windings: docs/theory/magnetics.md",
-       .check = "run one step through the first coil, one through the second and one through both: "
-                "the third exceeds the sum",
-       .starts = [](const RigScale& /*scale*/) { return Starts{{}}; },
-       .build = [](Values /*values*/, ModelSpec& spec) -> Term {
-         std::vector<DistantPair> far = spec.magnetics.distant_pairs();
-         const std::vector<DistantPair> coils = spec.coil_row->pairs();
-         far.insert(far.end(), coils.begin(), coils.end());
-         spec.magnetics = MagneticStage(spec.magnetics.hinge_pairs(), std::move(far));
-         return nullptr;
-       },
-       .inapplicable = without_unknown_coil_pairs});
-  return kind;
+EffectProperties coil_coil_force() {
+  return {.id = "coil_coil_force",
+          .stage = Stage::magnetics,
+          .description = "the coils pull at each other",
+          .equation = "q += i_a i_b (force of two coils at unit currents); no parameter",
+          .source = "sums of loops, or uniform windings: docs/theory/magnetics.md",
+          .check =
+              "run one step through the first coil, one through the second and one through both: "
+              "the third exceeds the sum",
+          .starts = [](const RigScale& /*scale*/) { return Starts{{}}; },
+          .build = [](Values /*values*/, ModelSpec& spec) -> Term {
+            std::vector<DistantPair> far = spec.magnetics.distant_pairs();
+            const std::vector<DistantPair> coils = spec.coil_row->pairs();
+            far.insert(far.end(), coils.begin(), coils.end());
+            spec.magnetics = MagneticStage(spec.magnetics.hinge_pairs(), std::move(far));
+            return nullptr;
+          },
+          .inapplicable = without_unknown_coil_pairs};
 }
 
-const EffectKind& force_gain() {
-  static const DescribedEffect kind(
-      {.id = "force_gain",
-       .stage = Stage::magnetics,
-       .description = "all forces of the coils are off by one factor: remanence, turns or current sensor",
-       .equation = "f -> gamma f",
-       .source = "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. "
-                 "Magn. 46 (2010) 3585",
-       .check = "measure one torque or force at rest under a known current (runs of kind static_torque or "
-                "blocked_force)",
-       .parameters = {{.key = "gain",
-                       .text = "real over declared force of a coil at a current",
-                       .lower = 0.1,
-                       .upper = 10.0,
-                       .absent = 1.0}},
-       .starts =
-           [](const RigScale& /*scale*/) {
-             return one_by_one({0.9, 1.1});
-           },
-       .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<GainTerm>(values[0]); }});
-  return kind;
+EffectProperties force_gain() {
+  return {.id = "force_gain",
+          .stage = Stage::magnetics,
+          .description = "all forces of the coils are off by one factor: remanence, turns or current sensor",
+          .equation = "f -> gamma f",
+          .source =
+              "the force is a product of remanence, turns and current: Ravaud et al., IEEE Trans. "
+              "Magn. 46 (2010) 3585",
+          .check =
+              "measure one torque or force at rest under a known current (runs of kind static_torque or "
+              "blocked_force)",
+          .parameters = {{.key = "gain",
+                          .text = "real over declared force of a coil at a current",
+                          .lower = 0.1,
+                          .upper = 10.0,
+                          .absent = 1.0}},
+          .starts =
+              [](const RigScale& /*scale*/) {
+                return one_by_one({0.9, 1.1});
+              },
+          .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<GainTerm>(values[0]); }};
 }
 
 }  // namespace coilwright::actuator::effects

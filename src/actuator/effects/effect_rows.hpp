@@ -27,6 +27,13 @@ using Values = std::span<const double>;
 using Term = std::unique_ptr<const EffectTerm>;
 using Starts = std::vector<std::vector<double>>;
 
+/// The effect of a row: one for the life of the program.
+template <EffectProperties (*row)()>
+[[nodiscard]] const EffectKind& kind_of() {
+  static const DescribedEffect kind(row());
+  return kind;
+}
+
 /// `count` >= 2 values from `low` to `high`, equally far apart in logarithm; 0 < low. Where high <= low: low alone.
 [[nodiscard]] std::vector<double> log_spread(double low, double high, int count);
 

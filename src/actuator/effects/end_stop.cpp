@@ -62,36 +62,34 @@ Starts stop_starts(const RigScale& scale) {
 
 }  // namespace
 
-const EffectKind& end_stop() {
-  static const DescribedEffect kind(
-      {.id = "end_stop",
-       .stage = Stage::hinge,
-       .description = "something stops the joints: a limit, a cable, segments that meet",
-       .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
-       .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
-       .check = "bend the finger by hand and feel for a stop; look for a cable, or segments that touch",
-       .parameters =
-           {stop_angle,
-            {.key = "stiffness_Nmm_rad", .text = "of the stop", .lower = 0.0, .upper = infinity, .absent = 0.0},
-            {.key = "side",
-             .text = "1: limits opening, -1: limits closing",
-             .lower = -1.0,
-             .upper = 1.0,
-             .choices = sides}},
-       .starts = stop_starts,
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         const double side = values[2];
-         const mechanics::JointVector mobility = spec.chain.joint_mobility();
-         std::vector<FaceContact> stops;
-         for (const double m : mobility) {
-           const double stiffness = std::min(values[1], fastest_ring * fastest_ring / m);
-           stops.push_back({.closing_angle = -side * values[0],
-                            .stiffness = stiffness,
-                            .damping = mechanics::contact_damping(stiffness, m)});
-         }
-         return std::make_unique<StopTerm>(std::move(stops), side);
-       }});
-  return kind;
+EffectProperties end_stop() {
+  return {.id = "end_stop",
+          .stage = Stage::hinge,
+          .description = "something stops the joints: a limit, a cable, segments that meet",
+          .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
+          .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
+          .check = "bend the finger by hand and feel for a stop; look for a cable, or segments that touch",
+          .parameters =
+              {stop_angle,
+               {.key = "stiffness_Nmm_rad", .text = "of the stop", .lower = 0.0, .upper = infinity, .absent = 0.0},
+               {.key = "side",
+                .text = "1: limits opening, -1: limits closing",
+                .lower = -1.0,
+                .upper = 1.0,
+                .choices = sides}},
+          .starts = stop_starts,
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            const double side = values[2];
+            const mechanics::JointVector mobility = spec.chain.joint_mobility();
+            std::vector<FaceContact> stops;
+            for (const double m : mobility) {
+              const double stiffness = std::min(values[1], fastest_ring * fastest_ring / m);
+              stops.push_back({.closing_angle = -side * values[0],
+                               .stiffness = stiffness,
+                               .damping = mechanics::contact_damping(stiffness, m)});
+            }
+            return std::make_unique<StopTerm>(std::move(stops), side);
+          }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -122,118 +122,114 @@ constexpr EffectParameter torque_parameter{.key = "torque_Nmm",
 constexpr std::string_view friction_check =
     "bend the finger slowly by hand and let go, once from either side: it comes to rest at two angles";
 
-const EffectKind& stribeck_friction() {
-  static const DescribedEffect kind(
-      {.id = "dry_friction",
-       .stage = Stage::hinge,
-       .description = "friction at the hinges or segment faces that falls once they slide",
-       .equation = "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; "
-                   "sticks up to rho tau_c, on bristles of 1500 rad/s",
-       .source = "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 "
-                 "(1995) 419, eqs. (4) and (5)",
-       .check = friction_check,
-       .parameters = {torque_parameter,
-                      {.key = "stribeck_ratio",
-                       .text = "static over sliding friction",
-                       .lower = 1.0,
-                       .upper = 3.0,
-                       .absent = 1.0},
-                      {.key = "stribeck_rate_rad_s",
-                       .text = "joint rate at which most of the difference has gone",
-                       .lower = 0.01,
-                       .upper = 100.0}},
-       .starts =
-           [](const RigScale& scale) {
-             // Long holds make the rate of the whole record far less than that of its steps.
-             const double slow = std::clamp(0.05 * scale.rate, 0.01, 10.0);
-             const double fast = std::clamp(4.0 * scale.rate, 2.0 * slow, 100.0);
-             Starts out;
-             for (const double torque : {0.02 * scale.torque, 0.15 * scale.torque})
-               for (const double rate : log_spread(slow, fast, 3)) out.push_back({torque, 1.4, rate});
-             return out;
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<FrictionTerm>(bristles_of(spec), values[0],
-                                               StribeckFall{.excess = values[1] - 1.0, .rate = values[2]});
-       }});
-  return kind;
+EffectProperties stribeck_friction() {
+  return {
+      .id = "dry_friction",
+      .stage = Stage::hinge,
+      .description = "friction at the hinges or segment faces that falls once they slide",
+      .equation =
+          "q -= tau_c (1 + (rho - 1) exp(-(omega/omega_s)^2)) sgn(omega), every joint; "
+          "sticks up to rho tau_c, on bristles of 1500 rad/s",
+      .source =
+          "LuGre with Stribeck's fall: Canudas de Wit et al., IEEE Trans. Autom. Control 40 "
+          "(1995) 419, eqs. (4) and (5)",
+      .check = friction_check,
+      .parameters =
+          {torque_parameter,
+           {.key = "stribeck_ratio", .text = "static over sliding friction", .lower = 1.0, .upper = 3.0, .absent = 1.0},
+           {.key = "stribeck_rate_rad_s",
+            .text = "joint rate at which most of the difference has gone",
+            .lower = 0.01,
+            .upper = 100.0}},
+      .starts =
+          [](const RigScale& scale) {
+            // Long holds make the rate of the whole record far less than that of its steps.
+            const double slow = std::clamp(0.05 * scale.rate, 0.01, 10.0);
+            const double fast = std::clamp(4.0 * scale.rate, 2.0 * slow, 100.0);
+            Starts out;
+            for (const double torque : {0.02 * scale.torque, 0.15 * scale.torque})
+              for (const double rate : log_spread(slow, fast, 3)) out.push_back({torque, 1.4, rate});
+            return out;
+          },
+      .build = [](Values values, ModelSpec& spec) -> Term {
+        return std::make_unique<FrictionTerm>(bristles_of(spec), values[0],
+                                              StribeckFall{.excess = values[1] - 1.0, .rate = values[2]});
+      }};
 }
 
 }  // namespace
 
-const EffectKind& dry_friction() {
-  static const DescribedEffect kind(
-      {.id = "dry_friction",
-       .stage = Stage::hinge,
-       .description = "Coulomb friction at the hinges or segment faces",
-       .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
-       .source = "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) "
-                 "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
-       .check = friction_check,
-       .parameters = {torque_parameter},
-       .further = &stribeck_friction(),
-       .starts =
-           [](const RigScale& scale) {
-             return one_by_one({0.02 * scale.torque, 0.15 * scale.torque});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<FrictionTerm>(bristles_of(spec), values[0], StribeckFall{});
-       }});
-  return kind;
+EffectProperties dry_friction() {
+  return {.id = "dry_friction",
+          .stage = Stage::hinge,
+          .description = "Coulomb friction at the hinges or segment faces",
+          .equation = "q -= tau_c sgn(omega), every joint; sticks up to tau_c, on bristles of 1500 rad/s",
+          .source =
+              "LuGre without Stribeck: Canudas de Wit et al., IEEE Trans. Autom. Control 40 (1995) "
+              "419; Astrom and Canudas de Wit, IEEE Control Syst. Mag. 28 (2008) 101",
+          .check = friction_check,
+          .parameters = {torque_parameter},
+          .further = &kind_of<stribeck_friction>(),
+          .starts =
+              [](const RigScale& scale) {
+                return one_by_one({0.02 * scale.torque, 0.15 * scale.torque});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            return std::make_unique<FrictionTerm>(bristles_of(spec), values[0], StribeckFall{});
+          }};
 }
 
-const EffectKind& load_friction() {
-  static const DescribedEffect kind(
-      {.id = "load_friction",
-       .stage = Stage::hinge,
-       .description = "friction of gears and bearings that grows with the torque they pass on",
-       .equation = "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to "
-                   "mu |q_drive|, on bristles of 1500 rad/s",
-       .source = "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. "
-                 "Syst. Meas. Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
-       .check = "move a load slowly up and down through one pose and read the motor's torque: half of their "
-                "difference grows with the load",
-       .parameters = {{.key = "coefficient",
-                       .text = "friction over the magnitude of the drive's torque, every joint",
-                       .lower = 0.0,
-                       .upper = 1.0,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& /*scale*/) {
-             return one_by_one({0.03, 0.2});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<LoadFrictionTerm>(bristles_of(spec), spec.magnetics, values[0]);
-       },
-       .inapplicable = without_shafts});
-  return kind;
+EffectProperties load_friction() {
+  return {.id = "load_friction",
+          .stage = Stage::hinge,
+          .description = "friction of gears and bearings that grows with the torque they pass on",
+          .equation =
+              "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to "
+              "mu |q_drive|, on bristles of 1500 rad/s",
+          .source =
+              "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. "
+              "Syst. Meas. Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
+          .check =
+              "move a load slowly up and down through one pose and read the motor's torque: half of their "
+              "difference grows with the load",
+          .parameters = {{.key = "coefficient",
+                          .text = "friction over the magnitude of the drive's torque, every joint",
+                          .lower = 0.0,
+                          .upper = 1.0,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& /*scale*/) {
+                return one_by_one({0.03, 0.2});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            return std::make_unique<LoadFrictionTerm>(bristles_of(spec), spec.magnetics, values[0]);
+          },
+          .inapplicable = without_shafts};
 }
 
-const EffectKind& quadratic_drag() {
-  static const DescribedEffect kind(
-      {.id = "quadratic_drag",
-       .stage = Stage::hinge,
-       .description = "drag that grows with the square of the rate: air",
-       .equation = "q -= c omega |omega|, every joint",
-       .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
-       .check = "repeat a release with a card glued across the tip: drag grows with its area",
-       .parameters = {{.key = "drag_Nmms2_rad2",
-                       .text = "drag coefficient, every joint",
-                       .lower = 0.0,
-                       .upper = infinity,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& scale) {
-             const double whole = scale.torque / (scale.rate * scale.rate);
-             return one_by_one({0.02 * whole, 0.2 * whole});
-           },
-       .build =
-           [](Values values, ModelSpec& /*spec*/) {
-             return added_torque([drag = values[0]](const EffectTerm::Kinematics& motion, JointVector& torques) {
-               torques.array() -= drag * motion.rates.array() * motion.rates.array().abs();
-             });
-           }});
-  return kind;
+EffectProperties quadratic_drag() {
+  return {.id = "quadratic_drag",
+          .stage = Stage::hinge,
+          .description = "drag that grows with the square of the rate: air",
+          .equation = "q -= c omega |omega|, every joint",
+          .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
+          .check = "repeat a release with a card glued across the tip: drag grows with its area",
+          .parameters = {{.key = "drag_Nmms2_rad2",
+                          .text = "drag coefficient, every joint",
+                          .lower = 0.0,
+                          .upper = infinity,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& scale) {
+                const double whole = scale.torque / (scale.rate * scale.rate);
+                return one_by_one({0.02 * whole, 0.2 * whole});
+              },
+          .build =
+              [](Values values, ModelSpec& /*spec*/) {
+                return added_torque([drag = values[0]](const EffectTerm::Kinematics& motion, JointVector& torques) {
+                  torques.array() -= drag * motion.rates.array() * motion.rates.array().abs();
+                });
+              }};
 }
 
 }  // namespace coilwright::actuator::effects

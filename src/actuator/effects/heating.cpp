@@ -110,40 +110,36 @@ Starts heat_starts(const RigScale& scale) {
 
 }  // namespace
 
-const EffectKind& coil_heating() {
-  static const DescribedEffect kind(
-      {.id = "coil_heating",
-       .stage = Stage::drive,
-       .description = "a warm coil resists more, so its current fades under a given voltage",
-       .equation = "i -> i/(1 + x), x' = (a i^2/(1 + x) - x)/T, x = alpha dT: power u^2/R falls as R rises",
-       .source = "copper's linear resistivity (IEC 60028) and one heat capacity: C dT' = u i - dT/R_th",
-       .check = "log voltage and current through one long hold: their quotient rises as the coil warms",
-       .parameters =
-           heat_parameters("fade_1_A2", "rise of the resistance in the steady state over the power of a cold coil",
-                           "thermal time constant of the coil"),
-       .starts = heat_starts,
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<CoilHeatTerm>(spec.coils, values);
-       }});
-  return kind;
+EffectProperties coil_heating() {
+  return {.id = "coil_heating",
+          .stage = Stage::drive,
+          .description = "a warm coil resists more, so its current fades under a given voltage",
+          .equation = "i -> i/(1 + x), x' = (a i^2/(1 + x) - x)/T, x = alpha dT: power u^2/R falls as R rises",
+          .source = "copper's linear resistivity (IEC 60028) and one heat capacity: C dT' = u i - dT/R_th",
+          .check = "log voltage and current through one long hold: their quotient rises as the coil warms",
+          .parameters =
+              heat_parameters("fade_1_A2", "rise of the resistance in the steady state over the power of a cold coil",
+                              "thermal time constant of the coil"),
+          .starts = heat_starts,
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            return std::make_unique<CoilHeatTerm>(spec.coils, values);
+          }};
 }
 
-const EffectKind& magnet_heating() {
-  static const DescribedEffect kind(
-      {.id = "magnet_heating",
-       .stage = Stage::magnetics,
-       .description = "warm magnets lose remanence, so the force fades at a given current",
-       .equation = "f -> f max(1 - x, 0), x' = (a <i^2> - x)/T, x = beta dT, <i^2>: mean over the coils",
-       .source = "reversible temperature coefficient of remanence, 0.09 to 0.12 %/K for NdFeB (IEC "
-                 "60404-8-1), and one heat capacity",
-       .check = "repeat one step cold and right after a long hold, and take the magnet's temperature",
-       .parameters = heat_parameters("loss_1_A2", "share of the force lost in the steady state per square ampere",
-                                     "thermal time constant of the magnets"),
-       .starts = heat_starts,
-       .build = [](Values values, ModelSpec& /*spec*/) -> Term {
-         return std::make_unique<MagnetHeatTerm>(1, values);
-       }});
-  return kind;
+EffectProperties magnet_heating() {
+  return {
+      .id = "magnet_heating",
+      .stage = Stage::magnetics,
+      .description = "warm magnets lose remanence, so the force fades at a given current",
+      .equation = "f -> f max(1 - x, 0), x' = (a <i^2> - x)/T, x = beta dT, <i^2>: mean over the coils",
+      .source =
+          "reversible temperature coefficient of remanence, 0.09 to 0.12 %/K for NdFeB (IEC "
+          "60404-8-1), and one heat capacity",
+      .check = "repeat one step cold and right after a long hold, and take the magnet's temperature",
+      .parameters = heat_parameters("loss_1_A2", "share of the force lost in the steady state per square ampere",
+                                    "thermal time constant of the magnets"),
+      .starts = heat_starts,
+      .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<MagnetHeatTerm>(1, values); }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -75,74 +75,69 @@ constexpr double earliest = -0.05;  // s
 }  // namespace
 
 // Last in the drive's row: what the driver commands, limits and biases, the coil's inductance delays.
-const EffectKind& coil_lag() {
-  static const DescribedEffect kind(
-      {.id = "coil_lag",
-       .stage = Stage::drive,
-       .description = "the current follows its command with a delay: L/R, or a current loop's bandwidth",
-       .equation = "i' = (i_cmd - i)/T; none below T = 0.02 ms",
-       .source = "L i' + R i = u, T = L/R",
-       .check = "record the coil's current in one step with a shunt and an oscilloscope",
-       .parameters = {{.key = "time_constant_ms",
-                       .text = "of the current's answer to a step",
-                       .lower = 0.0,
-                       .upper = 1.0,
-                       .absent = 0.0}},
-       .starts =
-           [](const RigScale& scale) {
-             const double low = std::clamp(scale.interval, 2.0 * quasi_static, 0.1);
-             return one_by_one(log_spread(low, std::clamp(0.1 * scale.duration, 2.0 * low, 0.5), 3));
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         if (values[0] < quasi_static) return nullptr;
-         return std::make_unique<CurrentLag>(spec.coils, values[0]);
-       }});
-  return kind;
+EffectProperties coil_lag() {
+  return {.id = "coil_lag",
+          .stage = Stage::drive,
+          .description = "the current follows its command with a delay: L/R, or a current loop's bandwidth",
+          .equation = "i' = (i_cmd - i)/T; none below T = 0.02 ms",
+          .source = "L i' + R i = u, T = L/R",
+          .check = "record the coil's current in one step with a shunt and an oscilloscope",
+          .parameters = {{.key = "time_constant_ms",
+                          .text = "of the current's answer to a step",
+                          .lower = 0.0,
+                          .upper = 1.0,
+                          .absent = 0.0}},
+          .starts =
+              [](const RigScale& scale) {
+                const double low = std::clamp(scale.interval, 2.0 * quasi_static, 0.1);
+                return one_by_one(log_spread(low, std::clamp(0.1 * scale.duration, 2.0 * low, 0.5), 3));
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            if (values[0] < quasi_static) return nullptr;
+            return std::make_unique<CurrentLag>(spec.coils, values[0]);
+          }};
 }
 
-const EffectKind& tracking_lag() {
-  static const DescribedEffect kind(
-      {.id = "tracking_lag",
-       .stage = Stage::camera,
-       .description = "the camera's tracking filters: what it shows follows the motion",
-       .equation = "shown' = (theta - shown)/T, every angle",
-       .source = "first-order low-pass filter; definition",
-       .check = "move a target by hand and compare the tracked angle with the raw pictures",
-       .parameters = {{.key = "time_constant_ms", .text = "of the filter", .lower = 0.0, .upper = 1.0, .absent = 0.0}},
-       .starts =
-           [](const RigScale& scale) {
-             const double low = std::clamp(scale.interval, 1e-3, 0.1);
-             return one_by_one({low, std::min(4.0 * low, 0.5)});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         if (values[0] < quasi_static) return nullptr;
-         return std::make_unique<TrackingLag>(spec.chain.joints(), values[0]);
-       }});
-  return kind;
+EffectProperties tracking_lag() {
+  return {
+      .id = "tracking_lag",
+      .stage = Stage::camera,
+      .description = "the camera's tracking filters: what it shows follows the motion",
+      .equation = "shown' = (theta - shown)/T, every angle",
+      .source = "first-order low-pass filter; definition",
+      .check = "move a target by hand and compare the tracked angle with the raw pictures",
+      .parameters = {{.key = "time_constant_ms", .text = "of the filter", .lower = 0.0, .upper = 1.0, .absent = 0.0}},
+      .starts =
+          [](const RigScale& scale) {
+            const double low = std::clamp(scale.interval, 1e-3, 0.1);
+            return one_by_one({low, std::min(4.0 * low, 0.5)});
+          },
+      .build = [](Values values, ModelSpec& spec) -> Term {
+        if (values[0] < quasi_static) return nullptr;
+        return std::make_unique<TrackingLag>(spec.chain.joints(), values[0]);
+      }};
 }
 
-const EffectKind& measurement_delay() {
-  static const DescribedEffect kind(
-      {.id = "measurement_delay",
-       .stage = Stage::camera,
-       .description = "camera or bus show the motion late",
-       .equation = "y(t) = theta(t - T)",
-       .source = "definition",
-       .check = "film a light that is switched on together with the current",
-       .parameters = {{.key = "delay_ms",
-                       .text = "between motion and record",
-                       .lower = earliest,
-                       .upper = longest_delay,
-                       .absent = 0.0}},
-       // Not convex where the motion rings: from a sample to several frames of a slow camera.
-       .starts =
-           [](const RigScale& scale) {
-             const double low = std::min(scale.interval, 0.1 * longest_delay);
-             const double high = std::clamp(0.1 * scale.duration, 2.0 * low, 0.1 * longest_delay);
-             return one_by_one(log_spread(low, high, 4));
-           },
-       .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<DelayTerm>(values[0]); }});
-  return kind;
+EffectProperties measurement_delay() {
+  return {.id = "measurement_delay",
+          .stage = Stage::camera,
+          .description = "camera or bus show the motion late",
+          .equation = "y(t) = theta(t - T)",
+          .source = "definition",
+          .check = "film a light that is switched on together with the current",
+          .parameters = {{.key = "delay_ms",
+                          .text = "between motion and record",
+                          .lower = earliest,
+                          .upper = longest_delay,
+                          .absent = 0.0}},
+          // Not convex where the motion rings: from a sample to several frames of a slow camera.
+          .starts =
+              [](const RigScale& scale) {
+                const double low = std::min(scale.interval, 0.1 * longest_delay);
+                const double high = std::clamp(0.1 * scale.duration, 2.0 * low, 0.1 * longest_delay);
+                return one_by_one(log_spread(low, high, 4));
+              },
+          .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<DelayTerm>(values[0]); }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -130,94 +130,86 @@ EffectProperties mullins(std::string_view description) {
           .inapplicable = without_springs};
 }
 
-const EffectKind& stretched_before() {
-  static const DescribedEffect kind([] {
-    EffectProperties row = mullins("silicone softens beyond the largest stretch that it has known before");
-    row.parameters = {softening, softening_angle, stretched};
-    row.starts = [](const RigScale& scale) {
-      const double angle = std::clamp(0.5 * scale.angle, softening_angle.lower, softening_angle.upper);
-      const double largest = std::max(std::abs(scale.upper_angle), std::abs(scale.lower_angle));
-      return Starts{{0.15, angle, std::clamp(0.6 * largest, 0.1 / degrees, stretched.upper)}};
-    };
-    return row;
-  }());
-  return kind;
+EffectProperties stretched_before() {
+  EffectProperties row = mullins("silicone softens beyond the largest stretch that it has known before");
+  row.parameters = {softening, softening_angle, stretched};
+  row.starts = [](const RigScale& scale) {
+    const double angle = std::clamp(0.5 * scale.angle, softening_angle.lower, softening_angle.upper);
+    const double largest = std::max(std::abs(scale.upper_angle), std::abs(scale.lower_angle));
+    return Starts{{0.15, angle, std::clamp(0.6 * largest, 0.1 / degrees, stretched.upper)}};
+  };
+  return row;
 }
 
 }  // namespace
 
-const EffectKind& viscoelastic_creep() {
-  static const DescribedEffect kind(
-      {.id = "viscoelastic_creep",
-       .stage = Stage::hinge,
-       .description = "the silicone creeps: stiffer at first, softer after a while",
-       .equation = "q -= kappa k (theta - xi), xi' = (theta - xi)/T",
-       .source = "standard linear solid: Ferry, Viscoelastic Properties of Polymers, 1980, ch. 1 and 3",
-       .check = "hold one current for a minute and watch whether the angle goes on moving",
-       .parameters = {{.key = "stiffness_ratio",
-                       .text = "stiffness that relaxes over stiffness that stays",
-                       .lower = 0.0,
-                       .upper = 20.0,
-                       .absent = 0.0},
-                      {.key = "time_constant_s",
-                       .text = "relaxation time at a held angle",
-                       .lower = shortest,
-                       .upper = longest_time_constant}},
-       .starts =
-           [](const RigScale& scale) {
-             const double low = std::clamp(4.0 * scale.interval, shortest, longest_time_constant);
-             return each_with_each({0.2}, log_spread(low, std::clamp(scale.duration, low, longest_time_constant), 4));
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<CreepTerm>(values[0] * stiffnesses(spec), values[1]);
-       },
-       .inapplicable = without_springs});
-  return kind;
+EffectProperties viscoelastic_creep() {
+  return {.id = "viscoelastic_creep",
+          .stage = Stage::hinge,
+          .description = "the silicone creeps: stiffer at first, softer after a while",
+          .equation = "q -= kappa k (theta - xi), xi' = (theta - xi)/T",
+          .source = "standard linear solid: Ferry, Viscoelastic Properties of Polymers, 1980, ch. 1 and 3",
+          .check = "hold one current for a minute and watch whether the angle goes on moving",
+          .parameters = {{.key = "stiffness_ratio",
+                          .text = "stiffness that relaxes over stiffness that stays",
+                          .lower = 0.0,
+                          .upper = 20.0,
+                          .absent = 0.0},
+                         {.key = "time_constant_s",
+                          .text = "relaxation time at a held angle",
+                          .lower = shortest,
+                          .upper = longest_time_constant}},
+          .starts =
+              [](const RigScale& scale) {
+                const double low = std::clamp(4.0 * scale.interval, shortest, longest_time_constant);
+                return each_with_each({0.2},
+                                      log_spread(low, std::clamp(scale.duration, low, longest_time_constant), 4));
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            return std::make_unique<CreepTerm>(values[0] * stiffnesses(spec), values[1]);
+          },
+          .inapplicable = without_springs};
 }
 
 // The same law as dry friction's bristle, but wide: a loop that needs degrees to turn over is the material's, one that
 // turns over within a milliradian is friction. The bound on the sharpness, 100/rad or 10 mrad, keeps the two apart.
-const EffectKind& hysteresis() {
-  static const DescribedEffect kind(
-      {.id = "hysteresis",
-       .stage = Stage::hinge,
-       .description = "the material's loop does not depend on how fast it is gone through",
-       .equation = "q -= a z, z' = gamma (omega - |omega| z), every joint",
-       .source = "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE "
-                 "102 (1976) 249, with n = 1 and no pinching: Dahl",
-       .check = "go up and down through the same currents slowly and compare the angles at rest",
-       .parameters = {{.key = "amplitude_Nmm",
-                       .text = "torque between middle and edge of the loop",
-                       .lower = 0.0,
-                       .upper = infinity,
-                       .absent = 0.0},
-                      {.key = "sharpness_1_rad",
-                       .text = "one over the angle within which the loop turns over",
-                       .lower = 0.5,
-                       .upper = 100.0}},
-       .starts =
-           [](const RigScale& scale) {
-             return each_with_each({0.05 * scale.torque}, {3.0, 12.0, 50.0});
-           },
-       .build = [](Values values, ModelSpec& spec) -> Term {
-         return std::make_unique<HysteresisTerm>(spec.chain.joints(), values[0], values[1]);
-       }});
-  return kind;
+EffectProperties hysteresis() {
+  return {.id = "hysteresis",
+          .stage = Stage::hinge,
+          .description = "the material's loop does not depend on how fast it is gone through",
+          .equation = "q -= a z, z' = gamma (omega - |omega| z), every joint",
+          .source =
+              "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE "
+              "102 (1976) 249, with n = 1 and no pinching: Dahl",
+          .check = "go up and down through the same currents slowly and compare the angles at rest",
+          .parameters = {{.key = "amplitude_Nmm",
+                          .text = "torque between middle and edge of the loop",
+                          .lower = 0.0,
+                          .upper = infinity,
+                          .absent = 0.0},
+                         {.key = "sharpness_1_rad",
+                          .text = "one over the angle within which the loop turns over",
+                          .lower = 0.5,
+                          .upper = 100.0}},
+          .starts =
+              [](const RigScale& scale) {
+                return each_with_each({0.05 * scale.torque}, {3.0, 12.0, 50.0});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            return std::make_unique<HysteresisTerm>(spec.chain.joints(), values[0], values[1]);
+          }};
 }
 
 // A run begins with what its start stretches, no more: a finger that has rested for a day, or is new.
-const EffectKind& mullins_softening() {
-  static const DescribedEffect kind([] {
-    EffectProperties row = mullins("silicone that has not been stretched before softens in its first cycles");
-    row.parameters = {softening, softening_angle};
-    row.further = &stretched_before();
-    row.starts = [](const RigScale& scale) {
-      const double low = std::clamp(0.3 * scale.angle, softening_angle.lower, 0.5 * softening_angle.upper);
-      return each_with_each({0.15}, {low, std::clamp(scale.angle, 1.5 * low, softening_angle.upper)});
-    };
-    return row;
-  }());
-  return kind;
+EffectProperties mullins_softening() {
+  EffectProperties row = mullins("silicone that has not been stretched before softens in its first cycles");
+  row.parameters = {softening, softening_angle};
+  row.further = &kind_of<stretched_before>();
+  row.starts = [](const RigScale& scale) {
+    const double low = std::clamp(0.3 * scale.angle, softening_angle.lower, 0.5 * softening_angle.upper);
+    return each_with_each({0.15}, {low, std::clamp(scale.angle, 1.5 * low, softening_angle.upper)});
+  };
+  return row;
 }
 
 }  // namespace coilwright::actuator::effects

@@ -109,36 +109,30 @@ EffectProperties mount() {
 }
 
 // The damping told by the records: a mount that rings for longer than the usual one, or not at all.
-const EffectKind& damped_mount() {
-  static const DescribedEffect kind([] {
-    EffectProperties row = mount();
-    row.parameters = {frequency, mass_ratio, damping_ratio};
-    row.starts = [](const RigScale& scale) {
-      const double fastest = fastest_start(scale);
-      return Starts{{fastest, 0.2, 0.02}, {fastest, 0.2, 0.15}};
-    };
-    return row;
-  }());
-  return kind;
+EffectProperties damped_mount() {
+  EffectProperties row = mount();
+  row.parameters = {frequency, mass_ratio, damping_ratio};
+  row.starts = [](const RigScale& scale) {
+    const double fastest = fastest_start(scale);
+    return Starts{{fastest, 0.2, 0.02}, {fastest, 0.2, 0.15}};
+  };
+  return row;
 }
 
 }  // namespace
 
-const EffectKind& mount_compliance() {
-  static const DescribedEffect kind([] {
-    EffectProperties row = mount();
-    row.parameters = {frequency, mass_ratio};
-    row.further = &damped_mount();
-    row.starts = [](const RigScale& scale) {
-      const double fastest = fastest_start(scale);
-      // A heavy mount rings by itself: a start must be near enough that both keep step for a few swings.
-      constexpr double widest_ratio = 1.4;
-      const int count = 1 + static_cast<int>(std::ceil(std::log(fastest / slowest_start) / std::log(widest_ratio)));
-      return each_with_each(log_spread(slowest_start, fastest, count), {0.05, 0.2});
-    };
-    return row;
-  }());
-  return kind;
+EffectProperties mount_compliance() {
+  EffectProperties row = mount();
+  row.parameters = {frequency, mass_ratio};
+  row.further = &kind_of<damped_mount>();
+  row.starts = [](const RigScale& scale) {
+    const double fastest = fastest_start(scale);
+    // A heavy mount rings by itself: a start must be near enough that both keep step for a few swings.
+    constexpr double widest_ratio = 1.4;
+    const int count = 1 + static_cast<int>(std::ceil(std::log(fastest / slowest_start) / std::log(widest_ratio)));
+    return each_with_each(log_spread(slowest_start, fastest, count), {0.05, 0.2});
+  };
+  return row;
 }
 
 }  // namespace coilwright::actuator::effects

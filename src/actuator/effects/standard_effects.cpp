@@ -1,5 +1,7 @@
 #include "coilwright/actuator/model/effect_catalogue.hpp"
 
+#include "actuator/effects/effect_rows.hpp"
+
 // The whole list: a line declares an effect and puts it in its place. In the order of the stages; within a stage, in
 // the order in which the effects act and are built in, so that those that change a spring stand before those that read
 // it.
@@ -39,14 +41,14 @@ namespace coilwright::actuator {
 namespace effects {
 
 // Each is defined in the file of what it changes.
-#define COILWRIGHT_DECLARE(id) const EffectKind& id();
+#define COILWRIGHT_DECLARE(id) EffectProperties id();
 COILWRIGHT_EFFECTS(COILWRIGHT_DECLARE)
 #undef COILWRIGHT_DECLARE
 
 }  // namespace effects
 
 const EffectCatalogue& standard_effects() {
-#define COILWRIGHT_LIST(id) &effects::id(),
+#define COILWRIGHT_LIST(id) &effects::kind_of<effects::id>(),
   static const EffectCatalogue all({COILWRIGHT_EFFECTS(COILWRIGHT_LIST)});
 #undef COILWRIGHT_LIST
   return all;

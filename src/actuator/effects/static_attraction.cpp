@@ -35,41 +35,40 @@ Starts attraction_starts(const RigScale& scale) {
 
 }  // namespace
 
-const EffectKind& static_attraction() {
-  static const DescribedEffect kind(
-      {.id = "static_attraction",
-       .stage = Stage::magnetics,
-       .description = "iron or another magnet nearby pulls or pushes without any current",
-       .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
-       .source = "a dipole's force on its image in iron falls with the fourth power of the distance "
-                 "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
-       .check = "look for iron or another magnet near the finger, take it away and film one release again",
-       .parameters = {{.key = "torque_Nmm",
-                       .text = "torque at angle zero, opening positive",
-                       .lower = -infinity,
-                       .upper = infinity,
-                       .absent = 0.0},
-                      {.key = "range_deg",
-                       .text = "angle from zero to where the matter is",
-                       .lower = 5.0 / degrees,
-                       .upper = 180.0 / degrees},
-                      {.key = "side",
-                       .text = "where the matter is: 1 opening, -1 closing",
-                       .lower = -1.0,
-                       .upper = 1.0,
-                       .choices = attracting_sides}},
-       .starts = attraction_starts,
-       // The magnet nearest the base, on the first link, is what iron attracts; a coil without current is copper.
-       .build =
-           [](Values values, ModelSpec& /*spec*/) {
-             return added_torque([torque = values[0], range = values[1], side = values[2]](
-                                     const EffectTerm::Kinematics& motion, mechanics::JointVector& torques) {
-               torques[0] += torque * growth(motion.angles[0], range, side);
-             });
-           },
-       // A rig without coils can have iron beside it as well as any other.
-       .inapplicable = [](const ModelSpec& /*spec*/) { return std::optional<std::string>(); }});
-  return kind;
+EffectProperties static_attraction() {
+  return {.id = "static_attraction",
+          .stage = Stage::magnetics,
+          .description = "iron or another magnet nearby pulls or pushes without any current",
+          .equation = "q_1 += a ((1 + c^2)/((1 - s theta_1/r)^2 + c^2))^2, c = 1/2",
+          .source =
+              "a dipole's force on its image in iron falls with the fourth power of the distance "
+              "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
+          .check = "look for iron or another magnet near the finger, take it away and film one release again",
+          .parameters = {{.key = "torque_Nmm",
+                          .text = "torque at angle zero, opening positive",
+                          .lower = -infinity,
+                          .upper = infinity,
+                          .absent = 0.0},
+                         {.key = "range_deg",
+                          .text = "angle from zero to where the matter is",
+                          .lower = 5.0 / degrees,
+                          .upper = 180.0 / degrees},
+                         {.key = "side",
+                          .text = "where the matter is: 1 opening, -1 closing",
+                          .lower = -1.0,
+                          .upper = 1.0,
+                          .choices = attracting_sides}},
+          .starts = attraction_starts,
+          // The magnet nearest the base, on the first link, is what iron attracts; a coil without current is copper.
+          .build =
+              [](Values values, ModelSpec& /*spec*/) {
+                return added_torque([torque = values[0], range = values[1], side = values[2]](
+                                        const EffectTerm::Kinematics& motion, mechanics::JointVector& torques) {
+                  torques[0] += torque * growth(motion.angles[0], range, side);
+                });
+              },
+          // A rig without coils can have iron beside it as well as any other.
+          .inapplicable = [](const ModelSpec& /*spec*/) { return std::optional<std::string>(); }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -53,11 +53,8 @@ EffectProperties back_emf() {
               "u = R i + (dq/di) omega: the flux linkage's slope is the torque per ampere "
               "(Woodson and Melcher, Electromechanical Dynamics, 1968, ch. 3)",
           .check = "film a release once with the coils' circuit open and once closed: closed, it dies away faster",
-          .parameters = {{.key = "conductance_1_Ohm",
-                          .text = "1/R of a coil under a voltage drive; less what eddy currents leave",
-                          .lower = 0.0,
-                          .upper = infinity,
-                          .absent = 0.0}},
+          .parameters = {from_zero("conductance_1_Ohm",
+                                   "1/R of a coil under a voltage drive; less what eddy currents leave")},
           .needs_closed_circuit = true,
           .starts =
               [](const RigScale& scale) {

@@ -93,11 +93,8 @@ EffectProperties backlash() {
           .check =
               "hold the joint and push the magnet to and fro by hand: it must neither click nor move in its seat; "
               "measure how far it moves: the gap found here rests on an assumed inertia and bounce",
-          .parameters = {{.key = "gap_deg",
-                          .text = "from one side of its seat to the other, as an angle of the joint",
-                          .lower = 0.0,
-                          .upper = 10.0 / degrees,
-                          .absent = 0.0}},
+          .parameters = {from_zero("gap_deg", "from one side of its seat to the other, as an angle of the joint",
+                                   10.0 / degrees)},
           .starts =
               [](const RigScale& scale) {
                 const double small = std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees);

@@ -10,7 +10,7 @@ EffectProperties angle_scale() {
           .equation = "y = s theta, every angle shown",
           .source = "definition",
           .check = "bend the joints by a known angle, along a printed template, and compare what the sensor shows",
-          .parameters = {{.key = "scale", .text = "angle shown over angle", .lower = 0.5, .upper = 2.0, .absent = 1.0}},
+          .parameters = {about_one("scale", "angle shown over angle", 2.0)},
           .starts =
               [](const RigScale& /*scale*/) {
                 return one_by_one({0.97, 1.03});
@@ -28,11 +28,7 @@ EffectProperties angle_offset() {
           .equation = "y = theta + theta_b, every angle shown",
           .source = "definition",
           .check = "hold the finger straight against a ruler and read the angle that the sensor shows",
-          .parameters = {{.key = "angle_deg",
-                          .text = "shown at angle zero",
-                          .lower = -10.0 / degrees,
-                          .upper = 10.0 / degrees,
-                          .absent = 0.0}},
+          .parameters = {about_zero("angle_deg", "shown at angle zero", 10.0 / degrees)},
           .starts =
               [](const RigScale& /*scale*/) {
                 return one_by_one({1.0 / degrees, -1.0 / degrees});

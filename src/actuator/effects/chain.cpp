@@ -27,11 +27,7 @@ EffectProperties added_mass() {
           .equation = "m_tip -> m_tip + dm, at the segment's centre of mass; at least 1/20 of m_tip stays",
           .source = "point mass at a link's centre of mass; definition",
           .check = "weigh the last segment, with all that is fixed to it, on a scale",
-          .parameters = {{.key = "mass_g",
-                          .text = "besides the declared mass of the last link",
-                          .lower = -infinity,
-                          .upper = infinity,
-                          .absent = 0.0}},
+          .parameters = {about_zero("mass_g", "besides the declared mass of the last link")},
           .starts =
               [](const RigScale& scale) {
                 const double inertia = scale.torque * scale.angle / (scale.rate * scale.rate);
@@ -56,12 +52,9 @@ EffectProperties rotor_inertia() {
               "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control "
               "109 (1987) 310, without the elasticity",
           .check = "turn an inner joint quickly by hand with its link unscrewed: what it resists with is the rotor",
-          .parameters = {{.key = "inertia_kgm2",
-                          .text = "of the rotor as the joint feels it, every joint but the first, where it is the "
-                                  "link's own",
-                          .lower = 0.0,
-                          .upper = infinity,
-                          .absent = 0.0}},
+          .parameters = {from_zero("inertia_kgm2",
+                                   "of the rotor as the joint feels it, every joint but the first, where it is the "
+                                   "link's own")},
           .starts =
               [](const RigScale& scale) {
                 const double whole = scale.torque * scale.angle / (scale.rate * scale.rate);
@@ -87,11 +80,8 @@ EffectProperties base_tilt() {
           .equation = "V(theta_1, ...) -> V(theta_1 + phi, ...): gravity turned by phi",
           .source = "definition; mechanics::PlanarChain",
           .check = "put a spirit level on the mount, or hang a plumb line beside the finger",
-          .parameters = {{.key = "angle_deg",
-                          .text = "of the whole chain towards opening, besides the declared tilt",
-                          .lower = -45.0 / degrees,
-                          .upper = 45.0 / degrees,
-                          .absent = 0.0}},
+          .parameters = {about_zero("angle_deg", "of the whole chain towards opening, besides the declared tilt",
+                                    45.0 / degrees)},
           .starts =
               [](const RigScale& /*scale*/) {
                 return one_by_one({2.0 / degrees, -2.0 / degrees});

@@ -102,11 +102,7 @@ EffectProperties force_gain() {
           .check =
               "measure one torque or force at rest under a known current (runs of kind static_torque or "
               "blocked_force)",
-          .parameters = {{.key = "gain",
-                          .text = "real over declared force of a coil at a current",
-                          .lower = 0.1,
-                          .upper = 10.0,
-                          .absent = 1.0}},
+          .parameters = {about_one("gain", "real over declared force of a coil at a current", 10.0)},
           .starts =
               [](const RigScale& /*scale*/) {
                 return one_by_one({0.9, 1.1});

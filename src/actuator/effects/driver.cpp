@@ -16,11 +16,7 @@ EffectProperties driver_deadband() {
           .equation = "i -> sgn(i) max(|i| - d, 0)",
           .source = "dead zone of an actuator: Tao and Kokotovic, IEEE Trans. Autom. Control 39 (1994) 59",
           .check = "put an ammeter in the coil's lead and command small currents in steps around the band",
-          .parameters = {{.key = "current_A",
-                          .text = "half the band of commands without an answer",
-                          .lower = 0.0,
-                          .upper = infinity,
-                          .absent = 0.0}},
+          .parameters = {from_zero("current_A", "half the band of commands without an answer")},
           .starts =
               [](const RigScale& scale) {
                 return one_by_one({0.03 * scale.current, 0.15 * scale.current});
@@ -66,11 +62,7 @@ EffectProperties current_offset() {
           .equation = "i -> i + i_0",
           .source = "definition",
           .check = "command zero and read an ammeter in the coil's lead",
-          .parameters = {{.key = "current_mA",
-                          .text = "current of every coil at no command",
-                          .lower = -5.0,
-                          .upper = 5.0,
-                          .absent = 0.0}},
+          .parameters = {about_zero("current_mA", "current of every coil at no command", 5.0)},
           .needs_closed_circuit = true,
           .starts =
               [](const RigScale& scale) {

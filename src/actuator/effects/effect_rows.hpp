@@ -34,6 +34,22 @@ template <EffectProperties (*row)()>
   return kind;
 }
 
+/// A number that is not negative, up to `most`, without an effect at zero.
+[[nodiscard]] constexpr EffectParameter from_zero(std::string_view key, std::string_view text, double most = infinity) {
+  return {.key = key, .text = text, .lower = 0.0, .upper = most, .absent = 0.0};
+}
+
+/// A number of either sign, up to `most` both ways, without an effect at zero.
+[[nodiscard]] constexpr EffectParameter about_zero(std::string_view key, std::string_view text,
+                                                   double most = infinity) {
+  return {.key = key, .text = text, .lower = -most, .upper = most, .absent = 0.0};
+}
+
+/// A factor of `most` at most, or one part in `most` at least, without an effect at one.
+[[nodiscard]] constexpr EffectParameter about_one(std::string_view key, std::string_view text, double most) {
+  return {.key = key, .text = text, .lower = 1.0 / most, .upper = most, .absent = 1.0};
+}
+
 /// `count` >= 2 values from `low` to `high`, equally far apart in logarithm; 0 < low. Where high <= low: low alone.
 [[nodiscard]] std::vector<double> log_spread(double low, double high, int count);
 

@@ -69,14 +69,13 @@ EffectProperties end_stop() {
           .equation = "q -= s max(0, k p + b p'), p = s (theta - theta_c) > 0, b = 0.6 sqrt(k/mobility)",
           .source = "Kelvin-Voigt contact that never pulls: as mechanics::FaceContact",
           .check = "bend the finger by hand and feel for a stop; look for a cable, or segments that touch",
-          .parameters =
-              {stop_angle,
-               {.key = "stiffness_Nmm_rad", .text = "of the stop", .lower = 0.0, .upper = infinity, .absent = 0.0},
-               {.key = "side",
-                .text = "1: limits opening, -1: limits closing",
-                .lower = -1.0,
-                .upper = 1.0,
-                .choices = sides}},
+          .parameters = {stop_angle,
+                         from_zero("stiffness_Nmm_rad", "of the stop"),
+                         {.key = "side",
+                          .text = "1: limits opening, -1: limits closing",
+                          .lower = -1.0,
+                          .upper = 1.0,
+                          .choices = sides}},
           .starts = stop_starts,
           .build = [](Values values, ModelSpec& spec) -> Term {
             const double side = values[2];

@@ -114,11 +114,7 @@ JointVector bristles_of(const ModelSpec& spec) {
   return presliding_frequency * presliding_frequency * spec.chain.joint_mobility().cwiseInverse();
 }
 
-constexpr EffectParameter torque_parameter{.key = "torque_Nmm",
-                                           .text = "friction torque of a sliding joint, every joint",
-                                           .lower = 0.0,
-                                           .upper = infinity,
-                                           .absent = 0.0};
+constexpr EffectParameter torque_parameter = from_zero("torque_Nmm", "friction torque of a sliding joint, every joint");
 constexpr std::string_view friction_check =
     "bend the finger slowly by hand and let go, once from either side: it comes to rest at two angles";
 
@@ -180,31 +176,28 @@ EffectProperties dry_friction() {
 }
 
 EffectProperties load_friction() {
-  return {.id = "load_friction",
-          .stage = Stage::hinge,
-          .description = "friction of gears and bearings that grows with the torque they pass on",
-          .equation =
-              "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to "
-              "mu |q_drive|, on bristles of 1500 rad/s",
-          .source =
-              "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. "
-              "Syst. Meas. Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
-          .check =
-              "move a load slowly up and down through one pose and read the motor's torque: half of their "
-              "difference grows with the load",
-          .parameters = {{.key = "coefficient",
-                          .text = "friction over the magnitude of the drive's torque, every joint",
-                          .lower = 0.0,
-                          .upper = 1.0,
-                          .absent = 0.0}},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({0.03, 0.2});
-              },
-          .build = [](Values values, ModelSpec& spec) -> Term {
-            return std::make_unique<LoadFrictionTerm>(bristles_of(spec), spec.magnetics, values[0]);
+  return {
+      .id = "load_friction",
+      .stage = Stage::hinge,
+      .description = "friction of gears and bearings that grows with the torque they pass on",
+      .equation =
+          "q -= mu |q_drive| sgn(omega), every joint, q_drive the torque of its motor; sticks up to "
+          "mu |q_drive|, on bristles of 1500 rad/s",
+      .source =
+          "load-dependent part of the friction of a robot's joint: Bittencourt and Gunnarsson, J. Dyn. "
+          "Syst. Meas. Control 134 (2012) 051013, linear in the magnitude of the joint's torque",
+      .check =
+          "move a load slowly up and down through one pose and read the motor's torque: half of their "
+          "difference grows with the load",
+      .parameters = {from_zero("coefficient", "friction over the magnitude of the drive's torque, every joint", 1.0)},
+      .starts =
+          [](const RigScale& /*scale*/) {
+            return one_by_one({0.03, 0.2});
           },
-          .inapplicable = without_shafts};
+      .build = [](Values values, ModelSpec& spec) -> Term {
+        return std::make_unique<LoadFrictionTerm>(bristles_of(spec), spec.magnetics, values[0]);
+      },
+      .inapplicable = without_shafts};
 }
 
 EffectProperties quadratic_drag() {
@@ -214,11 +207,7 @@ EffectProperties quadratic_drag() {
           .equation = "q -= c omega |omega|, every joint",
           .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
           .check = "repeat a release with a card glued across the tip: drag grows with its area",
-          .parameters = {{.key = "drag_Nmms2_rad2",
-                          .text = "drag coefficient, every joint",
-                          .lower = 0.0,
-                          .upper = infinity,
-                          .absent = 0.0}},
+          .parameters = {from_zero("drag_Nmms2_rad2", "drag coefficient, every joint")},
           .starts =
               [](const RigScale& scale) {
                 const double whole = scale.torque / (scale.rate * scale.rate);

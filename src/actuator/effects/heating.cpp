@@ -88,7 +88,7 @@ constexpr std::array warm_starts = {0.0, 1.0};
 
 std::vector<EffectParameter> heat_parameters(std::string_view loss, std::string_view loss_text,
                                              std::string_view time_text) {
-  return {{.key = loss, .text = loss_text, .lower = 0.0, .upper = infinity, .absent = 0.0},
+  return {from_zero(loss, loss_text),
           {.key = "time_constant_s", .text = time_text, .lower = shortest_heat, .upper = longest_heat},
           {.key = "warm_start",
            .text = "0: a run that starts at rest starts cold, 1: warm from a long hold under its first current",

@@ -82,11 +82,7 @@ EffectProperties coil_lag() {
           .equation = "i' = (i_cmd - i)/T; none below T = 0.02 ms",
           .source = "L i' + R i = u, T = L/R",
           .check = "record the coil's current in one step with a shunt and an oscilloscope",
-          .parameters = {{.key = "time_constant_ms",
-                          .text = "of the current's answer to a step",
-                          .lower = 0.0,
-                          .upper = 1.0,
-                          .absent = 0.0}},
+          .parameters = {from_zero("time_constant_ms", "of the current's answer to a step", 1.0)},
           .starts =
               [](const RigScale& scale) {
                 const double low = std::clamp(scale.interval, 2.0 * quasi_static, 0.1);
@@ -99,23 +95,22 @@ EffectProperties coil_lag() {
 }
 
 EffectProperties tracking_lag() {
-  return {
-      .id = "tracking_lag",
-      .stage = Stage::camera,
-      .description = "the camera's tracking filters: what it shows follows the motion",
-      .equation = "shown' = (theta - shown)/T, every angle",
-      .source = "first-order low-pass filter; definition",
-      .check = "move a target by hand and compare the tracked angle with the raw pictures",
-      .parameters = {{.key = "time_constant_ms", .text = "of the filter", .lower = 0.0, .upper = 1.0, .absent = 0.0}},
-      .starts =
-          [](const RigScale& scale) {
-            const double low = std::clamp(scale.interval, 1e-3, 0.1);
-            return one_by_one({low, std::min(4.0 * low, 0.5)});
-          },
-      .build = [](Values values, ModelSpec& spec) -> Term {
-        if (values[0] < quasi_static) return nullptr;
-        return std::make_unique<TrackingLag>(spec.chain.joints(), values[0]);
-      }};
+  return {.id = "tracking_lag",
+          .stage = Stage::camera,
+          .description = "the camera's tracking filters: what it shows follows the motion",
+          .equation = "shown' = (theta - shown)/T, every angle",
+          .source = "first-order low-pass filter; definition",
+          .check = "move a target by hand and compare the tracked angle with the raw pictures",
+          .parameters = {from_zero("time_constant_ms", "of the filter", 1.0)},
+          .starts =
+              [](const RigScale& scale) {
+                const double low = std::clamp(scale.interval, 1e-3, 0.1);
+                return one_by_one({low, std::min(4.0 * low, 0.5)});
+              },
+          .build = [](Values values, ModelSpec& spec) -> Term {
+            if (values[0] < quasi_static) return nullptr;
+            return std::make_unique<TrackingLag>(spec.chain.joints(), values[0]);
+          }};
 }
 
 EffectProperties measurement_delay() {

@@ -98,20 +98,14 @@ class MullinsTerm final : public EffectTerm {
   double stretched_;  // largest angle before the run
 };
 
-constexpr EffectParameter softening{.key = "softening",
-                                    .text = "share of a virgin hinge's stiffness that a large stretch takes for good",
-                                    .lower = 0.0,
-                                    .upper = 1.0,
-                                    .absent = 0.0};
+constexpr EffectParameter softening =
+    from_zero("softening", "share of a virgin hinge's stiffness that a large stretch takes for good", 1.0);
 constexpr EffectParameter softening_angle{.key = "angle_deg",
                                           .text = "largest angle so far at which 63 % of that is gone",
                                           .lower = 0.5 / degrees,
                                           .upper = 180.0 / degrees};
-constexpr EffectParameter stretched{.key = "stretched_deg",
-                                    .text = "largest angle before the first sample of every run, every joint",
-                                    .lower = 0.0,
-                                    .upper = 180.0 / degrees,
-                                    .absent = 0.0};
+constexpr EffectParameter stretched =
+    from_zero("stretched_deg", "largest angle before the first sample of every run, every joint", 180.0 / degrees);
 
 // What both kinds have in common: silicone that is new to its stretches, and silicone that has known some.
 EffectProperties mullins(std::string_view description) {
@@ -150,11 +144,7 @@ EffectProperties viscoelastic_creep() {
           .equation = "q -= kappa k (theta - xi), xi' = (theta - xi)/T",
           .source = "standard linear solid: Ferry, Viscoelastic Properties of Polymers, 1980, ch. 1 and 3",
           .check = "hold one current for a minute and watch whether the angle goes on moving",
-          .parameters = {{.key = "stiffness_ratio",
-                          .text = "stiffness that relaxes over stiffness that stays",
-                          .lower = 0.0,
-                          .upper = 20.0,
-                          .absent = 0.0},
+          .parameters = {from_zero("stiffness_ratio", "stiffness that relaxes over stiffness that stays", 20.0),
                          {.key = "time_constant_s",
                           .text = "relaxation time at a held angle",
                           .lower = shortest,
@@ -182,11 +172,7 @@ EffectProperties hysteresis() {
               "Bouc, 4th Conf. on Nonlinear Oscillation, Prague 1967; Wen, J. Eng. Mech. Div. ASCE "
               "102 (1976) 249, with n = 1 and no pinching: Dahl",
           .check = "go up and down through the same currents slowly and compare the angles at rest",
-          .parameters = {{.key = "amplitude_Nmm",
-                          .text = "torque between middle and edge of the loop",
-                          .lower = 0.0,
-                          .upper = infinity,
-                          .absent = 0.0},
+          .parameters = {from_zero("amplitude_Nmm", "torque between middle and edge of the loop"),
                          {.key = "sharpness_1_rad",
                           .text = "one over the angle within which the loop turns over",
                           .lower = 0.5,

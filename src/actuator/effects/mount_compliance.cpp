@@ -72,8 +72,7 @@ constexpr EffectParameter frequency{.key = "frequency_Hz",
                                     .text = "of the mount on its spring, with the finger held stiff",
                                     .lower = 5.0,
                                     .upper = 300.0};
-constexpr EffectParameter mass_ratio{
-    .key = "mass_ratio", .text = "mass of the chain over that of the mount", .lower = 0.0, .upper = 5.0, .absent = 0.0};
+constexpr EffectParameter mass_ratio = from_zero("mass_ratio", "mass of the chain over that of the mount", 5.0);
 constexpr EffectParameter damping_ratio{
     .key = "damping_ratio",
     .text = "of the mount on its spring, with the finger held stiff; 0.05 if not given",

@@ -31,11 +31,7 @@ EffectProperties joint_asymmetry() {
           .equation = "k_2 -> rho k_2, of every second joint; k_2 = rho k_1 where they are declared alike",
           .source = "k ~ h_b^3 of a moulded hinge: 5 % in its height are 16 % in its stiffness",
           .check = "measure the stiffness of each joint by itself with a force gauge",
-          .parameters = {{.key = "stiffness_ratio",
-                          .text = "of every second joint's stiffness to its declared one",
-                          .lower = 0.1,
-                          .upper = 10.0,
-                          .absent = 1.0}},
+          .parameters = {about_one("stiffness_ratio", "of every second joint's stiffness to its declared one", 10.0)},
           .starts =
               [](const RigScale& /*scale*/) {
                 return one_by_one({0.8, 1.25});
@@ -59,11 +55,7 @@ EffectProperties rest_angle() {
           .equation = "q = -k (theta - theta_0), every joint",
           .source = "linear spring with a natural angle; definition",
           .check = "lay the finger on its side, without current, and read the angle of its joints",
-          .parameters = {{.key = "angle_deg",
-                          .text = "angle at which a hinge is relaxed, every joint",
-                          .lower = -45.0 / degrees,
-                          .upper = 45.0 / degrees,
-                          .absent = 0.0}},
+          .parameters = {about_zero("angle_deg", "angle at which a hinge is relaxed, every joint", 45.0 / degrees)},
           .starts =
               [](const RigScale& /*scale*/) {
                 return one_by_one({2.0 / degrees, -2.0 / degrees});

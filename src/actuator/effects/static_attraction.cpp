@@ -44,11 +44,7 @@ EffectProperties static_attraction() {
               "a dipole's force on its image in iron falls with the fourth power of the distance "
               "(Jackson, Classical Electrodynamics, ch. 5); c is a choice",
           .check = "look for iron or another magnet near the finger, take it away and film one release again",
-          .parameters = {{.key = "torque_Nmm",
-                          .text = "torque at angle zero, opening positive",
-                          .lower = -infinity,
-                          .upper = infinity,
-                          .absent = 0.0},
+          .parameters = {about_zero("torque_Nmm", "torque at angle zero, opening positive"),
                          {.key = "range_deg",
                           .text = "angle from zero to where the matter is",
                           .lower = 5.0 / degrees,

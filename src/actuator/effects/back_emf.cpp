@@ -56,12 +56,12 @@ EffectProperties back_emf() {
           .parameters = {from_zero("conductance_1_Ohm",
                                    "1/R of a coil under a voltage drive; less what eddy currents leave")},
           .needs_closed_circuit = true,
-          .starts =
+          .starts = shares_of(
               [](const RigScale& scale) {
                 const double per_ampere = scale.torque / scale.current;
-                const double whole = scale.torque / (per_ampere * per_ampere * scale.rate);
-                return one_by_one({0.02 * whole, 0.2 * whole});
+                return scale.torque / (per_ampere * per_ampere * scale.rate);
               },
+              {0.02, 0.2}),
           .build = [](Values values, ModelSpec& spec) -> Term {
             return std::make_unique<BackEmfTerm>(coil_magnet_pairs(spec.magnetics), spec.coils, values[0]);
           }};

@@ -95,11 +95,9 @@ EffectProperties backlash() {
               "measure how far it moves: the gap found here rests on an assumed inertia and bounce",
           .parameters = {from_zero("gap_deg", "from one side of its seat to the other, as an angle of the joint",
                                    10.0 / degrees)},
-          .starts =
-              [](const RigScale& scale) {
-                const double small = std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees);
-                return one_by_one({small, 5.0 * small, 20.0 * small});
-              },
+          .starts = shares_of(
+              [](const RigScale& scale) { return std::clamp(0.02 * scale.angle, 0.05 / degrees, 1.0 / degrees); },
+              {1.0, 5.0, 20.0}),
           .build = [](Values values, ModelSpec& spec) -> Term {
             JointVector inertia = inertia_share / spec.chain.joints() * spec.chain.joint_mobility().cwiseInverse();
             return std::make_unique<BacklashTerm>(spec.magnetics, std::move(inertia), values[0]);

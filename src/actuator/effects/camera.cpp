@@ -11,14 +11,10 @@ EffectProperties angle_scale() {
           .source = "definition",
           .check = "bend the joints by a known angle, along a printed template, and compare what the sensor shows",
           .parameters = {about_one("scale", "angle shown over angle", 2.0)},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({0.97, 1.03});
-              },
-          .build =
-              [](Values values, ModelSpec& /*spec*/) {
-                return shown_angle([scale = values[0]](double angle) { return scale * angle; });
-              }};
+          .starts = always({0.97, 1.03}),
+          .build = [](Values values, ModelSpec& /*spec*/) {
+            return shown_angle([scale = values[0]](double angle) { return scale * angle; });
+          }};
 }
 
 EffectProperties angle_offset() {
@@ -29,14 +25,10 @@ EffectProperties angle_offset() {
           .source = "definition",
           .check = "hold the finger straight against a ruler and read the angle that the sensor shows",
           .parameters = {about_zero("angle_deg", "shown at angle zero", 10.0 / degrees)},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({1.0 / degrees, -1.0 / degrees});
-              },
-          .build =
-              [](Values values, ModelSpec& /*spec*/) {
-                return shown_angle([offset = values[0]](double angle) { return angle + offset; });
-              }};
+          .starts = always({1.0 / degrees, -1.0 / degrees}),
+          .build = [](Values values, ModelSpec& /*spec*/) {
+            return shown_angle([offset = values[0]](double angle) { return angle + offset; });
+          }};
 }
 
 }  // namespace coilwright::actuator::effects

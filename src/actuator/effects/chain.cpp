@@ -44,33 +44,31 @@ EffectProperties added_mass() {
 }
 
 EffectProperties rotor_inertia() {
-  return {.id = "rotor_inertia",
-          .stage = Stage::chain,
-          .description = "the rotors of inner joints' motors turn with their joints, through a gear",
-          .equation = "M_jj -> M_jj + J, every joint but the first, J = ratio^2 rotor inertia",
-          .source =
-              "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control "
-              "109 (1987) 310, without the elasticity",
-          .check = "turn an inner joint quickly by hand with its link unscrewed: what it resists with is the rotor",
-          .parameters = {from_zero("inertia_kgm2",
-                                   "of the rotor as the joint feels it, every joint but the first, where it is the "
-                                   "link's own")},
-          .starts =
-              [](const RigScale& scale) {
-                const double whole = scale.torque * scale.angle / (scale.rate * scale.rate);
-                return one_by_one({0.03 * whole, 0.3 * whole});
-              },
-          .build = [](Values values, ModelSpec& spec) -> Term {
-            std::vector<mechanics::Link> links = links_of(spec);
-            for (std::size_t j = 1; j < links.size(); ++j) links[j].rotor_inertia += values[0];
-            spec.chain = spec.chain.with_links(links);
-            return nullptr;
-          },
-          .inapplicable = [](const ModelSpec& spec) -> std::optional<std::string> {
-            if (auto reason = without_shafts(spec)) return reason;
-            if (spec.chain.joints() < 2) return "a rotor at the first joint is the inertia of its link";
-            return std::nullopt;
-          }};
+  return {
+      .id = "rotor_inertia",
+      .stage = Stage::chain,
+      .description = "the rotors of inner joints' motors turn with their joints, through a gear",
+      .equation = "M_jj -> M_jj + J, every joint but the first, J = ratio^2 rotor inertia",
+      .source =
+          "kinetic energy of a rotor that a gear turns with a joint: Spong, J. Dyn. Syst. Meas. Control "
+          "109 (1987) 310, without the elasticity",
+      .check = "turn an inner joint quickly by hand with its link unscrewed: what it resists with is the rotor",
+      .parameters = {from_zero("inertia_kgm2",
+                               "of the rotor as the joint feels it, every joint but the first, where it is the "
+                               "link's own")},
+      .starts = shares_of([](const RigScale& scale) { return scale.torque * scale.angle / (scale.rate * scale.rate); },
+                          {0.03, 0.3}),
+      .build = [](Values values, ModelSpec& spec) -> Term {
+        std::vector<mechanics::Link> links = links_of(spec);
+        for (std::size_t j = 1; j < links.size(); ++j) links[j].rotor_inertia += values[0];
+        spec.chain = spec.chain.with_links(links);
+        return nullptr;
+      },
+      .inapplicable = [](const ModelSpec& spec) -> std::optional<std::string> {
+        if (auto reason = without_shafts(spec)) return reason;
+        if (spec.chain.joints() < 2) return "a rotor at the first joint is the inertia of its link";
+        return std::nullopt;
+      }};
 }
 
 EffectProperties base_tilt() {
@@ -82,10 +80,7 @@ EffectProperties base_tilt() {
           .check = "put a spirit level on the mount, or hang a plumb line beside the finger",
           .parameters = {about_zero("angle_deg", "of the whole chain towards opening, besides the declared tilt",
                                     45.0 / degrees)},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({2.0 / degrees, -2.0 / degrees});
-              },
+          .starts = always({2.0 / degrees, -2.0 / degrees}),
           .build = [](Values values, ModelSpec& spec) -> Term {
             spec.chain = spec.chain.under_gravity(spec.chain.gravity(), spec.chain.base_tilt() + values[0]);
             return nullptr;

@@ -103,10 +103,7 @@ EffectProperties force_gain() {
               "measure one torque or force at rest under a known current (runs of kind static_torque or "
               "blocked_force)",
           .parameters = {about_one("gain", "real over declared force of a coil at a current", 10.0)},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({0.9, 1.1});
-              },
+          .starts = always({0.9, 1.1}),
           .build = [](Values values, ModelSpec& /*spec*/) -> Term { return std::make_unique<GainTerm>(values[0]); }};
 }
 

@@ -17,40 +17,31 @@ EffectProperties driver_deadband() {
           .source = "dead zone of an actuator: Tao and Kokotovic, IEEE Trans. Autom. Control 39 (1994) 59",
           .check = "put an ammeter in the coil's lead and command small currents in steps around the band",
           .parameters = {from_zero("current_A", "half the band of commands without an answer")},
-          .starts =
-              [](const RigScale& scale) {
-                return one_by_one({0.03 * scale.current, 0.15 * scale.current});
-              },
-          .build =
-              [](Values values, ModelSpec& /*spec*/) {
-                return driven_current([band = values[0]](double current) {
-                  return std::copysign(std::max(std::abs(current) - band, 0.0), current);
-                });
-              }};
+          .starts = shares_of(&RigScale::current, {0.03, 0.15}),
+          .build = [](Values values, ModelSpec& /*spec*/) {
+            return driven_current([band = values[0]](double current) {
+              return std::copysign(std::max(std::abs(current) - band, 0.0), current);
+            });
+          }};
 }
 
 // No finite limit is without effect on every command, so absent is infinity and lies outside the bounds; to a fit, any
 // limit above its largest command is as good. It sees a limit only while it cuts something off: starts go from close
 // below the largest command downwards.
 EffectProperties driver_saturation() {
-  return {
-      .id = "driver_saturation",
-      .stage = Stage::drive,
-      .description = "the driver or its supply gives less current than the largest command",
-      .equation = "i -> max(-i_max, min(i, i_max))",
-      .source = "current limit of a driver or u_max / R of its supply; definition",
-      .check = "put an ammeter in the coil's lead and command the largest current",
-      .parameters = {{.key = "current_A",
-                      .text = "largest current that the driver gives, either sign",
-                      .lower = 0.0,
-                      .upper = 1e3,
-                      .absent = infinity}},
-      .starts =
-          [](const RigScale& scale) {
-            return one_by_one({0.95 * scale.current, 0.8 * scale.current, 0.6 * scale.current});
-          },
-      .build =
-          [](Values values, ModelSpec& /*spec*/) {
+  return {.id = "driver_saturation",
+          .stage = Stage::drive,
+          .description = "the driver or its supply gives less current than the largest command",
+          .equation = "i -> max(-i_max, min(i, i_max))",
+          .source = "current limit of a driver or u_max / R of its supply; definition",
+          .check = "put an ammeter in the coil's lead and command the largest current",
+          .parameters = {{.key = "current_A",
+                          .text = "largest current that the driver gives, either sign",
+                          .lower = 0.0,
+                          .upper = 1e3,
+                          .absent = infinity}},
+          .starts = shares_of(&RigScale::current, {0.95, 0.8, 0.6}),
+          .build = [](Values values, ModelSpec& /*spec*/) {
             return driven_current([limit = values[0]](double current) { return std::clamp(current, -limit, limit); });
           }};
 }
@@ -64,14 +55,10 @@ EffectProperties current_offset() {
           .check = "command zero and read an ammeter in the coil's lead",
           .parameters = {about_zero("current_mA", "current of every coil at no command", 5.0)},
           .needs_closed_circuit = true,
-          .starts =
-              [](const RigScale& scale) {
-                return one_by_one({0.02 * scale.current, -0.02 * scale.current});
-              },
-          .build =
-              [](Values values, ModelSpec& /*spec*/) {
-                return driven_current([offset = values[0]](double current) { return current + offset; });
-              }};
+          .starts = shares_of(&RigScale::current, {0.02, -0.02}),
+          .build = [](Values values, ModelSpec& /*spec*/) {
+            return driven_current([offset = values[0]](double current) { return current + offset; });
+          }};
 }
 
 }  // namespace coilwright::actuator::effects

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -55,6 +56,22 @@ template <EffectProperties (*row)()>
 
 /// Every value by itself, as starts of an effect with one parameter.
 [[nodiscard]] Starts one_by_one(const std::vector<double>& values);
+
+/// Starts of an effect with one parameter that are the same on every rig.
+[[nodiscard]] inline auto always(std::vector<double> values) {
+  return [values = std::move(values)](const RigScale& /*scale*/) { return one_by_one(values); };
+}
+
+/// Starts of an effect with one parameter: shares of what `whole` is of a rig, a member of RigScale or a function of
+/// it.
+template <typename Whole>
+[[nodiscard]] auto shares_of(Whole whole, std::vector<double> shares) {
+  return [whole, shares = std::move(shares)](const RigScale& scale) {
+    std::vector<double> values;
+    for (const double share : shares) values.push_back(share * std::invoke(whole, scale));
+    return one_by_one(values);
+  };
+}
 
 /// Every first value with every second one.
 [[nodiscard]] Starts each_with_each(const std::vector<double>& first, const std::vector<double>& second);

@@ -166,10 +166,7 @@ EffectProperties dry_friction() {
           .check = friction_check,
           .parameters = {torque_parameter},
           .further = &kind_of<stribeck_friction>(),
-          .starts =
-              [](const RigScale& scale) {
-                return one_by_one({0.02 * scale.torque, 0.15 * scale.torque});
-              },
+          .starts = shares_of(&RigScale::torque, {0.02, 0.15}),
           .build = [](Values values, ModelSpec& spec) -> Term {
             return std::make_unique<FrictionTerm>(bristles_of(spec), values[0], StribeckFall{});
           }};
@@ -190,10 +187,7 @@ EffectProperties load_friction() {
           "move a load slowly up and down through one pose and read the motor's torque: half of their "
           "difference grows with the load",
       .parameters = {from_zero("coefficient", "friction over the magnitude of the drive's torque, every joint", 1.0)},
-      .starts =
-          [](const RigScale& /*scale*/) {
-            return one_by_one({0.03, 0.2});
-          },
+      .starts = always({0.03, 0.2}),
       .build = [](Values values, ModelSpec& spec) -> Term {
         return std::make_unique<LoadFrictionTerm>(bristles_of(spec), spec.magnetics, values[0]);
       },
@@ -201,24 +195,20 @@ EffectProperties load_friction() {
 }
 
 EffectProperties quadratic_drag() {
-  return {.id = "quadratic_drag",
-          .stage = Stage::hinge,
-          .description = "drag that grows with the square of the rate: air",
-          .equation = "q -= c omega |omega|, every joint",
-          .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
-          .check = "repeat a release with a card glued across the tip: drag grows with its area",
-          .parameters = {from_zero("drag_Nmms2_rad2", "drag coefficient, every joint")},
-          .starts =
-              [](const RigScale& scale) {
-                const double whole = scale.torque / (scale.rate * scale.rate);
-                return one_by_one({0.02 * whole, 0.2 * whole});
-              },
-          .build =
-              [](Values values, ModelSpec& /*spec*/) {
-                return added_torque([drag = values[0]](const EffectTerm::Kinematics& motion, JointVector& torques) {
-                  torques.array() -= drag * motion.rates.array() * motion.rates.array().abs();
-                });
-              }};
+  return {
+      .id = "quadratic_drag",
+      .stage = Stage::hinge,
+      .description = "drag that grows with the square of the rate: air",
+      .equation = "q -= c omega |omega|, every joint",
+      .source = "drag at high Reynolds number: Batchelor, An Introduction to Fluid Dynamics, 1967",
+      .check = "repeat a release with a card glued across the tip: drag grows with its area",
+      .parameters = {from_zero("drag_Nmms2_rad2", "drag coefficient, every joint")},
+      .starts = shares_of([](const RigScale& scale) { return scale.torque / (scale.rate * scale.rate); }, {0.02, 0.2}),
+      .build = [](Values values, ModelSpec& /*spec*/) {
+        return added_torque([drag = values[0]](const EffectTerm::Kinematics& motion, JointVector& torques) {
+          torques.array() -= drag * motion.rates.array() * motion.rates.array().abs();
+        });
+      }};
 }
 
 }  // namespace coilwright::actuator::effects

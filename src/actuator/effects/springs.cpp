@@ -32,10 +32,7 @@ EffectProperties joint_asymmetry() {
           .source = "k ~ h_b^3 of a moulded hinge: 5 % in its height are 16 % in its stiffness",
           .check = "measure the stiffness of each joint by itself with a force gauge",
           .parameters = {about_one("stiffness_ratio", "of every second joint's stiffness to its declared one", 10.0)},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({0.8, 1.25});
-              },
+          .starts = always({0.8, 1.25}),
           .build = [](Values values, ModelSpec& spec) -> Term {
             for (std::size_t j = 1; j < spec.hinges.size(); j += 2) spec.hinges[j].stiffness *= values[0];
             return nullptr;
@@ -56,10 +53,7 @@ EffectProperties rest_angle() {
           .source = "linear spring with a natural angle; definition",
           .check = "lay the finger on its side, without current, and read the angle of its joints",
           .parameters = {about_zero("angle_deg", "angle at which a hinge is relaxed, every joint", 45.0 / degrees)},
-          .starts =
-              [](const RigScale& /*scale*/) {
-                return one_by_one({2.0 / degrees, -2.0 / degrees});
-              },
+          .starts = always({2.0 / degrees, -2.0 / degrees}),
           .build = [](Values values, ModelSpec& spec) -> Term {
             for (Hinge& hinge : spec.hinges) hinge.torque_offset += hinge.stiffness * values[0];
             return nullptr;

@@ -38,73 +38,69 @@ struct StribeckFall {
 // Passive whatever the motion, F w - d/dt(tau_c delta y^2 / 2) >= 0, where s1 >= c s0 / r and rho <= 3; here s1 / s0 =
 // 2 zeta / 1500 s = 1.9 / r. (docs/theory/effects.md. Without Stribeck's fall s1 >= s0 / (2 r) is enough.) The plain
 // LuGre law (r infinite, s1 not tapered) is so only up to |w| = 4 tau_c / s1.
-class FrictionTerm final : public EffectTerm {
+class BristleTerm : public EffectTerm {
  public:
-  FrictionTerm(JointVector stiffness, double torque, StribeckFall fall)
+  int states() const final { return static_cast<int>(stiffness_.size()); }
+
+ protected:
+  explicit BristleTerm(JointVector stiffness, StribeckFall fall = {})
       : stiffness_(std::move(stiffness)),
         damping_(2.0 * presliding_damping / presliding_frequency * stiffness_),
-        torque_(torque),
         most_damped_(std::max(1.0, 0.5 * (1.0 + fall.excess))),
         fall_(fall) {}
 
-  int states() const override { return static_cast<int>(stiffness_.size()); }
-
-  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
-                   JointVector& torques) const override {
-    for (int j = 0; j < states(); ++j) {
-      const double rate = motion.rates[j];
-      const double speed = std::abs(rate);
-      const double bent = fall_.excess == 0.0 ? own.states[j] : own.states[j] / fall_.breaking(speed);
-      const double slip = rate - speed * bent;
-      const double damped = most_damped_ * damping_[j] * slip / (most_damped_ * torque_ + damping_[j] * speed);
-      torques[j] -= torque_ * (own.states[j] + damped);
-      if (own.slopes != nullptr)
-        own.slopes[j] = stiffness_[j] * slip / (torque_ + stiffness_[j] * speed / turnover_rate);
+  // Joint j, whose sliding friction is tau_c = `torque` >= 0, N m.
+  void brake(const Kinematics& motion, int j, double torque, InternalStateView own, JointVector& torques) const {
+    const double rate = motion.rates[j];
+    const double speed = std::abs(rate);
+    const double bent = fall_.excess == 0.0 ? own.states[j] : own.states[j] / fall_.breaking(speed);
+    const double slip = rate - speed * bent;
+    if (torque > 0.0) {
+      const double damped = most_damped_ * damping_[j] * slip / (most_damped_ * torque + damping_[j] * speed);
+      torques[j] -= torque * (own.states[j] + damped);
     }
+    if (own.slopes == nullptr) return;
+    const double turning = torque + stiffness_[j] * speed / turnover_rate;
+    own.slopes[j] = turning > 0.0 ? stiffness_[j] * slip / turning : 0.0;
   }
 
  private:
   JointVector stiffness_;  // s0, N m/rad
   JointVector damping_;    // s1, N m s/rad
-  double torque_;          // tau_c, N m; > 0
   double most_damped_;     // c: the most that the bristles' damping can make of tau_c where they do not bend
   StribeckFall fall_;
 };
 
-// The bristles of dry_friction, one state y a joint, whose torque tau_c = mu |q_drive| follows the drive:
-//   y' = (w - |w| y) / (tau_c / s0 + |w| / r),   F = tau_c y + s1 (w - |w| y) / (1 + s1 |w| / tau_c).
-// y stays in [-1, 1] however the drive changes. Where a drive changes under bent bristles their energy
-// tau_c^2 y^2 / (2 s0) changes with it: 1e-8 J of a finger's, below what any record shows.
-class LoadFrictionTerm final : public EffectTerm {
+class FrictionTerm final : public BristleTerm {
+ public:
+  FrictionTerm(JointVector stiffness, double torque, StribeckFall fall)
+      : BristleTerm(std::move(stiffness), fall), torque_(torque) {}
+
+  void add_torques(const Kinematics& motion, const CoilCurrents& /*strength*/, InternalStateView own,
+                   JointVector& torques) const override {
+    for (int j = 0; j < states(); ++j) brake(motion, j, torque_, own, torques);
+  }
+
+ private:
+  double torque_;  // tau_c, N m; > 0
+};
+
+// Friction whose torque tau_c = mu |q_drive| follows the drive: y stays in [-1, 1] however that changes. Where a drive
+// changes under bent bristles their energy tau_c^2 y^2 / (2 s0) changes with it: 1e-8 J of a finger's, below what any
+// record shows.
+class LoadFrictionTerm final : public BristleTerm {
  public:
   LoadFrictionTerm(JointVector stiffness, MagneticStage drives, double coefficient)
-      : stiffness_(std::move(stiffness)),
-        damping_(2.0 * presliding_damping / presliding_frequency * stiffness_),
-        drives_(std::move(drives)),
-        coefficient_(coefficient) {}
-
-  int states() const override { return static_cast<int>(stiffness_.size()); }
+      : BristleTerm(std::move(stiffness)), drives_(std::move(drives)), coefficient_(coefficient) {}
 
   void add_torques(const Kinematics& motion, const CoilCurrents& strength, InternalStateView own,
                    JointVector& torques) const override {
     JointVector drive = motion.applied != nullptr ? *motion.applied : JointVector::Zero(states());
     drives_.add_torques(motion.chain, motion.angles, strength, drive);
-    for (int j = 0; j < states(); ++j) {
-      const double rate = motion.rates[j];
-      const double speed = std::abs(rate);
-      const double sliding = coefficient_ * std::abs(drive[j]);
-      const double slip = rate - speed * own.states[j];
-      if (sliding > 0.0) torques[j] -= sliding * (own.states[j] + damping_[j] * slip / (sliding + damping_[j] * speed));
-      if (own.slopes != nullptr) {
-        const double turning = sliding + stiffness_[j] * speed / turnover_rate;
-        own.slopes[j] = turning > 0.0 ? stiffness_[j] * slip / turning : 0.0;
-      }
-    }
+    for (int j = 0; j < states(); ++j) brake(motion, j, coefficient_ * std::abs(drive[j]), own, torques);
   }
 
  private:
-  JointVector stiffness_;  // s0, N m/rad
-  JointVector damping_;    // s1, N m s/rad
   MagneticStage drives_;
   double coefficient_;  // mu; > 0
 };

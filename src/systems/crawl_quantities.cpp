@@ -1,15 +1,13 @@
 #include "coilwright/systems/crawl_quantities.hpp"
 
-#include "coilwright/systems/crawl_heat.hpp"
-#include "coilwright/units/angle.hpp"
-
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
+
+#include "coilwright/systems/crawl_heat.hpp"
+#include "coilwright/units/angle.hpp"
+#include "systems/tried.hpp"
 
 namespace coilwright::systems {
 namespace {
@@ -25,50 +23,37 @@ using TaskOf = std::function<CrawlTask(const Settings&)>;
 struct Tried : Crawl {
   double thermal_load{};
 };
-using CrawlResult = std::variant<Tried, NoValue>;
-
-constexpr auto no_crawl = "the robot cannot be tried on the ground";
 
 // Current of all coils in a pulse over what the cell delivers.
 double cell_load(const CrawlTask& task, const DesignView& design) {
   return design.assembly.coils * pulse_current(design.assembly, task.parts) / task.parts.cell.current_limit;
 }
 
-CrawlResult try_crawl(const TaskOf& task_of, const DesignView& design) {
+Try<Tried> try_crawl(const TaskOf& task_of, const DesignView& design) {
   const CrawlTask task = task_of(simulation::settings_of(design));
-  try {
-    const Crawler crawler(design.design, design.assembly, task.parts);
-    Tried out{crawl(crawler, task.timing)};
-    // Of all that heat_of_crawl() knows the search asks for one figure.
-    const double for_good = lying_limits(design.design, design.assembly).for_good();
-    if (for_good == 0.0)
-      return NoValue{.reason = "the surroundings are as hot as a limit already", .infeasibility = 1.0};
-    out.thermal_load = rms_current(crawler, out) / for_good;
-    return out;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& failure) {
-    return NoValue{.reason = failure.what(), .infeasibility = std::max(1.0, cell_load(task, design))};
-  }
+  return tried(
+      [&]() -> Try<Tried> {
+        const Crawler crawler(design.design, design.assembly, task.parts);
+        Tried out{crawl(crawler, task.timing)};
+        // Of all that heat_of_crawl() knows the search asks for one figure.
+        const double for_good = lying_limits(design.design, design.assembly).for_good();
+        if (for_good == 0.0)
+          return NoValue{.reason = "the surroundings are as hot as a limit already", .infeasibility = 1.0};
+        out.thermal_load = rms_current(crawler, out) / for_good;
+        return out;
+      },
+      [&](const std::exception&) { return std::max(1.0, cell_load(task, design)); });
 }
 
-ResultQuantity of_crawl(const SharedResult<CrawlResult>& result, std::string name, std::string meaning, double scale,
+ResultQuantity of_crawl(const SharedResult<Try<Tried>>& result, std::string name, std::string meaning, double scale,
                         double (*value)(const Tried&)) {
   return {.name = std::move(name),
           .meaning = std::move(meaning),
           .scale = scale,
-          .value = [result, value](const DesignView& design) -> Value {
-            const auto found = result.of(design);
-            const auto* done = std::get_if<Tried>(found.get());
-            return done == nullptr ? Value() : Value(value(*done));
-          },
-          .absence = no_crawl,
+          .value = of_try(result, [value](const Tried& done, const DesignView&) { return value(done); }),
+          .absence = "the robot cannot be tried on the ground",
           .pose = actuator::HeldCases::free,
-          .why_absent = [result](const DesignView& design) -> NoValue {
-            const auto found = result.of(design);
-            const auto* none = std::get_if<NoValue>(found.get());
-            return none == nullptr ? NoValue{.reason = "it is not finite"} : *none;
-          }};
+          .why_absent = why_none(result)};
 }
 
 // What needs no steps on the ground.
@@ -86,7 +71,7 @@ ResultQuantity of_robot(const TaskOf& task, std::string name, std::string meanin
 }  // namespace
 
 std::vector<ResultQuantity> crawl_quantities(const TaskOf& task) {
-  const SharedResult<CrawlResult> result([task](const DesignView& design) { return try_crawl(task, design); });
+  const SharedResult<Try<Tried>> result([task](const DesignView& design) { return try_crawl(task, design); });
   return {of_robot(task, "crawler_mass_g", "mass of the robot with its payload", 91.0,
                    [](const CrawlTask& t, const DesignView& d) {
                      return 1e3 * (d.performance.mass + t.parts.payload.mass);

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <exception>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "coilwright/actuator/coil_bank.hpp"
 #include "coilwright/drive/driver.hpp"
 #include "coilwright/drive/settings.hpp"
+#include "systems/tried.hpp"
 
 namespace coilwright::systems {
 namespace {
@@ -46,9 +44,8 @@ struct DriverAnswer {
   drive::SteadyCurrent cold{};  // of the driver at that mean current
   double peak_over_limit{};
 };
-using Driven = std::variant<DriverAnswer, NoValue>;
 
-Driven answer_of(const Task& task, const DesignView& design) {
+Try<DriverAnswer> answer_of(const Task& task, const DesignView& design) {
   const double wanted = std::abs(design.point.current);
   const bool only_gripping = design.point.cases == actuator::HeldCases::gripping;
   const simulation::Heat& heat = only_gripping ? design.performance.gripping.heat : design.performance.free.heat;
@@ -84,16 +81,6 @@ Driven answer_of(const Task& task, const DesignView& design) {
   return out;
 }
 
-Driven tried(const std::function<Task(const simulation::Settings&)>& task, const DesignView& design) {
-  try {
-    return answer_of(task(simulation::settings_of(design)), design);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& failure) {
-    return NoValue{.reason = failure.what()};
-  }
-}
-
 // Heat in the coils over that of their mean current.
 double heat_ratio(const drive::SteadyCurrent& current) {
   return current.mean > 0.0 ? std::pow(current.rms / current.mean, 2) : 1.0;
@@ -102,25 +89,20 @@ double heat_ratio(const drive::SteadyCurrent& current) {
 }  // namespace
 
 std::vector<ResultQuantity> driver_quantities(const std::function<Task(const simulation::Settings&)>& task) {
-  const SharedResult<Driven> result([task](const DesignView& design) { return tried(task, design); });
+  using Value = std::optional<double>;
+  const SharedResult<Try<DriverAnswer>> result([task](const DesignView& design) {
+    return tried([&] { return answer_of(task(simulation::settings_of(design)), design); },
+                 [](const std::exception&) { return 1.0; });
+  });
   const auto row = [&result](std::string name, std::string meaning, double scale,
-                             std::optional<double> (*value)(const DriverAnswer&, const DesignView&)) {
+                             Value (*value)(const DriverAnswer&, const DesignView&)) {
     return ResultQuantity{.name = std::move(name),
                           .meaning = std::move(meaning),
                           .scale = scale,
-                          .value = [result, value](const DesignView& design) -> std::optional<double> {
-                            const auto found = result.of(design);
-                            const auto* done = std::get_if<DriverAnswer>(found.get());
-                            return done == nullptr ? std::nullopt : value(*done, design);
-                          },
+                          .value = of_try(result, value),
                           .absence = "the driver cannot drive this current",
-                          .why_absent = [result](const DesignView& design) -> NoValue {
-                            const auto found = result.of(design);
-                            const auto* none = std::get_if<NoValue>(found.get());
-                            return none == nullptr ? NoValue{.reason = "it is not finite"} : *none;
-                          }};
+                          .why_absent = why_none(result)};
   };
-  using Value = std::optional<double>;
   return {row("driver_duty", "share of a period that is switched on for the current as a mean, coils warm", 1.0,
               [](const DriverAnswer& driven, const DesignView&) -> Value { return driven.duty; }),
           row("driver_most_current_A", "mean current of a coil with the switch closed for good, coils warm", 1.0,

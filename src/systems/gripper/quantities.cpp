@@ -5,18 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
+#include <exception>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "coilwright/actuator/cost.hpp"
 #include "coilwright/actuator/design/current_limit.hpp"
 #include "coilwright/systems/gripper/grasp.hpp"
 #include "coilwright/systems/gripper/heat_of_hold.hpp"
 #include "coilwright/systems/gripper/placement_tolerance.hpp"
+#include "systems/tried.hpp"
 
 namespace coilwright::systems::gripper {
 namespace {
@@ -45,27 +44,19 @@ struct Tried {
   Grasp grasp;
 };
 
-// What came of a try, or why there was none.
-template <class Result>
-using Try = std::variant<Result, NoValue>;
-
-// A design far from all hardware may break a rule of a room below; then it has no value, and the search goes on.
+// Where open fingers leave no room, a design is as far from a grasp as that is.
 template <class Work>
-auto tried(const GripperTask& task, const Work& work) -> Try<decltype(work())> {
-  try {
-    return work();
-  } catch (const NoRoom& none) {
-    return NoValue{.reason = none.what(), .infeasibility = 1.0 + none.overlap() / task.object.width};
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& failure) {
-    return NoValue{.reason = failure.what(), .infeasibility = 1.0};
-  }
+auto tried_with(const GripperTask& task, const Work& work) -> Try<std::invoke_result_t<const Work&>> {
+  return tried([&]() -> Try<std::invoke_result_t<const Work&>> { return work(); },
+               [&](const std::exception& failure) {
+                 const auto* none = dynamic_cast<const NoRoom*>(&failure);
+                 return none == nullptr ? 1.0 : 1.0 + none->overlap() / task.object.width;
+               });
 }
 
 Try<Tried> try_grasp(const TaskOf& task_of, const DesignView& design) {
   const GripperTask task = task_of(simulation::settings_of(design));
-  return tried(task, [&] {
+  return tried_with(task, [&] {
     Gripper gripper(design.design, task.mounting);
     Grasp found = grasp(gripper, task.object, grasp_task(task, design.point.current));
     return Tried{.task = task, .gripper = std::move(gripper), .grasp = std::move(found)};
@@ -84,47 +75,35 @@ class Results {
  public:
   explicit Results(const TaskOf& task)
       : grasp_([task](const DesignView& design) { return try_grasp(task, design); }),
-        heat_([grasp = grasp_](const DesignView& design) -> std::optional<simulation::Heat> {
-          const auto found = grasp.of(design);
-          const auto* done = std::get_if<Tried>(found.get());
-          if (done == nullptr) return std::nullopt;
-          return heat_of_hold(design.design, done->gripper, done->grasp, design.point);
-        }),
-        least_([grasp = grasp_](const DesignView& design) -> Value {
-          const auto found = grasp.of(design);
-          const auto* done = std::get_if<Tried>(found.get());
-          if (done == nullptr) return std::nullopt;
-          const double most =
-              done->task.most_current > 0.0 ? done->task.most_current : operating_current_limit(design.design);
-          const auto least = tried(done->task, [&] {
-            return least_current(done->gripper, done->task.object, grasp_task(done->task, most), most);
+        heat_(of_try(grasp_,
+                     [](const Tried& done, const DesignView& design) {
+                       return heat_of_hold(design.design, done.gripper, done.grasp, design.point);
+                     })),
+        least_(of_try(grasp_,
+                      [](const Tried& done, const DesignView& design) -> Value {
+                        const GripperTask& own = done.task;
+                        const double most =
+                            own.most_current > 0.0 ? own.most_current : operating_current_limit(design.design);
+                        const auto least = tried_with(
+                            own, [&] { return least_current(done.gripper, own.object, grasp_task(own, most), most); });
+                        const auto* value = std::get_if<Value>(&least);
+                        return value == nullptr ? std::nullopt : *value;
+                      })),
+        tolerance_(of_try(grasp_, [](const Tried& done, const DesignView& design) -> Value {
+          if (!done.grasp.holds) return 0.0;
+          const auto off = tried_with(done.task, [&] {
+            return length_tolerance(done.gripper, done.task.object, grasp_task(done.task, design.point.current));
           });
-          const auto* value = std::get_if<Value>(&least);
-          return value == nullptr ? std::nullopt : *value;
-        }),
-        tolerance_([grasp = grasp_](const DesignView& design) -> Value {
-          const auto found = grasp.of(design);
-          const auto* done = std::get_if<Tried>(found.get());
-          if (done == nullptr) return std::nullopt;
-          if (!done->grasp.holds) return 0.0;
-          const auto off = tried(done->task, [&] {
-            return length_tolerance(done->gripper, done->task.object, grasp_task(done->task, design.point.current));
-          });
-          const auto* found_off = std::get_if<double>(&off);
-          return found_off == nullptr ? Value() : Value(*found_off * 1e3);
-        }) {}
+          const auto* found = std::get_if<double>(&off);
+          return found == nullptr ? Value() : Value(*found * 1e3);
+        })) {}
 
   ResultQuantity of_grasp(std::string name, std::string meaning, double scale,
                           const std::function<Value(const Tried&)>& value, const std::string& absence = {}) const {
     return with_reason({.name = std::move(name),
                         .meaning = std::move(meaning),
                         .scale = scale,
-                        .value =
-                            [grasp = grasp_, value](const DesignView& design) {
-                              const auto found = grasp.of(design);
-                              const auto* done = std::get_if<Tried>(found.get());
-                              return done == nullptr ? std::nullopt : value(*done);
-                            },
+                        .value = of_try(grasp_, [value](const Tried& done, const DesignView&) { return value(done); }),
                         .absence = absence.empty() ? std::string(no_grasp) : absence,
                         .pose = HeldCases::gripping});
   }
